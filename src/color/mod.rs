@@ -1,0 +1,61 @@
+//! Linear colour with filter and transmit, and the only transfer curves.
+
+pub mod transfer;
+
+use crate::math::DVec3;
+use serde::Serialize;
+
+/// Red, green, blue; linear, not clamped.
+pub type Rgb = DVec3;
+
+/// A colour of the scene language: `rgbft <red, green, blue, filter, transmit>`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Color {
+    /// What the surface reflects.
+    pub rgb: Rgb,
+    /// How much of the light behind passes, tinted by `rgb`.
+    pub filter: f64,
+    /// How much of the light behind passes untinted.
+    pub transmit: f64,
+}
+
+impl Color {
+    /// `rgb 0`.
+    pub const BLACK: Color = Color::opaque(Rgb::ZERO);
+    /// `rgb 1`.
+    pub const WHITE: Color = Color::opaque(Rgb::ONE);
+
+    /// Neither filters nor transmits.
+    pub const fn opaque(rgb: Rgb) -> Self {
+        Self { rgb, filter: 0.0, transmit: 0.0 }
+    }
+
+    /// The five numbers of `rgbft`.
+    pub const fn from_array(c: [f64; 5]) -> Self {
+        Self { rgb: Rgb::new(c[0], c[1], c[2]), filter: c[3], transmit: c[4] }
+    }
+
+    /// The five numbers of `rgbft`.
+    pub const fn to_array(self) -> [f64; 5] {
+        [self.rgb.x, self.rgb.y, self.rgb.z, self.filter, self.transmit]
+    }
+
+    /// The part that is not see-through.
+    pub fn opacity(&self) -> f64 {
+        1.0 - self.filter - self.transmit
+    }
+
+    /// (1-t)·self + t·other, in all five numbers.
+    pub fn lerp(self, other: Color, t: f64) -> Color {
+        Color {
+            rgb: self.rgb.lerp(other.rgb, t),
+            filter: self.filter + (other.filter - self.filter) * t,
+            transmit: self.transmit + (other.transmit - self.transmit) * t,
+        }
+    }
+}
+
+/// Brightness as POV-Ray's `.gray` weighs it (manual, "Color Operators").
+pub fn gray(c: Rgb) -> f64 {
+    0.297 * c.x + 0.589 * c.y + 0.114 * c.z
+}

@@ -1,0 +1,24 @@
+//! Transfer curves between linear light and stored numbers.
+
+use super::Rgb;
+use crate::math::fp;
+
+/// Linear light in [0, 1] to the sRGB curve (IEC 61966-2-1).
+pub fn srgb_encode(x: f64) -> f64 {
+    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * fp::pow(x, 1.0 / 2.4) - 0.055 }
+}
+
+/// The sRGB curve back to linear light.
+pub fn srgb_decode(x: f64) -> f64 {
+    if x <= 0.040_45 { x / 12.92 } else { fp::pow((x + 0.055) / 1.055, 2.4) }
+}
+
+/// All three channels of [`srgb_encode`].
+pub fn srgb_encode_rgb(c: Rgb) -> Rgb {
+    Rgb::new(srgb_encode(c.x), srgb_encode(c.y), srgb_encode(c.z))
+}
+
+/// All three channels of [`srgb_decode`].
+pub fn srgb_decode_rgb(c: Rgb) -> Rgb {
+    Rgb::new(srgb_decode(c.x), srgb_decode(c.y), srgb_decode(c.z))
+}

@@ -1,0 +1,5 @@
+//! Decodes and encodes pixel files; nothing else opens one.
+
+mod frame;
+
+pub use frame::Frame;

@@ -1,0 +1,17 @@
+//! durer: an interpreter and renderer for scenes written by hand in POV-Ray's scene language.
+//!
+//! ```text
+//! text ──syntax──▶ AST ──interpreter──▶ Scene ──world──▶ World ──render──▶ Frame ──image_io──▶ file
+//! ```
+
+pub mod color;
+pub mod diagnostic;
+pub mod image_io;
+pub mod interpreter;
+pub mod math;
+pub mod render;
+pub mod scene;
+pub mod shape;
+pub mod source;
+pub mod value;
+pub mod world;

@@ -1,0 +1,112 @@
+//! Axis-aligned boxes, possibly infinite.
+
+use super::{DVec3, Range, Ray};
+use serde::Serialize;
+
+/// An axis-aligned box; `min > max` means empty, infinite ends are allowed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Aabb {
+    /// Lower corner.
+    pub min: DVec3,
+    /// Upper corner.
+    pub max: DVec3,
+}
+
+impl Aabb {
+    /// Holds no point.
+    pub const EMPTY: Aabb = Aabb { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+    /// Holds every point.
+    pub const INFINITE: Aabb = Aabb { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
+
+    /// The box between two corners given in any order.
+    pub fn from_corners(a: DVec3, b: DVec3) -> Self {
+        Self { min: a.min(b), max: a.max(b) }
+    }
+
+    /// The smallest box around some points.
+    pub fn from_points(points: impl IntoIterator<Item = DVec3>) -> Self {
+        points.into_iter().fold(Self::EMPTY, Self::with)
+    }
+
+    /// The smallest box around this one and a point.
+    pub fn with(self, p: DVec3) -> Self {
+        Self { min: self.min.min(p), max: self.max.max(p) }
+    }
+
+    /// The smallest box around two.
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// What two boxes share.
+    pub fn intersection(self, other: Self) -> Self {
+        Self { min: self.min.max(other.min), max: self.max.min(other.max) }
+    }
+
+    /// The box moved outwards by `d` on every side.
+    pub fn grown(self, d: f64) -> Self {
+        Self { min: self.min - d, max: self.max + d }
+    }
+
+    /// Is there no point in it?
+    pub fn is_empty(&self) -> bool {
+        !self.min.cmple(self.max).all()
+    }
+
+    /// Are all its ends finite numbers?
+    pub fn is_finite(&self) -> bool {
+        self.min.is_finite() && self.max.is_finite()
+    }
+
+    /// The point in the middle.
+    pub fn center(&self) -> DVec3 {
+        self.min * 0.5 + self.max * 0.5
+    }
+
+    /// Its edges' lengths.
+    pub fn size(&self) -> DVec3 {
+        self.max - self.min
+    }
+
+    /// Half its surface: what the surface-area heuristic compares.
+    pub fn half_area(&self) -> f64 {
+        let s = self.size();
+        if self.is_empty() { 0.0 } else { s.x * s.y + s.y * s.z + s.z * s.x }
+    }
+
+    /// Is the point in the closed box?
+    pub fn contains(&self, p: DVec3) -> bool {
+        p.cmpge(self.min).all() && p.cmple(self.max).all()
+    }
+
+    /// The eight corners.
+    pub fn corners(&self) -> [DVec3; 8] {
+        std::array::from_fn(|i| {
+            let pick = |bit: usize, lo: f64, hi: f64| if i >> bit & 1 == 0 { lo } else { hi };
+            DVec3::new(
+                pick(0, self.min.x, self.max.x),
+                pick(1, self.min.y, self.max.y),
+                pick(2, self.min.z, self.max.z),
+            )
+        })
+    }
+
+    /// Where the ray enters and leaves, by slabs (lecture, "Ray – AAB intersection"); a direction
+    /// component of zero is handled: the origin must then lie between the two planes.
+    pub fn slabs(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
+        let (mut near, mut far) = (range.min, range.max);
+        for axis in 0..3 {
+            let (o, v) = (ray.origin[axis], ray.dir[axis]);
+            if v == 0.0 {
+                if o < self.min[axis] || o > self.max[axis] {
+                    return None;
+                }
+                continue;
+            }
+            let (t1, t2) = ((self.min[axis] - o) / v, (self.max[axis] - o) / v);
+            near = near.max(t1.min(t2));
+            far = far.min(t1.max(t2));
+        }
+        (near <= far).then_some((near, far))
+    }
+}

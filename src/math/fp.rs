@@ -1,0 +1,52 @@
+//! Every transcendental function goes through here, so that one edit can make them the same on all
+//! platforms.
+
+/// Sine of an angle in radians.
+pub fn sin(x: f64) -> f64 {
+    x.sin()
+}
+
+/// Cosine of an angle in radians.
+pub fn cos(x: f64) -> f64 {
+    x.cos()
+}
+
+/// Sine and cosine together.
+pub fn sin_cos(x: f64) -> (f64, f64) {
+    x.sin_cos()
+}
+
+/// Tangent of an angle in radians.
+pub fn tan(x: f64) -> f64 {
+    x.tan()
+}
+
+/// Arc sine in radians; the argument is clamped to [-1, 1].
+pub fn asin(x: f64) -> f64 {
+    x.clamp(-1.0, 1.0).asin()
+}
+
+/// Arc cosine in radians; the argument is clamped to [-1, 1].
+pub fn acos(x: f64) -> f64 {
+    x.clamp(-1.0, 1.0).acos()
+}
+
+/// Angle of the point (x, y) in radians.
+pub fn atan2(y: f64, x: f64) -> f64 {
+    y.atan2(x)
+}
+
+/// x to the power of y.
+pub fn pow(x: f64, y: f64) -> f64 {
+    x.powf(y)
+}
+
+/// e to the power of x.
+pub fn exp(x: f64) -> f64 {
+    x.exp()
+}
+
+/// Natural logarithm.
+pub fn ln(x: f64) -> f64 {
+    x.ln()
+}

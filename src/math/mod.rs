@@ -1,0 +1,15 @@
+//! Vectors, transforms, rays and boxes: plain mathematics, nothing of the language.
+
+mod aabb;
+pub mod fp;
+mod poly;
+mod ray;
+pub mod rng;
+pub mod tolerance;
+mod transform;
+
+pub use aabb::Aabb;
+pub use glam::{DMat3, DVec2, DVec3};
+pub use poly::{Roots, solve_cubic, solve_quadratic, solve_quartic};
+pub use ray::{Range, Ray};
+pub use transform::{Singular, Transform};

@@ -1,0 +1,141 @@
+//! M and M⁻¹ side by side (lecture, "Ray – transformed object intersection").
+
+use super::{Aabb, DMat3, DVec3, Ray, fp};
+use glam::DAffine3;
+use serde::Serialize;
+
+/// An affine map and its inverse. Both are composed step by step, so that M·M⁻¹ = 1 to rounding.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Transform {
+    /// M: from the object's space to the space around it.
+    pub m: DAffine3,
+    /// M⁻¹.
+    pub inv: DAffine3,
+}
+
+/// A matrix that flattens space has no inverse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Singular;
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
+impl Transform {
+    /// Changes nothing.
+    pub const IDENTITY: Transform = Transform { m: DAffine3::IDENTITY, inv: DAffine3::IDENTITY };
+
+    /// Moves by `v`.
+    pub fn translate(v: DVec3) -> Self {
+        Self { m: DAffine3::from_translation(v), inv: DAffine3::from_translation(-v) }
+    }
+
+    /// Stretches along the axes; a factor of zero flattens space.
+    pub fn scale(v: DVec3) -> Result<Self, Singular> {
+        if v.cmpeq(DVec3::ZERO).any() || !v.is_finite() || !v.recip().is_finite() {
+            return Err(Singular);
+        }
+        Ok(Self { m: DAffine3::from_scale(v), inv: DAffine3::from_scale(v.recip()) })
+    }
+
+    /// Turns by `degrees.x` about x, then `degrees.y` about y, then `degrees.z` about z. In
+    /// POV-Ray's left-handed system a positive angle turns y towards z, z towards x, x towards y
+    /// (manual, "rotate"), which is the same matrix as the right-handed one.
+    pub fn rotate(degrees: DVec3) -> Self {
+        let r = DVec3::new(degrees.x.to_radians(), degrees.y.to_radians(), degrees.z.to_radians());
+        let ((sx, cx), (sy, cy), (sz, cz)) = (fp::sin_cos(r.x), fp::sin_cos(r.y), fp::sin_cos(r.z));
+        let rx = DMat3::from_cols(DVec3::X, DVec3::new(0.0, cx, sx), DVec3::new(0.0, -sx, cx));
+        let ry = DMat3::from_cols(DVec3::new(cy, 0.0, -sy), DVec3::Y, DVec3::new(sy, 0.0, cy));
+        let rz = DMat3::from_cols(DVec3::new(cz, sz, 0.0), DVec3::new(-sz, cz, 0.0), DVec3::Z);
+        let m = rz * ry * rx;
+        Self { m: DAffine3::from_mat3(m), inv: DAffine3::from_mat3(m.transpose()) }
+    }
+
+    /// Turns by `degrees` about `axis`, which need not have length 1.
+    pub fn rotate_about(axis: DVec3, degrees: f64) -> Self {
+        let m = DMat3::from_axis_angle(axis.normalize_or(DVec3::Y), degrees.to_radians());
+        Self { m: DAffine3::from_mat3(m), inv: DAffine3::from_mat3(m.transpose()) }
+    }
+
+    /// The three images of the axes and the translation: `matrix <v00 … v32>` lists them in this
+    /// order (manual, "matrix": row vectors).
+    pub fn from_rows(rows: [DVec3; 4]) -> Result<Self, Singular> {
+        let m = DAffine3::from_cols(rows[0], rows[1], rows[2], rows[3]);
+        Self::from_affine(m)
+    }
+
+    /// A map given as a matrix alone.
+    pub fn from_affine(m: DAffine3) -> Result<Self, Singular> {
+        let inv = m.inverse();
+        let fine = m.is_finite() && inv.is_finite() && m.matrix3.determinant() != 0.0;
+        if fine { Ok(Self { m, inv }) } else { Err(Singular) }
+    }
+
+    /// First this one, then `next`: `next.m * self.m`.
+    pub fn then(&self, next: &Transform) -> Self {
+        Self { m: next.m * self.m, inv: self.inv * next.inv }
+    }
+
+    /// The way back.
+    pub fn inverse(&self) -> Self {
+        Self { m: self.inv, inv: self.m }
+    }
+
+    /// Is it exactly the identity?
+    pub fn is_identity(&self) -> bool {
+        self.m == DAffine3::IDENTITY
+    }
+
+    /// M·p (w = 1).
+    pub fn point(&self, p: DVec3) -> DVec3 {
+        self.m.transform_point3(p)
+    }
+
+    /// M·v (w = 0).
+    pub fn vector(&self, v: DVec3) -> DVec3 {
+        self.m.transform_vector3(v)
+    }
+
+    /// M⁻ᵀ·n: stays perpendicular to the surface; not normalised.
+    pub fn normal(&self, n: DVec3) -> DVec3 {
+        // (M⁻¹)ᵀ·n without building the transpose: the dot products with the columns of M⁻¹.
+        let inv = &self.inv.matrix3;
+        DVec3::new(inv.x_axis.dot(n), inv.y_axis.dot(n), inv.z_axis.dot(n))
+    }
+
+    /// M⁻¹·p (w = 1).
+    pub fn inverse_point(&self, p: DVec3) -> DVec3 {
+        self.inv.transform_point3(p)
+    }
+
+    /// M⁻¹·v (w = 0).
+    pub fn inverse_vector(&self, v: DVec3) -> DVec3 {
+        self.inv.transform_vector3(v)
+    }
+
+    /// M⁻¹·ray: the origin as a point, the direction as a vector, not renormalised.
+    pub fn inverse_ray(&self, ray: &Ray) -> Ray {
+        Ray { origin: self.inverse_point(ray.origin), dir: self.inverse_vector(ray.dir) }
+    }
+
+    /// The smallest axis-aligned box around M·box; infinite where the box is.
+    pub fn aabb(&self, b: &Aabb) -> Aabb {
+        if b.is_empty() {
+            return Aabb::EMPTY;
+        }
+        let mut out = Aabb { min: self.m.translation, max: self.m.translation };
+        let cols = [self.m.matrix3.x_axis, self.m.matrix3.y_axis, self.m.matrix3.z_axis];
+        for (axis, col) in cols.iter().enumerate() {
+            for row in 0..3 {
+                // 0·∞ counts as 0: an axis that does not reach this row adds nothing to it.
+                let product = |x: f64| if col[row] == 0.0 { 0.0 } else { col[row] * x };
+                let (a, b) = (product(b.min[axis]), product(b.max[axis]));
+                out.min[row] += a.min(b);
+                out.max[row] += a.max(b);
+            }
+        }
+        out
+    }
+}

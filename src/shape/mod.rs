@@ -1,0 +1,123 @@
+//! Shapes in their own object space: bounds, hits, inside, normal, uv. Adding one is a file here and
+//! a row in the table below.
+
+mod sphere;
+
+pub use sphere::Sphere;
+
+use crate::diagnostic::Result;
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Where a ray meets a surface, in object space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The ray's parameter: the distance in world space, because rays are not renormalised.
+    pub t: f64,
+    /// Which face or piece of the shape, so that normal and uv need no search.
+    pub part: u32,
+    /// What the kernel wants to remember of the place, such as barycentric coordinates.
+    pub uv: DVec2,
+}
+
+impl Hit {
+    /// A hit of a shape that has one piece.
+    pub fn at(t: f64) -> Self {
+        Self::on(t, 0)
+    }
+
+    /// A hit of a numbered piece.
+    pub fn on(t: f64, part: u32) -> Self {
+        Self { t, part, uv: DVec2::ZERO }
+    }
+}
+
+/// All hits of a ray with one shape.
+pub type Hits = smallvec::SmallVec<[Hit; 4]>;
+
+/// What every shape can do, in its own space. Rays come with a direction of any length.
+pub trait Kernel {
+    /// The smallest box around it; infinite where it is.
+    fn bounds(&self) -> Aabb;
+
+    /// Appends every hit with `range.min < t < range.max`, in any order.
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
+
+    /// The nearest hit in the range.
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut all = Hits::new();
+        self.hits(ray, range, &mut all);
+        all.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+    }
+
+    /// Is the point in the solid? Points on the surface may go either way.
+    fn inside(&self, p: DVec3) -> bool;
+
+    /// The outward normal at a hit, of any length but zero.
+    fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
+
+    /// Surface coordinates as POV-Ray's `uv_mapping` sees them.
+    fn uv(&self, p: DVec3, hit: &Hit) -> DVec2;
+}
+
+macro_rules! shapes {
+    ($($name:ident)*) => {
+        /// Any shape. A closed set: no virtual calls on the way of a ray.
+        #[derive(Clone, Debug, PartialEq, Serialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum Shape { $(#[doc = concat!("See [`", stringify!($name), "`].")] $name($name)),* }
+
+        impl Kernel for Shape {
+            fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => s.bounds()),* } }
+            fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
+            fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
+            fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
+            fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
+            fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
+        }
+
+        impl Shape {
+            /// The table of its words.
+            pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }
+            /// Reads one of the words of its own table; the word itself is already consumed.
+            pub fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+                match self { $(Shape::$name(s) => s.read_word(word, r)),* }
+            }
+            /// Checks what only the whole block shows, after its last word; `span` is the block's name.
+            pub fn finish(&mut self, span: crate::source::Span, r: &mut dyn Reader) -> Result<()> {
+                match self { $(Shape::$name(s) => s.finish(span, r)),* }
+            }
+        }
+
+        /// Every shape's table.
+        pub const SPECS: &[&Spec] = &[$(&$name::SPEC),*];
+
+        /// Reads the positional arguments of the shape of this name; `None` if there is no such shape.
+        pub fn read(name: &str, r: &mut dyn Reader) -> Option<Result<Shape>> {
+            $(if name == $name::SPEC.name { return Some($name::read(r).map(Shape::$name)); })*
+            None
+        }
+    };
+}
+
+/// How a shape is read.
+pub trait Readable: Sized {
+    /// Its table.
+    const SPEC: Spec;
+
+    /// Reads the positional arguments, after the opening brace.
+    fn read(r: &mut dyn Reader) -> Result<Self>;
+
+    /// Reads what follows one of `SPEC.words`; the word itself is already consumed.
+    fn read_word(&mut self, _word: &'static str, _r: &mut dyn Reader) -> Result<()> {
+        Ok(())
+    }
+
+    /// Checks what only the whole block shows.
+    fn finish(&mut self, _span: crate::source::Span, _r: &mut dyn Reader) -> Result<()> {
+        Ok(())
+    }
+}
+
+shapes! { Sphere }

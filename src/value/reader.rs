@@ -1,0 +1,108 @@
+//! The trait through which a family reads its own words. The interpreter implements it, so that
+//! directives and macro calls have already run when a family sees what comes next.
+
+use super::{Thing, Value};
+use crate::color::Color;
+use crate::diagnostic::{Diagnostic, Result};
+use crate::math::{DVec2, DVec3};
+use crate::source::Span;
+use std::sync::Arc;
+
+/// What comes next, after all directives and macros before it ran.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Next {
+    /// A keyword that does not open a block.
+    Word(&'static str),
+    /// A keyword and its `{`.
+    Block(&'static str),
+    /// A declared thing of this kind: `texture`, `object` …
+    Thing(&'static str),
+    /// An expression: number, vector, colour or text.
+    Value,
+    /// `[`, as in a map's entry.
+    Entry,
+    /// A `{` without a word in front.
+    Group,
+    /// The end of the block, entry or file.
+    End,
+}
+
+/// What the file's `#version` and `global_settings` have settled so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Language {
+    /// `#version` as 100 times the number: 370 for 3.7. Ask `interpreter/compat.rs`' questions through the
+    /// other fields, never compare this one elsewhere.
+    pub version: u32,
+    /// Literal colours pass through this exponent into linear light (1: they are linear).
+    pub assumed_gamma: f64,
+}
+
+/// A family's view of the text.
+pub trait Reader {
+    /// What comes next; nothing is consumed. Commas and semicolons are passed over.
+    fn next(&mut self) -> Result<Next>;
+    /// The place of what comes next.
+    fn span(&mut self) -> Span;
+    /// Consumes the word or the opening `name {`, `[` or `{` that [`Reader::next`] announced.
+    fn take(&mut self) -> Result<Span>;
+    /// Consumes the end of the block that was opened; anything else there is an error that names
+    /// `what` the block is and which words it takes.
+    fn leave(&mut self) -> Result<()>;
+    /// Consumes an expression.
+    fn value(&mut self) -> Result<(Value, Span)>;
+    /// Consumes the declared thing announced by [`Next::Thing`].
+    fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
+    /// A number; a vector is an error.
+    fn float(&mut self) -> Result<f64>;
+    /// Three numbers; a single number stands for all three, as POV-Ray promotes it.
+    fn vector(&mut self) -> Result<DVec3>;
+    /// Two numbers; a single number stands for both.
+    fn vector2(&mut self) -> Result<DVec2>;
+    /// Exactly `n` numbers in `< >` (more than five only as a literal, as in `matrix`).
+    fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
+    /// A colour with all the ways to write one, also without the word `color` or `rgb` before it.
+    fn color(&mut self) -> Result<Color>;
+    /// A string.
+    fn text(&mut self) -> Result<String>;
+    /// `on`, `off`, a number, or nothing at all (which is on).
+    fn flag(&mut self) -> Result<bool>;
+    /// Version and gamma in force here.
+    fn language(&self) -> Language;
+    /// Tells the user something without stopping.
+    fn report(&mut self, diagnostic: Diagnostic);
+    /// An error about what comes next: "expected …, found …".
+    fn unexpected(&mut self, expected: &str) -> Diagnostic;
+    /// An error about the word that comes next, which `block` does not take: names the nearest of
+    /// the words that it takes, or lists them.
+    fn unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic;
+}
+
+/// What every reader can do by the methods above.
+pub trait ReaderExt: Reader {
+    /// Consumes the word if it comes next.
+    fn accept(&mut self, word: &str) -> Result<bool>;
+    /// Consumes a declared thing of this type if one comes next.
+    fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;
+}
+
+impl<R: Reader + ?Sized> ReaderExt for R {
+    fn accept(&mut self, word: &str) -> Result<bool> {
+        match self.next()? {
+            Next::Word(w) if w == word => self.take().map(|_| true),
+            _ => Ok(false),
+        }
+    }
+
+    fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>> {
+        if !matches!(self.next()?, Next::Thing(_)) {
+            return Ok(None);
+        }
+        let (thing, span) = self.take_thing()?;
+        let found = Value::Thing(thing.clone()).describe();
+        let any: Arc<dyn std::any::Any + Send + Sync> = thing;
+        match any.downcast::<T>() {
+            Ok(thing) => Ok(Some(thing)),
+            Err(_) => Diagnostic::err(crate::diagnostic::codes::WRONG_TYPE, span, format!("{found} can't stand here")),
+        }
+    }
+}
