@@ -13,5 +13,6 @@ pub mod render;
 pub mod scene;
 pub mod shape;
 pub mod source;
+pub mod syntax;
 pub mod value;
 pub mod world;

@@ -42,6 +42,15 @@ codes! {
 "A scene is a text file. This one holds bytes that no text holds, as pictures, archives and programs do."
     SYNTAX "E0100" "something stands where nothing of the kind can stand"
 "The text can't be read as a scene from this place on."
+    UNCLOSED "E0101" "something is opened and never closed"
+"A `{`, `(`, `[`, string, comment or directive has no end. The message stands at the opener, since the text gives no
+sign of where the end was meant to be.\n\n    sphere { <0, 0, 0>, 1\n    // the `}` is missing"
+    UNMATCHED_CLOSER "E0102" "something is closed that was never opened"
+"A `}`, `)`, `]` or `#end` has no opener. Often one too many was typed, or the opener was deleted."
+    UNKNOWN_DIRECTIVE "E0103" "no directive of this name"
+"A directive is a `#` and a word: #declare, #local, #if, #while, #for, #macro, #include and so on.\n\n    #declre A = 1;   // #declare"
+    TOO_DEEP "E0104" "brackets are nested too deeply"
+"A thousand brackets, directives or choices inside each other are more than any scene needs: the file is probably damaged."
     WRONG_TYPE "E0200" "a value of another kind is needed here"
 "For example a colour where a number belongs, or a texture where an object belongs."
 }

@@ -1,0 +1,106 @@
+//! Every word of the language (manual, "Keywords"), and durer's own.
+
+use rustc_hash::FxHashMap;
+use std::sync::LazyLock;
+
+/// What a word is to the grammar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Category {
+    /// Names a block or says something inside one.
+    Keyword,
+    /// Takes arguments in parentheses; without them it is a keyword (`julia_fractal { … sqr }`).
+    Function,
+    /// A value that the program sets: `x`, `pi`, `clock`, `on`.
+    Constant,
+    /// durer's own, a word only inside the blocks of [`contextual`]; elsewhere an ordinary name.
+    Contextual,
+}
+
+/// The word as a static string and its category; `None` for names that authors may give.
+pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
+    static TABLE: LazyLock<FxHashMap<&'static str, Category>> = LazyLock::new(|| {
+        let of = |words: &'static [&'static str], category| words.iter().map(move |&w| (w, category));
+        of(KEYWORDS, Category::Keyword)
+            .chain(of(FUNCTIONS, Category::Function))
+            .chain(of(CONSTANTS, Category::Constant))
+            .chain(CONTEXTUAL.iter().flat_map(move |(_, words)| of(words, Category::Contextual)))
+            .collect()
+    });
+    TABLE.get_key_value(word).map(|(&word, &category)| (word, category))
+}
+
+/// durer's own words inside the block of this name.
+pub fn contextual(block: &str) -> &'static [&'static str] {
+    CONTEXTUAL.iter().find(|(name, _)| *name == block).map_or(&[], |(_, words)| words)
+}
+
+const CONTEXTUAL: &[(&str, &[&str])] =
+    &[("camera", &["eye", "center", "fov_x", "fov_y"]), ("plane", &["implicit", "point", "span"])];
+
+/// Words that name blocks or stand inside them.
+pub const KEYWORDS: &[&str] = &[
+    "aa_level", "aa_threshold", "absorption", "accuracy", "adaptive", "adc_bailout", "agate", "agate_turb",
+    "albedo", "all", "all_intersections", "alpha", "altitude", "always_sample", "ambient", "ambient_light",
+    "angle", "aoi", "aperture", "append", "arc_angle", "area_illumination", "area_light", "array", "ascii",
+    "assumed_gamma", "autostop", "average", "b_spline", "background", "bezier_spline", "bicubic_patch",
+    "black_hole", "blob", "blue", "blur_samples", "bokeh", "bounded_by", "box", "boxed", "bozo", "brick",
+    "brick_size", "brightness", "brilliance", "bump_map", "bump_size", "bumps", "camera", "caustics", "cells",
+    "charset", "checker", "circular", "clipped_by", "collect", "color", "color_map", "colour", "colour_map",
+    "component", "composite", "cone", "confidence", "conic_sweep", "conserve_energy", "contained_by",
+    "control0", "control1", "coords", "count", "crackle", "crand", "cubic", "cubic_spline", "cubic_wave",
+    "cutaway_textures", "cylinder", "cylindrical", "default", "density", "density_file", "density_map", "dents",
+    "deprecated", "df3", "difference", "diffuse", "direction", "disc", "dispersion", "dispersion_samples",
+    "dist_exp", "distance", "double_illuminate", "eccentricity", "emission", "error_bound", "evaluate",
+    "expand_thresholds", "exponent", "exterior", "extinction", "face_indices", "facets", "fade_color",
+    "fade_colour", "fade_distance", "fade_power", "falloff", "falloff_angle", "filter", "finish", "fisheye",
+    "flatness", "flip", "focal_point", "fog", "fog_alt", "fog_offset", "fog_type", "form", "frequency",
+    "fresnel", "function", "gamma", "gather", "gif", "global_lights", "global_settings", "gradient", "granite",
+    "gray", "gray_threshold", "green", "height_field", "hexagon", "hf_gray_16", "hierarchy", "hollow",
+    "hypercomplex", "iff", "image_map", "image_pattern", "importance", "inside_vector", "interior",
+    "interior_texture", "interpolate", "intersection", "intervals", "inverse", "ior", "irid", "irid_wavelength",
+    "isosurface", "jitter", "jpeg", "julia", "julia_fractal", "lambda", "lathe", "leopard", "light_group",
+    "light_source", "linear_spline", "linear_sweep", "load_file", "location", "look_at", "looks_like",
+    "low_error_factor", "magnet", "major_radius", "mandel", "map_type", "marble", "material", "material_map",
+    "matrix", "max_gradient", "max_intersections", "max_iteration", "max_sample", "max_trace",
+    "max_trace_level", "maximum_reuse", "media", "media_attenuation", "media_interaction", "merge", "mesh",
+    "mesh2", "mesh_camera", "metallic", "method", "metric", "minimum_reuse", "mm_per_unit", "mortar",
+    "natural_spline", "nearest_count", "no_bump_scale", "no_image", "no_radiosity", "no_reflection",
+    "no_shadow", "noise_generator", "normal", "normal_indices", "normal_map", "normal_vectors",
+    "number_of_waves", "object", "octaves", "offset", "omega", "omnimax", "once", "onion", "open", "orient",
+    "orientation", "orthographic", "ovus", "panoramic", "parallel", "parametric", "pass_through", "pattern",
+    "pavement", "perspective", "pgm", "phase", "phong", "phong_size", "photons", "pigment", "pigment_map",
+    "pigment_pattern", "planar", "plane", "png", "point_at", "poly", "poly_wave", "polygon", "polynomial",
+    "pot", "ppm", "precision", "precompute", "premultiplied", "pretrace_end", "pretrace_start", "prism",
+    "projected_through", "pwr", "quadratic_spline", "quadric", "quartic", "quaternion", "quick_color",
+    "quick_colour", "quilted", "radial", "radiosity", "radius", "rainbow", "ramp_wave", "ratio", "read",
+    "reciprocal", "recursion_limit", "red", "reflection", "reflection_exponent", "refraction", "repeat", "rgb",
+    "rgbf", "rgbft", "rgbt", "right", "ripples", "rotate", "roughness", "samples", "save_file", "scale",
+    "scallop_wave", "scattering", "shadowless", "sine_wave", "sint16be", "sint16le", "sint32be", "sint32le",
+    "sint8", "size", "sky", "sky_sphere", "slice", "slope", "slope_map", "smooth", "smooth_triangle", "solid",
+    "sor", "spacing", "specular", "sphere", "sphere_sweep", "spherical", "spiral1", "spiral2", "spline",
+    "split_union", "spotlight", "spotted", "square", "srgb", "srgbf", "srgbft", "srgbt", "strength", "sturm",
+    "subsurface", "superellipsoid", "sys", "target", "text", "texture", "texture_list", "texture_map", "tga",
+    "thickness", "threshold", "tiff", "tightness", "tile2", "tiles", "tiling", "tolerance", "toroidal", "torus",
+    "transform", "translate", "translucency", "transmit", "triangle", "triangle_wave", "triangular", "ttf",
+    "turb_depth", "turbulence", "type", "u_steps", "uint16be", "uint16le", "uint8", "ultra_wide_angle", "union",
+    "up", "use_alpha", "use_color", "use_colour", "use_index", "utf8", "uv_indices", "uv_mapping", "uv_vectors",
+    "v_steps", "variance", "vertex_vectors", "warp", "water_level", "waves", "width", "wood", "wrinkles",
+    "write",
+];
+
+/// Words that take arguments in parentheses.
+pub const FUNCTIONS: &[&str] = &[
+    "abs", "acos", "acosh", "asc", "asin", "asinh", "atan", "atan2", "atanh", "bitwise_and", "bitwise_or",
+    "bitwise_xor", "ceil", "chr", "concat", "cos", "cosh", "cube", "datetime", "defined", "degrees",
+    "dimension_size", "dimensions", "div", "exp", "file_exists", "floor", "inside", "int", "internal", "ln",
+    "log", "max", "max_extent", "min", "min_extent", "mod", "pow", "prod", "radians", "rand", "seed", "select",
+    "sin", "sinh", "sqr", "sqrt", "str", "strcmp", "strlen", "strlwr", "strupr", "substr", "sum", "tan", "tanh",
+    "trace", "val", "vaxis_rotate", "vcross", "vdot", "vlength", "vnormalize", "vrotate", "vstr", "vturbulence",
+];
+
+/// Words that are values.
+pub const CONSTANTS: &[&str] = &[
+    "clock", "clock_delta", "clock_on", "false", "final_clock", "final_frame", "frame_number", "image_height",
+    "image_width", "initial_clock", "initial_frame", "input_file_name", "no", "now", "off", "on", "pi", "t",
+    "true", "u", "v", "version", "x", "y", "yes", "z",
+];
