@@ -27,6 +27,8 @@ pub fn parse(sources: &Sources, file: FileId, names: &Names) -> Result<Ast, Vec<
         faults.truncate(MAX_FAULTS);
         return Err(faults);
     }
+    let blanked = blank_out(text, &comments);
+    let text = &*blanked;
     let mut elements = vec![];
     let (mut start, mut done) = (0, 0);
     for (i, &cut) in cuts.iter().enumerate() {
@@ -57,13 +59,13 @@ pub fn parse(sources: &Sources, file: FileId, names: &Names) -> Result<Ast, Vec<
 }
 
 fn parse_piece(
-    text: &str,
+    blanked: &str,
     range: std::ops::Range<usize>,
     base: usize,
     names: &Names,
     out: &mut Vec<Element>,
 ) -> Result<(), Box<Diagnostic>> {
-    let piece = &text[range.clone()];
+    let piece = &blanked[range.clone()];
     match SceneParser::parse(Rule::chunk, piece) {
         Ok(mut pairs) => {
             let builder = Builder::new(names, base + range.start);
@@ -80,3 +82,29 @@ fn parse_piece(
         }
     }
 }
+
+/// The text with a space for each byte of a comment or of a blank that is not ASCII, so that places stay what they are.
+fn blank_out<'t>(text: &'t str, comments: &[(u32, u32)]) -> std::borrow::Cow<'t, str> {
+    let odd = |(i, c): (usize, char)| ODD_BLANKS.contains(&c).then(|| (i as u32, (i + c.len_utf8()) as u32));
+    let odd: Vec<_> = if text.is_ascii() { vec![] } else { text.char_indices().filter_map(odd).collect() };
+    if comments.is_empty() && odd.is_empty() {
+        return text.into();
+    }
+    let (mut out, mut done) = (String::with_capacity(text.len()), 0);
+    for &(lo, hi) in comments.iter() {
+        out.push_str(&text[done..lo as usize]);
+        out.extend(std::iter::repeat_n(' ', (hi - lo) as usize));
+        done = hi as usize;
+    }
+    out.push_str(&text[done..]);
+    for (lo, hi) in odd {
+        // A comment may have blanked it already; `get` fails in the middle of a character only.
+        if out.get(lo as usize..hi as usize).is_some() {
+            out.replace_range(lo as usize..hi as usize, &" ".repeat((hi - lo) as usize));
+        }
+    }
+    out.into()
+}
+
+/// No-break space and byte-order mark: text that was copied from elsewhere has them.
+const ODD_BLANKS: [char; 2] = ['\u{A0}', '\u{FEFF}'];
