@@ -237,9 +237,7 @@ impl<'n> Builder<'n> {
 
     fn directive_or_expr(&self, pair: Pair<Rule>) -> Element {
         match pair.as_rule() {
-            Rule::condition => {
-                Element { span: self.span(&pair), kind: ElementKind::Expr(Box::new(self.chain(pair))) }
-            }
+            Rule::condition => Element { span: self.span(&pair), kind: ElementKind::Expr(Box::new(self.chain(pair))) },
             _ => self.element(pair, ""),
         }
     }
@@ -333,7 +331,8 @@ impl<'n> Builder<'n> {
                 _ => target = Some(self.declared(part)),
             }
         }
-        let nothing = || Target { symbol: self.names.intern(""), span: Span::NONE, keyword: None, indices: Box::new([]) };
+        let nothing =
+            || Target { symbol: self.names.intern(""), span: Span::NONE, keyword: None, indices: Box::new([]) };
         Directive::Declare(Declare { local, deprecated, target: target.unwrap_or_else(nothing) })
     }
 
@@ -445,7 +444,9 @@ impl<'n> Builder<'n> {
         let (mut name, mut value) = ("debug", Expr { span: self.span(&pair), kind: ExprKind::Number(0.0) });
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::simple_word => name = super::scan::DIRECTIVES.iter().find(|d| **d == part.as_str()).unwrap_or(&name),
+                Rule::simple_word => {
+                    name = super::scan::DIRECTIVES.iter().find(|d| **d == part.as_str()).unwrap_or(&name)
+                }
                 Rule::expr => value = self.chain(part),
                 _ => {}
             }
@@ -504,7 +505,8 @@ fn climb(first: Expr, rest: Vec<(Operator, Expr)>) -> Expr {
             }
         }
     }
-    let first = head.take().map(|h| climb(h, head_rest)).unwrap_or(Expr { span: Span::NONE, kind: ExprKind::Number(0.0) });
+    let first =
+        head.take().map(|h| climb(h, head_rest)).unwrap_or(Expr { span: Span::NONE, kind: ExprKind::Number(0.0) });
     let rest: Box<[(Operator, Expr)]> = groups.into_iter().map(|(op, term, inner)| (op, climb(term, inner))).collect();
     let span = rest.iter().fold(first.span, |span, (_, e)| span.to(e.span));
     Expr { span, kind: ExprKind::Chain(Box::new(Chain { first, rest })) }
@@ -539,10 +541,7 @@ fn split_contextual(element: Element, context: &[&'static str], names: &Names) -
 }
 
 /// Takes the contextual word off the leftmost end of an expression, if one is there and something is left.
-fn strip_first(
-    kind: ExprKind,
-    word_of: &dyn Fn(Symbol) -> Option<&'static str>,
-) -> (Option<&'static str>, ExprKind) {
+fn strip_first(kind: ExprKind, word_of: &dyn Fn(Symbol) -> Option<&'static str>) -> (Option<&'static str>, ExprKind) {
     match kind {
         ExprKind::Call(symbol, arguments) if word_of(symbol).is_some() => {
             (word_of(symbol), ExprKind::ParenSpliced(arguments))

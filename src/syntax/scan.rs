@@ -104,7 +104,13 @@ impl Scanner<'_> {
             None => {
                 let closer = self.bytes[at] as char;
                 let message = format!("`{closer}` closes nothing");
-                self.fault(codes::UNMATCHED_CLOSER, at, at + 1, message, Some("remove it, or look for its opener above"));
+                self.fault(
+                    codes::UNMATCHED_CLOSER,
+                    at,
+                    at + 1,
+                    message,
+                    Some("remove it, or look for its opener above"),
+                );
             }
         }
     }
@@ -195,7 +201,13 @@ impl Scanner<'_> {
             _ if DIRECTIVES.contains(&word) => {}
             _ => {
                 let help = did_you_mean(word, DIRECTIVES.iter().copied()).map(|s| s.replacen('`', "`#", 1));
-                self.fault(codes::UNKNOWN_DIRECTIVE, at, end, format!("there is no directive `#{word}`"), help.as_deref());
+                self.fault(
+                    codes::UNKNOWN_DIRECTIVE,
+                    at,
+                    end,
+                    format!("there is no directive `#{word}`"),
+                    help.as_deref(),
+                );
             }
         }
     }
@@ -260,9 +272,34 @@ fn closer_of(opener: Opener) -> &'static str {
 
 /// All words that may follow a `#`.
 pub const DIRECTIVES: &[&str] = &[
-    "break", "case", "debug", "declare", "default", "else", "elseif", "end", "error", "fclose", "fopen", "for", "if",
-    "ifdef", "ifndef", "include", "local", "macro", "range", "read", "render", "statistics", "switch", "undef",
-    "version", "warning", "while", "write",
+    "break",
+    "case",
+    "debug",
+    "declare",
+    "default",
+    "else",
+    "elseif",
+    "end",
+    "error",
+    "fclose",
+    "fopen",
+    "for",
+    "if",
+    "ifdef",
+    "ifndef",
+    "include",
+    "local",
+    "macro",
+    "range",
+    "read",
+    "render",
+    "statistics",
+    "switch",
+    "undef",
+    "version",
+    "warning",
+    "while",
+    "write",
 ];
 
 const INTERESTING: [bool; 256] = {
