@@ -120,6 +120,8 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
 "It is read and has no effect."
     NO_CAMERA "W0206" "a scene without a camera"
 "POV-Ray's default camera is used: at the origin, looking along z."
+    ZERO_SCALE "W0207" "a scale of 0"
+"It would flatten the object; POV-Ray uses 1 for that axis instead, and so does durer."
     FOLLOWS "E0998" "follows from an error that was told before"
 "Never shown."
     ENDS_RUN "E0999" "ends the run after an error that was told before"
