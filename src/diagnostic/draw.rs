@@ -16,7 +16,7 @@ pub struct Style {
 /// One message as a person sees it, ending in a newline.
 pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> String {
     let theme = if style.fancy { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
-    let handler = GraphicalReportHandler::new_themed(theme).with_width(style.width).with_context_lines(0);
+    let handler = GraphicalReportHandler::new_themed(theme).with_width(style.width).with_context_lines(1);
     let mut out = String::new();
     if handler.render_report(&mut out, &Report::new(diagnostic, sources)).is_err() {
         out = format!("{}: {}\n", diagnostic.code, diagnostic.message);
@@ -123,7 +123,7 @@ impl SourceCode for Lines {
     fn read_span<'a>(
         &'a self,
         span: &SourceSpan,
-        _before: usize,
+        before: usize,
         _after: usize,
     ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
         let lo = span.offset().checked_sub(self.start).filter(|lo| *lo <= self.text.len()).ok_or(MietteError::OutOfBounds)?;
@@ -134,8 +134,10 @@ impl SourceCode for Lines {
         let data = &self.text.as_bytes()[from..to];
         let place = SourceSpan::from((self.start + from, to - from));
         let count = self.text[from..to].matches('\n').count() + 1;
-        let contents =
-            MietteSpanContents::new_named(self.name.clone(), data, place, self.line + lines_before, 0, count);
+        // Without context it is asked where the span starts; with it, for the lines around the span.
+        let column = if before == 0 { self.text[from..lo].chars().count() } else { 0 };
+        let line = self.line + lines_before;
+        let contents = MietteSpanContents::new_named(self.name.clone(), data, place, line, column, count);
         Ok(Box::new(contents))
     }
 }
