@@ -28,7 +28,7 @@ pub use torus::Torus;
 pub use triangle::Triangle;
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
@@ -63,6 +63,11 @@ pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 pub trait Kernel {
     /// The smallest box around it; infinite where it is.
     fn bounds(&self) -> Aabb;
+
+    /// A box around its image under M: that of its own box, where it does not know better.
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        m.aabb(&self.bounds())
+    }
 
     /// Appends every hit with `range.min < t < range.max`, in any order.
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
@@ -104,6 +109,7 @@ macro_rules! shapes {
 
         impl Kernel for Shape {
             fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => Kernel::bounds(s)),* } }
+            fn bounds_under(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.bounds_under(m)),* } }
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }

@@ -9,7 +9,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec, Value};
 use serde::Serialize;
@@ -157,6 +157,11 @@ impl Readable for Polygon {
 impl Kernel for Polygon {
     fn bounds(&self) -> Aabb {
         let points = self.outlines.iter().flatten().copied();
+        if self.fault.is_some() { Aabb::EMPTY } else { Aabb::from_points(points) }
+    }
+
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        let points = self.outlines.iter().flatten().map(|p| m.point(*p));
         if self.fault.is_some() { Aabb::EMPTY } else { Aabb::from_points(points) }
     }
 

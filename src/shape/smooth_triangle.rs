@@ -9,7 +9,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, Triangle, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
@@ -75,6 +75,10 @@ impl Readable for SmoothTriangle {
 impl Kernel for SmoothTriangle {
     fn bounds(&self) -> Aabb {
         if self.is_twisted() { Aabb::EMPTY } else { self.flat.bounds() }
+    }
+
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        if self.is_twisted() { Aabb::EMPTY } else { self.flat.bounds_under(m) }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

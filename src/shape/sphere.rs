@@ -6,7 +6,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
@@ -50,6 +50,14 @@ impl Readable for Sphere {
 impl Kernel for Sphere {
     fn bounds(&self) -> Aabb {
         Aabb { min: self.center - self.radius, max: self.center + self.radius }
+    }
+
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        // The image of a ball reaches r·|row i of M| along axis i.
+        let (x, y, z) = (m.vector(DVec3::X), m.vector(DVec3::Y), m.vector(DVec3::Z));
+        let reach = (x * x + y * y + z * z).map(f64::sqrt) * self.radius;
+        let center = m.point(self.center);
+        Aabb { min: center - reach, max: center + reach }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

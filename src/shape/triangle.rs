@@ -6,7 +6,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
@@ -100,6 +100,11 @@ impl Readable for Triangle {
 impl Kernel for Triangle {
     fn bounds(&self) -> Aabb {
         self.bounds()
+    }
+
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        let corners = [self.a, self.b, self.c].map(|p| m.point(p));
+        if self.is_degenerate() { Aabb::EMPTY } else { Aabb::from_points(corners) }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
