@@ -57,8 +57,7 @@ changed."
     durer render ball.scene -o - --format ppm | display"
     PICTURE_TOO_LARGE "E0006" "the picture needs more memory than there is"
 "A picture takes 16 bytes for each pixel while it is drawn, and about as much again while it is written. `--max-memory` sets
-a limit of your own; without it, what the machine has free is the limit. Draw it in parts with `--region`, or smaller with
-`--size`."
+a limit of your own; without it, what the machine has free is the limit. `--size` makes the picture smaller."
     PICTURE_BROKEN "E0007" "the picture file can't be decoded"
 "It is damaged, cut off, or of another kind than its name says."
     FORMAT_LIMIT "E0008" "the picture format can't hold this picture"

@@ -52,8 +52,8 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
 
 /// Without the path of the temporary file, which nobody asked for.
 fn system_text(error: &io::Error) -> String {
-    let root = error.get_ref().and_then(|e| e.source()).map(ToString::to_string);
-    root.unwrap_or_else(|| error.kind().to_string())
+    let text = error.to_string();
+    text.split(" at path \"").next().unwrap_or_default().to_string()
 }
 
 #[cfg(test)]
