@@ -63,7 +63,7 @@ impl Console {
     }
 
     /// Diagnostics as a person reads them, errors first, and how many there were.
-    pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
+    pub fn text(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
         let mut text = String::new();
         for severity in [Severity::Error, Severity::Warning] {
             if severity == Severity::Error || !self.quiet {
@@ -76,7 +76,12 @@ impl Console {
         if diagnostics.len() > 1 && !text.is_empty() {
             text += &format!("{}\n", summary(diagnostics));
         }
-        say(&text);
+        text
+    }
+
+    /// [`Console::text`] to stderr.
+    pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
+        say(&self.text(sources, diagnostics));
     }
 
     /// Diagnostics for programs, one JSON object a line, to stdout.
@@ -87,16 +92,25 @@ impl Console {
     /// Tells why a command failed.
     pub fn tell(&self, failure: Failure) -> Exit {
         match failure {
-            Failure::Told(exit) => exit,
-            Failure::NobodyListens => Exit::Fine,
-            Failure::Fault(fault) => {
-                self.report(&Sources::default(), std::slice::from_ref(&fault));
-                Exit::of(fault.code)
-            }
             Failure::Usage(error) => {
                 let _ = error.print();
                 if error.use_stderr() { Exit::Usage } else { Exit::Fine }
             }
+            other => {
+                let (exit, text) = self.text_of(&Sources::default(), other);
+                say(&text);
+                exit
+            }
+        }
+    }
+
+    /// The exit code of a failure, and what is to be told.
+    pub fn text_of(&self, sources: &Sources, failure: Failure) -> (Exit, String) {
+        match failure {
+            Failure::Told(exit) => (exit, String::new()),
+            Failure::NobodyListens => (Exit::Fine, String::new()),
+            Failure::Fault(fault) => (Exit::of(fault.code), self.text(sources, std::slice::from_ref(&fault))),
+            Failure::Usage(error) => (Exit::Usage, error.to_string()),
         }
     }
 }

@@ -63,17 +63,9 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
 }
 
 fn drawing_options(args: &RenderArgs, moment: Moment) -> render::Options {
-    let size = args.scene.size();
-    render::Options {
-        width: size.width,
-        height: size.height,
-        antialias: args.look.aa.0,
-        quality: args.look.quality,
-        threads: args.threads.map_or(0, usize::from),
-        region: args.region.map(|part| part.0),
-        frame: moment.frame,
-        alpha: args.look.alpha,
-    }
+    let threads = args.threads.map_or(0, usize::from);
+    let region = args.region.map(|part| part.0);
+    render::Options { region, ..session::drawing_options(&args.scene, &args.look, threads, moment) }
 }
 
 /// One picture, from text to file.

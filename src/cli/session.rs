@@ -1,13 +1,14 @@
 //! From the name of a scene to its World, with the messages on the way.
 
-use super::args::SceneArgs;
+use super::args::{LookArgs, SceneArgs};
 use super::console::{Console, say};
 use super::exit::{Exit, Failure, Result, usage};
 use super::memory;
+use super::values::Size;
 use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::source::{FileId, ReadError, SearchPath, Sources};
 use crate::world::World;
-use crate::{Built, interpreter};
+use crate::{Built, interpreter, render};
 use std::io::Read;
 use std::path::Path;
 
@@ -78,6 +79,21 @@ pub fn reading_options(args: &SceneArgs, input: &Path, moment: Moment) -> interp
         max_steps: args.max_steps,
         max_time: args.max_time.map(|s| s.0),
         max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
+    }
+}
+
+/// How the whole picture is drawn.
+pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, moment: Moment) -> render::Options {
+    let Size { width, height } = scene.size();
+    render::Options {
+        width,
+        height,
+        antialias: look.aa.0,
+        quality: look.quality,
+        threads,
+        region: None,
+        frame: moment.frame,
+        alpha: look.alpha,
     }
 }
 
