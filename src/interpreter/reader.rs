@@ -495,10 +495,6 @@ impl Reader for Interpreter<'_> {
         }
         Ok(())
     }
-
-    fn last_span(&self) -> Span {
-        self.here()
-    }
 }
 
 impl Interpreter<'_> {
