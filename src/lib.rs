@@ -22,17 +22,22 @@
 //! # Ok(()) }
 //! ```
 
+pub mod camera;
 pub mod cli;
 pub mod color;
 pub mod diagnostic;
 pub mod image_io;
 pub mod interpreter;
+pub mod light;
 pub mod math;
+pub mod pattern;
 pub mod render;
 pub mod scene;
 pub mod shape;
 pub mod snapshot;
 pub mod source;
+pub mod syntax;
+pub mod texture;
 pub mod value;
 pub mod world;
 

@@ -1,7 +1,35 @@
 //! What the author said, after all macros and loops ran: plain data.
 
+mod object;
+mod settings;
+
+pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, Painted, is_object, read_layers, read_material};
+pub use settings::{Gamma, Settings};
+
+use crate::camera::Camera;
+use crate::color::Color;
+use crate::texture::Texture;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Everything the text put into the scene.
 #[derive(Clone, Debug, Default, Serialize)]
-pub struct Scene {}
+pub struct Scene {
+    /// The last `#version`, as 100 times the number.
+    pub version: u32,
+    /// `global_settings`.
+    pub settings: Settings,
+    /// The last camera; without one, POV-Ray's default.
+    pub camera: Camera,
+    /// What rays see that hit nothing.
+    pub background: Option<Color>,
+    /// Objects and lights in the order they were written.
+    pub objects: Vec<Object>,
+}
+
+/// What `#default` has set for all that follows.
+#[derive(Clone, Debug, Default)]
+pub struct Defaults {
+    /// Where a block says nothing else.
+    pub texture: Arc<Texture>,
+}

@@ -4,7 +4,7 @@
 use super::{Thing, Value};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result};
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, Transform};
 use crate::source::Span;
 use std::sync::Arc;
 
@@ -30,11 +30,10 @@ pub enum Next {
 /// What the file's `#version` and `global_settings` have settled so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Language {
-    /// `#version` as 100 times the number: 370 for 3.7. Ask `interpreter/compat.rs`' questions through the
-    /// other fields, never compare this one elsewhere.
+    /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/compat.rs` compares it.
     pub version: u32,
-    /// Literal colours pass through this exponent into linear light (1: they are linear).
-    pub assumed_gamma: f64,
+    /// `global_settings { assumed_gamma … }`, once it has been read.
+    pub assumed_gamma: Option<f64>,
 }
 
 /// A family's view of the text.
@@ -54,6 +53,8 @@ pub trait Reader {
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
     /// A number; a vector is an error.
     fn float(&mut self) -> Result<f64>;
+    /// A number if an expression comes next.
+    fn optional_float(&mut self) -> Result<Option<f64>>;
     /// Three numbers; a single number stands for all three, as POV-Ray promotes it.
     fn vector(&mut self) -> Result<DVec3>;
     /// Two numbers; a single number stands for both.
@@ -62,12 +63,18 @@ pub trait Reader {
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
     /// A colour with all the ways to write one, also without the word `color` or `rgb` before it.
     fn color(&mut self) -> Result<Color>;
+    /// Does a colour come next: one of its words, or an expression?
+    fn at_color(&mut self) -> Result<bool>;
+    /// Consumes one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform if one comes next.
+    fn transform(&mut self) -> Result<Option<Transform>>;
     /// A string.
     fn text(&mut self) -> Result<String>;
     /// `on`, `off`, a number, or nothing at all (which is on).
     fn flag(&mut self) -> Result<bool>;
     /// Version and gamma in force here.
     fn language(&self) -> Language;
+    /// Consumes a word or block that is known but not drawn yet, with all that belongs to it, and tells so.
+    fn skip_unsupported(&mut self, what: &str) -> Result<()>;
     /// Tells the user something without stopping.
     fn report(&mut self, diagnostic: Diagnostic);
     /// An error about what comes next: "expected …, found …".

@@ -1,0 +1,132 @@
+//! The lecture's camera ("Generating rays"), right-handed: `camera { eye <..> center <..> up <..> fov_x 60 fov_y 45 }`.
+//! An addition of durer's. One of the two angles may be left out: the pixels are then square.
+
+use super::Window;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{DVec3, Transform, fp};
+use crate::source::Span;
+use crate::value::Reader;
+use serde::Serialize;
+
+/// As it was written.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LectureCamera {
+    /// Where it is.
+    pub eye: DVec3,
+    /// The point in the middle of the picture.
+    pub center: DVec3,
+    /// Which way is up.
+    pub up: DVec3,
+    /// Horizontal angle of view in degrees.
+    pub fov_x: Option<f64>,
+    /// Vertical angle of view in degrees.
+    pub fov_y: Option<f64>,
+    /// Applied to all of it in the end.
+    pub transform: Transform,
+}
+
+impl Default for LectureCamera {
+    fn default() -> Self {
+        Self {
+            eye: DVec3::ZERO,
+            center: DVec3::NEG_Z,
+            up: DVec3::Y,
+            fov_x: None,
+            fov_y: None,
+            transform: Transform::IDENTITY,
+        }
+    }
+}
+
+impl LectureCamera {
+    pub(super) fn read_word(&mut self, word: &str, at: Span, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "eye" => self.eye = r.vector()?,
+            "center" => self.center = r.vector()?,
+            "up" => self.up = r.vector()?,
+            _ => {
+                let angle = r.float()?;
+                if !(angle > 0.0 && angle < 180.0) {
+                    let message = format!("`{word}` lies between 0 and 180 degrees, this is {angle}");
+                    return Diagnostic::err(codes::BAD_CAMERA, at, message);
+                }
+                let field = if word == "fov_x" { &mut self.fov_x } else { &mut self.fov_y };
+                *field = Some(angle);
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn check(&self, source: Span) -> Result<()> {
+        let bad = |message: &str| Diagnostic::err(codes::BAD_CAMERA, source, message);
+        if self.eye == self.center {
+            return bad("the camera's `eye` and `center` are the same point");
+        }
+        if self.up.cross(self.eye - self.center).length_squared() == 0.0 {
+            return bad("the camera looks along its `up`, so that no side is up");
+        }
+        Ok(())
+    }
+
+    /// The rays of a picture of this size: p(i, j) = eye + α·u + β·v − w.
+    pub fn window(&self, width: usize, height: usize) -> Window {
+        let w = (self.eye - self.center).normalize();
+        let u = self.up.cross(w).normalize();
+        let v = w.cross(u);
+        let aspect = width as f64 / height as f64;
+        let half = |angle: f64| fp::tan(angle.to_radians() / 2.0);
+        let (tan_x, tan_y) = match (self.fov_x, self.fov_y) {
+            (Some(x), Some(y)) => (half(x), half(y)),
+            (Some(x), None) => (half(x), half(x) / aspect),
+            (None, Some(y)) => (half(y) * aspect, half(y)),
+            (None, None) => (half(60.0), half(60.0) / aspect),
+        };
+        let t = &self.transform;
+        let (u, v, w) = (t.vector(u), t.vector(v), t.vector(w));
+        Window {
+            origin: t.point(self.eye),
+            corner: -u * tan_x + v * tan_y - w,
+            across: u * (2.0 * tan_x / width as f64),
+            down: v * (-2.0 * tan_y / height as f64),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The lecture's formula, with pixel centres at (i + ½, j + ½).
+    fn by_the_lecture(camera: &LectureCamera, i: usize, j: usize, width: f64, height: f64) -> DVec3 {
+        let w = (camera.eye - camera.center).normalize();
+        let u = camera.up.cross(w).normalize();
+        let v = w.cross(u);
+        let (fov_x, fov_y) = (camera.fov_x.unwrap().to_radians(), camera.fov_y.unwrap().to_radians());
+        let alpha = (fov_x / 2.0).tan() * (i as f64 + 0.5 - width / 2.0) / (width / 2.0);
+        let beta = (fov_y / 2.0).tan() * (height / 2.0 - (j as f64 + 0.5)) / (height / 2.0);
+        (alpha * u + beta * v - w).normalize()
+    }
+
+    #[test]
+    fn rays_are_the_lecture_s() {
+        let camera = LectureCamera {
+            eye: DVec3::new(3.0, 4.0, 5.0),
+            center: DVec3::new(0.5, 0.0, -1.0),
+            fov_x: Some(70.0),
+            fov_y: Some(40.0),
+            ..LectureCamera::default()
+        };
+        let window = camera.window(64, 48);
+        for (i, j) in [(0, 0), (63, 47), (10, 30)] {
+            let ray = window.ray(i as f64 + 0.5, j as f64 + 0.5);
+            assert!(ray.dir.distance(by_the_lecture(&camera, i, j, 64.0, 48.0)) < 1e-14);
+        }
+    }
+
+    #[test]
+    fn one_angle_gives_square_pixels() {
+        let camera = LectureCamera { fov_y: Some(50.0), ..LectureCamera::default() };
+        let window = camera.window(300, 100);
+        assert!((window.across.length() - window.down.length()).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,117 @@
+//! `#if`, `#ifdef`, `#while`, `#for`, `#switch`.
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::interpreter::Interpreter;
+use crate::interpreter::eval::SMALL;
+use crate::interpreter::scope::Slot;
+use crate::interpreter::stream::FrameKind;
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::value::Value;
+
+impl<'a> Interpreter<'a> {
+    pub(in crate::interpreter) fn condition(&mut self, condition: &'a Expr) -> Result<bool> {
+        Ok(self.number(condition)?.abs() > SMALL)
+    }
+
+    pub(in crate::interpreter) fn branch(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
+        for branch in branches {
+            let taken = match &branch.condition {
+                Condition::True(e) => self.condition(e)?,
+                Condition::Declared(e) => self.is_declared(e)?,
+                Condition::NotDeclared(e) => !self.is_declared(e)?,
+                Condition::Always => true,
+            };
+            if taken {
+                self.push_frame(&branch.body, FrameKind::Branch, span);
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
+        match &e.kind {
+            ExprKind::Name(symbol) => Ok(self.scopes.get(*symbol).is_some() || self.is_constant(*symbol)),
+            ExprKind::Index(array, _) => self.is_declared(array),
+            ExprKind::Paren(inner) => self.is_declared(inner),
+            _ => Diagnostic::err(codes::WRONG_TYPE, e.span, "`#ifdef` takes a name"),
+        }
+    }
+
+    pub(in crate::interpreter) fn while_loop(
+        &mut self,
+        condition: &'a Expr,
+        body: &'a [Element],
+        span: Span,
+    ) -> Result<()> {
+        if self.condition(condition)? {
+            self.push_frame(body, FrameKind::While(condition), span);
+        }
+        Ok(())
+    }
+
+    pub(in crate::interpreter) fn for_loop(&mut self, f: &'a For, span: Span) -> Result<()> {
+        let first = self.number(&f.range[0])?;
+        let Some(last) = f.range.get(1) else {
+            return Diagnostic::err(codes::WRONG_COUNT, span, "`#for` takes a name, a first and a last value");
+        };
+        let last = self.number(last)?;
+        let step = f.range.get(2).map_or(Ok(1.0), |e| self.number(e))?;
+        if step.abs() < SMALL {
+            return Diagnostic::err(codes::ZERO_STEP, span, "a step of 0 would never reach the last value");
+        }
+        self.scopes.set_local(f.counter, Slot::Value(Value::Float(first)), vec![]);
+        if within(first, last, step) {
+            self.push_frame(&f.body, FrameKind::For { counter: f.counter, last, step }, span);
+        }
+        Ok(())
+    }
+
+    /// Adds the step to the counter, which the body may have changed; is there another pass?
+    pub(in crate::interpreter) fn advance_counter(
+        &mut self,
+        counter: Symbol,
+        last: f64,
+        step: f64,
+        span: Span,
+    ) -> Result<bool> {
+        let Some(Slot::Value(Value::Float(value))) = self.scopes.get(counter) else {
+            let name = self.names.text(counter);
+            return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
+        };
+        let next = value + step;
+        self.scopes.set_global(counter, Slot::Value(Value::Float(next)), vec![]);
+        Ok(within(next, last, step))
+    }
+
+    /// Runs the first arm that fits and all after it until a `#break`.
+    pub(in crate::interpreter) fn switch(&mut self, value: &'a Expr, arms: &'a [Arm], span: Span) -> Result<()> {
+        let value = self.number(value)?;
+        for (i, arm) in arms.iter().enumerate() {
+            let fits = match &arm.when {
+                When::Case(e) => (self.number(e)? - value).abs() < SMALL,
+                When::Range(a, b) => {
+                    let (a, b) = (self.number(a)?, self.number(b)?);
+                    value >= a - SMALL && value <= b + SMALL
+                }
+                When::Otherwise => true,
+            };
+            if fits {
+                // Fall-through: later arms lie below on the stack; an `#else` ends the arms before it.
+                let until = arms[i..].iter().skip(1).position(|a| matches!(a.when, When::Otherwise));
+                let run = &arms[i..until.map_or(arms.len(), |n| i + 1 + n)];
+                self.push_frame(&[], FrameKind::Switch, span);
+                for arm in run.iter().rev() {
+                    self.push_frame(&arm.body, FrameKind::Branch, span);
+                }
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn within(value: f64, last: f64, step: f64) -> bool {
+    if step > 0.0 { value <= last + SMALL } else { value >= last - SMALL }
+}

@@ -1,0 +1,61 @@
+//! `#declare A = …`, `#local A = …`, `#undef A`, `#default { … }`.
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::interpreter::Interpreter;
+use crate::interpreter::scope::Slot;
+use crate::source::Span;
+use crate::syntax::ast::{Declare, Element, Expr, ExprKind};
+use std::rc::Rc;
+
+impl<'a> Interpreter<'a> {
+    /// Takes the next complete value from the stream. A thing that can't be built is declared all the same: the
+    /// errors are told where it is used, because standard includes declare hundreds of which a scene uses one.
+    pub(in crate::interpreter) fn declare(&mut self, declare: &'a Declare) -> Result<()> {
+        let target = &declare.target;
+        if let Some(word) = target.keyword {
+            return Diagnostic::new(codes::RESERVED_NAME, target.span, format!("`{word}` is a word of the language"))
+                .help("names with a capital letter can never collide with one")
+                .into();
+        }
+        if let Some(index) = target.indices.first() {
+            return Diagnostic::err(codes::NOT_YET, index.span, "arrays are not supported yet");
+        }
+        let mark = self.diagnostics.len();
+        let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
+        let slot = match self.rvalue() {
+            Ok(slot) => slot,
+            Err(fault) if self.limit_reached || fault.code == codes::ENDS_RUN => return Err(fault),
+            Err(fault) => {
+                self.unwind(depth);
+                if let Some(frame) = self.frames.last_mut() {
+                    frame.skip_statement(at);
+                }
+                let fault = self.with_trace(*fault);
+                let mut faults = self.diagnostics.split_off(mark);
+                faults.push(fault);
+                Slot::Faulty(Rc::new(faults))
+            }
+        };
+        let pending = self.diagnostics.split_off(mark.min(self.diagnostics.len()));
+        if declare.local {
+            self.scopes.set_local(target.symbol, slot, pending);
+        } else {
+            self.scopes.set_global(target.symbol, slot, pending);
+        }
+        if let Some((_, why)) = &declare.deprecated {
+            self.deprecated.insert(target.symbol, why);
+        }
+        Ok(())
+    }
+
+    pub(in crate::interpreter) fn undef(&mut self, name: &'a Expr) -> Result<()> {
+        if let ExprKind::Name(symbol) = name.kind {
+            self.scopes.remove(symbol);
+        }
+        Ok(())
+    }
+
+    pub(in crate::interpreter) fn default_block(&mut self, body: &'a [Element], span: Span) -> Result<()> {
+        self.enclosed(Some("default"), body, span, |me| me.read_defaults())
+    }
+}

@@ -1,0 +1,94 @@
+//! `#include "name"`.
+
+use crate::diagnostic::{Diagnostic, Result, codes, nearest};
+use crate::interpreter::Interpreter;
+use crate::interpreter::limits::MAX_INCLUDES;
+use crate::interpreter::stream::FrameKind;
+use crate::source::{FileId, Span, decode_text};
+use crate::syntax::ast::{Ast, Expr};
+use crate::syntax::parse;
+use std::path::{Path, PathBuf};
+
+impl<'a> Interpreter<'a> {
+    pub(in crate::interpreter) fn include(&mut self, name: &'a Expr, span: Span) -> Result<()> {
+        let text = self.text_value(name)?;
+        if self.including.len() >= MAX_INCLUDES {
+            let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
+            return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
+        }
+        let Some(path) = self.options.search.find(&text) else { return Err(self.missing_include(&text, name.span).into()) };
+        let ast = self.load(&path, &text, name.span)?;
+        self.scopes.enter();
+        self.including.push(path);
+        self.push_frame(&ast.elements, FrameKind::Include, span);
+        Ok(())
+    }
+
+    pub(in crate::interpreter) fn leave_include(&mut self) {
+        self.including.pop();
+    }
+
+    /// A file's tree: read and parsed once, however often it is included.
+    fn load(&mut self, path: &Path, name: &str, span: Span) -> Result<&'a Ast> {
+        if let Some(&ast) = self.parsed.get(path) {
+            return Ok(ast);
+        }
+        let bytes = std::fs::read(path).map_err(|e| {
+            Box::new(Diagnostic::new(codes::UNREADABLE_INCLUDE, span, format!("`{}` can't be read: {e}", path.display())))
+        })?;
+        let Some(file) = self.sources.add(name, Some(path), decode_text(bytes)) else {
+            return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
+        };
+        let ast = self.parse_file(file)?;
+        self.parsed.insert(path.to_path_buf(), ast);
+        Ok(ast)
+    }
+
+    /// Parses a text that [`crate::source::Sources`] holds; all but the last of its errors are reported here.
+    pub(in crate::interpreter) fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
+        match parse(self.sources, file, self.names) {
+            Ok(ast) => Ok(self.asts.push_get(Box::new(ast))),
+            Err(mut faults) => {
+                let last = faults.pop();
+                for fault in faults {
+                    self.report_fault(fault);
+                }
+                let nothing = || Diagnostic::new(codes::SYNTAX, Span::NONE, "the text can't be read");
+                let mut last = last.unwrap_or_else(nothing);
+                last.trace = self.trace();
+                self.report_fault(last);
+                Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
+            }
+        }
+    }
+
+    fn missing_include(&self, name: &str, span: Span) -> Diagnostic {
+        let folders = &self.options.search.folders;
+        let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
+        let there: Vec<String> = folders.iter().flat_map(|f| files_in(f)).collect();
+        if let Some(found) = nearest(name, there.iter().map(String::as_str)) {
+            return d.help(format!("did you mean `{found}`?"));
+        }
+        if STANDARD.contains(&name) {
+            return d.help(format!(
+                "`{name}` comes with POV-Ray: install its include files (Debian: apt-get install povray-includes), or name their folder with -I DIR"
+            ));
+        }
+        let list: Vec<String> = folders.iter().map(|f| format!("`{}`", f.display())).collect();
+        d.help(format!("looked in {}; -I DIR adds a folder", list.join(", ")))
+    }
+}
+
+fn files_in(folder: &PathBuf) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter_map(|e| e.file_name().into_string().ok()).collect()
+}
+
+/// The include files that POV-Ray's manual describes.
+const STANDARD: &[&str] = &[
+    "arrays.inc", "chars.inc", "colors.inc", "consts.inc", "debug.inc", "finish.inc", "functions.inc", "glass.inc",
+    "glass_old.inc", "golds.inc", "ior.inc", "logo.inc", "makegrass.inc", "math.inc", "meshmaker.inc", "metals.inc",
+    "rad_def.inc", "rand.inc", "screen.inc", "shapes.inc", "shapes2.inc", "shapes3.inc", "shapesq.inc", "skies.inc",
+    "stage1.inc", "stars.inc", "stdcam.inc", "stdinc.inc", "stoneold.inc", "stones.inc", "stones1.inc", "stones2.inc",
+    "strings.inc", "sunpos.inc", "textures.inc", "transforms.inc", "woodmaps.inc", "woods.inc",
+];

@@ -1,0 +1,20 @@
+//! `#version 3.7;`
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::interpreter::{Interpreter, compat};
+use crate::syntax::ast::Expr;
+
+impl<'a> Interpreter<'a> {
+    pub(in crate::interpreter) fn version(&mut self, value: &'a Expr) -> Result<()> {
+        let value_span = value.span;
+        let number = self.number(value)?;
+        let version = compat::version_number(number);
+        if version > compat::NEWEST_VERSION {
+            let message = format!("this scene asks for version {number} of the language; durer knows up to 3.8");
+            self.report_fault(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
+        }
+        self.language.version = version;
+        self.version_stated = true;
+        Ok(())
+    }
+}

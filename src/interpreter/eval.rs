@@ -1,0 +1,448 @@
+//! Expressions.
+
+use super::Interpreter;
+use super::scope::Slot;
+use super::stream::{FrameKind, Token};
+use crate::color::{Color, gray};
+use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::word;
+use crate::value::{Value, VecN};
+
+/// Numbers nearer to each other than this are equal to `=`, and nearer to 0 are false (measured on POV-Ray 3.7).
+pub(super) const SMALL: f64 = 1e-10;
+
+/// A value, and before it the left part of a sum that nobody has finished.
+type Parts = (Option<(Value, Operator)>, Value);
+
+impl<'a> Interpreter<'a> {
+    /// The value of an expression.
+    pub(super) fn eval(&mut self, e: &'a Expr) -> Result<Value> {
+        match &e.kind {
+            ExprKind::Number(x) => Ok(Value::Float(*x)),
+            ExprKind::Text(text) => Ok(Value::Text((**text).into())),
+            ExprKind::Name(symbol) => self.name_value(*symbol, e.span),
+            ExprKind::Literal(data) => vector_value(data, e.span),
+            ExprKind::Vector(parts) => self.vector_parts(parts, e.span),
+            ExprKind::Paren(inner) => self.eval(inner),
+            ExprKind::Chain(chain) => self.chain(chain),
+            ExprKind::Prefix(..) | ExprKind::Call(..) => {
+                let parts = self.operand_parts(e)?;
+                self.join(parts, e.span)
+            }
+            ExprKind::Choice(parts) => {
+                let [condition, yes, no] = &**parts;
+                if self.condition(condition)? { self.eval(yes) } else { self.eval(no) }
+            }
+            ExprKind::Builtin(name, arguments) => self.builtin(name, arguments, e.span),
+            ExprKind::Dot(base, name, _) => {
+                let value = self.eval(base)?;
+                component(&value, name, base.span)
+            }
+            ExprKind::Spliced(elements) | ExprKind::ParenSpliced(elements) => self.operand(elements, e.span),
+            ExprKind::Index(array, _) => {
+                if let ExprKind::Name(symbol) = array.kind {
+                    self.name_value(symbol, array.span)?;
+                }
+                Diagnostic::err(codes::NOT_YET, e.span, "arrays are not supported yet")
+            }
+            ExprKind::Function(_) => Diagnostic::err(codes::NOT_YET, e.span, "functions are not supported yet"),
+            ExprKind::Keyword(word) => {
+                Diagnostic::err(codes::EXPECTED_VALUE, e.span, format!("expected a value, found the word `{word}`"))
+            }
+            ExprKind::Block(block) => {
+                let name = block.name.word.unwrap_or("this block");
+                Diagnostic::err(codes::EXPECTED_VALUE, e.span, format!("expected a number or text, found `{name} {{…}}`"))
+            }
+        }
+    }
+
+    /// A number; for conditions and the like, without the way over [`Value`] where that is easy.
+    pub(super) fn number(&mut self, e: &'a Expr) -> Result<f64> {
+        match &e.kind {
+            ExprKind::Number(x) => Ok(*x),
+            ExprKind::Paren(inner) => self.number(inner),
+            ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
+                Some(Slot::Value(Value::Float(x))) => Ok(*x),
+                _ => {
+                    let value = self.name_value(*symbol, e.span)?;
+                    as_float(&value, e.span)
+                }
+            },
+            _ => {
+                let value = self.eval(e)?;
+                as_float(&value, e.span)
+            }
+        }
+    }
+
+    /// A string.
+    pub(super) fn text_value(&mut self, e: &'a Expr) -> Result<String> {
+        match self.eval(e)? {
+            Value::Text(text) => Ok(text.to_string()),
+            other => {
+                let message = format!("expected a string, found {}", other.describe());
+                Diagnostic::new(codes::WRONG_TYPE, e.span, message).help("`str(A, 0, 3)` makes text of a number").into()
+            }
+        }
+    }
+
+    /// What a name stands for, as a value.
+    pub(super) fn name_value(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
+        match self.scopes.get(symbol) {
+            Some(Slot::Value(Value::Thing(thing))) => {
+                let thing = thing.clone();
+                self.first_use(symbol, span);
+                Ok(Value::Thing(thing))
+            }
+            Some(Slot::Value(value)) => Ok(value.clone()),
+            Some(Slot::Faulty(faults)) => {
+                let faults = faults.clone();
+                for fault in faults.iter() {
+                    self.report_fault(fault.clone());
+                }
+                Diagnostic::err(codes::FOLLOWS, span, "")
+            }
+            Some(Slot::Macro(_)) => {
+                let name = self.names.text(symbol);
+                Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"))
+                    .help(format!("a call needs parentheses: `{name}()`"))
+                    .into()
+            }
+            Some(Slot::Alias(..)) | None => self.constant(symbol, span),
+        }
+    }
+
+    /// Tells the warnings that waited for the first use of a declared thing.
+    pub(super) fn first_use(&mut self, symbol: Symbol, span: Span) {
+        for warning in self.scopes.take_pending(symbol) {
+            self.diagnostics.push(warning);
+        }
+        if let Some(why) = self.deprecated.remove(&symbol) {
+            let message = format!("`{}` is deprecated: {}", self.names.text(symbol), why.trim());
+            self.report_fault(Diagnostic::new(codes::DEPRECATED, span, message));
+        }
+    }
+
+    fn constant(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
+        if let Some(value) = self.constant_value(self.names.text(symbol)) {
+            return Ok(value);
+        }
+        let name = self.names.text(symbol);
+        let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{name}` is not declared"));
+        if let Some(hint) = super::hints::other_tools(name) {
+            return d.help(hint).into();
+        }
+        let declared: Vec<&str> = self.scopes.names().map(|s| self.names.text(s)).collect();
+        let words = word::KEYWORDS.iter().chain(word::CONSTANTS).chain(word::FUNCTIONS).copied();
+        let near = did_you_mean(name, declared.into_iter().chain(words));
+        d.help(near.unwrap_or_else(|| format!("`#declare {name} = …;` gives it a value; is an `#include` missing?"))).into()
+    }
+
+    pub(super) fn is_constant(&self, symbol: Symbol) -> bool {
+        self.constant_value(self.names.text(symbol)).is_some()
+    }
+
+    /// Operands of one precedence from left to right. A macro whose body is a bare sum is spliced as tokens
+    /// would be: with `#macro F(a) a+1 #end`, `F(2)*3` is 2+1*3.
+    fn chain(&mut self, chain: &'a Chain) -> Result<Value> {
+        let mut span = chain.first.span;
+        // What was read so far is `waiting`, to which `value` is added or from which it is taken in the end.
+        let (mut waiting, mut value) = self.operand_parts(&chain.first)?;
+        for (op, operand) in &chain.rest {
+            if op.precedence() < Operator::Mul.precedence() {
+                value = self.join((waiting.take(), value), span)?;
+            }
+            let (sum, right) = self.operand_parts(operand)?;
+            match sum {
+                None => value = apply(*op, value, right, span, operand.span, self)?,
+                Some((left, sum_op)) => {
+                    let first = apply(*op, value, left, span, operand.span, self)?;
+                    let first = self.join((waiting.take(), first), span)?;
+                    (waiting, value) = (Some((first, sum_op)), right);
+                }
+            }
+            span = span.to(operand.span);
+        }
+        self.join((waiting, value), span)
+    }
+
+    /// An operand's value; the left part of a sum stands apart if it comes bare out of a macro.
+    fn operand_parts(&mut self, e: &'a Expr) -> Result<Parts> {
+        match &e.kind {
+            ExprKind::Call(name, arguments) if self.is_macro(*name) => {
+                self.call_macro(*name, arguments, e.span)?;
+                self.macro_result(*name, e.span)
+            }
+            ExprKind::Call(name, _) => {
+                self.name_value(*name, e.span)?;
+                let text = self.names.text(*name);
+                Diagnostic::err(codes::NOT_CALLABLE, e.span, format!("`{text}` is neither a macro nor a function"))
+            }
+            ExprKind::Prefix(prefix, inner) => match self.operand_parts(inner)? {
+                (None, value) => Ok((None, apply_prefix(*prefix, value, inner.span)?)),
+                (Some((left, op)), value) => Ok((Some((apply_prefix(*prefix, left, inner.span)?, op)), value)),
+            },
+            _ => Ok((None, self.eval(e)?)),
+        }
+    }
+
+    /// Finishes a sum.
+    fn join(&mut self, (left, right): Parts, span: Span) -> Result<Value> {
+        match left {
+            Some((left, op)) => apply(op, left, right, span, span, self),
+            None => Ok(right),
+        }
+    }
+
+    /// Runs the macro's body, whose frame lies on top, up to its end; it must give one value.
+    fn macro_result(&mut self, name: Symbol, span: Span) -> Result<Parts> {
+        let depth = self.frames.len();
+        if let Some(frame) = self.frames.last_mut() {
+            // The body's end must stop the reading, not pass over into what follows the call.
+            frame.kind = FrameKind::Enclosed;
+        }
+        let result = self.bare_value();
+        let more = match &result {
+            Ok(_) => self.peek().map(|token| !matches!(token, Token::End)),
+            Err(_) => Ok(false),
+        };
+        self.unwind(depth);
+        if let Some(frame) = self.frames.last_mut() {
+            frame.kind = FrameKind::Macro(name);
+        }
+        let trace = if result.is_err() || more.is_err() { self.trace() } else { vec![] };
+        self.pop_frame();
+        match (result, more) {
+            (Ok(_), Ok(true)) => {
+                let name = self.names.text(name);
+                let message = format!("macro `{name}` gives more than the one value that is needed here");
+                Diagnostic::err(codes::WRONG_COUNT, span, message)
+            }
+            (Ok(parts), Ok(false)) => Ok(parts),
+            (Err(mut fault), _) | (_, Err(mut fault)) => {
+                if fault.trace.is_empty() {
+                    fault.trace = trace;
+                }
+                Err(fault)
+            }
+        }
+    }
+
+    /// The next value; a bare sum in two parts.
+    fn bare_value(&mut self) -> Result<Parts> {
+        if let Token::Expr(Expr { kind: ExprKind::Chain(chain), .. }) = self.peek()?
+            && let Some(((op @ (Operator::Add | Operator::Sub), last), before)) = chain.rest.split_last()
+        {
+            let mut span = chain.first.span;
+            self.advance();
+            let mut left = self.eval(&chain.first)?;
+            for (op, operand) in before {
+                let right = self.eval(operand)?;
+                left = apply(*op, left, right, span, operand.span, self)?;
+                span = span.to(operand.span);
+            }
+            let right = self.eval(last)?;
+            return Ok((Some((left, *op)), right));
+        }
+        Ok((None, self.value_here()?.0))
+    }
+
+    /// Directives that give one value.
+    fn operand(&mut self, elements: &'a [Element], span: Span) -> Result<Value> {
+        self.enclosed(None, elements, span, |me| {
+            let (value, _) = me.value_here()?;
+            match me.peek()? {
+                Token::End => Ok(value),
+                _ => Err(me.unexpected_token("the end of the expression").into()),
+            }
+        })
+    }
+
+    /// `< … >` with anything in it that gives numbers.
+    fn vector_parts(&mut self, parts: &'a [Element], span: Span) -> Result<Value> {
+        // The common case, without a frame: nothing but expressions that are not macro calls.
+        let mut data = [0.0; 5];
+        if parts.len() <= 5 && parts.iter().all(|p| self.is_plain(p)) {
+            for (slot, part) in data.iter_mut().zip(parts) {
+                if let ElementKind::Expr(e) = &part.kind {
+                    *slot = self.number(e)?;
+                }
+            }
+            return vector_value(&data[..parts.len()], span);
+        }
+        let all = self.numbers_in(parts, span)?;
+        vector_value(&all, span)
+    }
+
+    fn is_plain(&self, part: &Element) -> bool {
+        match &part.kind {
+            ElementKind::Expr(e) => !matches!(&e.kind, ExprKind::Call(name, _) if self.is_macro(*name)),
+            _ => false,
+        }
+    }
+
+    /// All numbers that the elements give.
+    pub(super) fn numbers_in(&mut self, parts: &'a [Element], span: Span) -> Result<Vec<f64>> {
+        self.enclosed(None, parts, span, |me| {
+            let mut all = vec![];
+            while !matches!(me.peek()?, Token::End) {
+                let (value, span) = me.value_here()?;
+                all.push(as_float(&value, span)?);
+            }
+            Ok(all)
+        })
+    }
+}
+
+/// Two to five numbers.
+fn vector_value(data: &[f64], span: Span) -> Result<Value> {
+    match data.len() {
+        2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
+        n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a vector has two to five numbers, this has {n}")),
+    }
+}
+
+/// The number in a value.
+pub(super) fn as_float(value: &Value, span: Span) -> Result<f64> {
+    match value {
+        Value::Float(x) => Ok(*x),
+        other => {
+            let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("expected a number, found {}", other.describe()));
+            match other {
+                Value::Vector(_) => d.help("`.x`, `.y` or `.z` takes one of its numbers").into(),
+                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` takes one number of it").into(),
+                _ => d.into(),
+            }
+        }
+    }
+}
+
+fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
+    Ok(match (prefix, value) {
+        (Prefix::Not, value) => Value::Float(f64::from(as_float(&value, span)?.abs() <= SMALL)),
+        (Prefix::Minus, Value::Float(x)) => Value::Float(-x),
+        (_, Value::Float(x)) => Value::Float(x),
+        (sign, value) => {
+            let (mut v, color) = five_numbers(&value).ok_or_else(|| {
+                Box::new(Diagnostic::new(codes::WRONG_TYPE, span, format!("{} has no sign", value.describe())))
+            })?;
+            if sign == Prefix::Minus {
+                v.c.iter_mut().take(v.len as usize).for_each(|x| *x = -*x);
+            }
+            from_numbers(v, color)
+        }
+    })
+}
+
+/// The numbers of a vector or colour, and which of both it is.
+fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
+    match value {
+        Value::Vector(v) => Some((*v, false)),
+        Value::Color(c) => Some((VecN { c: c.to_array(), len: 5 }, true)),
+        _ => None,
+    }
+}
+
+fn from_numbers(v: VecN, color: bool) -> Value {
+    if color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
+}
+
+/// One operator, with POV-Ray's promotions: a float becomes a vector of equal numbers, the shorter of two vectors is
+/// filled with zeros; only numbers compare with `<`, numbers and strings with `=`.
+pub(super) fn apply(
+    op: Operator,
+    left: Value,
+    right: Value,
+    left_span: Span,
+    right_span: Span,
+    me: &mut Interpreter,
+) -> Result<Value> {
+    use Operator::*;
+    match (&left, &right) {
+        (Value::Float(a), Value::Float(b)) => {
+            if op == Div && *b == 0.0 {
+                me.division_by_zero(right_span);
+            }
+            Ok(Value::Float(on_floats(op, *a, *b)))
+        }
+        (Value::Text(a), Value::Text(b)) if matches!(op, Equal | NotEqual) => {
+            Ok(Value::Float(f64::from((a == b) == (op == Equal))))
+        }
+        _ if matches!(op, Add | Sub | Mul | Div) => {
+            let wrong = |value: &Value, span| {
+                let message = format!("`{}` takes numbers, vectors and colours, not {}", op.text(), value.describe());
+                Diagnostic::err(codes::WRONG_TYPE, span, message)
+            };
+            let (l, r) = (five_numbers(&left), five_numbers(&right));
+            let (a, b, color) = match (l, r, &left, &right) {
+                (Some((a, ca)), Some((b, cb)), ..) => (a, b, ca || cb),
+                (Some((a, color)), _, _, Value::Float(x)) => (a, VecN::splat(*x, a.len), color),
+                (_, Some((b, color)), Value::Float(x), _) => (VecN::splat(*x, b.len), b, color),
+                (None, _, left, _) if !matches!(left, Value::Float(_)) => return wrong(left, left_span),
+                _ => return wrong(&right, right_span),
+            };
+            let len = a.len.max(b.len);
+            let mut out = VecN { c: [0.0; 5], len };
+            for i in 0..len as usize {
+                out.c[i] = on_floats(op, a.c[i], b.c[i]);
+            }
+            if op == Div && b.c[..b.len as usize].contains(&0.0) {
+                me.division_by_zero(right_span);
+            }
+            Ok(from_numbers(out, color))
+        }
+        (Value::Float(_), _) => wrong_comparison(op, &right, right_span),
+        _ => wrong_comparison(op, &left, left_span),
+    }
+}
+
+fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
+    let message = format!("`{}` compares numbers, not {}", op.text(), value.describe());
+    Diagnostic::err(codes::WRONG_TYPE, span, message)
+}
+
+fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
+    use Operator::*;
+    let truth = |x: f64| x.abs() > SMALL;
+    match op {
+        Add => a + b,
+        Sub => a - b,
+        Mul => a * b,
+        Div => a / b,
+        Less => f64::from(a < b),
+        LessEqual => f64::from(a <= b + SMALL),
+        Greater => f64::from(a > b),
+        GreaterEqual => f64::from(a + SMALL >= b),
+        Equal => f64::from((a - b).abs() < SMALL),
+        NotEqual => f64::from((a - b).abs() >= SMALL),
+        And => f64::from(truth(a) && truth(b)),
+        Or => f64::from(truth(a) || truth(b)),
+    }
+}
+
+/// `.x`, `.red`, `.gray` and the like.
+fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
+    let Some((v, color)) = five_numbers(value) else {
+        let message = format!("{} has no components", value.describe());
+        return Diagnostic::err(codes::WRONG_TYPE, span, message);
+    };
+    let index = match name.word {
+        Some("x" | "u" | "red") => 0,
+        Some("y" | "v" | "green") => 1,
+        Some("z" | "blue") => 2,
+        Some("t" | "filter") => 3,
+        Some("transmit") => 4,
+        Some("gray") => return Ok(Value::Float(gray(v.xyz()))),
+        _ => {
+            let d = Diagnostic::new(codes::NO_COMPONENT, name.span, "no vector has a component of this name");
+            return d.help("vectors have x y z u v t, colours red green blue filter transmit gray").into();
+        }
+    };
+    if index >= v.len as usize && !color {
+        let message = format!("a vector of {} numbers has no `.{}`", v.len, name.word.unwrap_or(""));
+        return Diagnostic::err(codes::NO_COMPONENT, name.span, message);
+    }
+    Ok(Value::Float(v.c[index]))
+}

@@ -1,0 +1,61 @@
+//! Limits on steps, time, memory and depth, so that a scene that runs away ends in a message.
+
+use super::Interpreter;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::source::Span;
+
+/// Macro calls inside each other.
+pub(super) const MAX_CALLS: usize = 5_000;
+/// Includes inside each other.
+pub(super) const MAX_INCLUDES: usize = 100;
+/// Looking at the clock costs more than a step: once in so many.
+const CLOCK_EVERY: u64 = 4096;
+
+impl<'a> Interpreter<'a> {
+    /// Counts one step (a directive, a loop's pass, a macro call).
+    pub(super) fn step(&mut self, span: Span) -> Result<()> {
+        self.steps += 1;
+        if self.steps > self.options.max_steps {
+            let message = format!("the scene took more than {} steps", self.options.max_steps);
+            return self.limit(codes::STEP_LIMIT, span, message, "is this loop endless? --max-steps N allows more");
+        }
+        if self.steps.is_multiple_of(CLOCK_EVERY) {
+            return self.look_at_clock(span);
+        }
+        Ok(())
+    }
+
+    fn look_at_clock(&mut self, span: Span) -> Result<()> {
+        if let Some(seconds) = self.options.max_time
+            && self.started.elapsed().as_secs_f64() > seconds
+        {
+            let message = format!("the scene took more than {seconds} seconds");
+            return self.limit(codes::TIME_LIMIT, span, message, "--max-time SECONDS allows more");
+        }
+        if let Some(bytes) = self.options.max_memory
+            && resident_bytes().is_some_and(|used| used > bytes)
+        {
+            let message = format!("the scene needs more than {} MiB of memory", bytes >> 20);
+            return self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more");
+        }
+        Ok(())
+    }
+
+    /// A limit ends the run: nothing after it is read.
+    pub(super) fn limit<T>(
+        &mut self,
+        code: crate::diagnostic::Code,
+        span: Span,
+        message: String,
+        help: &str,
+    ) -> Result<T> {
+        self.limit_reached = true;
+        Diagnostic::new(code, span, message).help(help).into()
+    }
+}
+
+/// What the process holds in memory now, where the system tells.
+fn resident_bytes() -> Option<u64> {
+    let pages = std::fs::read_to_string("/proc/self/statm").ok()?;
+    Some(pages.split(' ').nth(1)?.parse::<u64>().ok()? * 4096)
+}

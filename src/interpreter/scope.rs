@@ -1,0 +1,144 @@
+//! Names and what they stand for, with dynamic scope: a macro sees the `#local`s of whoever called it.
+//!
+//! Each symbol has its own stack of bindings (shallow binding), so that a lookup is one index.
+
+use crate::diagnostic::Diagnostic;
+use crate::syntax::ast::{Macro, Symbol};
+use crate::value::Value;
+use std::rc::Rc;
+
+/// What a name stands for.
+#[derive(Clone, Debug)]
+pub(super) enum Slot<'a> {
+    Value(Value),
+    Macro(&'a Macro),
+    /// A macro's parameter that was given a name: reads and writes go to that binding.
+    Alias(Symbol, usize),
+    /// What was declared could not be built; told when it is used.
+    Faulty(Rc<Vec<Diagnostic>>),
+}
+
+struct Binding<'a> {
+    level: u32,
+    slot: Slot<'a>,
+    /// Warnings about the declared thing, told at its first use.
+    pending: Vec<Diagnostic>,
+}
+
+#[derive(Default)]
+pub(super) struct Scopes<'a> {
+    bindings: Vec<Vec<Binding<'a>>>,
+    /// The symbols bound at each level above the global one.
+    levels: Vec<Vec<Symbol>>,
+}
+
+impl<'a> Scopes<'a> {
+    /// The number of the innermost level; 0 is the global one.
+    pub(super) fn level(&self) -> u32 {
+        self.levels.len() as u32
+    }
+
+    pub(super) fn enter(&mut self) {
+        self.levels.push(vec![]);
+    }
+
+    pub(super) fn leave(&mut self) {
+        for symbol in self.levels.pop().unwrap_or_default() {
+            if let Some(stack) = self.bindings.get_mut(symbol.0 as usize) {
+                stack.pop();
+            }
+        }
+    }
+
+    fn stack(&mut self, symbol: Symbol) -> &mut Vec<Binding<'a>> {
+        let index = symbol.0 as usize;
+        if index >= self.bindings.len() {
+            self.bindings.resize_with(index + 1, Vec::new);
+        }
+        &mut self.bindings[index]
+    }
+
+    /// The place of the innermost binding, aliases followed.
+    pub(super) fn resolve(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
+        let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
+        let (mut symbol, mut depth) = (symbol, depth);
+        while let Slot::Alias(to, at) = self.bindings[symbol.0 as usize][depth].slot {
+            (symbol, depth) = (to, at);
+        }
+        Some((symbol, depth))
+    }
+
+    pub(super) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
+        let (symbol, depth) = self.resolve(symbol)?;
+        Some(&self.bindings[symbol.0 as usize][depth].slot)
+    }
+
+    /// Takes the warnings that wait for the first use of a name.
+    pub(super) fn take_pending(&mut self, symbol: Symbol) -> Vec<Diagnostic> {
+        match self.resolve(symbol) {
+            Some((symbol, depth)) => std::mem::take(&mut self.bindings[symbol.0 as usize][depth].pending),
+            None => vec![],
+        }
+    }
+
+    /// `#local`, and the parameters of a call: binds at the innermost level.
+    pub(super) fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        let level = self.level();
+        self.set_at(symbol, level, slot, pending);
+    }
+
+    /// `#declare`: changes the innermost binding, or makes a global one.
+    pub(super) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        match self.resolve(symbol) {
+            Some((symbol, depth)) => self.replace(symbol, depth, slot, pending),
+            None => self.set_at(symbol, 0, slot, pending),
+        }
+    }
+
+    fn set_at(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        let top = self.stack(symbol).last();
+        if top.is_some_and(|b| b.level == level) {
+            if let Some((symbol, depth)) = self.resolve(symbol) {
+                self.replace(symbol, depth, slot, pending);
+            }
+            return;
+        }
+        self.stack(symbol).push(Binding { level, slot, pending });
+        if level > 0
+            && let Some(names) = self.levels.last_mut()
+        {
+            names.push(symbol);
+        }
+    }
+
+    fn replace(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        let binding = &mut self.bindings[symbol.0 as usize][depth];
+        (binding.slot, binding.pending) = (slot, pending);
+    }
+
+    /// `#undef`: the innermost binding goes. (An alias goes, not what it stands for.)
+    pub(super) fn remove(&mut self, symbol: Symbol) -> bool {
+        let Some(binding) = self.stack(symbol).pop() else { return false };
+        if binding.level > 0
+            && let Some(names) = self.levels.get_mut(binding.level as usize - 1)
+            && let Some(i) = names.iter().rposition(|s| *s == symbol)
+        {
+            names.remove(i);
+        }
+        true
+    }
+
+    /// All names that are bound now.
+    pub(super) fn names(&self) -> impl Iterator<Item = Symbol> + '_ {
+        let bound = |(i, stack): (usize, &Vec<Binding>)| (!stack.is_empty()).then_some(Symbol(i as u32));
+        self.bindings.iter().enumerate().filter_map(bound)
+    }
+
+    /// Errors in declared things that nobody used.
+    pub(super) fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
+        self.bindings.iter().flatten().flat_map(|b| match &b.slot {
+            Slot::Faulty(faults) => faults.iter(),
+            _ => [].iter(),
+        })
+    }
+}

@@ -1,0 +1,104 @@
+//! `light_source` (manual, "Light Source").
+
+use crate::color::Rgb;
+use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Result, codes};
+use crate::math::{DVec3, Transform};
+use crate::source::Span;
+use crate::value::{Next, Reader, Thing};
+use serde::Serialize;
+
+/// A point of light.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Light {
+    /// Where it is, in the space around the block.
+    pub location: DVec3,
+    /// Its colour; negative ones darken.
+    pub color: Rgb,
+    /// Casts no shadow and makes no highlight.
+    pub shadowless: bool,
+    /// Distance at which it has its full colour; 0: it does not fade.
+    pub fade_distance: f64,
+    /// How fast it fades; 0: it does not.
+    pub fade_power: f64,
+    /// The text that made it.
+    pub source: Span,
+}
+
+impl Thing for Light {
+    fn kind(&self) -> &'static str {
+        "light_source"
+    }
+}
+
+const WORDS: &[&str] = &[
+    "shadowless",
+    "fade_distance",
+    "fade_power",
+    "translate",
+    "rotate",
+    "scale",
+    "matrix",
+    "transform",
+    "spotlight",
+    "cylinder",
+    "parallel",
+    "area_light",
+    "point_at",
+    "radius",
+    "falloff",
+    "tightness",
+    "looks_like",
+    "projected_through",
+    "media_interaction",
+    "media_attenuation",
+    "adaptive",
+    "jitter",
+    "circular",
+    "orient",
+    "photons",
+];
+
+impl Light {
+    /// Reads what stands between the braces; `source` is the block's place.
+    pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
+        let location = r.vector()?;
+        let color = r.color()?.rgb;
+        let mut light = Self { location, color, shadowless: false, fade_distance: 0.0, fade_power: 0.0, source };
+        loop {
+            match r.next()? {
+                Next::End => return Ok(light),
+                Next::Word("shadowless") => {
+                    r.take()?;
+                    light.shadowless = true;
+                }
+                Next::Word("fade_distance") => light.fade_distance = number(r)?,
+                Next::Word("fade_power") => light.fade_power = number(r)?,
+                Next::Word("translate" | "rotate" | "scale" | "matrix")
+                | Next::Block("transform")
+                | Next::Thing("transform") => {
+                    if let Some(step) = r.transform()? {
+                        light.transform(&step);
+                    }
+                }
+                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => r.skip_unsupported(word)?,
+                _ => return Err(r.unknown_word("light_source", WORDS).into()),
+            }
+        }
+    }
+
+    /// Moves the light.
+    pub fn transform(&mut self, by: &Transform) {
+        self.location = by.point(self.location);
+    }
+}
+
+fn number(r: &mut dyn Reader) -> Result<f64> {
+    r.take()?;
+    let span = r.span();
+    let value = r.float()?;
+    if value.is_finite() {
+        return Ok(value);
+    }
+    Diagnostic::err(codes::NOT_FINITE, span, "this is not a finite number")
+}

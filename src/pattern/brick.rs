@@ -1,0 +1,90 @@
+//! `brick`: bricks in mortar (manual, "Brick").
+//!
+//! ```pov
+//! box { 0, <4, 3, 1> pigment { brick color rgb 0.8, color rgb <0.6, 0.2, 0.1> brick_size <1, 0.4, 0.5> mortar 0.05 } }
+//! ```
+
+use super::{Cells, EDGE, Readable};
+use crate::color::{Color, Rgb};
+use crate::diagnostic::Result;
+use crate::math::DVec3;
+use crate::value::{Kind, Reader, Spec, WordSpec};
+use serde::Serialize;
+
+/// Rows of bricks, each moved by half a brick against the one below.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Brick {
+    /// From the start of one brick to the start of the next.
+    pub size: DVec3,
+    /// Thickness of the mortar, a part of `size`.
+    pub mortar: f64,
+}
+
+impl Readable for Brick {
+    const SPEC: Spec = Spec {
+        name: "brick",
+        summary: "bricks in mortar; the first colour is the mortar's",
+        params: &[],
+        words: &[
+            WordSpec {
+                name: "brick_size",
+                kind: Kind::Vector,
+                default: "<8, 3, 4.5>",
+                summary: "a brick with its mortar",
+            },
+            WordSpec { name: "mortar", kind: Kind::Float, default: "0.5", summary: "thickness of the mortar" },
+        ],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { size: DVec3::new(8.0, 3.0, 4.5), mortar: 0.5 })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "brick_size" => self.size = r.vector()?,
+            _ => self.mortar = r.float()?,
+        }
+        Ok(())
+    }
+}
+
+impl Cells for Brick {
+    fn count(&self) -> usize {
+        2
+    }
+
+    fn cell(&self, p: DVec3) -> usize {
+        let mut q = (p + EDGE) / self.size;
+        // every other row is moved by half a brick in x, the others in z
+        let odd = q.y.floor().rem_euclid(2.0) != 0.0;
+        if odd {
+            q.x += 0.5;
+        } else {
+            q.z += 0.5;
+        }
+        // a point is in the mortar if it lies in the last `mortar` of a brick along any axis
+        let within = (q - q.floor()) * self.size;
+        usize::from((within + self.mortar).cmple(self.size).all())
+    }
+
+    fn default_color(&self, cell: usize) -> Color {
+        Color::opaque(if cell == 0 { Rgb::splat(0.5) } else { Rgb::new(0.6, 0.15, 0.15) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mortar_ends_each_brick() {
+        let wall = Brick { size: DVec3::new(8.0, 3.0, 4.5), mortar: 0.5 };
+        assert_eq!(wall.cell(DVec3::new(1.0, 1.0, 0.0)), 1);
+        assert_eq!(wall.cell(DVec3::new(7.75, 1.0, 0.0)), 0);
+        assert_eq!(wall.cell(DVec3::new(1.0, 2.75, 0.0)), 0);
+        // the next row is moved by half a brick
+        assert_eq!(wall.cell(DVec3::new(7.75, 3.5, 1.0)), 1);
+        assert_eq!(wall.cell(DVec3::new(3.75, 3.5, 1.0)), 0);
+    }
+}

@@ -1,0 +1,59 @@
+//! `checker`: cubes with edges of length 1, of two kinds in turns (manual, "Checker").
+//!
+//! ```pov
+//! plane { y, 0 pigment { checker color rgb 1, color rgb 0 } }
+//! ```
+
+use super::{Cells, EDGE, Readable};
+use crate::color::{Color, Rgb};
+use crate::diagnostic::Result;
+use crate::math::DVec3;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Cubes in turns.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Checker {}
+
+impl Readable for Checker {
+    const SPEC: Spec = Spec { name: "checker", summary: "cubes of two kinds in turns", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Cells for Checker {
+    fn count(&self) -> usize {
+        2
+    }
+
+    fn cell(&self, p: DVec3) -> usize {
+        // the parity of ⌊x⌋ + ⌊y⌋ + ⌊z⌋
+        let f = (p + EDGE).floor();
+        (f.x + f.y + f.z).rem_euclid(2.0) as usize
+    }
+
+    fn default_color(&self, cell: usize) -> Color {
+        Color::opaque(if cell == 0 { Rgb::Z } else { Rgb::Y })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_alternate_also_below_zero() {
+        let cell = |x, y, z| Checker {}.cell(DVec3::new(x, y, z));
+        assert_eq!(
+            [cell(0.5, 0.5, 0.5), cell(1.5, 0.5, 0.5), cell(-0.5, 0.5, 0.5), cell(-0.5, -0.5, 0.5)],
+            [0, 1, 1, 0]
+        );
+    }
+
+    #[test]
+    fn a_plane_at_a_whole_number_does_not_flicker() {
+        assert_eq!(Checker {}.cell(DVec3::new(0.5, -1e-12, 0.5)), 0);
+    }
+}

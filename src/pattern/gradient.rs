@@ -1,0 +1,48 @@
+//! `gradient <vector>`: grows along a direction and begins anew after each unit (manual, "Gradient").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { gradient y color_map { [0 color rgb 0] [1 color rgb 1] } scale 2 translate -y } }
+//! ```
+
+use super::{Field, Readable};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::DVec3;
+use crate::value::{Kind, Param, Reader, Spec};
+use serde::Serialize;
+
+/// A ramp along a direction.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Gradient {
+    /// Length 1.
+    pub direction: DVec3,
+}
+
+impl Readable for Gradient {
+    const SPEC: Spec = Spec {
+        name: "gradient",
+        summary: "a ramp that begins anew after each unit along a direction",
+        params: &[Param {
+            name: "orientation",
+            kind: Kind::Vector,
+            summary: "the direction; its length does not matter",
+        }],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let vector = r.vector()?;
+        match vector.try_normalize() {
+            Some(direction) => Ok(Self { direction }),
+            None => Diagnostic::err(codes::ZERO_VECTOR, span, "a gradient needs a direction, this vector is zero"),
+        }
+    }
+}
+
+impl Field for Gradient {
+    fn value(&self, p: DVec3) -> f64 {
+        // Negative numbers keep their sign here; frequency and phase bring them into [0, 1].
+        let along = p.dot(self.direction);
+        if along > 0.0 { along % 1.0 } else { along }
+    }
+}

@@ -1,0 +1,68 @@
+//! `hexagon`: prisms along y with sides of length 1, of three kinds (manual, "Hexagon").
+//!
+//! ```pov
+//! plane { y, 0 pigment { hexagon color rgb x, color rgb y, color rgb z } }
+//! ```
+
+use super::{Cells, Readable};
+use crate::color::{Color, Rgb};
+use crate::diagnostic::Result;
+use crate::math::DVec3;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// A honeycomb in the xz plane.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Hexagon {}
+
+impl Readable for Hexagon {
+    const SPEC: Spec = Spec { name: "hexagon", summary: "six-sided prisms of three kinds", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Cells for Hexagon {
+    fn count(&self) -> usize {
+        3
+    }
+
+    fn cell(&self, p: DVec3) -> usize {
+        // Centres lie at (3a/2, √3(b + a/2)): the cell is that of the nearest one, found by rounding cube
+        // coordinates (a, b, -a-b) and mending the one that was rounded most.
+        let root3 = 3f64.sqrt();
+        let a = p.x / 1.5;
+        let b = p.z / root3 - a / 2.0;
+        let c = -a - b;
+        let (mut ra, mut rb, rc) = (a.round(), b.round(), c.round());
+        let (da, db, dc) = ((ra - a).abs(), (rb - b).abs(), (rc - c).abs());
+        if da > db && da > dc {
+            ra = -rb - rc;
+        } else if db > dc {
+            rb = -ra - rc;
+        }
+        (rb - ra).rem_euclid(3.0) as usize
+    }
+
+    fn default_color(&self, cell: usize) -> Color {
+        Color::opaque([Rgb::Z, Rgb::Y, Rgb::X][cell])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_differ() {
+        let cell = |x: f64, z: f64| Hexagon {}.cell(DVec3::new(x, 7.0, z));
+        let h = 3f64.sqrt();
+        assert_eq!(cell(0.0, 0.0), 0);
+        let around = [cell(1.5, h / 2.0), cell(0.0, h), cell(-1.5, h / 2.0), cell(-1.5, -h / 2.0), cell(0.0, -h)];
+        assert_eq!(around, [2, 1, 2, 1, 2]);
+        assert_eq!(cell(0.99, 0.0), 0);
+        assert_eq!(cell(0.0, 0.86), 0);
+        assert_eq!(cell(0.0, 0.87), 1);
+    }
+}

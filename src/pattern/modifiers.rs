@@ -1,0 +1,91 @@
+//! What any field pattern takes: `frequency`, `phase` and the wave's shape (manual, "Pattern Modifiers").
+
+use crate::diagnostic::Result;
+use crate::math::fp;
+use crate::value::{Kind, Reader, WordSpec};
+use serde::Serialize;
+use std::f64::consts::PI;
+
+/// How a number in [0, 1) becomes another.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Wave {
+    /// As it is.
+    Ramp,
+    /// Up and down again.
+    Triangle,
+    /// Up and down, rounded.
+    Sine,
+    /// Two half circles, more or less.
+    Scallop,
+    /// Flat at both ends.
+    Cubic,
+    /// To a power.
+    Poly(f64),
+}
+
+/// Frequency, phase, wave.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Modifiers {
+    /// How often the map is run through in a unit; 0 leaves the pattern as it is.
+    pub frequency: f64,
+    /// Where the map begins.
+    pub phase: f64,
+    /// The wave's shape.
+    pub wave: Wave,
+}
+
+impl Default for Modifiers {
+    fn default() -> Self {
+        Self { frequency: 1.0, phase: 0.0, wave: Wave::Ramp }
+    }
+}
+
+/// POV-Ray 3.7 wraps at this rather than at 1, as was measured: 3.9375 below 0 comes out at 0.0625 + 0.00003.
+const PERIOD: f64 = 1.00001;
+
+impl Modifiers {
+    /// The words it takes.
+    pub const WORDS: &[WordSpec] = &[
+        WordSpec { name: "frequency", kind: Kind::Float, default: "1", summary: "passes through the map in a unit" },
+        WordSpec { name: "phase", kind: Kind::Float, default: "0", summary: "where the map begins" },
+        WordSpec { name: "ramp_wave", kind: Kind::Nothing, default: "", summary: "rises and falls back at once" },
+        WordSpec { name: "triangle_wave", kind: Kind::Nothing, default: "", summary: "rises and falls" },
+        WordSpec { name: "sine_wave", kind: Kind::Nothing, default: "", summary: "rises and falls, rounded" },
+        WordSpec { name: "scallop_wave", kind: Kind::Nothing, default: "", summary: "a row of arches" },
+        WordSpec { name: "cubic_wave", kind: Kind::Nothing, default: "", summary: "flat at both ends" },
+        WordSpec { name: "poly_wave", kind: Kind::Float, default: "1", summary: "to this power" },
+    ];
+
+    /// Reads what follows one of [`Self::WORDS`]; the word itself is consumed.
+    pub fn read_word(&mut self, word: &str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "frequency" => self.frequency = r.float()?,
+            "phase" => self.phase = r.float()?,
+            "ramp_wave" => self.wave = Wave::Ramp,
+            "triangle_wave" => self.wave = Wave::Triangle,
+            "sine_wave" => self.wave = Wave::Sine,
+            "scallop_wave" => self.wave = Wave::Scallop,
+            "cubic_wave" => self.wave = Wave::Cubic,
+            _ => self.wave = Wave::Poly(r.optional_float()?.unwrap_or(1.0)),
+        }
+        Ok(())
+    }
+
+    /// The pattern's number as the map sees it.
+    pub fn apply(&self, raw: f64) -> f64 {
+        if self.frequency == 0.0 {
+            return raw;
+        }
+        let wrapped = (raw * self.frequency + self.phase) % PERIOD;
+        let v = if wrapped < 0.0 { wrapped + 1.0 } else { wrapped };
+        match self.wave {
+            Wave::Ramp => v,
+            Wave::Triangle => 1.0 - (2.0 * v - 1.0).abs(),
+            Wave::Sine => (1.0 + fp::sin(2.0 * PI * v)) / 2.0,
+            Wave::Scallop => fp::sin(PI * v).abs(),
+            Wave::Cubic => v * v * (3.0 - 2.0 * v),
+            Wave::Poly(exponent) => fp::pow(v, exponent),
+        }
+    }
+}

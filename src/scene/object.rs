@@ -1,0 +1,466 @@
+//! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
+
+use super::Defaults;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::light::Light;
+use crate::math::Transform;
+use crate::shape::{self, Shape};
+use crate::source::Span;
+use crate::texture::{Interior, Material, Texture};
+use crate::value::{Next, Reader, ReaderExt, Thing};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// What an object is made of.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ObjectKind {
+    /// One shape.
+    Shape(Arc<Shape>),
+    /// Several objects.
+    Csg(CsgOp, Arc<[Object]>),
+    /// A light, which a union may carry along.
+    Light(Arc<Light>),
+}
+
+/// How a CSG object is made of its parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CsgOp {
+    /// All of them.
+    Union,
+    /// What they share.
+    Intersection,
+    /// The first without the others.
+    Difference,
+    /// All of them, without the surfaces inside.
+    Merge,
+}
+
+/// A texture where it lies on an object.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Painted {
+    /// Shared by all objects that were given it.
+    pub texture: Arc<Texture>,
+    /// How the object was moved after it got the texture.
+    pub transform: Transform,
+}
+
+/// Switches; a CSG object's hold for its parts too.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[allow(missing_docs)]
+pub struct Flags {
+    pub no_shadow: bool,
+    pub no_image: bool,
+    pub no_reflection: bool,
+    pub no_radiosity: bool,
+    pub hollow: bool,
+    pub inverse: bool,
+    pub double_illuminate: bool,
+    pub cutaway_textures: bool,
+}
+
+/// An object as it was written. Cheap to copy: what is large is shared.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Object {
+    /// What it is made of.
+    pub kind: ObjectKind,
+    /// All its transforms, in the space around its block.
+    pub transform: Transform,
+    /// What it looks like; its parent's texture, or the default, where it says nothing.
+    pub texture: Option<Painted>,
+    /// What it looks like from inside.
+    pub interior_texture: Option<Painted>,
+    /// What fills it.
+    pub interior: Option<Arc<Interior>>,
+    /// Only what lies inside all of these is there; moved along with the object.
+    pub clipped_by: Option<Arc<[Object]>>,
+    /// A hint about its extent.
+    pub bounded_by: Option<Arc<[Object]>>,
+    /// Switches.
+    pub flags: Flags,
+    /// The word it was written with.
+    pub word: &'static str,
+    /// The text that made it.
+    pub source: Span,
+    /// The default texture where it was written.
+    pub default_texture: Arc<Texture>,
+}
+
+impl Thing for Object {
+    fn kind(&self) -> &'static str {
+        "object"
+    }
+}
+
+/// Words of objects that are known but not drawn yet.
+pub const NOT_DRAWN: &[&str] = &[
+    "bicubic_patch",
+    "blob",
+    "cubic",
+    "height_field",
+    "isosurface",
+    "julia_fractal",
+    "lathe",
+    "mesh",
+    "mesh2",
+    "ovus",
+    "parametric",
+    "poly",
+    "polynomial",
+    "prism",
+    "quadric",
+    "quartic",
+    "sor",
+    "sphere_sweep",
+    "superellipsoid",
+    "text",
+    "light_group",
+];
+
+const MODIFIERS: &[&str] = &[
+    "pigment",
+    "texture",
+    "finish",
+    "normal",
+    "interior",
+    "material",
+    "translate",
+    "rotate",
+    "scale",
+    "matrix",
+    "transform",
+    "clipped_by",
+    "bounded_by",
+    "no_shadow",
+    "no_image",
+    "no_reflection",
+    "no_radiosity",
+    "hollow",
+    "inverse",
+    "double_illuminate",
+    "interior_texture",
+    "photons",
+    "uv_mapping",
+    "sturm",
+    "hierarchy",
+];
+
+/// The word of a CSG block.
+fn csg_op(word: &str) -> Option<CsgOp> {
+    Some(match word {
+        "union" => CsgOp::Union,
+        "intersection" => CsgOp::Intersection,
+        "difference" => CsgOp::Difference,
+        "merge" => CsgOp::Merge,
+        _ => return None,
+    })
+}
+
+/// Does a block of this name make an object?
+pub fn is_object(word: &str) -> bool {
+    matches!(word, "object" | "light_source") || csg_op(word).is_some() || shape::SPECS.iter().any(|s| s.name == word)
+}
+
+impl Object {
+    /// Reads the object that comes next: a block, whose name is still to be consumed, or a declared one.
+    pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Self> {
+        match r.next()? {
+            Next::Block(word) => {
+                let source = r.take()?;
+                let object = Self::read_block(word, source, r, defaults)?;
+                r.leave()?;
+                Ok(object)
+            }
+            Next::Thing(_) => match (r.span(), r.thing::<Object>()?) {
+                (source, Some(object)) => Ok(Self { source, ..(*object).clone() }),
+                _ => Err(r.unexpected("an object").into()),
+            },
+            _ => Err(r.unexpected("an object").into()),
+        }
+    }
+
+    fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
+        Self {
+            kind,
+            transform: Transform::IDENTITY,
+            texture: None,
+            interior_texture: None,
+            interior: None,
+            clipped_by: None,
+            bounded_by: None,
+            flags: Flags::default(),
+            word,
+            source,
+            default_texture: defaults.texture.clone(),
+        }
+    }
+
+    /// Reads what stands between the braces of a block of this name.
+    fn read_block(word: &'static str, source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Self> {
+        if let Some(op) = csg_op(word) {
+            return Self::read_csg(op, word, source, r, defaults);
+        }
+        if word == "light_source" {
+            let light = Light::read(r, source)?;
+            return Ok(Self::new(ObjectKind::Light(Arc::new(light)), word, source, defaults));
+        }
+        if word == "object" {
+            let mut object = Self { source, ..Self::read(r, defaults)? };
+            object.read_modifiers(None, r, defaults)?;
+            return Ok(object);
+        }
+        let Some(shape) = shape::read(word, r) else { return Err(r.unexpected("an object").into()) };
+        let mut shape = shape?;
+        let mut object = Self::new(ObjectKind::Shape(Arc::new(shape.clone())), word, source, defaults);
+        object.read_modifiers(Some(&mut shape), r, defaults)?;
+        shape.finish(source, r)?;
+        object.kind = ObjectKind::Shape(Arc::new(shape));
+        Ok(object)
+    }
+
+    fn read_csg(op: CsgOp, word: &'static str, source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Self> {
+        let mut parts = vec![];
+        loop {
+            match r.next()? {
+                Next::Block(part) if is_object(part) => parts.push(Self::read(r, defaults)?),
+                Next::Block(part) if NOT_DRAWN.contains(&part) => r.skip_unsupported(part)?,
+                Next::Thing("object" | "light_source") => parts.push(Self::read(r, defaults)?),
+                _ => break,
+            }
+        }
+        let mut object = Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults);
+        object.read_modifiers(None, r, defaults)?;
+        Ok(object)
+    }
+
+    /// Reads modifiers up to the end of the block; a shape's own words are among them.
+    fn read_modifiers(&mut self, mut shape: Option<&mut Shape>, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
+        loop {
+            let next = r.next()?;
+            if next == Next::End {
+                return Ok(());
+            }
+            if let (Next::Word(word), Some(shape)) = (next, shape.as_deref_mut())
+                && shape.spec().words.iter().any(|w| w.name == word)
+            {
+                r.take()?;
+                shape.read_word(word, r)?;
+                continue;
+            }
+            if !self.read_modifier(next, r, defaults)? {
+                let own = shape.as_deref().map(|s| s.spec().word_names().collect::<Vec<_>>()).unwrap_or_default();
+                let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.iter().copied()).collect();
+                return Err(r.unknown_word(self.word, &words).into());
+            }
+        }
+    }
+
+    /// Reads one modifier; false if it is none.
+    fn read_modifier(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
+        match next {
+            Next::Word("translate" | "rotate" | "scale" | "matrix")
+            | Next::Block("transform")
+            | Next::Thing("transform") => {
+                if let Some(step) = r.transform()? {
+                    self.transform_by(&step);
+                }
+            }
+            Next::Word(word) if self.flag(word).is_some() => {
+                r.take()?;
+                let on = r.flag()?;
+                if let Some(flag) = self.flag(word) {
+                    *flag = on;
+                }
+            }
+            Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
+            Next::Word("clipped_by" | "bounded_by" | "sturm" | "hierarchy") => {
+                r.take()?;
+                r.flag()?;
+            }
+            Next::Block("interior") => {
+                r.take()?;
+                self.interior = Some(Arc::new(Interior::read(r)?));
+                r.leave()?;
+            }
+            Next::Thing("interior") => self.interior = r.thing::<Interior>()?,
+            Next::Block("material") => {
+                r.take()?;
+                let material = read_material(r, defaults)?;
+                r.leave()?;
+                self.set_material(&material);
+            }
+            Next::Thing("material") => {
+                if let Some(material) = r.thing::<Material>()? {
+                    self.set_material(&material);
+                }
+            }
+            Next::Word("photons" | "uv_mapping") | Next::Block("photons") => r.skip_unsupported("photons")?,
+            _ => return self.read_surface(next, r, defaults),
+        }
+        Ok(true)
+    }
+
+    fn flag(&mut self, word: &str) -> Option<&mut bool> {
+        let f = &mut self.flags;
+        Some(match word {
+            "no_shadow" => &mut f.no_shadow,
+            "no_image" => &mut f.no_image,
+            "no_reflection" => &mut f.no_reflection,
+            "no_radiosity" => &mut f.no_radiosity,
+            "hollow" => &mut f.hollow,
+            "inverse" => &mut f.inverse,
+            "double_illuminate" => &mut f.double_illuminate,
+            "cutaway_textures" => &mut f.cutaway_textures,
+            _ => return None,
+        })
+    }
+
+    /// `texture`, `interior_texture`, or one of a texture's parts alone.
+    fn read_surface(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
+        match next {
+            Next::Block("texture") | Next::Thing("texture") => {
+                let texture = read_layers(r, defaults)?;
+                self.texture = Some(Painted::new(Arc::new(texture)));
+            }
+            Next::Block("interior_texture") => {
+                r.take()?;
+                let texture = Texture::read(r, &defaults.texture)?;
+                r.leave()?;
+                self.interior_texture = Some(Painted::new(Arc::new(texture)));
+            }
+            _ => {
+                // The texture so far, its moves applied, because what is read now has not been moved.
+                let mut texture = match &self.texture {
+                    Some(painted) => {
+                        let mut texture = (*painted.texture).clone();
+                        texture.transform(&painted.transform);
+                        texture
+                    }
+                    None => (*defaults.texture).clone(),
+                };
+                if !texture.read_part(r, next, &defaults.texture)? {
+                    return Ok(false);
+                }
+                self.texture = Some(Painted::new(Arc::new(texture)));
+            }
+        }
+        Ok(true)
+    }
+
+    fn read_bound(&mut self, word: &'static str, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
+        let at = r.take()?;
+        let mut parts = vec![];
+        loop {
+            match r.next()? {
+                Next::End => break,
+                Next::Word("clipped_by" | "bounded_by") => {
+                    r.take()?;
+                    let other = if word == "clipped_by" { &self.bounded_by } else { &self.clipped_by };
+                    parts.extend(other.iter().flat_map(|o| o.iter().cloned()));
+                }
+                Next::Block(part) if NOT_DRAWN.contains(&part) => r.skip_unsupported(part)?,
+                _ => parts.push(Self::read(r, defaults)?),
+            }
+        }
+        r.leave()?;
+        if parts.is_empty() {
+            r.report(Diagnostic::new(codes::EMPTY_BLOCK, at, format!("this `{word}` holds no object")));
+            return Ok(());
+        }
+        let field = if word == "clipped_by" { &mut self.clipped_by } else { &mut self.bounded_by };
+        let before = field.take().into_iter().flat_map(|b| b.to_vec());
+        *field = Some(before.chain(parts).collect());
+        Ok(())
+    }
+
+    fn set_material(&mut self, material: &Material) {
+        let painted = |t: &Arc<Texture>| Painted::new(t.clone());
+        self.texture = material.texture.as_ref().map(painted).or(self.texture.take());
+        self.interior_texture = material.interior_texture.as_ref().map(painted).or(self.interior_texture.take());
+        self.interior = material.interior.clone().or(self.interior.take());
+    }
+
+    /// Moves the object with its textures and what clips it.
+    pub fn transform_by(&mut self, step: &Transform) {
+        self.transform = self.transform.then(step);
+        for painted in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
+            painted.transform = painted.transform.then(step);
+        }
+        for bound in [&mut self.clipped_by, &mut self.bounded_by] {
+            let moved = |o: &Object| {
+                let mut o = o.clone();
+                o.transform_by(step);
+                o
+            };
+            *bound = bound.as_ref().map(|parts| parts.iter().map(moved).collect());
+        }
+    }
+}
+
+impl Painted {
+    /// Not moved yet.
+    pub fn new(texture: Arc<Texture>) -> Self {
+        Self { texture, transform: Transform::IDENTITY }
+    }
+}
+
+/// One or more `texture` blocks in a row: layers, the first is the lowest.
+pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
+    let mut layers = vec![];
+    loop {
+        match r.next()? {
+            Next::Block("texture") => {
+                r.take()?;
+                layers.extend(Texture::read(r, &defaults.texture)?.layers);
+                r.leave()?;
+            }
+            Next::Thing("texture") => match r.thing::<Texture>()? {
+                Some(texture) => layers.extend(texture.layers.iter().cloned()),
+                None => break,
+            },
+            _ => break,
+        }
+    }
+    Ok(Texture { layers })
+}
+
+/// Reads what stands between the braces of a `material`.
+pub fn read_material(r: &mut dyn Reader, defaults: &Defaults) -> Result<Material> {
+    let mut out = Material::default();
+    loop {
+        match r.next()? {
+            Next::End => return Ok(out),
+            Next::Thing("material") => {
+                if let Some(declared) = r.thing::<Material>()? {
+                    out = (*declared).clone();
+                }
+            }
+            Next::Block("texture") | Next::Thing("texture") => out.texture = Some(Arc::new(read_layers(r, defaults)?)),
+            Next::Block("interior_texture") => {
+                r.take()?;
+                out.interior_texture = Some(Arc::new(Texture::read(r, &defaults.texture)?));
+                r.leave()?;
+            }
+            Next::Block("interior") => {
+                r.take()?;
+                out.interior = Some(Arc::new(Interior::read(r)?));
+                r.leave()?;
+            }
+            Next::Thing("interior") => out.interior = r.thing::<Interior>()?,
+            Next::Word("translate" | "rotate" | "scale" | "matrix")
+            | Next::Block("transform")
+            | Next::Thing("transform") => {
+                if let Some(step) = r.transform()? {
+                    for texture in [&mut out.texture, &mut out.interior_texture].into_iter().flatten() {
+                        Arc::make_mut(texture).transform(&step);
+                    }
+                }
+            }
+            _ => {
+                let words = ["texture", "interior_texture", "interior", "translate", "rotate", "scale", "transform"];
+                return Err(r.unknown_word("material", &words).into());
+            }
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! `global_settings` (manual, "Global Settings").
+
+use crate::color::Rgb;
+use crate::diagnostic::Result;
+use crate::value::{Next, Reader};
+use serde::Serialize;
+
+/// How numbers in the scene relate to light.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Gamma {
+    /// They are light to the power of one over this.
+    Power(f64),
+    /// They are encoded by the sRGB curve.
+    Srgb,
+    /// No such relation: they go to the file as they are. Scenes older than 3.7 that name no `assumed_gamma`.
+    Raw,
+}
+
+/// All numbers of `global_settings`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Settings {
+    /// `assumed_gamma`, once it is settled.
+    pub gamma: Option<Gamma>,
+    /// How often a ray may be reflected and bent.
+    pub max_trace_level: u32,
+    /// Rays that count for less than this are not followed.
+    pub adc_bailout: f64,
+    /// The light that `finish { ambient }` answers to.
+    pub ambient_light: Rgb,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { gamma: None, max_trace_level: 5, adc_bailout: 1.0 / 255.0, ambient_light: Rgb::ONE }
+    }
+}
+
+const WORDS: &[&str] = &[
+    "adc_bailout",
+    "ambient_light",
+    "assumed_gamma",
+    "charset",
+    "hf_gray_16",
+    "irid_wavelength",
+    "max_intersections",
+    "max_trace_level",
+    "mm_per_unit",
+    "noise_generator",
+    "number_of_waves",
+    "photons",
+    "radiosity",
+    "subsurface",
+];
+
+/// Known, and without any effect on what is drawn so far.
+const WITHOUT_EFFECT: &[&str] =
+    &["charset", "hf_gray_16", "irid_wavelength", "max_intersections", "mm_per_unit", "number_of_waves"];
+
+impl Settings {
+    /// Reads what stands between the braces.
+    pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
+        loop {
+            match r.next()? {
+                Next::End => return Ok(()),
+                Next::Word("assumed_gamma") => {
+                    r.take()?;
+                    self.gamma = Some(match r.next()? {
+                        Next::Word("srgb") => {
+                            r.take()?;
+                            Gamma::Srgb
+                        }
+                        _ => Gamma::Power(r.float()?),
+                    });
+                }
+                Next::Word("max_trace_level") => {
+                    r.take()?;
+                    self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
+                }
+                Next::Word("adc_bailout") => {
+                    r.take()?;
+                    self.adc_bailout = r.float()?;
+                }
+                Next::Word("ambient_light") => {
+                    r.take()?;
+                    self.ambient_light = r.color()?.rgb;
+                }
+                Next::Word(word) if WITHOUT_EFFECT.contains(&word) => {
+                    r.take()?;
+                    while matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
+                        match r.next()? {
+                            Next::Value => drop(r.value()?),
+                            _ => drop(r.take()?),
+                        }
+                    }
+                }
+                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => r.skip_unsupported(word)?,
+                _ => return Err(r.unknown_word("global_settings", WORDS).into()),
+            }
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! Names as numbers.
+
+use super::ast::Symbol;
+use rustc_hash::FxHashMap;
+use std::cell::RefCell;
+
+/// The table of all names in all files of a run.
+#[derive(Default)]
+pub struct Names {
+    texts: elsa::FrozenVec<Box<str>>,
+    symbols: RefCell<FxHashMap<Box<str>, Symbol>>,
+}
+
+impl Names {
+    /// The symbol of a name, new or known.
+    pub fn intern(&self, name: &str) -> Symbol {
+        let mut symbols = self.symbols.borrow_mut();
+        if let Some(&symbol) = symbols.get(name) {
+            return symbol;
+        }
+        let symbol = Symbol(self.texts.len() as u32);
+        self.texts.push(name.into());
+        symbols.insert(name.into(), symbol);
+        symbol
+    }
+
+    /// The symbol of a name, if some file mentions it.
+    pub fn find(&self, name: &str) -> Option<Symbol> {
+        self.symbols.borrow().get(name).copied()
+    }
+
+    /// The name of a symbol.
+    pub fn text(&self, symbol: Symbol) -> &str {
+        &self.texts[symbol.0 as usize]
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.texts.len()
+    }
+
+    /// Are there none?
+    pub fn is_empty(&self) -> bool {
+        self.texts.len() == 0
+    }
+}

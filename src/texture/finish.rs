@@ -1,0 +1,204 @@
+//! `finish`: how a surface answers to light (manual, "Finish").
+
+use crate::color::Rgb;
+use crate::diagnostic::Result;
+use crate::value::{Next, Reader, ReaderExt};
+use serde::Serialize;
+
+/// All numbers of a finish.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finish {
+    /// Light that is everywhere, times `global_settings { ambient_light }`.
+    pub ambient: Rgb,
+    /// Light of its own.
+    pub emission: Rgb,
+    /// How much of a light is scattered back on its side.
+    pub diffuse: f64,
+    /// The same for light that falls on the far side.
+    pub diffuse_back: f64,
+    /// `diffuse albedo`: the number is the whole of what is scattered.
+    pub diffuse_albedo: bool,
+    /// Exponent of the cosine.
+    pub brilliance: f64,
+    /// Strength of the highlight about the mirrored ray.
+    pub phong: f64,
+    /// `phong albedo`.
+    pub phong_albedo: bool,
+    /// Its exponent.
+    pub phong_size: f64,
+    /// Strength of the highlight about the half-way vector.
+    pub specular: f64,
+    /// `specular albedo`.
+    pub specular_albedo: bool,
+    /// One over its exponent.
+    pub roughness: f64,
+    /// How much the highlights take the pigment's colour, 0 to 1.
+    pub metallic: f64,
+    /// Grain of the diffuse light.
+    pub crand: f64,
+    /// Mirror.
+    pub reflection: Reflection,
+    /// Takes from the light that passes what the mirror gives.
+    pub conserve_energy: bool,
+}
+
+/// All numbers of a mirror.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Reflection {
+    /// Seen straight on.
+    pub min: Rgb,
+    /// Seen at a grazing angle.
+    pub max: Rgb,
+    /// By the angle: true dielectric (`fresnel`) or a power.
+    pub fresnel: bool,
+    /// That power.
+    pub falloff: f64,
+    /// Of the reflected light.
+    pub exponent: f64,
+    /// How much it takes the pigment's colour, 0 to 1.
+    pub metallic: f64,
+}
+
+impl Default for Finish {
+    fn default() -> Self {
+        Self {
+            ambient: Rgb::splat(0.1),
+            emission: Rgb::ZERO,
+            diffuse: 0.6,
+            diffuse_back: 0.0,
+            diffuse_albedo: false,
+            brilliance: 1.0,
+            phong: 0.0,
+            phong_albedo: false,
+            phong_size: 40.0,
+            specular: 0.0,
+            specular_albedo: false,
+            roughness: 0.05,
+            metallic: 0.0,
+            crand: 0.0,
+            reflection: Reflection::default(),
+            conserve_energy: false,
+        }
+    }
+}
+
+impl Default for Reflection {
+    fn default() -> Self {
+        let (min, max) = (Rgb::ZERO, Rgb::ZERO);
+        Self { min, max, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 }
+    }
+}
+
+const WORDS: &[&str] = &[
+    "ambient",
+    "emission",
+    "diffuse",
+    "brilliance",
+    "phong",
+    "phong_size",
+    "specular",
+    "roughness",
+    "metallic",
+    "crand",
+    "reflection",
+    "conserve_energy",
+    "irid",
+    "subsurface",
+    "albedo",
+];
+
+impl Finish {
+    /// Reads what stands between the braces, on top of `base` (the default finish).
+    pub fn read(r: &mut dyn Reader, base: &Finish) -> Result<Self> {
+        let mut f = base.clone();
+        loop {
+            match r.next()? {
+                Next::End => return Ok(f),
+                Next::Thing(_) => match r.thing::<Finish>()? {
+                    Some(declared) => f = (*declared).clone(),
+                    None => return Err(r.unknown_word("finish", WORDS).into()),
+                },
+                Next::Word(word) if WORDS.contains(&word) || word.starts_with("reflection_") => f.read_word(word, r)?,
+                Next::Block("reflection") => {
+                    r.take()?;
+                    f.reflection = Reflection::read(r)?;
+                    r.leave()?;
+                }
+                Next::Block("irid" | "subsurface") => r.skip_unsupported("finish")?,
+                _ => return Err(r.unknown_word("finish", WORDS).into()),
+            }
+        }
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        r.take()?;
+        match word {
+            "ambient" => self.ambient = r.color()?.rgb,
+            "emission" => self.emission = r.color()?.rgb,
+            "diffuse" => {
+                self.diffuse_albedo = r.accept("albedo")?;
+                self.diffuse = r.float()?;
+                self.diffuse_back = r.optional_float()?.unwrap_or(0.0);
+            }
+            "brilliance" => self.brilliance = r.float()?,
+            "phong" => {
+                self.phong_albedo = r.accept("albedo")?;
+                self.phong = r.float()?;
+            }
+            "phong_size" => self.phong_size = r.float()?,
+            "specular" => {
+                self.specular_albedo = r.accept("albedo")?;
+                self.specular = r.float()?;
+            }
+            "roughness" => self.roughness = r.float()?,
+            "metallic" => self.metallic = r.optional_float()?.unwrap_or(1.0),
+            "crand" => self.crand = r.float()?,
+            "conserve_energy" => self.conserve_energy = r.flag()?,
+            "reflection_exponent" => self.reflection.exponent = r.float()?,
+            _ => {
+                let color = r.color()?.rgb;
+                (self.reflection.min, self.reflection.max) = (color, color);
+            }
+        }
+        Ok(())
+    }
+}
+
+const REFLECTION_WORDS: &[&str] = &["fresnel", "falloff", "exponent", "metallic"];
+
+impl Reflection {
+    /// `reflection { [min,] max … }`
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let first = r.color()?.rgb;
+        let mut out = Self { max: first, ..Self::default() };
+        let two = r.at_color()?;
+        if two {
+            (out.min, out.max) = (first, r.color()?.rgb);
+        }
+        loop {
+            match r.next()? {
+                Next::End => break,
+                Next::Word(word) if REFLECTION_WORDS.contains(&word) => {
+                    r.take()?;
+                    match word {
+                        "fresnel" => out.fresnel = r.flag()?,
+                        "falloff" => out.falloff = r.float()?,
+                        "exponent" => out.exponent = r.float()?,
+                        _ => out.metallic = r.optional_float()?.unwrap_or(1.0),
+                    }
+                }
+                _ => return Err(r.unknown_word("reflection", REFLECTION_WORDS).into()),
+            }
+        }
+        // One colour alone is the same at every angle, but fresnel starts from none.
+        if !two && !out.fresnel {
+            out.min = out.max;
+        }
+        Ok(out)
+    }
+
+    /// Is there any mirror at all? (Negative amounts are not traced.)
+    pub fn is_none(&self) -> bool {
+        self.min.max(self.max).cmple(Rgb::ZERO).all()
+    }
+}

@@ -1,0 +1,52 @@
+//! `interior`: what fills a shape (manual, "Interior").
+
+use crate::diagnostic::Result;
+use crate::value::{Next, Reader, ReaderExt};
+use serde::Serialize;
+
+/// What light meets inside.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Interior {
+    /// Index of refraction.
+    pub ior: f64,
+}
+
+impl Default for Interior {
+    fn default() -> Self {
+        Self { ior: 1.0 }
+    }
+}
+
+const WORDS: &[&str] = &[
+    "ior",
+    "dispersion",
+    "dispersion_samples",
+    "caustics",
+    "fade_distance",
+    "fade_power",
+    "fade_color",
+    "fade_colour",
+    "media",
+];
+
+impl Interior {
+    /// Reads what stands between the braces.
+    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut out = Self::default();
+        loop {
+            match r.next()? {
+                Next::End => return Ok(out),
+                Next::Thing(_) => match r.thing::<Interior>()? {
+                    Some(declared) => out = (*declared).clone(),
+                    None => return Err(r.unknown_word("interior", WORDS).into()),
+                },
+                Next::Word("ior") => {
+                    r.take()?;
+                    out.ior = r.float()?;
+                }
+                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => r.skip_unsupported(word)?,
+                _ => return Err(r.unknown_word("interior", WORDS).into()),
+            }
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! `texture` and `material` (manual, "Texture", "Material").
+
+use super::{Finish, Interior, Pigment};
+use crate::diagnostic::Result;
+use crate::math::Transform;
+use crate::value::{Next, Reader, ReaderExt};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// One layer: the light that a see-through one lets pass comes from the layer below.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Layer {
+    /// Its colour.
+    pub pigment: Pigment,
+    /// Its answer to light.
+    pub finish: Finish,
+}
+
+/// Layers from the lowest to the topmost.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Texture {
+    /// Never empty.
+    pub layers: Vec<Layer>,
+}
+
+impl Default for Texture {
+    fn default() -> Self {
+        Self { layers: vec![Layer::default()] }
+    }
+}
+
+const WORDS: &[&str] = &[
+    "pigment",
+    "finish",
+    "normal",
+    "translate",
+    "rotate",
+    "scale",
+    "matrix",
+    "transform",
+    "uv_mapping",
+    "texture_map",
+    "material_map",
+    "checker",
+    "hexagon",
+    "brick",
+    "gradient",
+    "tiles",
+];
+
+impl Texture {
+    /// Reads what stands between the braces, on top of `base` (the default texture).
+    pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
+        let mut out = match r.thing::<Texture>()? {
+            Some(declared) => (*declared).clone(),
+            None => base.clone(),
+        };
+        loop {
+            match r.next()? {
+                Next::End => return Ok(out),
+                next if out.read_part(r, next, base)? => {}
+                Next::Word("translate" | "rotate" | "scale" | "matrix")
+                | Next::Block("transform")
+                | Next::Thing("transform") => {
+                    if let Some(step) = r.transform()? {
+                        out.transform(&step);
+                    }
+                }
+                Next::Word(word) | Next::Block(word)
+                    if WORDS.contains(&word) || crate::pattern::NOT_DRAWN.contains(&word) || LATER.contains(&word) =>
+                {
+                    r.skip_unsupported(word)?
+                }
+                _ => return Err(r.unknown_word("texture", WORDS).into()),
+            }
+        }
+    }
+
+    /// Reads a `pigment`, `normal` or `finish`, in braces or declared; false if something else comes next.
+    pub fn read_part(&mut self, r: &mut dyn Reader, next: Next, base: &Texture) -> Result<bool> {
+        let top = self.layers.len() - 1;
+        let layer = &mut self.layers[top];
+        match next {
+            Next::Block("pigment") => {
+                r.take()?;
+                layer.pigment = Pigment::read(r, &base.layers[0].pigment)?;
+                r.leave()?;
+            }
+            Next::Block("finish") => {
+                r.take()?;
+                layer.finish = Finish::read(r, &layer.finish)?;
+                r.leave()?;
+            }
+            Next::Block("normal") => r.skip_unsupported("normal")?,
+            Next::Thing("pigment") => match r.thing::<Pigment>()? {
+                Some(pigment) => layer.pigment = (*pigment).clone(),
+                None => return Ok(false),
+            },
+            Next::Thing("finish") => match r.thing::<Finish>()? {
+                Some(finish) => layer.finish = (*finish).clone(),
+                None => return Ok(false),
+            },
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Moves every layer.
+    pub fn transform(&mut self, by: &Transform) {
+        for layer in &mut self.layers {
+            layer.pigment.transform = layer.pigment.transform.then(by);
+        }
+    }
+}
+
+const LATER: &[&str] = &[
+    "turbulence",
+    "octaves",
+    "omega",
+    "lambda",
+    "frequency",
+    "phase",
+    "ramp_wave",
+    "triangle_wave",
+    "sine_wave",
+    "scallop_wave",
+    "cubic_wave",
+    "poly_wave",
+    "warp",
+    "color_map",
+    "pigment_map",
+    "normal_map",
+    "slope_map",
+    "texture",
+    "bump_size",
+    "no_bump_scale",
+    "tile2",
+];
+
+/// A texture and what is inside it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Material {
+    /// The outside.
+    pub texture: Option<Arc<Texture>>,
+    /// Seen from inside.
+    pub interior_texture: Option<Arc<Texture>>,
+    /// What fills it.
+    pub interior: Option<Arc<Interior>>,
+}
