@@ -103,7 +103,7 @@ fn standard_output_and_input() {
 #[test]
 fn a_closed_pipe_is_no_accident() {
     let place = Place::new();
-    for line in ["explain", "completions bash", "render ball.scene -o -"] {
+    for line in ["explain", "completions bash", "render ball.scene -o - --size 8x6"] {
         let mut child = place.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         drop(child.stdout.take());
         let output = child.wait_with_output().unwrap();
@@ -184,6 +184,17 @@ fn messages_for_programs() {
     assert_eq!((&lines[0]["code"], &lines[0]["severity"]), (&"E0001".into(), &"error".into()));
     assert_eq!((&lines[0]["file"], &lines[0]["line"]), (&"picture.scene".into(), &1.into()));
     assert_eq!((&lines[1]["code"], &lines[1]["file"]), (&"E0002".into(), &serde_json::Value::Null));
+}
+
+#[test]
+fn quiet_hides_warnings_and_counts_what_is_told() {
+    let place = Place::new();
+    place.put("two.scene", "#warning \"careful\"\nboxx { }\nspere { }\n");
+    let (_, err) = place.exits(1, "check two.scene");
+    assert!(err.contains("careful") && err.contains("2 errors, "), "{err}");
+    assert!(err.find("boxx") < err.find("careful"), "errors come first: {err}");
+    let (_, err) = place.exits(1, "check -q two.scene");
+    assert!(!err.contains("careful") && err.ends_with("2 errors\n"), "{err}");
 }
 
 #[test]
