@@ -106,6 +106,18 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
 "A macro that calls itself needs an `#if` that ends it at some depth. Exit code 4."
     INCLUDE_DEPTH "E0244" "files include each other without end"
 "A file that includes itself, directly or through others, never ends. `#ifndef (Name_Inc) #declare Name_Inc = 1; … #end` around a file makes it harmless. Exit code 4."
+    NO_DIRECTION "E0300" "a plane has no direction"
+"The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
+vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."
+    NO_LENGTH "E0301" "a cylinder or cone has no length"
+"Its two end points are the same, so nothing tells which way its axis goes: `cylinder { 0, 0, 1 }`. Move one of them, as in
+`cylinder { 0, y, 1 }`; a flat round plate is `disc { 0, y, 1 }`."
+    FEW_POINTS "E0302" "a polygon has too few points"
+"The first number in a `polygon` says how many points follow. It takes three to enclose an area, and the first one is
+usually repeated at the end: `polygon { 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }`."
+    TWO_FORMS "E0304" "a plane is given twice"
+"A plane is given by `normal, distance` or by one of the forms with words, `implicit <A, B, C, D>`, `point q normal n` or
+`point q span i, j`, and only once."
     DIVISION_BY_ZERO "W0200" "a division by zero"
 "POV-Ray computes infinity, and so does durer; where such a number reaches a shape or a transform it is an error."
     UNSUPPORTED "W0201" "not drawn yet"
@@ -120,6 +132,20 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
 "It is read and has no effect."
     NO_CAMERA "W0206" "a scene without a camera"
 "POV-Ray's default camera is used: at the origin, looking along z."
+    NO_SURFACE "W0300" "a shape has no surface"
+"Nothing of it will be seen: a radius is zero or, in a torus, negative; or the normal of a disc is zero; or the hole of a disc
+is as large as the disc."
+    FLAT_TRIANGLE "W0301" "a triangle has no area"
+"Its corners are on one line, or two of them are the same point. It is left out."
+    TWISTED_TRIANGLE "W0302" "the normals of a smooth triangle point to both sides"
+"All three normals of a `smooth_triangle` must point to the same side of it, and none may lie in its plane. Such a triangle is
+left out, as POV-Ray does."
+    OPEN_OUTLINE "W0303" "the outline of a polygon is not closed"
+"Each outline ends with the point that it began with: `polygon { 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }`. The last one was closed
+for you."
+    NOT_FLAT "W0304" "the points of a polygon are not in one plane"
+"A `polygon` is flat: all its points lie in one plane, to 1e-10, and not all on one line. One that is not is left out, as
+POV-Ray does. Split it into triangles."
     FOLLOWS "E0998" "follows from an error that was told before"
 "Never shown."
     ENDS_RUN "E0999" "ends the run after an error that was told before"

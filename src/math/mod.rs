@@ -10,6 +10,6 @@ mod transform;
 
 pub use aabb::Aabb;
 pub use glam::{DMat3, DVec2, DVec3};
-pub use poly::{Roots, solve_cubic, solve_quadratic, solve_quartic};
+pub use poly::{Roots, solve_between, solve_cubic, solve_quadratic, solve_quartic, stable_pair};
 pub use ray::{Range, Ray};
 pub use transform::{Singular, Transform};

@@ -2,3 +2,20 @@
 
 /// A ray that leaves a surface ignores hits closer than this (world units along the ray).
 pub const SURFACE: f64 = 1e-6;
+
+/// How far from a flat face or a round wall a point may be and still change sides, in units of the shape's own space.
+/// Seen in what POV-Ray's `inside()` answers: a plane reaches this much beyond its surface, closed cylinders and cones
+/// end this much before theirs, open ones this much behind their ends. So surfaces that lie in one another come out alike.
+pub const INSIDE: f64 = 1e-10;
+
+/// A polygon's points may be this far from its plane (units of its own space); POV-Ray draws 1e-11 and drops 1e-9.
+pub const FLAT: f64 = 1e-10;
+
+/// Sub-polygons end where a point comes back to the first one: this near, in every coordinate.
+pub const SAME_POINT: f64 = 1e-10;
+
+/// Relative growth of an object's box, so that rounding in its kernel never puts a hit outside.
+pub const BOUNDS: f64 = 1e-9;
+
+/// Rounding in a polynomial's value, as a multiple of the sum of its terms' sizes: below it, a value counts as zero.
+pub const POLYNOMIAL: f64 = 1e-15;

@@ -1,12 +1,35 @@
 //! Shapes in their own object space: bounds, hits, inside, normal, uv. Adding one is a file here and
 //! a row in the table below.
 
+mod cone;
+mod cuboid;
+mod cylinder;
+mod disc;
+mod frustum;
+mod plane;
+mod polygon;
+mod smooth_triangle;
 mod sphere;
+#[cfg(test)]
+mod testing;
+mod torus;
+mod triangle;
 
+pub use cone::Cone;
+pub use cuboid::Cuboid;
+pub use cylinder::Cylinder;
+pub use disc::Disc;
+pub use frustum::Frustum;
+pub use plane::{Plane, Spanned};
+pub use polygon::Polygon;
+pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
+pub use torus::Torus;
+pub use triangle::Triangle;
 
-use crate::diagnostic::Result;
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::source::Span;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
@@ -41,6 +64,11 @@ pub trait Kernel {
     /// The smallest box around it; infinite where it is.
     fn bounds(&self) -> Aabb;
 
+    /// A box around its image under M: that of its own box, where it does not know better.
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        m.aabb(&self.bounds())
+    }
+
     /// Appends every hit with `range.min < t < range.max`, in any order.
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
 
@@ -57,8 +85,19 @@ pub trait Kernel {
     /// The outward normal at a hit, of any length but zero.
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
 
-    /// Surface coordinates as POV-Ray's `uv_mapping` sees them.
+    /// Surface coordinates: what `uv_mapping` sees and `durer pick` shows.
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2;
+
+    /// Does `uv_mapping` see [`Kernel::uv`]? For shapes without a mapping of their own, POV-Ray takes the x and y of the
+    /// point in world space instead.
+    fn uv_mapped(&self) -> bool {
+        true
+    }
+
+    /// Is it a surface without any inside, which `inverse` can't turn inside out?
+    fn is_patch(&self) -> bool {
+        false
+    }
 }
 
 macro_rules! shapes {
@@ -69,12 +108,15 @@ macro_rules! shapes {
         pub enum Shape { $(#[doc = concat!("See [`", stringify!($name), "`].")] $name($name)),* }
 
         impl Kernel for Shape {
-            fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => s.bounds()),* } }
+            fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => Kernel::bounds(s)),* } }
+            fn bounds_under(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.bounds_under(m)),* } }
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
+            fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
+            fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
         }
 
         impl Shape {
@@ -85,7 +127,7 @@ macro_rules! shapes {
                 match self { $(Shape::$name(s) => s.read_word(word, r)),* }
             }
             /// Checks what only the whole block shows, after its last word; `span` is the block's name.
-            pub fn finish(&mut self, span: crate::source::Span, r: &mut dyn Reader) -> Result<()> {
+            pub fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
                 match self { $(Shape::$name(s) => s.finish(span, r)),* }
             }
         }
@@ -115,9 +157,29 @@ pub trait Readable: Sized {
     }
 
     /// Checks what only the whole block shows.
-    fn finish(&mut self, _span: crate::source::Span, _r: &mut dyn Reader) -> Result<()> {
+    fn finish(&mut self, _span: Span, _r: &mut dyn Reader) -> Result<()> {
         Ok(())
     }
 }
 
-shapes! { Sphere }
+shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon }
+
+/// An error unless all these are finite numbers.
+fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {
+    if points.iter().all(|p| p.is_finite()) && numbers.iter().all(|x| x.is_finite()) {
+        return Ok(());
+    }
+    Diagnostic::err(codes::NOT_FINITE, span, "one of these numbers is infinite or not a number")
+}
+
+/// An error unless the two ends of a cylinder or cone are apart.
+fn frustum_ends(span: Span, base: DVec3, cap: DVec3) -> Result<()> {
+    let axis = cap - base;
+    // The square of the length divides: it must be a number that can.
+    if axis.length_squared().is_normal() {
+        return Ok(());
+    }
+    let message = "both ends are at the same point, so there is no direction from one to the other";
+    let help = "move one of the two points; for a flat round plate take `disc`";
+    Err(Diagnostic::new(codes::NO_LENGTH, span, message).help(help).into())
+}

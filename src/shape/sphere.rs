@@ -4,9 +4,10 @@
 //! sphere { <0, 1, 0>, 1 pigment { color rgb <1, 0.5, 0> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable};
-use crate::diagnostic::Result;
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, solve_quadratic};
+use super::{Hit, Hits, Kernel, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair};
+use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -32,13 +33,31 @@ impl Readable for Sphere {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        Ok(Self { center: r.vector()?, radius: r.float()?.abs() })
+        let span = r.span();
+        let (center, radius) = (r.vector()?, r.float()?.abs());
+        finite(span, &[center], &[radius])?;
+        Ok(Self { center, radius })
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        if self.radius == 0.0 {
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, "a `sphere` of radius 0 has no surface"));
+        }
+        Ok(())
     }
 }
 
 impl Kernel for Sphere {
     fn bounds(&self) -> Aabb {
         Aabb { min: self.center - self.radius, max: self.center + self.radius }
+    }
+
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        // The image of a ball reaches r·|row i of M| along axis i.
+        let (x, y, z) = (m.vector(DVec3::X), m.vector(DVec3::Y), m.vector(DVec3::Z));
+        let reach = (x * x + y * y + z * z).map(f64::sqrt) * self.radius;
+        let center = m.point(self.center);
+        Aabb { min: center - reach, max: center + reach }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -70,11 +89,18 @@ impl Kernel for Sphere {
 impl Sphere {
     /// Both roots of |p₀ + t·v - c|² = r² (lecture, "Ray – sphere intersection").
     fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
+        if self.radius == 0.0 {
+            return None;
+        }
         let to_origin = ray.origin - self.center;
+        let r2 = self.radius * self.radius;
         let a = ray.dir.length_squared();
-        let b = 2.0 * ray.dir.dot(to_origin);
-        let c = to_origin.length_squared() - self.radius * self.radius;
-        solve_quadratic(a, b, c)
+        let half_b = ray.dir.dot(to_origin);
+        let c = to_origin.length_squared() - r2;
+        // D/4 = a·(r² - d²), where d is the distance of the line from the centre: for a far eye, b²/4 - a·c would lose it
+        // (Haines et al., Precision Improvements for Ray/Sphere Intersection, 2019)
+        let nearest = to_origin - ray.dir * (half_b / a);
+        stable_pair(a, half_b, c, a * (r2 - nearest.length_squared()))
     }
 }
 
@@ -89,5 +115,36 @@ mod tests {
         assert_eq!(ball.closest(&ray, Range::FORWARD), Some(Hit::at(4.0)));
         let inside = Ray::new(DVec3::new(0.0, 0.0, 5.0), DVec3::Z * 2.0);
         assert_eq!(ball.closest(&inside, Range::FORWARD), Some(Hit::at(0.5)));
+    }
+
+    #[test]
+    fn small_and_far() {
+        // Radius 1 at a distance of 10⁸, half a radius off its middle.
+        let ball = Sphere { center: DVec3::new(0.0, 0.5, 1e8), radius: 1.0 };
+        let ray = Ray::new(DVec3::ZERO, DVec3::Z);
+        let h = 0.75_f64.sqrt();
+        let found = crate::shape::testing::all(&ball, &ray);
+        assert!((found[0].t - 1e8 + h).abs() < 3e-8 && (found[1].t - 1e8 - h).abs() < 3e-8, "{found:?}");
+        // Just past its rim, and just within.
+        let past = |d: f64| ball.closest(&Ray::new(DVec3::Y * (1.5 + d), DVec3::Z), Range::FORWARD);
+        assert!(past(1e-12).is_none() && past(-1e-12).is_some());
+    }
+
+    #[test]
+    fn three_cases_of_the_discriminant() {
+        let ball = Sphere { center: DVec3::ZERO, radius: 2.0 };
+        let count = |x: f64| crate::shape::testing::all(&ball, &Ray::new(DVec3::new(x, 0.0, -9.0), DVec3::Z)).len();
+        assert_eq!((count(0.0), count(2.5)), (2, 0));
+        let touch = crate::shape::testing::all(&ball, &Ray::new(DVec3::new(2.0, 0.0, -9.0), DVec3::Z));
+        assert!(touch.iter().all(|h| h.t == 9.0) && !touch.is_empty());
+        assert_eq!(ball.closest(&Ray::new(DVec3::Z * 3.0, DVec3::Z), Range::FORWARD), None, "behind the eye");
+    }
+
+    #[test]
+    fn reading() {
+        use crate::shape::testing::read;
+        assert_eq!(read::<Sphere>("0 -2").0.unwrap(), Sphere { center: DVec3::ZERO, radius: 2.0 });
+        assert_eq!(read::<Sphere>("0 0").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read::<Sphere>("0 inf").0.unwrap_err().code, codes::NOT_FINITE);
     }
 }

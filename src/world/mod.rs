@@ -1,5 +1,12 @@
 //! What a ray needs: every object with M and M⁻¹; no names, versions, degrees or nested blocks.
 
+mod bvh;
+mod geometry;
+mod node;
+
+pub use geometry::Geometry;
+pub use node::{Found, FoundList, Leaf, Node, NodeKind, Surface};
+
 use crate::diagnostic::Result;
 use crate::scene::Scene;
 use serde::Serialize;

@@ -1,0 +1,138 @@
+//! `cone { base_point, base_radius, cap_point, cap_radius }`: a cone, or one with its tip cut off.
+//!
+//! `open` takes the discs at the ends away. Radii of different sign make an hourglass.
+//!
+//! ```pov
+//! cone { <0, 0, 0>, 1, <0, 2, 0>, 0 pigment { color rgb <0.9, 0.8, 0.5> } }
+//! ```
+
+use super::frustum::Frustum;
+use super::{Hit, Hits, Kernel, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::source::Span;
+use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use serde::Serialize;
+
+/// A cone or frustum.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Cone(pub Frustum);
+
+impl Cone {
+    /// Between two different points.
+    pub fn new(base: DVec3, base_radius: f64, cap: DVec3, cap_radius: f64, open: bool) -> Self {
+        Self(Frustum { base, cap, base_radius, cap_radius, open })
+    }
+}
+
+impl Readable for Cone {
+    const SPEC: Spec = Spec {
+        name: "cone",
+        summary: "a cone, or one with its tip cut off",
+        params: &[
+            Param { name: "base_point", kind: Kind::Vector, summary: "the middle of one end" },
+            Param { name: "base_radius", kind: Kind::Float, summary: "the radius there" },
+            Param { name: "cap_point", kind: Kind::Vector, summary: "the middle of the other end" },
+            Param { name: "cap_radius", kind: Kind::Float, summary: "the radius there; 0 makes a tip" },
+        ],
+        words: &[WordSpec {
+            name: "open",
+            kind: Kind::Nothing,
+            default: "",
+            summary: "takes the discs at the ends away",
+        }],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let (base, base_radius, cap) = (r.vector()?, r.float()?, r.vector()?);
+        let span = span.to(r.span());
+        let cap_radius = r.float()?;
+        finite(span, &[base, cap], &[base_radius, cap_radius])?;
+        super::frustum_ends(span, base, cap)?;
+        Ok(Self::new(base, base_radius, cap, cap_radius, false))
+    }
+
+    fn read_word(&mut self, _: &'static str, _: &mut dyn Reader) -> Result<()> {
+        self.0.open = true;
+        Ok(())
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        if self.0.is_empty() {
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, "a `cone` with both radii 0 has no surface"));
+        }
+        Ok(())
+    }
+}
+
+impl Kernel for Cone {
+    fn bounds(&self) -> Aabb {
+        self.0.bounds()
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.0.hits(ray, range, out);
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.0.inside(p)
+    }
+
+    fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
+        self.0.normal(p, hit.part)
+    }
+
+    fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
+        self.0.uv(p, hit.part)
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::frustum::{BASE, CAP, WALL};
+    use crate::shape::testing::{all, assert_hits, read};
+
+    #[test]
+    fn cone_with_tip() {
+        // The radius is (1 - y)/2.
+        let cone = Cone::new(-DVec3::Y, 1.0, DVec3::Y, 0.0, false);
+        let ray = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::Z);
+        assert_hits(&all(&cone, &ray), &[(4.5, WALL), (5.5, WALL)]);
+        // Seen in POV-Ray's trace().
+        let n = cone.normal(ray.at(4.5), &Hit::on(4.5, WALL)).normalize();
+        assert!(n.distance(DVec3::new(0.0, 0.2_f64.sqrt(), -0.8_f64.sqrt())) < 1e-12);
+        // Through the tip along the axis; parallel to the wall.
+        let down = all(&cone, &Ray::new(DVec3::Y * 5.0, -DVec3::Y));
+        assert!(down.iter().any(|h| h.t == 4.0) && down.iter().any(|h| h.t == 6.0 && h.part == BASE));
+        // Parallel to the wall on the other side: x = -0.5 - t/2 meets x = -(1 - y)/2 at t = 3/4.
+        let parallel = Ray::new(DVec3::new(-0.5, -1.5, 0.0), DVec3::new(-0.5, 1.0, 0.0));
+        assert_hits(&all(&cone, &parallel), &[(0.5, BASE), (0.75, WALL)]);
+        assert!(cone.normal(DVec3::Y, &Hit::on(4.0, WALL)).length() > 0.0, "the tip has some normal");
+    }
+
+    #[test]
+    fn hourglass() {
+        let glass = Cone::new(-DVec3::Y, -1.0, DVec3::Y, 1.0, false);
+        let across = |y: f64| all(&glass, &Ray::new(DVec3::new(0.0, y, -5.0), DVec3::Z));
+        assert_hits(&across(0.5), &[(4.5, WALL), (5.5, WALL)]);
+        assert_hits(&across(-0.25), &[(4.75, WALL), (5.25, WALL)]);
+        assert!(glass.inside(DVec3::Y * 0.5) && !glass.inside(DVec3::X * 0.1));
+        // Along the axis through both halves.
+        let ray = Ray::new(DVec3::new(0.5, -3.0, 0.0), DVec3::Y);
+        assert_hits(&all(&glass, &ray), &[(2.0, BASE), (2.5, WALL), (3.5, WALL), (4.0, CAP)]);
+    }
+
+    #[test]
+    fn reading() {
+        let shape = read::<Cone>("0 1 <0,1,0> 0.5 open").0.unwrap();
+        assert_eq!(shape, Cone::new(DVec3::ZERO, 1.0, DVec3::Y, 0.5, true));
+        assert_eq!(read::<Cone>("0 1 0 0").0.unwrap_err().code, codes::NO_LENGTH);
+        assert_eq!(read::<Cone>("0 0 1 0").1[0].code, codes::NO_SURFACE);
+    }
+}

@@ -1,0 +1,186 @@
+//! `box { corner_1, corner_2 }`: a brick with its faces parallel to the coordinate planes.
+//!
+//! The corners are any two opposite ones. A box without thickness is a rectangle.
+//!
+//! ```pov
+//! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
+//! ```
+
+use super::{Hit, Hits, Kernel, Readable, finite};
+use crate::diagnostic::Result;
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::value::{Kind, Param, Reader, Spec};
+use serde::Serialize;
+
+/// A brick. (`Box` is taken in Rust.)
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Cuboid {
+    /// The corner with the smaller coordinates.
+    pub min: DVec3,
+    /// The corner with the larger coordinates.
+    pub max: DVec3,
+}
+
+impl Cuboid {
+    /// Between two opposite corners.
+    pub fn new(a: DVec3, b: DVec3) -> Self {
+        Self { min: a.min(b), max: a.max(b) }
+    }
+
+    /// Where the ray enters and leaves, each with its face: axis · 2, plus 1 on the side of `max` (lecture,
+    /// "Ray – AAB intersection").
+    fn faces(&self, ray: &Ray) -> Option<[Hit; 2]> {
+        let mut near = Hit::at(f64::NEG_INFINITY);
+        let mut far = Hit::at(f64::INFINITY);
+        for axis in 0..3 {
+            let (o, v) = (ray.origin[axis], ray.dir[axis]);
+            let (lo, hi) = (self.min[axis], self.max[axis]);
+            if v == 0.0 {
+                // Parallel to these two planes: between them, or never.
+                if o < lo || o > hi {
+                    return None;
+                }
+                continue;
+            }
+            let side = u32::from(v < 0.0);
+            let (enter, leave) = if v > 0.0 { (lo, hi) } else { (hi, lo) };
+            let (t1, t2) = ((enter - o) / v, (leave - o) / v);
+            if t1 > near.t {
+                near = Hit::on(t1, axis as u32 * 2 + side);
+            }
+            if t2 < far.t {
+                far = Hit::on(t2, axis as u32 * 2 + (1 - side));
+            }
+        }
+        (near.t <= far.t).then_some([near, far])
+    }
+}
+
+impl Readable for Cuboid {
+    const SPEC: Spec = Spec {
+        name: "box",
+        summary: "a brick with its faces parallel to the coordinate planes",
+        params: &[
+            Param { name: "corner_1", kind: Kind::Vector, summary: "any corner" },
+            Param { name: "corner_2", kind: Kind::Vector, summary: "the corner opposite to it" },
+        ],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let (a, b) = (r.vector()?, r.vector()?);
+        finite(span, &[a, b], &[])?;
+        Ok(Self::new(a, b))
+    }
+}
+
+impl Kernel for Cuboid {
+    fn bounds(&self) -> Aabb {
+        Aabb { min: self.min, max: self.max }
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        if let Some(faces) = self.faces(ray) {
+            out.extend(faces.into_iter().filter(|hit| range.contains(hit.t)));
+        }
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        self.faces(ray)?.into_iter().find(|hit| range.contains(hit.t))
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.bounds().contains(p)
+    }
+
+    fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
+        let axis = DVec3::AXES[(hit.part / 2).min(2) as usize];
+        if hit.part % 2 == 1 { axis } else { -axis }
+    }
+
+    /// The cross of six squares in the manual's picture "UV Boxmap", four wide and three high.
+    fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
+        // 0 … 1 along each edge; a flat box has its points at 0.
+        let size = self.max - self.min;
+        let f = DVec3::select(size.cmpgt(DVec3::ZERO), (p - self.min) / size, DVec3::ZERO);
+        let (u, v) = match hit.part {
+            0 => (f.z, 1.0 + f.y),
+            1 => (3.0 - f.z, 1.0 + f.y),
+            2 => (1.0 + f.x, f.z),
+            3 => (1.0 + f.x, 3.0 - f.z),
+            4 => (4.0 - f.x, 1.0 + f.y),
+            _ => (1.0 + f.x, 1.0 + f.y),
+        };
+        DVec2::new(u / 4.0, v / 3.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::{all, read};
+
+    fn unit() -> Cuboid {
+        Cuboid::new(DVec3::ONE, DVec3::NEG_ONE)
+    }
+
+    #[test]
+    fn slabs() {
+        // A diagonal ray: enters by x = -1 at t = 2, leaves by y = 1 where 0.5·t = 1 + 0.5.
+        let ray = Ray::new(DVec3::new(-3.0, -0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
+        assert_eq!(all(&unit(), &ray), [Hit::on(2.0, 0), Hit::on(3.0, 3)]);
+        assert_eq!(unit().normal(ray.at(3.0), &Hit::on(3.0, 3)), DVec3::Y);
+        // Backwards along the same line, twice as fast.
+        let back = Ray::new(ray.at(5.0), ray.dir * -2.0);
+        assert_eq!(all(&unit(), &back), [Hit::on(1.0, 3), Hit::on(1.5, 0)]);
+    }
+
+    #[test]
+    fn zero_components() {
+        let along_z = |x, y| all(&unit(), &Ray::new(DVec3::new(x, y, -5.0), DVec3::Z));
+        assert_eq!(along_z(0.5, -0.5), [Hit::on(4.0, 4), Hit::on(6.0, 5)]);
+        assert_eq!(along_z(1.0, -1.0).len(), 2, "a ray in a face's plane");
+        assert_eq!(along_z(1.5, 0.0), []);
+        assert_eq!(along_z(0.0, -1.5), []);
+        let minus_zero = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::new(-0.0, -0.0, 1.0));
+        assert_eq!(all(&unit(), &minus_zero).len(), 2);
+    }
+
+    #[test]
+    fn eye_inside() {
+        let ray = Ray::new(DVec3::new(0.25, 0.0, 0.0), DVec3::X);
+        assert_eq!(unit().closest(&ray, Range::FORWARD), Some(Hit::on(0.75, 1)));
+        assert_eq!(all(&unit(), &ray), [Hit::on(-1.25, 0), Hit::on(0.75, 1)]);
+        assert!(unit().inside(ray.origin) && unit().inside(DVec3::ONE) && !unit().inside(DVec3::X * 1.01));
+    }
+
+    #[test]
+    fn flat_box_is_a_rectangle() {
+        let flat = Cuboid::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0));
+        let ray = Ray::new(DVec3::new(0.5, 0.25, -2.0), DVec3::Z);
+        assert_eq!(flat.closest(&ray, Range::FORWARD), Some(Hit::on(2.0, 4)));
+        assert!(flat.uv(ray.at(2.0), &Hit::on(2.0, 4)).is_finite());
+    }
+
+    #[test]
+    fn uv_as_measured() {
+        // Seen in POV-Ray at pixel centres of box { -2, 2 } (sRGB bytes, so to 0.01).
+        let cube = Cuboid::new(DVec3::splat(-2.0), DVec3::splat(2.0));
+        let uv = |x: f64, y: f64, z: f64, part| cube.uv(DVec3::new(x, y, z), &Hit::on(0.0, part));
+        let near = |a: DVec2, u: f64, v: f64| assert!(a.distance(DVec2::new(u, v)) < 0.011, "{a} {u} {v}");
+        near(uv(-1.5, 1.5, -2.0, 4), 0.96, 0.62);
+        near(uv(1.5, 1.5, 2.0, 5), 0.47, 0.62);
+        near(uv(2.0, 1.5, -1.5, 1), 0.72, 0.62);
+        near(uv(-2.0, 1.5, 1.5, 0), 0.22, 0.62);
+        near(uv(-1.5, 2.0, 1.5, 3), 0.28, 0.71);
+        near(uv(-1.5, -2.0, -1.5, 2), 0.28, 0.04);
+    }
+
+    #[test]
+    fn reading() {
+        let shape = read::<Cuboid>("1 -1").0.unwrap();
+        assert_eq!(shape, unit());
+        assert_eq!(read::<Cuboid>("<1,nan,0> 0").0.unwrap_err().code.0, "E0303");
+    }
+}

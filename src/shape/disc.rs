@@ -1,0 +1,143 @@
+//! `disc { center, normal, radius [, hole_radius] }`: a flat round plate without thickness, which may have a round hole.
+//!
+//! In CSG its inside is all that lies behind its plane, also beyond the radius.
+//!
+//! ```pov
+//! disc { <0, 1, 0>, <0, 1, 0>, 1, 0.5 pigment { color rgb <0.8, 0.8, 0.2> } }
+//! ```
+
+use super::{Hit, Hits, Kernel, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp};
+use crate::source::Span;
+use crate::value::{Kind, Next, Param, Reader, Spec};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// A flat ring.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Disc {
+    /// Its middle.
+    pub center: DVec3,
+    /// Length 1; zero if the author gave no direction, which draws nothing.
+    pub normal: DVec3,
+    /// Not negative.
+    pub radius: f64,
+    /// Not negative.
+    pub hole: f64,
+}
+
+impl Disc {
+    /// A plate across `normal`, which may have any length.
+    pub fn new(center: DVec3, normal: DVec3, radius: f64, hole: f64) -> Self {
+        Self { center, normal: normal.normalize_or_zero(), radius: radius.abs(), hole: hole.abs() }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.normal == DVec3::ZERO || self.hole >= self.radius
+    }
+}
+
+impl Readable for Disc {
+    const SPEC: Spec = Spec {
+        name: "disc",
+        summary: "a flat round plate without thickness",
+        params: &[
+            Param { name: "center", kind: Kind::Vector, summary: "its middle" },
+            Param { name: "normal", kind: Kind::Vector, summary: "stands on it, of any length" },
+            Param { name: "radius", kind: Kind::Float, summary: "its sign does not matter" },
+            Param { name: "hole_radius", kind: Kind::Float, summary: "of the hole in its middle; may be left out" },
+        ],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let (center, normal, radius) = (r.vector()?, r.vector()?, r.float()?);
+        let hole = if r.next()? == Next::Value { r.float()? } else { 0.0 };
+        finite(span, &[center, normal], &[radius, hole])?;
+        Ok(Self::new(center, normal, radius, hole))
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        let why = match () {
+            () if self.normal == DVec3::ZERO => "whose normal is zero",
+            () if self.is_empty() => "whose hole is as large as itself",
+            () => return Ok(()),
+        };
+        r.report(Diagnostic::new(codes::NO_SURFACE, span, format!("a `disc` {why} has no surface")));
+        Ok(())
+    }
+}
+
+impl Kernel for Disc {
+    fn bounds(&self) -> Aabb {
+        if self.is_empty() {
+            return Aabb::EMPTY;
+        }
+        // A circle with normal n reaches r·√(1 - nᵢ²) along axis i.
+        let reach = (DVec3::ONE - self.normal * self.normal).max(DVec3::ZERO).map(f64::sqrt) * self.radius;
+        Aabb { min: self.center - reach, max: self.center + reach }
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        out.extend(self.closest(ray, range));
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        // t = n·(c - p₀) / n·v
+        let t = self.normal.dot(self.center - ray.origin) / self.normal.dot(ray.dir);
+        let across = (ray.at(t) - self.center).length_squared();
+        let on_it = across <= self.radius * self.radius && across >= self.hole * self.hole && !self.is_empty();
+        (on_it && range.contains(t)).then(|| Hit::at(t))
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.normal.dot(p - self.center) < 0.0
+    }
+
+    fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
+        self.normal
+    }
+
+    /// Around the middle, and outwards. POV-Ray has no mapping for this shape.
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        let (e1, e2) = self.normal.any_orthonormal_pair();
+        let d = p - self.center;
+        let u = fp::atan2(d.dot(e2), d.dot(e1)) / TAU;
+        DVec2::new(if u < 0.0 { u + 1.0 } else { u }, d.length() / self.radius)
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::{all, assert_hits, read};
+
+    #[test]
+    fn ring() {
+        let ring = Disc::new(DVec3::Z, DVec3::Z * 3.0, 2.0, -1.0);
+        let at = |x: f64| all(&ring, &Ray::new(DVec3::new(x, 0.0, -1.0), DVec3::Z * 4.0));
+        assert_hits(&at(1.5), &[(0.5, 0)]);
+        assert_hits(&at(0.5), &[]);
+        assert_hits(&at(2.5), &[]);
+        assert_hits(&all(&ring, &Ray::new(DVec3::new(-5.0, 0.0, 1.0), DVec3::X)), &[]);
+        assert!(ring.inside(DVec3::X * 99.0) && !ring.inside(DVec3::Z * 2.0));
+        let tilted = Disc::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), 1.0, 0.0).bounds();
+        assert!(tilted.max.distance(DVec3::new(0.5_f64.sqrt(), 0.5_f64.sqrt(), 1.0)) < 1e-15);
+    }
+
+    #[test]
+    fn reading() {
+        assert_eq!(read::<Disc>("0 <0,2,0> -1").0.unwrap(), Disc::new(DVec3::ZERO, DVec3::Y, 1.0, 0.0));
+        assert_eq!(read::<Disc>("0 <0,2,0> 1 0.5").0.unwrap().hole, 0.5);
+        let (nothing, reports) = read::<Disc>("0 0 1");
+        assert_eq!(reports[0].code, codes::NO_SURFACE);
+        assert_hits(&all(&nothing.unwrap(), &Ray::new(DVec3::Z, -DVec3::Z)), &[]);
+        assert_eq!(read::<Disc>("0 <0,1,0> 1 2").1[0].code, codes::NO_SURFACE);
+    }
+}

@@ -1,0 +1,149 @@
+//! What `cylinder` and `cone` share: the surface around an axis whose radius changes linearly, and its two end discs.
+
+use super::{Hit, Hits};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// The side of the surface: the wall.
+pub const WALL: u32 = 0;
+/// The disc around the base point.
+pub const BASE: u32 = 1;
+/// The disc around the cap point.
+pub const CAP: u32 = 2;
+
+/// A wall around an axis, its ends closed unless `open`. Radii have signs: where they differ, the wall goes through the
+/// axis in between, as an hourglass does (seen in POV-Ray).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Frustum {
+    /// Middle of the base.
+    pub base: DVec3,
+    /// Middle of the other end; never the same point.
+    pub cap: DVec3,
+    /// At the base.
+    pub base_radius: f64,
+    /// At the other end.
+    pub cap_radius: f64,
+    /// Without end discs.
+    pub open: bool,
+}
+
+/// A point or direction split along the axis: `w` is 0 at the base and 1 at the cap.
+struct Split {
+    w: f64,
+    across: DVec3,
+}
+
+impl Frustum {
+    fn axis(&self) -> DVec3 {
+        self.cap - self.base
+    }
+
+    /// Radius at w.
+    fn radius(&self, w: f64) -> f64 {
+        self.base_radius + w * (self.cap_radius - self.base_radius)
+    }
+
+    fn split(&self, v: DVec3) -> Split {
+        let axis = self.axis();
+        let w = v.dot(axis) / axis.length_squared();
+        Split { w, across: v - w * axis }
+    }
+
+    /// Has it no surface at all?
+    pub fn is_empty(&self) -> bool {
+        self.base_radius == 0.0 && self.cap_radius == 0.0
+    }
+
+    /// The box around both end circles.
+    pub fn bounds(&self) -> Aabb {
+        if self.is_empty() {
+            return Aabb::EMPTY;
+        }
+        // A circle with normal n reaches r·√(1 - nᵢ²) along axis i.
+        let n = self.axis().normalize();
+        let reach = (DVec3::ONE - n * n).max(DVec3::ZERO).map(f64::sqrt);
+        let around = |c: DVec3, r: f64| Aabb { min: c - reach * r.abs(), max: c + reach * r.abs() };
+        around(self.base, self.base_radius).union(around(self.cap, self.cap_radius))
+    }
+
+    /// Appends the hits in the range.
+    pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        if self.is_empty() {
+            return;
+        }
+        // Measured from the ray's point nearest to the middle, so that a far eye costs no digits.
+        let middle = 0.5 * (self.base + self.cap);
+        let shift = (middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
+        let (o, v) = (self.split(ray.at(shift) - self.base), self.split(ray.dir));
+        let mut push = |s: f64, part: u32| {
+            if range.contains(s + shift) {
+                out.push(Hit::on(s + shift, part));
+            }
+        };
+        for s in self.wall(&o, &v).into_iter().flatten() {
+            if (0.0..=1.0).contains(&(o.w + s * v.w)) {
+                push(s, WALL);
+            }
+        }
+        if self.open || v.w == 0.0 {
+            return;
+        }
+        for (w, radius, part) in [(0.0, self.base_radius, BASE), (1.0, self.cap_radius, CAP)] {
+            let s = (w - o.w) / v.w;
+            if (o.across + s * v.across).length_squared() < radius * radius {
+                push(s, part);
+            }
+        }
+    }
+
+    /// Roots of |across(s)|² = r(w(s))².
+    fn wall(&self, o: &Split, v: &Split) -> Option<[f64; 2]> {
+        let dr = self.cap_radius - self.base_radius;
+        let (r, slope) = (self.radius(o.w), v.w * dr);
+        let a = v.across.length_squared() - slope * slope;
+        let half_b = o.across.dot(v.across) - slope * r;
+        let c = o.across.length_squared() - r * r;
+        // half_b² - a·c with the squares that cancel taken out: |v×o|² is what is left of (o·v)² - v²·o².
+        let disc = (v.across * r - o.across * slope).length_squared() - o.across.cross(v.across).length_squared();
+        stable_pair(a, half_b, c, disc).map(|(s1, s2)| [s1, s2])
+    }
+
+    /// Is the point between the ends and nearer to the axis than the wall?
+    pub fn inside(&self, p: DVec3) -> bool {
+        let at = self.split(p - self.base);
+        let slack = if self.open { tolerance::INSIDE } else { -tolerance::INSIDE };
+        let r = self.radius(at.w);
+        at.w > -slack && at.w < 1.0 + slack && at.across.length_squared() < r * r - tolerance::INSIDE
+    }
+
+    /// Outwards.
+    pub fn normal(&self, p: DVec3, part: u32) -> DVec3 {
+        let axis = self.axis();
+        match part {
+            BASE => -axis,
+            CAP => axis,
+            _ => {
+                // Half the gradient of |across|² - r(w)²
+                let at = self.split(p - self.base);
+                let dr = self.cap_radius - self.base_radius;
+                let n = at.across - axis * (self.radius(at.w) * dr / axis.length_squared());
+                // The apex has no normal; its axis is as good as any.
+                if n.length_squared() > 0.0 { n } else { axis * -dr.signum() }
+            }
+        }
+    }
+
+    /// Around the axis, and along it. POV-Ray has no mapping for these shapes.
+    pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
+        let at = self.split(p - self.base);
+        let (e1, e2) = self.axis().normalize().any_orthonormal_pair();
+        let u = fp::atan2(at.across.dot(e2), at.across.dot(e1)) / TAU;
+        let v = match part {
+            WALL => at.w,
+            BASE => at.across.length() / self.base_radius.abs(),
+            _ => at.across.length() / self.cap_radius.abs(),
+        };
+        DVec2::new(if u < 0.0 { u + 1.0 } else { u }, v)
+    }
+}

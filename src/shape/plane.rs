@@ -1,0 +1,269 @@
+//! `plane { normal, distance }`: everything on one side of an infinite flat surface.
+//!
+//! `normal` points outwards; `distance` counts along it from the origin, whatever the normal's length.
+//! durer also takes the forms of the lecture: `implicit <A, B, C, D>` for A·x + B·y + C·z + D = 0, `point q normal n`, and
+//! `point q span i, j` for q + u·i + v·j, whose outside is where i × j points and whose surface coordinates are (u, v).
+//!
+//! ```pov
+//! plane { <0, 1, 0>, 0 pigment { checker color rgb 1 color rgb 0 } }
+//! ```
+
+use super::{Hit, Hits, Kernel, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
+use crate::source::Span;
+use crate::value::{Kind, Next, Param, Reader, ReaderExt, Spec, WordSpec};
+use serde::Serialize;
+
+/// A half-space.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Plane {
+    /// Outwards, length 1.
+    pub normal: DVec3,
+    /// From the origin along the normal.
+    pub distance: f64,
+    /// How it was spanned, if it was.
+    pub span: Option<Spanned>,
+}
+
+/// q + u·i + v·j.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Spanned {
+    /// q.
+    pub point: DVec3,
+    /// i.
+    pub i: DVec3,
+    /// j.
+    pub j: DVec3,
+}
+
+impl Plane {
+    /// POV-Ray's form; `None` if the normal has no direction.
+    pub fn new(normal: DVec3, distance: f64) -> Option<Self> {
+        Some(Self { normal: normal.try_normalize()?, distance, span: None })
+    }
+
+    /// A·x + B·y + C·z + D = 0; inside it is negative.
+    pub fn implicit(abcd: [f64; 4]) -> Option<Self> {
+        let n = DVec3::new(abcd[0], abcd[1], abcd[2]);
+        Self::new(n, -abcd[3] / n.length())
+    }
+
+    /// n·(x - q) = 0.
+    pub fn through(point: DVec3, normal: DVec3) -> Option<Self> {
+        let plane = Self::new(normal, 0.0)?;
+        Some(Self { distance: plane.normal.dot(point), ..plane })
+    }
+
+    /// q + u·i + v·j.
+    pub fn spanned(point: DVec3, i: DVec3, j: DVec3) -> Option<Self> {
+        let plane = Self::through(point, i.normalize_or_zero().cross(j.normalize_or_zero()))?;
+        Some(Self { span: Some(Spanned { point, i, j }), ..plane })
+    }
+}
+
+impl Spanned {
+    /// The (u, v) of a point of the plane: its distances from two lines, as multiples of the other vector's.
+    fn coordinates(&self, p: DVec3) -> DVec2 {
+        let (d, n) = (p - self.point, self.i.cross(self.j));
+        DVec2::new(d.cross(self.j).dot(n), self.i.cross(d).dot(n)) / n.length_squared()
+    }
+}
+
+impl Readable for Plane {
+    const SPEC: Spec = Spec {
+        name: "plane",
+        summary: "everything on one side of an infinite flat surface",
+        params: &[
+            Param { name: "normal", kind: Kind::Vector, summary: "points outwards, of any length" },
+            Param { name: "distance", kind: Kind::Float, summary: "from the origin along the normal" },
+        ],
+        words: &[
+            WordSpec {
+                name: "implicit",
+                kind: Kind::Block,
+                default: "",
+                summary: "in place of normal and distance: four numbers A, B, C, D of A·x + B·y + C·z + D = 0 (durer)",
+            },
+            WordSpec {
+                name: "point",
+                kind: Kind::Block,
+                default: "",
+                summary: "in place of normal and distance: a point, then `normal n` or `span i, j` (durer)",
+            },
+        ],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let start = r.span();
+        let plane = if r.accept("implicit")? {
+            let n = r.numbers(4)?;
+            finite(start, &[], &n)?;
+            Self::implicit([n[0], n[1], n[2], n[3]])
+        } else if r.accept("point")? {
+            read_point_form(start, r)?
+        } else {
+            let (normal, distance) = (r.vector()?, r.float()?);
+            finite(start, &[normal], &[distance])?;
+            Self::new(normal, distance)
+        };
+        plane.ok_or_else(|| {
+            let message = "this `plane` has no direction: its normal is zero";
+            let help = "the normal is perpendicular to the surface, for example `y` for a floor";
+            Diagnostic::new(codes::NO_DIRECTION, start, message).help(help).into()
+        })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        let help = "write either `normal, distance` or one of the forms with words";
+        let message = format!("`{word}` must be the first thing in a `plane`");
+        Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())
+    }
+}
+
+/// After `point`: `q normal n` or `q span i, j`.
+fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
+    let point = r.vector()?;
+    if r.accept("normal")? {
+        let normal = r.vector()?;
+        finite(start, &[point, normal], &[])?;
+        return Ok(Plane::through(point, normal));
+    }
+    if r.next()? != Next::Word("span") {
+        return Err(r.unexpected("`normal` or `span` after the `point` of a `plane`").into());
+    }
+    r.take()?;
+    let (i, j) = (r.vector()?, r.vector()?);
+    finite(start, &[point, i, j], &[])?;
+    let plane = Plane::spanned(point, i, j);
+    if plane.is_none() {
+        let message = "the two vectors that span this `plane` are parallel";
+        return Diagnostic::err(codes::NO_DIRECTION, start, message);
+    }
+    Ok(plane)
+}
+
+impl Kernel for Plane {
+    fn bounds(&self) -> Aabb {
+        // A plane across an axis is a half-space with one finite side.
+        let mut bounds = Aabb::INFINITE;
+        for axis in 0..3 {
+            if self.normal[axis] == 1.0 {
+                bounds.max[axis] = self.distance;
+            } else if self.normal[axis] == -1.0 {
+                bounds.min[axis] = -self.distance;
+            }
+        }
+        bounds
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        out.extend(self.closest(ray, range));
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        // t = (d - n·p₀) / n·v; parallel rays divide by zero, and no infinity or NaN is in the range
+        let t = (self.distance - self.normal.dot(ray.origin)) / self.normal.dot(ray.dir);
+        range.contains(t).then(|| Hit::at(t))
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.normal.dot(p) - self.distance < tolerance::INSIDE
+    }
+
+    fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
+        self.normal
+    }
+
+    /// The lecture's (u, v), or the distances from the origin along two directions. POV-Ray has no mapping for planes.
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        match &self.span {
+            Some(spanned) => spanned.coordinates(p),
+            None => {
+                let (e1, e2) = self.normal.any_orthonormal_pair();
+                DVec2::new(p.dot(e1), p.dot(e2))
+            }
+        }
+    }
+
+    fn uv_mapped(&self) -> bool {
+        self.span.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::read;
+    use proptest::prelude::*;
+
+    fn t(plane: &Plane, ray: &Ray) -> Option<f64> {
+        plane.closest(ray, Range::FORWARD).map(|h| h.t)
+    }
+
+    #[test]
+    fn implicit_plane() {
+        // 2x + 3y - z + 4 = 0 from (1, 1, 1) along (0, -1, 0): 2 + 3(1 - t) - 1 + 4 = 0
+        let plane = Plane::implicit([2.0, 3.0, -1.0, 4.0]).unwrap();
+        let ray = Ray::new(DVec3::ONE, -DVec3::Y);
+        assert!((t(&plane, &ray).unwrap() - 8.0 / 3.0).abs() < 1e-14);
+        assert!(!plane.inside(DVec3::ONE) && plane.inside(-DVec3::ONE * 9.0));
+        assert_eq!(t(&plane, &Ray::new(DVec3::ONE, DVec3::Y)), None, "behind the eye");
+        assert_eq!(t(&plane, &Ray::new(DVec3::ONE, DVec3::new(3.0, -2.0, 0.0))), None, "parallel");
+    }
+
+    #[test]
+    fn point_and_normal() {
+        // <n, q - p₀> / <n, v>
+        let (q, n) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.0, 3.0, 4.0));
+        let plane = Plane::through(q, n).unwrap();
+        let ray = Ray::new(DVec3::new(-2.0, 0.5, 0.0), DVec3::new(0.6, 0.0, 0.8));
+        assert!((t(&plane, &ray).unwrap() - n.dot(q - ray.origin) / n.dot(ray.dir)).abs() < 1e-14);
+        let along = Ray::new(q, DVec3::X);
+        assert_eq!(t(&plane, &along), None, "the ray runs along the plane");
+    }
+
+    #[test]
+    fn two_spanning_vectors() {
+        let (q, i, j) = (DVec3::new(1.0, 0.0, -1.0), DVec3::new(2.0, 0.0, 1.0), DVec3::new(1.0, 1.0, 0.0));
+        let plane = Plane::spanned(q, i, j).unwrap();
+        let target = q + 0.25 * i - 3.0 * j;
+        let ray = Ray::new(DVec3::new(5.0, 7.0, -11.0), (target - DVec3::new(5.0, 7.0, -11.0)) / 4.0);
+        let hit = plane.closest(&ray, Range::FORWARD).unwrap();
+        assert!((hit.t - 4.0).abs() < 1e-12);
+        assert!(plane.uv(ray.at(hit.t), &hit).distance(DVec2::new(0.25, -3.0)) < 1e-12);
+        assert!(Plane::spanned(q, i, i * -3.0).is_none());
+        assert!(!plane.inside(q + i.cross(j)));
+    }
+
+    #[test]
+    fn reading_every_form() {
+        let floor = Plane::new(DVec3::Y, 1.5).unwrap();
+        assert_eq!(read::<Plane>("<0,2,0> 1.5").0.unwrap(), floor);
+        assert_eq!(read::<Plane>("implicit <0,4,0,-6>").0.unwrap(), floor);
+        assert_eq!(read::<Plane>("point <7,1.5,2> normal <0,5,0>").0.unwrap(), floor);
+        let spanned = read::<Plane>("point <7,1.5,2> span <0,0,3> <2,0,0>").0.unwrap();
+        assert_eq!((spanned.normal, spanned.distance), (floor.normal, floor.distance));
+        for bad in ["0 1", "implicit <0,0,0,1>", "point 0 normal 0", "point 0 span <1,0,0> <2,0,0>"] {
+            assert_eq!(read::<Plane>(bad).0.unwrap_err().code, codes::NO_DIRECTION, "{bad}");
+        }
+        assert_eq!(read::<Plane>("<0,1,0> 1 implicit <0,1,0,0>").0.unwrap_err().code, codes::TWO_FORMS);
+    }
+
+    proptest! {
+        #[test]
+        fn all_forms_agree(n in proptest::array::uniform3(-1.0..1.0f64), q in proptest::array::uniform3(-5.0..5.0f64),
+                           o in proptest::array::uniform3(-5.0..5.0f64), v in proptest::array::uniform3(-1.0..1.0f64)) {
+            let (n, q, ray) = (DVec3::from(n), DVec3::from(q), Ray::new(o.into(), v.into()));
+            prop_assume!(n.length() > 0.1 && n.normalize().dot(ray.dir).abs() > 1e-3);
+            let (i, j) = n.normalize().any_orthonormal_pair();
+            let forms = [Plane::new(n, q.dot(n) / n.length()), Plane::implicit([n.x, n.y, n.z, -n.dot(q)]),
+                         Plane::through(q, n), Plane::spanned(q, i * 2.0, i + j)];
+            let want = n.dot(q - ray.origin) / n.dot(ray.dir);
+            for plane in forms {
+                let hit = plane.as_ref().and_then(|p| p.closest(&ray, Range::ALL)).unwrap();
+                prop_assert!((hit.t - want).abs() <= 1e-9 * (1.0 + want.abs()), "{plane:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! `polygon { number_of_points, point_1, point_2, … }`: a flat piece with any outline; it has no inside.
+//!
+//! A point that repeats the first one closes an outline, and the next point starts another: where an even number of
+//! outlines overlap, there is a hole. Points of two numbers lie at z = 0. All points must lie in one plane.
+//!
+//! ```pov
+//! polygon { 10, <0,0> <4,0> <4,4> <0,4> <0,0>  <1,1> <3,1> <3,3> <1,3> <1,1> pigment { color rgb 1 } }
+//! ```
+
+use super::{Hit, Hits, Kernel, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
+use crate::source::Span;
+use crate::value::{Kind, Param, Reader, Spec, Value};
+use serde::Serialize;
+
+/// Outlines in a plane.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Polygon {
+    /// The points of each outline; the first is not repeated at the end.
+    pub outlines: Vec<Vec<DVec3>>,
+    /// Length 1; zero if the points are on a line or not in one plane, which draws nothing.
+    pub normal: DVec3,
+    /// The axis along which the outlines are looked at: the one the normal is nearest to.
+    drop: usize,
+    /// Every side, seen along that axis.
+    #[serde(skip)]
+    sides: Vec<[DVec2; 2]>,
+    /// Why it draws nothing, if so.
+    #[serde(skip)]
+    fault: Option<&'static str>,
+    /// Was the last outline left open?
+    #[serde(skip)]
+    unclosed: bool,
+}
+
+impl Polygon {
+    /// From points in which a repeated first point ends an outline.
+    pub fn new(points: &[DVec3]) -> Self {
+        let (outlines, unclosed) = split(points);
+        let area = outlines.iter().map(|o| vector_area(o)).max_by(|a, b| a.length().total_cmp(&b.length()));
+        let normal = area.unwrap_or_default().normalize_or_zero();
+        let off_plane = |p: &DVec3| (*p - points[0]).dot(normal).abs() > tolerance::FLAT;
+        let fault = match () {
+            () if normal == DVec3::ZERO => Some("has no area"),
+            () if points.iter().any(off_plane) => Some("is not flat: its points are not in one plane"),
+            () => None,
+        };
+        let drop = normal.abs().max_position();
+        let sides = outlines.iter().flat_map(|outline| {
+            let next = outline.iter().cycle().skip(1);
+            outline.iter().zip(next).map(|(a, b)| [seen(*a, drop), seen(*b, drop)])
+        });
+        Self { sides: sides.collect(), outlines, normal, drop, fault, unclosed }
+    }
+
+    /// Does the half-line from the point along +x cross an odd number of sides (lecture, "Point-in-polygon problem")?
+    /// A side counts from its lower end up to, but without, its upper end, so that a corner is crossed once.
+    fn covers(&self, p: DVec2) -> bool {
+        let mut odd = false;
+        for [a, b] in &self.sides {
+            if (a.y <= p.y) != (b.y <= p.y) {
+                // s = (y₀ - yᵢ)/(yᵢ₊₁ - yᵢ) gives the x of the crossing
+                let s = (p.y - a.y) / (b.y - a.y);
+                odd ^= p.x < a.x + s * (b.x - a.x);
+            }
+        }
+        odd
+    }
+}
+
+/// The point in the coordinate plane across one axis.
+fn seen(p: DVec3, drop: usize) -> DVec2 {
+    DVec2::new(p[(drop + 1) % 3], p[(drop + 2) % 3])
+}
+
+/// Cuts the points where an outline comes back to its first point; tells whether the last outline did not.
+fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
+    let mut outlines = vec![];
+    let mut current: Vec<DVec3> = vec![];
+    for &p in points {
+        match current.first() {
+            Some(first) if (p - first).abs().max_element() <= tolerance::SAME_POINT => {
+                outlines.push(std::mem::take(&mut current));
+            }
+            _ => current.push(p),
+        }
+    }
+    let unclosed = !current.is_empty();
+    outlines.extend(unclosed.then_some(current));
+    (outlines, unclosed)
+}
+
+/// Half the sum of the cross products around the outline: its length is the area, its direction the normal. POV-Ray's
+/// `trace()` has the same one: anticlockwise outlines seen against z have it along z.
+fn vector_area(outline: &[DVec3]) -> DVec3 {
+    let Some(&first) = outline.first() else { return DVec3::ZERO };
+    let corners = outline.windows(2).map(|w| (w[0] - first).cross(w[1] - first));
+    let area = 0.5 * corners.sum::<DVec3>();
+    let size = Aabb::from_points(outline.iter().copied()).size().length();
+    // Below rounding it is noise.
+    if area.length() > 1e-14 * size * size { area } else { DVec3::ZERO }
+}
+
+/// A point of two or three numbers, or a number for all three.
+fn read_point(r: &mut dyn Reader) -> Result<DVec3> {
+    let (value, span) = r.value()?;
+    let point = match value {
+        Value::Float(x) => DVec3::splat(x),
+        Value::Vector(v) if v.len <= 3 => v.xyz(),
+        other => {
+            let message = format!("expected a point of two or three numbers, found {}", other.describe());
+            return Diagnostic::err(codes::WRONG_TYPE, span, message);
+        }
+    };
+    finite(span, &[point], &[])?;
+    Ok(point)
+}
+
+impl Readable for Polygon {
+    const SPEC: Spec = Spec {
+        name: "polygon",
+        summary: "a flat piece with any outline, which may have holes",
+        params: &[
+            Param { name: "number_of_points", kind: Kind::Float, summary: "how many follow, at least three" },
+            Param { name: "points", kind: Kind::Vectors, summary: "repeating the first one closes an outline" },
+        ],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let count = r.float()?.floor();
+        if !(3.0..=f64::from(u32::MAX)).contains(&count) {
+            let message = format!("a `polygon` needs at least three points, this one has {count}");
+            let help = "the first number says how many points follow";
+            return Err(Diagnostic::new(codes::FEW_POINTS, span, message).help(help).into());
+        }
+        let points = (0..count as u32).map(|_| read_point(r)).collect::<Result<Vec<_>>>()?;
+        Ok(Self::new(&points))
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        if self.unclosed {
+            let message = "the last outline of this `polygon` is not closed; it is closed now";
+            let help = "repeat the first point of the outline at its end, and count it";
+            r.report(Diagnostic::new(codes::OPEN_OUTLINE, span, message).help(help));
+        }
+        if let Some(fault) = self.fault {
+            let message = format!("this `polygon` {fault}, so it is left out");
+            r.report(Diagnostic::new(codes::NOT_FLAT, span, message));
+        }
+        Ok(())
+    }
+}
+
+impl Kernel for Polygon {
+    fn bounds(&self) -> Aabb {
+        let points = self.outlines.iter().flatten().copied();
+        if self.fault.is_some() { Aabb::EMPTY } else { Aabb::from_points(points) }
+    }
+
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        let points = self.outlines.iter().flatten().map(|p| m.point(*p));
+        if self.fault.is_some() { Aabb::EMPTY } else { Aabb::from_points(points) }
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        out.extend(self.closest(ray, range));
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        // First the plane of the polygon, then whether the point lies in the outlines.
+        let t = self.normal.dot(self.outlines[0][0] - ray.origin) / self.normal.dot(ray.dir);
+        let found = self.fault.is_none() && range.contains(t) && self.covers(seen(ray.at(t), self.drop));
+        found.then(|| Hit::at(t))
+    }
+
+    fn inside(&self, _: DVec3) -> bool {
+        false
+    }
+
+    fn is_patch(&self) -> bool {
+        true
+    }
+
+    fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
+        self.normal
+    }
+
+    /// The two coordinates in which its image is largest. POV-Ray has no mapping for polygons.
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        seen(p, self.drop)
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::read;
+
+    /// Is there a hit straight above (x, y) of the plane that was turned about x = y = z?
+    fn at(shape: &Polygon, x: f64, y: f64) -> bool {
+        shape.closest(&Ray::new(DVec3::new(x, y, -4.0), DVec3::Z * 2.0), Range::FORWARD).is_some_and(|h| h.t == 2.0)
+    }
+
+    fn flat(points: &[(f64, f64)]) -> Polygon {
+        Polygon::new(&points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn concave() {
+        // An arrow head: the notch at (2, 1) is outside below it.
+        let arrow = flat(&[(0.0, 0.0), (2.0, 1.0), (4.0, 0.0), (2.0, 4.0), (0.0, 0.0)]);
+        assert!(at(&arrow, 2.0, 1.5) && at(&arrow, 0.5, 0.5) && at(&arrow, 3.5, 0.5));
+        assert!(!at(&arrow, 2.0, 0.5) && !at(&arrow, -0.5, 0.0) && !at(&arrow, 1.0, 4.0));
+    }
+
+    #[test]
+    fn hole_from_the_manual() {
+        let p = "12 <0,0> <0,6> <4,6> <4,3> <1,3> <1,0> <0,0> <1,4> <1,5> <3,5> <3,4> <1,4>";
+        let (letter, reports) = read::<Polygon>(p);
+        let letter = letter.unwrap();
+        assert!(reports.is_empty() && letter.outlines.len() == 2);
+        assert!(at(&letter, 0.5, 1.0) && at(&letter, 2.0, 3.5) && at(&letter, 3.5, 4.5));
+        assert!(!at(&letter, 2.0, 4.5) && !at(&letter, 2.0, 1.0));
+        assert!(at(&letter, 0.5, 3.0) && at(&letter, 0.5, 4.0), "level with corners");
+    }
+
+    #[test]
+    fn star() {
+        // A pentagram: its middle is crossed twice from outside, so it is a hole.
+        let corner = |k: usize| {
+            let a = std::f64::consts::TAU * k as f64 / 5.0;
+            (a.sin(), a.cos())
+        };
+        let star = flat(&[0, 2, 4, 1, 3, 0].map(corner));
+        assert!(!at(&star, 0.0, 0.0) && at(&star, 0.0, 0.8) && !at(&star, 0.0, -0.5));
+        let (x, y) = corner(1);
+        assert!(at(&star, 0.8 * x, 0.8 * y));
+    }
+
+    #[test]
+    fn any_plane() {
+        // x + y + z = 1, even where two coordinates are kept.
+        let tilted = Polygon::new(&[DVec3::X, DVec3::Y, DVec3::Z, DVec3::X]);
+        let hit = tilted.closest(&Ray::new(DVec3::ONE, -DVec3::ONE), Range::FORWARD).unwrap();
+        assert!((hit.t - 2.0 / 3.0).abs() < 1e-15);
+        assert_eq!(tilted.closest(&Ray::new(DVec3::ONE * 2.0, DVec3::new(-1.0, -1.0, -4.0)), Range::FORWARD), None);
+        for axis in DVec3::AXES {
+            let (i, j) = axis.any_orthonormal_pair();
+            let square = Polygon::new(&[i + j, i - j, -i - j, j - i, i + j]);
+            assert!(square.closest(&Ray::new(axis * 3.0 + 0.9 * i - 0.9 * j, -axis), Range::FORWARD).is_some());
+            assert!(square.closest(&Ray::new(axis * 3.0 + 1.1 * i, -axis), Range::FORWARD).is_none());
+        }
+    }
+
+    #[test]
+    fn reports() {
+        assert_eq!(read::<Polygon>("2 0 1").0.unwrap_err().code, codes::FEW_POINTS);
+        assert_eq!(read::<Polygon>("3 <0,0> <1,0> <0,1>").1[0].code, codes::OPEN_OUTLINE);
+        assert_eq!(read::<Polygon>("4 <0,0> <1,0> <2,0> <0,0>").1[0].code, codes::NOT_FLAT);
+        let bent = read::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-6> 0");
+        assert_eq!(bent.1[0].code, codes::NOT_FLAT);
+        assert!(bent.0.unwrap().bounds().is_empty());
+        assert!(read::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-12> 0").1.is_empty());
+        assert!(read::<Polygon>("4.7 0 <1,0,0> <1,1,0> 0").1.is_empty());
+    }
+}

@@ -1,0 +1,135 @@
+//! For the tests of shapes: all hits in order, and a reader of numbers and words without an interpreter.
+
+use super::{Hit, Hits, Kernel, Readable};
+use crate::color::Color;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{DVec2, DVec3, Range, Ray};
+use crate::source::Span;
+use crate::value::{Language, Next, Reader, Thing, Value, VecN};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// Every hit on the whole line, ascending.
+pub fn all(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
+    let mut hits = Hits::new();
+    shape.hits(ray, Range::ALL, &mut hits);
+    hits.sort_by(|a, b| a.t.total_cmp(&b.t));
+    hits.into_vec()
+}
+
+/// The same t to rounding, the same parts.
+pub fn assert_hits(found: &[Hit], want: &[(f64, u32)]) {
+    let same = |(h, w): (&Hit, &(f64, u32))| (h.t - w.0).abs() <= 1e-12 * (1.0 + w.0.abs()) && h.part == w.1;
+    assert!(found.len() == want.len() && found.iter().zip(want).all(same), "found {found:?}, want {want:?}");
+}
+
+/// Reads a shape from vectors without blanks inside, numbers and words; returns what was reported too.
+pub fn read<S: Readable>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
+    let mut r = Words { left: text.split_whitespace().map(String::from).collect(), reports: vec![] };
+    let shape = read_all::<S>(&mut r);
+    (shape, r.reports)
+}
+
+fn read_all<S: Readable>(r: &mut Words) -> Result<S> {
+    let mut shape = S::read(r)?;
+    while let Next::Word(word) = r.next()? {
+        r.take()?;
+        shape.read_word(word, r)?;
+    }
+    shape.finish(Span::new(1, 2), r)?;
+    assert!(r.left.is_empty(), "left over: {:?}", r.left);
+    Ok(shape)
+}
+
+struct Words {
+    left: VecDeque<String>,
+    reports: Vec<Diagnostic>,
+}
+
+impl Reader for Words {
+    fn next(&mut self) -> Result<Next> {
+        Ok(match self.left.front() {
+            None => Next::End,
+            Some(w) if w.starts_with(|c: char| c.is_ascii_alphabetic()) => Next::Word(w.clone().leak()),
+            Some(_) => Next::Value,
+        })
+    }
+
+    fn span(&mut self) -> Span {
+        Span::new(1, 2)
+    }
+
+    fn take(&mut self) -> Result<Span> {
+        self.left.pop_front();
+        Ok(self.span())
+    }
+
+    fn leave(&mut self) -> Result<()> {
+        Ok(())
+    }
+
+    fn value(&mut self) -> Result<(Value, Span)> {
+        let Some(text) = self.left.pop_front() else { return Err(self.unexpected("a value").into()) };
+        let list: Vec<f64> = text.trim_matches(['<', '>']).split(',').map(|n| n.parse().unwrap()).collect();
+        let value = if list.len() == 1 { Value::Float(list[0]) } else { Value::Vector(VecN::from_slice(&list)) };
+        Ok((value, self.span()))
+    }
+
+    fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)> {
+        unreachable!()
+    }
+
+    fn float(&mut self) -> Result<f64> {
+        match self.value()?.0 {
+            Value::Float(x) => Ok(x),
+            _ => Err(self.unexpected("a number").into()),
+        }
+    }
+
+    fn vector(&mut self) -> Result<DVec3> {
+        match self.value()?.0 {
+            Value::Float(x) => Ok(DVec3::splat(x)),
+            Value::Vector(v) if v.len == 3 => Ok(v.xyz()),
+            _ => Err(self.unexpected("a vector").into()),
+        }
+    }
+
+    fn vector2(&mut self) -> Result<DVec2> {
+        self.vector().map(|v| v.truncate())
+    }
+
+    fn numbers(&mut self, n: usize) -> Result<Vec<f64>> {
+        match self.value()?.0 {
+            Value::Vector(v) if v.len as usize == n => Ok(v.c[..n].to_vec()),
+            _ => Err(self.unexpected("numbers").into()),
+        }
+    }
+
+    fn color(&mut self) -> Result<Color> {
+        unreachable!()
+    }
+
+    fn text(&mut self) -> Result<String> {
+        unreachable!()
+    }
+
+    fn flag(&mut self) -> Result<bool> {
+        Ok(self.left.pop_front().is_none_or(|w| w == "on"))
+    }
+
+    fn language(&self) -> Language {
+        Language { version: 370, assumed_gamma: 1.0 }
+    }
+
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.reports.push(diagnostic);
+    }
+
+    fn unexpected(&mut self, expected: &str) -> Diagnostic {
+        Diagnostic::new(codes::SYNTAX, Span::new(1, 2), format!("expected {expected}"))
+    }
+
+    fn unknown_word(&mut self, block: &str, _: &[&'static str]) -> Diagnostic {
+        self.unexpected(block)
+    }
+}

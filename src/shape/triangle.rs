@@ -1,0 +1,198 @@
+//! `triangle { corner_1, corner_2, corner_3 }`: a flat piece without thickness; it has no inside.
+//!
+//! ```pov
+//! triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { color rgb <0.3, 0.7, 0.3> } }
+//! ```
+
+use super::{Hit, Hits, Kernel, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::source::Span;
+use crate::value::{Kind, Param, Reader, Spec};
+use serde::Serialize;
+
+/// Three corners.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Triangle {
+    /// First corner.
+    pub a: DVec3,
+    /// Second corner.
+    pub b: DVec3,
+    /// Third corner.
+    pub c: DVec3,
+}
+
+impl Triangle {
+    /// (c - a) × (b - a): its length is twice the area (lecture, "Ray and triangle intersection II"). It points to where
+    /// the corners go round clockwise in POV-Ray's left-handed system, and so does POV-Ray's `trace()`.
+    pub fn face_normal(&self) -> DVec3 {
+        (self.c - self.a).cross(self.b - self.a)
+    }
+
+    /// Has it no area, to rounding?
+    pub fn is_degenerate(&self) -> bool {
+        let (ab, ac) = (self.b - self.a, self.c - self.a);
+        !(self.face_normal().length() > f64::EPSILON * ab.length() * ac.length())
+    }
+
+    /// Where the ray meets it, by the plane a + u·(b - a) + v·(c - a) (lecture, "Ray and triangle intersection I"): Cramer's
+    /// rule on p₀ - a = -t·v + u·(b - a) + v·(c - a), as Möller and Trumbore (1997) order it.
+    pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
+        let (ab, ac) = (self.b - self.a, self.c - self.a);
+        let p = ray.dir.cross(ac);
+        let det = ab.dot(p);
+        let s = ray.origin - self.a;
+        let u = s.dot(p) / det;
+        if !(0.0..=1.0).contains(&u) {
+            return None;
+        }
+        let q = s.cross(ab);
+        let v = ray.dir.dot(q) / det;
+        let t = ac.dot(q) / det;
+        (v >= 0.0 && u + v <= 1.0).then_some(Hit { t, part: 0, uv: DVec2::new(u, v) })
+    }
+
+    /// The weights (λ₁, λ₂, λ₃) of the corners at a point of its plane, in the coordinate plane on which its image is
+    /// largest (lecture, "Point on triangle"). The point is in the triangle if and only if none is negative.
+    pub fn barycentric(&self, p: DVec3) -> DVec3 {
+        // Leave out the axis along which the normal is longest.
+        let drop = self.face_normal().abs().max_position();
+        let flat = |q: DVec3| DVec2::new(q[(drop + 1) % 3], q[(drop + 2) % 3]);
+        let (a, b, at) = (flat(self.a - self.c), flat(self.b - self.c), flat(p - self.c));
+        let det = a.perp_dot(b);
+        let (l1, l2) = (at.perp_dot(b) / det, a.perp_dot(at) / det);
+        DVec3::new(l1, l2, 1.0 - l1 - l2)
+    }
+
+    /// The box around it; empty if it has no area.
+    pub fn bounds(&self) -> Aabb {
+        if self.is_degenerate() { Aabb::EMPTY } else { Aabb::from_points([self.a, self.b, self.c]) }
+    }
+}
+
+impl Readable for Triangle {
+    const SPEC: Spec = Spec {
+        name: "triangle",
+        summary: "a flat piece with three corners",
+        params: &[
+            Param { name: "corner_1", kind: Kind::Vector, summary: "first corner" },
+            Param { name: "corner_2", kind: Kind::Vector, summary: "second corner" },
+            Param { name: "corner_3", kind: Kind::Vector, summary: "third corner" },
+        ],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let (a, b, c) = (r.vector()?, r.vector()?, r.vector()?);
+        finite(span, &[a, b, c], &[])?;
+        Ok(Self { a, b, c })
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        if self.is_degenerate() {
+            r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
+        }
+        Ok(())
+    }
+}
+
+impl Kernel for Triangle {
+    fn bounds(&self) -> Aabb {
+        self.bounds()
+    }
+
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        let corners = [self.a, self.b, self.c].map(|p| m.point(p));
+        if self.is_degenerate() { Aabb::EMPTY } else { Aabb::from_points(corners) }
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        out.extend(Kernel::closest(self, ray, range));
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        self.intersect(ray).filter(|hit| range.contains(hit.t))
+    }
+
+    fn inside(&self, _: DVec3) -> bool {
+        false
+    }
+
+    fn is_patch(&self) -> bool {
+        true
+    }
+
+    fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
+        self.face_normal()
+    }
+
+    /// The lecture's (u, v). POV-Ray has no mapping for triangles outside meshes.
+    fn uv(&self, _: DVec3, hit: &Hit) -> DVec2 {
+        hit.uv
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::read;
+    use proptest::prelude::*;
+
+    const CORNER: Triangle = Triangle { a: DVec3::ZERO, b: DVec3::X, c: DVec3::Y };
+
+    #[test]
+    fn spanning_version() {
+        let ray = Ray::new(DVec3::new(0.25, 0.5, -3.0), DVec3::Z * 2.0);
+        let hit = CORNER.intersect(&ray).unwrap();
+        assert_eq!((hit.t, hit.uv), (1.5, DVec2::new(0.25, 0.5)));
+        for (x, y) in [(-0.01, 0.5), (0.5, -0.01), (0.51, 0.5)] {
+            assert_eq!(CORNER.intersect(&Ray::new(DVec3::new(x, y, -3.0), DVec3::Z)), None);
+        }
+        assert_eq!(CORNER.intersect(&Ray::new(DVec3::new(-1.0, 0.25, 0.0), DVec3::X)), None, "in its plane");
+    }
+
+    #[test]
+    fn projected_version() {
+        let t = Triangle { a: DVec3::new(1.0, 5.0, 2.0), b: DVec3::new(4.0, 5.5, 2.0), c: DVec3::new(1.0, 5.0, 8.0) };
+        let want = DVec3::new(0.5, 0.3, 0.2);
+        let p = want.x * t.a + want.y * t.b + want.z * t.c;
+        assert!(t.barycentric(p).distance(want) < 1e-14);
+        assert!(t.barycentric(t.a + (t.a - t.b) * 0.1).y < 0.0);
+    }
+
+    #[test]
+    fn degenerate() {
+        assert_eq!(read::<Triangle>("0 <1,0,0> <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
+        assert_eq!(read::<Triangle>("0 0 <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
+        assert!(read::<Triangle>("0 <1,0,0> <0,1e-7,0>").1.is_empty(), "thin is not degenerate");
+        let line = Triangle { a: DVec3::ZERO, b: DVec3::X, c: DVec3::X * 2.0 };
+        assert!(line.bounds().is_empty());
+        assert_eq!(line.intersect(&Ray::new(DVec3::new(0.5, 0.0, -1.0), DVec3::Z)), None);
+        assert_eq!(CORNER.face_normal(), -DVec3::Z, "as POV-Ray's trace() has it");
+    }
+
+    proptest! {
+        #[test]
+        fn both_versions_agree(p in proptest::array::uniform9(-3.0..3.0f64), o in proptest::array::uniform3(-5.0..5.0f64),
+                               w in proptest::array::uniform2(-0.5..1.5f64)) {
+            let t = Triangle { a: DVec3::from_slice(&p[0..]), b: DVec3::from_slice(&p[3..]), c: DVec3::from_slice(&p[6..]) };
+            let at = t.a + w[0] * (t.b - t.a) + w[1] * (t.c - t.a);
+            let ray = Ray::new(o.into(), at - DVec3::from(o));
+            let n = t.face_normal();
+            prop_assume!(n.length() > 0.1 && n.normalize().dot(ray.dir.normalize()).abs() > 0.01);
+            let l = t.barycentric(at);
+            prop_assert!(l.distance(DVec3::new(1.0 - w[0] - w[1], w[0], w[1])) < 1e-9);
+            prop_assume!(l.abs().min_element() > 1e-6);
+            let hit = t.intersect(&ray);
+            prop_assert_eq!(hit.is_some(), l.min_element() >= 0.0);
+            if let Some(hit) = hit {
+                prop_assert!((hit.t - 1.0).abs() < 1e-9 && hit.uv.distance(DVec2::new(l.y, l.z)) < 1e-9);
+            }
+        }
+    }
+}
