@@ -140,7 +140,8 @@ impl Lowering {
         if !location.is_finite() {
             return not_finite(light.source);
         }
-        let fade = (light.fade_distance > 0.0 && light.fade_power > 0.0).then_some((light.fade_distance, light.fade_power));
+        let fade =
+            (light.fade_distance > 0.0 && light.fade_power > 0.0).then_some((light.fade_distance, light.fade_power));
         self.lights.push(Lamp { location, color: light.color, shadowless: light.shadowless, fade });
         Ok(())
     }
@@ -160,7 +161,14 @@ impl Lowering {
         let interior = own.interior.unwrap_or_else(|| self.add_interior(&Interior::default()));
         let id = self.parts.len() as u32;
         let double_illuminate = own.flags.double_illuminate;
-        self.parts.push(Part { outside, inside, interior, double_illuminate, word: object.word, source: object.source });
+        self.parts.push(Part {
+            outside,
+            inside,
+            interior,
+            double_illuminate,
+            word: object.word,
+            source: object.source,
+        });
         let leaf = Leaf::new(shape.clone(), &own.transform, id);
         Ok(Solid { node: Node::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }
