@@ -3,8 +3,27 @@
 //! ```text
 //! text ──syntax──▶ AST ──interpreter──▶ Scene ──world──▶ World ──render──▶ Frame ──image_io──▶ file
 //! ```
+//!
+//! The whole way, as every front end goes it:
+//!
+//! ```no_run
+//! # fn draw(reading: durer::interpreter::Options, drawing: durer::render::Options) -> durer::diagnostic::Result<()> {
+//! use durer::{image_io, render, source};
+//!
+//! let sources = source::Sources::default();
+//! let file = durer::load(&sources, "ball.scene".as_ref())?;
+//! let built = durer::build(&sources, file, &reading, &mut |text| print!("{text}"));
+//! if let Some(world) = &built.world
+//!     && let Ok((frame, _rays)) = render::render(world, &drawing, &render::Unwatched)
+//! {
+//!     let bytes = image_io::encode(&frame, &image_io::Encoding::new(image_io::Format::Png))?;
+//!     source::write_whole("ball.png".as_ref(), &bytes).ok();
+//! }
+//! # Ok(()) }
+//! ```
 
 pub mod camera;
+pub mod cli;
 pub mod color;
 pub mod diagnostic;
 pub mod image_io;
@@ -15,8 +34,100 @@ pub mod pattern;
 pub mod render;
 pub mod scene;
 pub mod shape;
+pub mod snapshot;
 pub mod source;
 pub mod syntax;
 pub mod texture;
 pub mod value;
 pub mod world;
+
+use diagnostic::{Diagnostic, Result};
+use source::{FileId, Sources, Span};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Reads a scene's text (E0001, E0002, E0003). A file that is not text gets a place all the same: its first byte.
+pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
+    let name = path.display().to_string();
+    match source::read_text(path) {
+        Ok(text) => add(sources, &name, Some(path), text),
+        Err(error) => Err(refuse(sources, path, &error)),
+    }
+}
+
+/// Takes bytes from elsewhere, such as standard input, for a scene's text.
+pub fn load_bytes(sources: &Sources, name: &str, bytes: Vec<u8>) -> Result<FileId> {
+    match source::text_of(bytes) {
+        Ok(text) => add(sources, name, None, text),
+        Err(error) => Err(refuse(sources, Path::new(name), &error)),
+    }
+}
+
+fn add(sources: &Sources, name: &str, path: Option<&Path>, text: String) -> Result<FileId> {
+    match sources.add(name, path, text) {
+        Some(file) => Ok(file),
+        None => {
+            let text = format!("`{name}` is too large: all files of a scene together hold at most 4 GB");
+            Diagnostic::err(diagnostic::codes::FILE_UNREADABLE, Span::NONE, text)
+        }
+    }
+}
+
+fn refuse(sources: &Sources, path: &Path, error: &source::ReadError) -> diagnostic::Fault {
+    let mut fault = diagnostic::file::unreadable(path, error);
+    if matches!(error, source::ReadError::NotText(_)) {
+        let file = sources.add(&path.display().to_string(), Some(path), String::new());
+        let start = file.map_or(0, |file| sources.base(file));
+        fault.labels.push(diagnostic::Label { span: Span::new(start, start), text: String::new() });
+    }
+    Box::new(fault)
+}
+
+/// What a text became.
+#[derive(Debug)]
+pub struct Built {
+    /// What the author said, unless there were errors.
+    pub scene: Option<scene::Scene>,
+    /// What a ray needs, unless there were errors.
+    pub world: Option<world::World>,
+    /// Errors and warnings in the order in which they were found.
+    pub diagnostics: Vec<Diagnostic>,
+    /// A limit (steps, memory, time) ended the run.
+    pub limit_reached: bool,
+    /// How long text → Scene took.
+    pub parse_time: Duration,
+    /// How long Scene → World took.
+    pub build_time: Duration,
+}
+
+/// Text → Scene → World. `debug` receives what the scene prints. Scenes may be nested deeply: call this inside [`on_big_stack`].
+pub fn build(sources: &Sources, file: FileId, options: &interpreter::Options, debug: &mut dyn FnMut(&str)) -> Built {
+    let start = Instant::now();
+    let interpreter::Outcome { scene, mut diagnostics, limit_reached } =
+        interpreter::interpret(sources, file, options, debug);
+    let parse_time = start.elapsed();
+    let start = Instant::now();
+    let world = scene.as_ref().and_then(|scene| world::lower(scene).map_err(|e| diagnostics.push(*e)).ok());
+    Built { scene, world, diagnostics, limit_reached, parse_time, build_time: start.elapsed() }
+}
+
+/// Bytes of stack for parser and interpreter, which recurse as deeply as the text is nested. Only what is used costs memory.
+const BIG_STACK: usize = 512 << 20;
+
+/// Runs `work` where there is stack for deeply nested text.
+///
+/// # Panics
+/// Where `work` does.
+pub fn on_big_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    let slot = std::sync::Mutex::new(Some(work));
+    let take = || slot.lock().ok().and_then(|mut work| work.take()).map(|work| work());
+    let result = std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().name("durer".into()).stack_size(BIG_STACK);
+        match thread.spawn_scoped(scope, take) {
+            Ok(handle) => handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            // Where memory is rationed, there may be no room for it; small scenes need none.
+            Err(_) => take(),
+        }
+    });
+    result.unwrap_or_else(|| unreachable!("the work is taken exactly once"))
+}

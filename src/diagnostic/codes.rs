@@ -39,7 +39,37 @@ macro_rules! codes {
 
 codes! {
     NOT_TEXT "E0001" "the file is not text"
-"A scene is a text file. This one holds bytes that no text holds, as pictures, archives and programs do."
+"A scene is a text file. This one holds bytes that no text holds, as pictures, archives and programs do.
+Text in UTF-16, as some editors write it, has to be saved as UTF-8."
+    FILE_NOT_FOUND "E0002" "there is no such file"
+"No file of this name is there. Names are looked up in the current folder unless they start with `/`; upper and lower
+case letters differ on most systems. `-` stands for standard input."
+    FILE_UNREADABLE "E0003" "the file can't be read"
+"It is there, but it is a folder, or larger than 4 GB, or the system doesn't let you read it."
+    FILE_UNWRITABLE "E0004" "the file can't be written"
+"Its folder doesn't exist, or you may not write there, or the disk is full. A picture is written whole or not at all: first
+into a temporary file in the same folder, which then takes the name. So the folder itself has to be writable. Nothing was
+changed."
+    UNKNOWN_FORMAT "E0005" "the file's ending names no picture format"
+"The ending of the output's name says in which format the picture is written: png, exr, hdr, jpg, ppm, bmp, tga or tiff.
+`--format` says it for names without such an ending, and for standard output:
+
+    durer render ball.scene -o - --format ppm | display"
+    PICTURE_TOO_LARGE "E0006" "the picture needs more memory than there is"
+"A picture takes 16 bytes for each pixel while it is drawn, and about as much again while it is written. `--max-memory` sets
+a limit of your own; without it, what the machine has free is the limit. `--size` makes the picture smaller."
+    PICTURE_BROKEN "E0007" "the picture file can't be decoded"
+"It is damaged, cut off, or of another kind than its name says."
+    FORMAT_LIMIT "E0008" "the picture format can't hold this picture"
+"Every format has limits: jpg holds 65535 pixels a side, bmp, tga and jpg hold 8 bits a channel, exr and hdr always hold
+floating-point numbers, and only png, tiff, bmp, tga and exr know transparency. Choose another format, for example png."
+    OUTSIDE_PICTURE "E0010" "this part is not inside the picture"
+"Pixels are counted from the top left, starting with 0: a picture of 640x480 goes from 0,0 to 639,479. `--size` says how large
+the picture is."
+    UNKNOWN_OPTION "E0011" "there is no such option"
+"durer takes its own options (`durer render --help`) and those of POV-Ray (`+W640`, `Width=640`). This is neither."
+    OPTION_IGNORED "W0012" "a POV-Ray option that has no effect here"
+"POV-Ray has this option and durer knows it, but doesn't do what it asks for. The picture is drawn without it."
     SYNTAX "E0100" "something stands where nothing of the kind can stand"
 "The text can't be read as a scene from this place on."
     UNCLOSED "E0101" "something is opened and never closed"
@@ -106,18 +136,6 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
 "A macro that calls itself needs an `#if` that ends it at some depth. Exit code 4."
     INCLUDE_DEPTH "E0244" "files include each other without end"
 "A file that includes itself, directly or through others, never ends. `#ifndef (Name_Inc) #declare Name_Inc = 1; … #end` around a file makes it harmless. Exit code 4."
-    NO_DIRECTION "E0300" "a plane has no direction"
-"The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
-vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."
-    NO_LENGTH "E0301" "a cylinder or cone has no length"
-"Its two end points are the same, so nothing tells which way its axis goes: `cylinder { 0, 0, 1 }`. Move one of them, as in
-`cylinder { 0, y, 1 }`; a flat round plate is `disc { 0, y, 1 }`."
-    FEW_POINTS "E0302" "a polygon has too few points"
-"The first number in a `polygon` says how many points follow. It takes three to enclose an area, and the first one is
-usually repeated at the end: `polygon { 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }`."
-    TWO_FORMS "E0304" "a plane is given twice"
-"A plane is given by `normal, distance` or by one of the forms with words, `implicit <A, B, C, D>`, `point q normal n` or
-`point q span i, j`, and only once."
     DIVISION_BY_ZERO "W0200" "a division by zero"
 "POV-Ray computes infinity, and so does durer; where such a number reaches a shape or a transform it is an error."
     UNSUPPORTED "W0201" "not drawn yet"
@@ -132,6 +150,24 @@ usually repeated at the end: `polygon { 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }`."
 "It is read and has no effect."
     NO_CAMERA "W0206" "a scene without a camera"
 "POV-Ray's default camera is used: at the origin, looking along z."
+    ZERO_SCALE "W0207" "a scale of 0"
+"It would flatten the object; POV-Ray uses 1 for that axis instead, and so does durer."
+    FOLLOWS "E0998" "follows from an error that was told before"
+"Never shown."
+    ENDS_RUN "E0999" "ends the run after an error that was told before"
+"Never shown."
+    NO_DIRECTION "E0300" "a plane has no direction"
+"The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
+vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."
+    NO_LENGTH "E0301" "a cylinder or cone has no length"
+"Its two end points are the same, so nothing tells which way its axis goes: `cylinder { 0, 0, 1 }`. Move one of them, as in
+`cylinder { 0, y, 1 }`; a flat round plate is `disc { 0, y, 1 }`."
+    FEW_POINTS "E0302" "a polygon has too few points"
+"The first number in a `polygon` says how many points follow. It takes three to enclose an area, and the first one is
+usually repeated at the end: `polygon { 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }`."
+    TWO_FORMS "E0304" "a plane is given twice"
+"A plane is given by `normal, distance` or by one of the forms with words, `implicit <A, B, C, D>`, `point q normal n` or
+`point q span i, j`, and only once."
     NO_SURFACE "W0300" "a shape has no surface"
 "Nothing of it will be seen: a radius is zero or, in a torus, negative; or the normal of a disc is zero; or the hole of a disc
 is as large as the disc."
@@ -146,10 +182,6 @@ for you."
     NOT_FLAT "W0304" "the points of a polygon are not in one plane"
 "A `polygon` is flat: all its points lie in one plane, to 1e-10, and not all on one line. One that is not is left out, as
 POV-Ray does. Split it into triangles."
-    FOLLOWS "E0998" "follows from an error that was told before"
-"Never shown."
-    ENDS_RUN "E0999" "ends the run after an error that was told before"
-"Never shown."
 }
 
 /// The explanation of a code as the user typed it, in any letter case.

@@ -2,6 +2,7 @@
 
 pub mod codes;
 pub mod draw;
+pub mod file;
 mod suggest;
 
 pub use codes::Code;

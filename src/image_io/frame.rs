@@ -1,5 +1,7 @@
 //! A picture in memory.
 
+use super::quantize;
+
 /// Linear light, row by row from the top left; four numbers a pixel: red, green, blue (linear sRGB primaries, 1 is white, not
 /// clamped, not multiplied by alpha) and alpha (1 is opaque).
 #[derive(Clone, Debug, PartialEq)]
@@ -16,5 +18,19 @@ impl Frame {
     /// All transparent black.
     pub fn new(width: usize, height: usize) -> Self {
         Self { width, height, pixels: vec![[0.0; 4]; width * height] }
+    }
+
+    /// As it looks without transparency: laid over black.
+    pub fn over_black(&self) -> Self {
+        let opaque = |&p: &[f32; 4]| {
+            let [r, g, b] = quantize::over_black(p);
+            [r, g, b, 1.0]
+        };
+        Self { width: self.width, height: self.height, pixels: self.pixels.iter().map(opaque).collect() }
+    }
+
+    /// As an 8-bit file stores it: the sRGB curve, red, green, blue and alpha.
+    pub fn rgba8(&self) -> Vec<[u8; 4]> {
+        quantize::bytes(self, true).as_chunks().0.to_vec()
     }
 }

@@ -1,5 +1,7 @@
 //! Differences between versions of the language; nobody else compares versions.
 
+use crate::scene::Gamma;
+
 /// The language of `#version 3.7`, and of a file that names none.
 pub const DEFAULT_VERSION: u32 = 370;
 
@@ -10,3 +12,12 @@ pub fn version_number(value: f64) -> u32 {
 
 /// The newest language that is known at least in part.
 pub const NEWEST_VERSION: u32 = 380;
+
+/// How numbers relate to light in a scene without `assumed_gamma`, by the version in force at its end: measured on
+/// POV-Ray 3.7, which leaves scenes of older versions, and of none, without any conversion.
+pub fn gamma_without_setting(version: Option<u32>) -> Gamma {
+    match version {
+        Some(370..) => Gamma::Power(1.0),
+        _ => Gamma::Raw,
+    }
+}

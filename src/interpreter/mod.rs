@@ -1,8 +1,28 @@
 //! Runs the AST: scopes, macros, directives, built-in functions.
 
-use crate::diagnostic::Diagnostic;
-use crate::scene::Scene;
-use crate::source::{FileId, SearchPath, Sources};
+mod builtin;
+mod compat;
+mod directive;
+mod eval;
+mod hints;
+mod limits;
+mod reader;
+mod rvalue;
+mod scope;
+mod stream;
+mod top;
+
+use crate::diagnostic::{Diagnostic, Label, Result, Severity, codes};
+use crate::scene::{Defaults, Scene};
+use crate::source::{FileId, SearchPath, Sources, Span};
+use crate::syntax::Names;
+use crate::syntax::ast::{Ast, Element, Symbol};
+use crate::value::Language;
+use rustc_hash::FxHashMap;
+use scope::Scopes;
+use std::path::PathBuf;
+use std::time::Instant;
+use stream::{Frame, FrameKind, Token};
 
 /// What a run may do and what it is given.
 #[derive(Clone, Debug)]
@@ -36,7 +56,192 @@ pub struct Outcome {
     pub limit_reached: bool,
 }
 
-/// Runs a file that [`Sources`] already holds. `debug` receives what `#debug`, `#warning` and `#statistics` print.
-pub fn interpret(_sources: &Sources, _file: FileId, _options: &Options, _debug: &mut dyn FnMut(&str)) -> Outcome {
-    Outcome { scene: Some(Scene::default()), ..Outcome::default() }
+/// A run ends after so many errors.
+const MAX_ERRORS: usize = 20;
+
+/// Runs a file that [`Sources`] already holds. `debug` receives what `#debug`, `#render` and `#statistics` print.
+///
+/// It recurses as deeply as the text nests and macros call each other: give it a stack of some 500 MB.
+pub fn interpret(sources: &Sources, file: FileId, options: &Options, debug: &mut dyn FnMut(&str)) -> Outcome {
+    let (names, asts) = (Names::default(), elsa::FrozenVec::new());
+    let mut interpreter = Interpreter::new(sources, &names, &asts, options, debug);
+    interpreter.run(file);
+    interpreter.outcome()
+}
+
+/// Everything of one run.
+pub(crate) struct Interpreter<'a> {
+    sources: &'a Sources,
+    names: &'a Names,
+    asts: &'a elsa::FrozenVec<Box<Ast>>,
+    options: &'a Options,
+    debug: &'a mut dyn FnMut(&str),
+    parsed: FxHashMap<PathBuf, &'a Ast>,
+    including: Vec<PathBuf>,
+    scopes: Scopes<'a>,
+    deprecated: FxHashMap<Symbol, &'a str>,
+    frames: Vec<Frame<'a>>,
+    peeked: Option<Token<'a>>,
+    /// The words of the blocks around here, innermost last.
+    blocks: Vec<&'static str>,
+    depth: usize,
+    steps: u64,
+    started: Instant,
+    language: Language,
+    version_stated: bool,
+    camera_stated: bool,
+    defaults: Defaults,
+    scene: Scene,
+    diagnostics: Vec<Diagnostic>,
+    limit_reached: bool,
+}
+
+impl<'a> Interpreter<'a> {
+    fn new(
+        sources: &'a Sources,
+        names: &'a Names,
+        asts: &'a elsa::FrozenVec<Box<Ast>>,
+        options: &'a Options,
+        debug: &'a mut dyn FnMut(&str),
+    ) -> Self {
+        Self {
+            sources,
+            names,
+            asts,
+            options,
+            debug,
+            parsed: FxHashMap::default(),
+            including: vec![],
+            scopes: Scopes::default(),
+            deprecated: FxHashMap::default(),
+            frames: vec![],
+            peeked: None,
+            blocks: vec![],
+            depth: 0,
+            steps: 0,
+            started: Instant::now(),
+            language: Language { version: compat::DEFAULT_VERSION, assumed_gamma: None },
+            version_stated: false,
+            camera_stated: false,
+            defaults: Defaults::default(),
+            scene: Scene::default(),
+            diagnostics: vec![],
+            limit_reached: false,
+        }
+    }
+
+    fn run(&mut self, file: FileId) {
+        self.declare_options();
+        let Ok(ast) = self.parse_file(file) else { return };
+        self.push_frame(&ast.elements, FrameKind::Enclosed, Span::NONE);
+        loop {
+            // Directives and macros run while the next statement is looked for: their faults are met here.
+            let failed = match self.peek() {
+                Err(fault) => Some(fault),
+                Ok(_) => {
+                    let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
+                    match self.statement() {
+                        Ok(true) => None,
+                        Ok(false) => break,
+                        Err(fault) => {
+                            let fault = self.with_trace(*fault);
+                            self.unwind(depth);
+                            if let Some(frame) = self.frames.last_mut() {
+                                frame.skip_statement(at);
+                            }
+                            Some(Box::new(fault))
+                        }
+                    }
+                }
+            };
+            if let Some(fault) = failed {
+                self.blocks.clear();
+                let ends = self.limit_reached || fault.code == codes::ENDS_RUN;
+                let fault = self.with_trace(*fault);
+                self.report_fault(fault);
+                if ends || self.error_count() >= MAX_ERRORS {
+                    return;
+                }
+            }
+        }
+        self.finish_scene();
+    }
+
+    fn outcome(mut self) -> Outcome {
+        let unused: Vec<Diagnostic> = self.scopes.unused_faults().cloned().collect();
+        for mut fault in unused {
+            if !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS) {
+                fault.severity = Severity::Warning;
+                self.diagnostics.push(fault);
+            }
+        }
+        self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
+        let failed = self.error_count() > 0;
+        Outcome {
+            scene: (!failed).then_some(self.scene),
+            diagnostics: self.diagnostics,
+            limit_reached: self.limit_reached,
+        }
+    }
+
+    fn error_count(&self) -> usize {
+        self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
+    }
+
+    /// Keeps a message, unless the same was told of the same place.
+    fn report_fault(&mut self, d: Diagnostic) {
+        let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
+        let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && k.message == d.message;
+        if !silent && !self.diagnostics.iter().rev().take(100).any(known) {
+            self.diagnostics.push(d);
+        }
+    }
+
+    fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {
+        if d.trace.is_empty() {
+            d.trace = self.trace();
+        }
+        d
+    }
+
+    /// The macro calls and includes around here, innermost first; of a deep recursion both ends.
+    fn trace(&self) -> Vec<Label> {
+        let label = |frame: &Frame| match frame.kind {
+            FrameKind::Macro(name) => {
+                Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.names.text(name)) })
+            }
+            FrameKind::Include => Some(Label { span: frame.span, text: "included".into() }),
+            _ => None,
+        };
+        let all: Vec<Label> = self.frames.iter().rev().filter_map(label).collect();
+        if all.len() <= 12 {
+            return all;
+        }
+        all[..6].iter().chain(&all[all.len() - 4..]).cloned().collect()
+    }
+
+    /// Reads a row of elements to its end by `read`.
+    fn enclosed<T>(
+        &mut self,
+        block: Option<&'static str>,
+        elements: &'a [Element],
+        span: Span,
+        read: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<T> {
+        let depth = self.frames.len();
+        self.push_frame(elements, FrameKind::Enclosed, span);
+        self.blocks.extend(block);
+        let result = read(self).map_err(|fault| Box::new(self.with_trace(*fault)));
+        if block.is_some() {
+            self.blocks.pop();
+        }
+        self.unwind(depth);
+        result
+    }
+
+    fn division_by_zero(&mut self, span: Span) {
+        let d = Diagnostic::new(codes::DIVISION_BY_ZERO, span, "division by zero gives infinity");
+        let d = self.with_trace(d.label("this is 0"));
+        self.report_fault(d);
+    }
 }

@@ -17,7 +17,7 @@ pub(super) enum Token<'a> {
     Numbers(&'a [f64]),
     Entry(&'a [Element]),
     Group(&'a [Element]),
-    Function(&'a Function),
+    Function,
     /// The end of the block, entry, group, argument list or file that is being read.
     End,
 }
@@ -44,6 +44,26 @@ pub(super) enum FrameKind<'a> {
     For { counter: Symbol, last: f64, step: f64 },
     Macro(Symbol),
     Include,
+}
+
+impl Frame<'_> {
+    /// After a fault: on to the end of the statement that began at index `from`.
+    pub(super) fn skip_statement(&mut self, from: usize) {
+        self.item = (0, 0);
+        if self.at == from {
+            self.at += 1;
+        }
+        while let Some(element) = self.elements.get(self.at) {
+            match element.kind {
+                ElementKind::Block(_) | ElementKind::Open(_) | ElementKind::Directive(_) => return,
+                ElementKind::Semicolon => {
+                    self.at += 1;
+                    return;
+                }
+                _ => self.at += 1,
+            }
+        }
+    }
 }
 
 impl<'a> Interpreter<'a> {
@@ -92,7 +112,7 @@ impl<'a> Interpreter<'a> {
                 ElementKind::Open(name) => Token::Open(name),
                 ElementKind::Entry(elements) => Token::Entry(elements),
                 ElementKind::Group(elements) => Token::Group(elements),
-                ElementKind::Function(function) => Token::Function(function),
+                ElementKind::Function(_) => Token::Function,
                 ElementKind::Close => Token::End,
             };
             return Ok(self.announce(token));
@@ -185,15 +205,20 @@ impl<'a> Interpreter<'a> {
         let Some(frame) = self.frames.last() else { return Ok(()) };
         let span = frame.span;
         let again = match frame.kind {
-            FrameKind::While(condition) => {
-                self.step(span)?;
-                self.condition(condition)?
-            }
+            FrameKind::While(condition) => self.step(span).and_then(|()| self.condition(condition)),
             FrameKind::For { counter, last, step } => {
-                self.step(span)?;
-                self.advance_counter(counter, last, step, span)?
+                self.step(span).and_then(|()| self.advance_counter(counter, last, step, span))
             }
-            _ => false,
+            _ => Ok(false),
+        };
+        let again = match again {
+            Ok(again) => again,
+            Err(fault) => {
+                // A loop whose condition fails ends here.
+                let fault = self.with_trace(*fault);
+                self.pop_frame();
+                return Err(Box::new(fault));
+            }
         };
         match self.frames.last_mut() {
             Some(frame) if again => frame.at = 0,

@@ -3,7 +3,7 @@
 mod object;
 mod settings;
 
-pub use object::{CsgOp, Flags, Object, ObjectKind, Painted};
+pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, Painted, is_object, read_layers, read_material};
 pub use settings::{Gamma, Settings};
 
 use crate::camera::Camera;

@@ -3,7 +3,7 @@
 use super::{Hit, Hits, Kernel, Readable};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{DVec2, DVec3, Range, Ray};
+use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::{Language, Next, Reader, Thing, Value, VecN};
 use std::collections::VecDeque;
@@ -86,6 +86,22 @@ impl Reader for Words {
         }
     }
 
+    fn optional_float(&mut self) -> Result<Option<f64>> {
+        if Reader::next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
+    }
+
+    fn at_color(&mut self) -> Result<bool> {
+        unreachable!()
+    }
+
+    fn transform(&mut self) -> Result<Option<Transform>> {
+        unreachable!()
+    }
+
+    fn skip_unsupported(&mut self, _: &str) -> Result<()> {
+        unreachable!()
+    }
+
     fn vector(&mut self) -> Result<DVec3> {
         match self.value()?.0 {
             Value::Float(x) => Ok(DVec3::splat(x)),
@@ -118,7 +134,7 @@ impl Reader for Words {
     }
 
     fn language(&self) -> Language {
-        Language { version: 370, assumed_gamma: 1.0 }
+        Language { version: 370, assumed_gamma: None }
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {

@@ -1,9 +1,13 @@
 //! The files of a scene: their text, places in them, and where they may be looked for.
 
 mod files;
+mod read;
 mod search;
 mod span;
+mod write;
 
 pub use files::{FileId, Place, Sources, decode_text};
+pub use read::{ReadError, read_text, text_of};
 pub use search::SearchPath;
 pub use span::Span;
+pub use write::{check_writable, write_whole};

@@ -75,8 +75,6 @@ pub trait Reader {
     fn language(&self) -> Language;
     /// Consumes a word or block that is known but not drawn yet, with all that belongs to it, and tells so.
     fn skip_unsupported(&mut self, what: &str) -> Result<()>;
-    /// Where the word before what comes next stands: for messages about what was just read.
-    fn last_span(&self) -> Span;
     /// Tells the user something without stopping.
     fn report(&mut self, diagnostic: Diagnostic);
     /// An error about what comes next: "expected …, found …".

@@ -21,13 +21,15 @@ impl<'a> Interpreter<'a> {
             return Diagnostic::err(codes::NOT_YET, index.span, "arrays are not supported yet");
         }
         let mark = self.diagnostics.len();
-        let depth = self.frames.len();
+        let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
         let slot = match self.rvalue() {
             Ok(slot) => slot,
             Err(fault) if self.limit_reached || fault.code == codes::ENDS_RUN => return Err(fault),
             Err(fault) => {
                 self.unwind(depth);
-                self.skip_value();
+                if let Some(frame) = self.frames.last_mut() {
+                    frame.skip_statement(at);
+                }
                 let fault = self.with_trace(*fault);
                 let mut faults = self.diagnostics.split_off(mark);
                 faults.push(fault);
@@ -44,13 +46,6 @@ impl<'a> Interpreter<'a> {
             self.deprecated.insert(target.symbol, why);
         }
         Ok(())
-    }
-
-    /// After a value that failed: passes over what is left of it, up to the next statement.
-    fn skip_value(&mut self) {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.skip_statement();
-        }
     }
 
     pub(in crate::interpreter) fn undef(&mut self, name: &'a Expr) -> Result<()> {

@@ -1,0 +1,15 @@
+//! `durer completions SHELL`: a script that completes our options.
+
+use super::Cli;
+use super::args::CompletionsArgs;
+use super::console::Console;
+use super::exit::{Exit, Result};
+use clap::CommandFactory;
+
+/// Prints the script.
+pub fn run(console: &Console, args: &CompletionsArgs) -> Result {
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut Cli::command(), "durer", &mut script);
+    console.data(script)?;
+    Ok(Exit::Fine)
+}

@@ -1,0 +1,164 @@
+//! Messages go to stderr, data to stdout; neither panics when the other end is closed.
+
+use super::args::{Common, When};
+use super::exit::{Exit, Failure, Result};
+use crate::diagnostic::{Diagnostic, Severity, draw, file};
+use crate::source::Sources;
+use serde_json::json;
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+
+/// Where messages are as wide as no terminal says.
+const WIDTH: usize = 100;
+
+/// How we talk.
+#[derive(Clone, Copy, Debug)]
+pub struct Console {
+    style: draw::Style,
+    /// Errors only.
+    pub quiet: bool,
+    /// Is someone watching stderr?
+    pub terminal: bool,
+}
+
+impl Console {
+    /// As `--color` and `--quiet` say.
+    pub fn new(common: &Common) -> Self {
+        let terminal = io::stderr().is_terminal();
+        let plain = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty())
+            || std::env::var_os("TERM").is_some_and(|t| t == "dumb");
+        let fancy = match common.color {
+            When::Auto => terminal && !plain,
+            When::Always => true,
+            When::Never => false,
+        };
+        let columns = terminal_size::terminal_size_of(io::stderr()).map(|(width, _)| usize::from(width.0));
+        let style = draw::Style { fancy, width: columns.unwrap_or(WIDTH).max(40) };
+        Self { style, quiet: common.quiet, terminal }
+    }
+
+    /// Before the command line is understood.
+    pub fn plain() -> Self {
+        Self::new(&Common { quiet: false, color: When::Auto })
+    }
+
+    /// Data, to stdout.
+    pub fn data(&self, bytes: impl AsRef<[u8]>) -> Result<()> {
+        to_stdout(|out| out.write_all(bytes.as_ref()))
+    }
+
+    /// Data as JSON on one line, to stdout.
+    pub fn json(&self, value: &impl serde::Serialize) -> Result<()> {
+        to_stdout(|out| {
+            serde_json::to_writer(&mut *out, value)?;
+            out.write_all(b"\n")
+        })
+    }
+
+    /// A message, to stderr as it is, unless `--quiet`.
+    pub fn note(&self, text: &str) {
+        if !self.quiet {
+            say(text);
+        }
+    }
+
+    /// Diagnostics as a person reads them, errors first, and how many there were.
+    pub fn text(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
+        let mut text = String::new();
+        for severity in [Severity::Error, Severity::Warning] {
+            if severity == Severity::Error || !self.quiet {
+                for diagnostic in diagnostics.iter().filter(|d| d.severity == severity) {
+                    text += &draw::render(diagnostic, sources, self.style);
+                    text += "\n";
+                }
+            }
+        }
+        if diagnostics.len() > 1 && !text.is_empty() {
+            text += &format!("{}\n", summary(diagnostics));
+        }
+        text
+    }
+
+    /// [`Console::text`] to stderr.
+    pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
+        say(&self.text(sources, diagnostics));
+    }
+
+    /// Diagnostics for programs, one JSON object a line, to stdout.
+    pub fn report_json(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
+        diagnostics.iter().try_for_each(|d| self.json(&as_json(sources, d)))
+    }
+
+    /// Tells why a command failed.
+    pub fn tell(&self, failure: Failure) -> Exit {
+        match failure {
+            Failure::Usage(error) => {
+                let _ = error.print();
+                if error.use_stderr() { Exit::Usage } else { Exit::Fine }
+            }
+            other => {
+                let (exit, text) = self.text_of(&Sources::default(), other);
+                say(&text);
+                exit
+            }
+        }
+    }
+
+    /// The exit code of a failure, and what is to be told.
+    pub fn text_of(&self, sources: &Sources, failure: Failure) -> (Exit, String) {
+        match failure {
+            Failure::Told(exit) => (exit, String::new()),
+            Failure::NobodyListens => (Exit::Fine, String::new()),
+            Failure::Fault(fault) => (Exit::of(fault.code), self.text(sources, std::slice::from_ref(&fault))),
+            Failure::Usage(error) => (Exit::Usage, error.to_string()),
+        }
+    }
+}
+
+fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<()> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::NobodyListens,
+        _ => Failure::Fault(Box::new(file::unwritable(Path::new("standard output"), &error))),
+    })
+}
+
+/// To stderr; when nobody listens there is nobody to tell.
+pub fn say(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// `2 errors, 1 warning`.
+fn summary(diagnostics: &[Diagnostic]) -> String {
+    let count = |severity, word: &str| match diagnostics.iter().filter(|d| d.severity == severity).count() {
+        0 => None,
+        1 => Some(format!("1 {word}")),
+        n => Some(format!("{n} {word}s")),
+    };
+    let parts = [count(Severity::Error, "error"), count(Severity::Warning, "warning")];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// `code severity message file line column end{line column} help labels trace`; the place is null where there is none.
+fn as_json(sources: &Sources, d: &Diagnostic) -> serde_json::Value {
+    let place = sources.place(d.span());
+    let place = place.as_ref();
+    let end = sources.place(d.span().end());
+    let label = |l: &crate::diagnostic::Label| {
+        let at = sources.place(l.span);
+        let at = at.as_ref();
+        json!({"text": l.text, "file": at.map(|p| &p.file), "line": at.map(|p| p.line), "column": at.map(|p| p.column)})
+    };
+    json!({
+        "code": d.code.0,
+        "severity": if d.severity == Severity::Error { "error" } else { "warning" },
+        "message": d.message,
+        "file": place.map(|p| &p.file),
+        "line": place.map(|p| p.line),
+        "column": place.map(|p| p.column),
+        "end": end.map(|p| json!({"line": p.line, "column": p.column})),
+        "help": d.help,
+        "labels": d.labels.iter().map(label).collect::<Vec<_>>(),
+        "trace": d.trace.iter().map(label).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,78 @@
+//! Is there memory for the picture?
+
+use super::values::Size;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::source::Span;
+
+/// Bytes a pixel takes: as a frame while it is drawn, and encoded while it is written.
+const PER_PIXEL: u128 = 32;
+
+/// E0006 if a picture of this size has no room in what `--max-memory` allows, or in what is free.
+pub fn check(size: Size, limit: Option<u64>) -> Result<()> {
+    let needed = (size.width as u128).saturating_mul(size.height as u128).saturating_mul(PER_PIXEL);
+    let fault = |rest: String| {
+        let text = format!("a picture of {}x{} takes {} of memory; {rest}", size.width, size.height, in_words(needed));
+        Diagnostic::err(codes::PICTURE_TOO_LARGE, Span::NONE, text)
+    };
+    if let Some(limit) = limit {
+        if needed > u128::from(limit) {
+            return fault(format!("`--max-memory` allows {}", in_words(limit.into())));
+        }
+    } else if let Some(free) = available().filter(|&free| needed > u128::from(free)) {
+        return fault(format!("{} are free", in_words(free.into())));
+    }
+    match usize::try_from(needed).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes)) {
+        Ok(Ok(())) => Ok(()),
+        _ => fault("the system doesn't give so much".into()),
+    }
+}
+
+/// What a scene may use if nothing else is said: most of what is free, so that a run-away scene ends in a message before the
+/// system ends it.
+pub fn default_limit() -> Option<u64> {
+    available().map(|free| free / 10 * 9)
+}
+
+/// Free memory in bytes, where the system tells.
+fn available() -> Option<u64> {
+    kilobytes("/proc/meminfo", "MemAvailable:")
+}
+
+/// The most memory this process ever used, in bytes, where the system tells.
+pub fn peak() -> Option<u64> {
+    kilobytes("/proc/self/status", "VmHWM:")
+}
+
+fn kilobytes(file: &str, key: &str) -> Option<u64> {
+    let text = std::fs::read_to_string(file).ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix(key))?;
+    Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? * 1024)
+}
+
+fn in_words(bytes: u128) -> String {
+    let units = ["bytes", "KB", "MB", "GB", "TB", "PB", "EB", "ZB", "YB"];
+    let (mut x, mut unit) = (bytes as f64, 0);
+    while x >= 999.5 && unit + 1 < units.len() {
+        (x, unit) = (x / 1000.0, unit + 1);
+    }
+    if x >= 999.5 { "more than there is in the world".into() } else { format!("{x:.0} {}", units[unit]) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_too_large_is_refused() {
+        assert!(check(Size { width: 640, height: 480 }, None).is_ok());
+        assert!(check(Size { width: 640, height: 480 }, Some(1000)).is_err());
+        assert!(check(Size { width: 1_000_000, height: 1_000_000 }, None).is_err());
+        assert!(check(Size { width: usize::MAX, height: usize::MAX }, None).is_err());
+        assert!(check(Size { width: usize::MAX, height: usize::MAX }, Some(u64::MAX)).is_err());
+    }
+
+    #[test]
+    fn sizes_in_words() {
+        assert_eq!([0, 999, 1000, 32_000_000_000_000].map(in_words), ["0 bytes", "999 bytes", "1 KB", "32 TB"]);
+    }
+}

@@ -1,0 +1,61 @@
+//! The command line: one file for each command. Only here is anything printed, and only here does the program end.
+
+mod args;
+mod check;
+mod completions;
+mod console;
+mod exit;
+mod explain;
+mod interrupt;
+mod memory;
+mod pick;
+mod povray;
+mod progress;
+mod render;
+mod session;
+mod stats;
+mod target;
+pub mod test;
+mod values;
+mod watch;
+
+use args::Command;
+pub use args::{Cli, Common};
+use clap::Parser;
+use console::Console;
+pub use exit::{Exit, Failure, Result};
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+/// Runs the program with these words, the first being its own name.
+pub fn main(words: Vec<OsString>) -> ExitCode {
+    interrupt::listen();
+    let exit = crate::on_big_stack(|| {
+        let (console, cli) = match understand(words) {
+            Ok(understood) => understood,
+            Err(failure) => return Console::plain().tell(failure),
+        };
+        dispatch(&console, &cli.command).unwrap_or_else(|failure| console.tell(failure))
+    });
+    ExitCode::from(exit as u8)
+}
+
+/// The command line in our own words; POV-Ray's are translated first.
+fn understand(words: Vec<OsString>) -> Result<(Console, Cli)> {
+    let (words, warnings) = povray::translate(words)?;
+    let cli = Cli::try_parse_from(words).map_err(|e| Failure::Usage(Box::new(e)))?;
+    let console = Console::new(&cli.common);
+    console.report(&crate::source::Sources::default(), &warnings);
+    Ok((console, cli))
+}
+
+fn dispatch(console: &Console, command: &Command) -> Result {
+    match command {
+        Command::Render(args) => render::run(console, args),
+        Command::Check(args) => check::run(console, args),
+        Command::Pick(args) => pick::run(console, args),
+        Command::Test(args) => test::run(console, args),
+        Command::Explain(args) => explain::run(console, args),
+        Command::Completions(args) => completions::run(console, args),
+    }
+}

@@ -1,0 +1,185 @@
+//! Every option of POV-Ray 3.7: its switch, its INI name, and what it becomes here (manual, section 3.2).
+
+use super::parts::Parts;
+
+/// One option in all its spellings. Letter case counts nowhere.
+pub struct Row {
+    /// What stands after `+` or `-`; empty where there is only the INI name.
+    pub switch: &'static str,
+    /// What stands before `=`; empty where there is only the switch.
+    pub ini: &'static str,
+    /// What a value looks like.
+    pub takes: Takes,
+    /// What `+` or a value asks for.
+    pub on: Effect,
+    /// What `-`, or `off` in an INI spelling, asks for.
+    pub off: Effect,
+}
+
+/// What a value looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Takes {
+    /// There is none: `+C`, `Continue_Trace=on`.
+    Nothing,
+    /// `+W640`.
+    Number,
+    /// `+A0.3`, or `+A` alone.
+    MaybeNumber,
+    /// `+Iscene.pov`.
+    Text,
+    /// `+FN16`, or `+F` alone.
+    MaybeText,
+}
+
+/// What becomes of an option.
+#[derive(Clone, Copy)]
+pub enum Effect {
+    /// Nothing has to be done: durer does so anyway, or it changes no pixel.
+    Same,
+    /// Our option that takes the same value.
+    Option(&'static str),
+    /// Our option that takes no value.
+    Flag(&'static str),
+    /// One part of an option that is put together at the end; what is wrong with the value, if anything.
+    Part(fn(&mut Parts, &str) -> Result<(), String>),
+    /// It can't be obeyed, and this is why.
+    Lacks(&'static str),
+}
+
+use Effect::{Flag, Lacks, Option, Part, Same};
+use Takes::{MaybeNumber, MaybeText, Nothing, Number, Text};
+
+const fn row(switch: &'static str, ini: &'static str, takes: Takes, on: Effect, off: Effect) -> Row {
+    Row { switch, ini, takes, on, off }
+}
+
+/// A row whose `-` means the same as its `+`.
+const fn both(switch: &'static str, ini: &'static str, takes: Takes, on: Effect) -> Row {
+    Row { switch, ini, takes, on, off: on }
+}
+
+const NO_WINDOW: &str = "durer opens no window";
+const NO_SHELL: &str = "durer never runs other programs";
+const NO_LOG: &str = "messages go to standard error; redirect that";
+const OWN_SAMPLING: &str = "durer has one method of anti-aliasing, with the threshold of `+A`";
+const NO_CACHE: &str = "durer keeps no radiosity files";
+
+/// All options, in the order of the manual.
+pub const ROWS: &[Row] = &[
+    // 3.2.1 Animation
+    both("K", "Clock", Number, Part(|p, v| p.clock(v))),
+    both("KFI", "Initial_Frame", Number, Part(|p, v| p.whole(v, |p, n| p.initial_frame = n))),
+    both("KFF", "Final_Frame", Number, Part(|p, v| p.whole(v, |p, n| p.final_frame = Some(n)))),
+    both("KI", "Initial_Clock", Number, Part(|p, v| p.number(v, |p, x| p.initial_clock = x))),
+    both("KF", "Final_Clock", Number, Part(|p, v| p.number(v, |p, x| p.final_clock = x))),
+    both("SF", "Subset_Start_Frame", Number, Part(|p, v| p.number(v, |p, x| p.subset_start = Some(x)))),
+    both("EF", "Subset_End_Frame", Number, Part(|p, v| p.number(v, |p, x| p.subset_end = Some(x)))),
+    both("STP", "Frame_Step", Number, Part(|p, v| p.whole(v, |p, n| p.frame_step = n))),
+    row(
+        "KC",
+        "Cyclic_Animation",
+        Nothing,
+        Part(|p, _| p.set(|p| p.cyclic = true)),
+        Part(|p, _| p.set(|p| p.cyclic = false)),
+    ),
+    row("UF", "Field_Render", Nothing, Lacks("durer draws whole frames only"), Same),
+    row("UO", "Odd_Field", Nothing, Lacks("durer draws whole frames only"), Same),
+    // 3.2.2 General output
+    both("H", "Height", Number, Part(|p, v| p.pixels(v, |p, n| p.height = Some(n)))),
+    both("W", "Width", Number, Part(|p, v| p.pixels(v, |p, n| p.width = Some(n)))),
+    both("MI", "Max_Image_Buffer_Memory", Number, Same),
+    both("SC", "Start_Column", Number, Part(|p, v| p.number(v, |p, x| p.start_column = Some(x)))),
+    both("EC", "End_Column", Number, Part(|p, v| p.number(v, |p, x| p.end_column = Some(x)))),
+    both("SR", "Start_Row", Number, Part(|p, v| p.number(v, |p, x| p.start_row = Some(x)))),
+    both("ER", "End_Row", Number, Part(|p, v| p.number(v, |p, x| p.end_row = Some(x)))),
+    both("X", "Test_Abort", MaybeNumber, Same),
+    both("", "Test_Abort_Count", Number, Same),
+    row("C", "Continue_Trace", Nothing, Lacks("pictures are written whole or not at all"), Same),
+    both("GI", "Create_Ini", Text, Lacks("durer writes no INI files")),
+    // 3.2.3 Display
+    row("D", "Display", MaybeText, Lacks(NO_WINDOW), Same),
+    both("", "Video_Mode", Text, Same),
+    both("", "Palette", Text, Same),
+    both("", "Display_Gamma", Text, Same),
+    row("P", "Pause_When_Done", Nothing, Lacks(NO_WINDOW), Same),
+    row("V", "Verbose", Nothing, Flag("--progress=always"), Same),
+    both("UD", "Draw_Vistas", Nothing, Same),
+    both("SP", "Preview_Start_Size", Number, Same),
+    both("EP", "Preview_End_Size", Number, Same),
+    // 3.2.4 File output
+    row("F", "Output_to_File", MaybeText, Part(|p, v| p.file_type(v)), Flag("--no-output")),
+    both("", "Output_File_Type", Text, Part(|p, v| p.file_type(v))),
+    row("UA", "Output_Alpha", Nothing, Flag("--alpha"), Same),
+    both("", "Bits_Per_Color", Number, Part(|p, v| p.depth(v))),
+    both("", "Compression", Number, Lacks("durer chooses the compression")),
+    both("O", "Output_File_Name", Text, Part(|p, v| p.set(|p| p.output = Some(v.into())))),
+    both("B", "Buffer_Output", MaybeNumber, Same),
+    both("", "Buffer_Size", Number, Same),
+    row("TH", "Dither", MaybeText, Lacks("durer rounds to the nearest colour"), Same),
+    both("", "Dither_Method", Text, Same),
+    both("FG", "File_Gamma", Text, Part(|p, v| p.file_gamma(v))),
+    // 3.2.5 Scene parsing
+    both("", "Declare", Text, Option("--declare")),
+    both("I", "Input_File_Name", Text, Part(|p, v| p.set(|p| p.input = Some(v.into())))),
+    both("HI", "Include_Header", Text, Lacks("write `#include` into the scene")),
+    both("L", "Library_Path", Text, Option("--include")),
+    both("MV", "Version", Number, Lacks("write `#version` into the scene")),
+    // 3.2.6 Shell commands
+    both("", "Pre_Scene_Command", Text, Lacks(NO_SHELL)),
+    both("", "Pre_Frame_Command", Text, Lacks(NO_SHELL)),
+    both("", "Post_Scene_Command", Text, Lacks(NO_SHELL)),
+    both("", "Post_Frame_Command", Text, Lacks(NO_SHELL)),
+    both("", "User_Abort_Command", Text, Lacks(NO_SHELL)),
+    both("", "Fatal_Error_Command", Text, Lacks(NO_SHELL)),
+    both("", "Pre_Scene_Return", Text, Same),
+    both("", "Pre_Frame_Return", Text, Same),
+    both("", "Post_Scene_Return", Text, Same),
+    both("", "Post_Frame_Return", Text, Same),
+    both("", "User_Abort_Return", Text, Same),
+    both("", "Fatal_Error_Return", Text, Same),
+    // 3.2.7 Text output
+    row("GA", "All_Console", MaybeText, Same, Flag("--quiet")),
+    row("GD", "Debug_Console", MaybeText, Same, Lacks("only `-GA` silences messages")),
+    row("GF", "Fatal_Console", MaybeText, Same, Lacks("errors are always told")),
+    row("GR", "Render_Console", MaybeText, Same, Same),
+    row("GS", "Statistic_Console", MaybeText, Same, Same),
+    row("GW", "Warning_Console", MaybeText, Same, Lacks("only `-GA` silences messages")),
+    row("", "All_File", Text, Lacks(NO_LOG), Same),
+    row("", "Debug_File", Text, Lacks(NO_LOG), Same),
+    row("", "Fatal_File", Text, Lacks(NO_LOG), Same),
+    row("", "Render_File", Text, Lacks(NO_LOG), Same),
+    row("", "Statistic_File", Text, Lacks(NO_LOG), Same),
+    row("", "Warning_File", Text, Lacks(NO_LOG), Same),
+    both("GP", "Append_File", Nothing, Same),
+    both("WL", "Warning_Level", Number, Same),
+    // 3.2.8 Tracing
+    both("WT", "Work_Threads", Number, Option("--threads")),
+    both("BS", "Render_Block_Size", Number, Same),
+    both("RP", "Render_Pattern", Number, Same),
+    both("RS", "Render_Block_Step", Number, Same),
+    both("Q", "Quality", Number, Option("--quality")),
+    both("MB", "Bounding", MaybeNumber, Same),
+    both("", "Bounding_Threshold", Number, Same),
+    both("BM", "Bounding_Method", Number, Same),
+    both("UL", "Light_Buffer", Nothing, Same),
+    both("UV", "Vista_Buffer", Nothing, Same),
+    both("UR", "Remove_Bounds", Nothing, Same),
+    both("SU", "Split_Unions", Nothing, Same),
+    both("", "BSP_MaxDepth", Number, Same),
+    both("", "BSP_BaseAccessCost", Number, Same),
+    both("", "BSP_ChildAccessCost", Number, Same),
+    both("", "BSP_IsectCost", Number, Same),
+    both("", "BSP_MissChance", Number, Same),
+    row("A", "Antialias", MaybeNumber, Part(|p, v| p.antialias(v, true)), Part(|p, v| p.antialias(v, false))),
+    both("", "Antialias_Threshold", Number, Part(|p, v| p.number(v, |p, x| p.threshold = x))),
+    both("AM", "Sampling_Method", Number, Lacks(OWN_SAMPLING)),
+    both("AG", "Antialias_Gamma", Number, Lacks(OWN_SAMPLING)),
+    both("R", "Antialias_Depth", Number, Lacks(OWN_SAMPLING)),
+    row("J", "Jitter", MaybeNumber, Lacks(OWN_SAMPLING), Same),
+    both("", "Jitter_Amount", Number, Same),
+    row("HR", "High_Reproducibility", Nothing, Same, Same),
+    both("RF", "Radiosity_File_Name", Text, Lacks(NO_CACHE)),
+    row("RFI", "Radiosity_From_File", Nothing, Lacks(NO_CACHE), Same),
+    row("RFO", "Radiosity_To_File", Nothing, Lacks(NO_CACHE), Same),
+    both("RVP", "Radiosity_Vain_Pretrace", Nothing, Same),
+];

@@ -1,0 +1,129 @@
+//! From the name of a scene to its World, with the messages on the way.
+
+use super::args::{LookArgs, SceneArgs};
+use super::console::{Console, say};
+use super::exit::{Exit, Failure, Result, usage};
+use super::memory;
+use super::values::Size;
+use crate::diagnostic::{Diagnostic, Severity, file};
+use crate::source::{FileId, ReadError, SearchPath, Sources};
+use crate::world::World;
+use crate::{Built, interpreter, render};
+use std::io::Read;
+use std::path::Path;
+
+/// Is there something to read? Asked first, so that a slip in the input's name is told before anything else.
+pub fn check_input(input: &Path) -> Result<()> {
+    if input == Path::new("-") || input.is_file() {
+        return Ok(());
+    }
+    match std::fs::metadata(input) {
+        Ok(meta) if !meta.is_dir() => Ok(()),
+        Ok(_) => Err(Failure::Fault(Box::new(file::unreadable(input, &ReadError::Folder)))),
+        Err(e) => Err(Failure::Fault(Box::new(file::unreadable(input, &e.into())))),
+    }
+}
+
+/// Reads the scene; `-` is standard input.
+pub fn open(sources: &Sources, input: &Path) -> Result<FileId> {
+    if input.extension().is_some_and(|e| e.eq_ignore_ascii_case("ini")) {
+        return usage(format!("INI files such as `{}` are not read yet; name the scene", input.display()));
+    }
+    if input != Path::new("-") {
+        return Ok(crate::load(sources, input)?);
+    }
+    let mut bytes = Vec::new();
+    match std::io::stdin().lock().read_to_end(&mut bytes) {
+        Ok(_) => Ok(crate::load_bytes(sources, "<stdin>", bytes)?),
+        Err(e) => Err(Failure::Fault(Box::new(file::unreadable(input, &e.into())))),
+    }
+}
+
+/// Reads the scene, and tells at once if it can't.
+pub fn open_or_tell(console: &Console, sources: &Sources, input: &Path) -> Result<FileId> {
+    open(sources, input).map_err(|failure| match failure {
+        Failure::Fault(fault) => {
+            console.report(sources, std::slice::from_ref(&fault));
+            Failure::Told(Exit::of(fault.code))
+        }
+        other => other,
+    })
+}
+
+/// The value of `clock` and the number of the frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moment {
+    /// `clock`.
+    pub clock: f64,
+    /// `frame_number`.
+    pub frame: u32,
+}
+
+impl Moment {
+    /// Of a single picture.
+    pub fn single(args: &SceneArgs) -> Self {
+        Self { clock: args.clock.map_or(0.0, |c| c.first), frame: args.frame.unwrap_or(0) }
+    }
+}
+
+/// What the interpreter is given for this scene.
+pub fn reading_options(args: &SceneArgs, input: &Path, moment: Moment) -> interpreter::Options {
+    let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let size = args.size();
+    interpreter::Options {
+        search: SearchPath::new(folder, &args.include),
+        declares: args.declare.iter().map(|d| (d.name.clone(), d.value.clone())).collect(),
+        clock: moment.clock,
+        frame: moment.frame,
+        size: (size.width, size.height),
+        max_steps: args.max_steps,
+        max_time: args.max_time.map(|s| s.0),
+        max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
+    }
+}
+
+/// How the whole picture is drawn.
+pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, moment: Moment) -> render::Options {
+    let Size { width, height } = scene.size();
+    render::Options {
+        width,
+        height,
+        antialias: look.aa.0,
+        quality: look.quality,
+        threads,
+        region: None,
+        frame: moment.frame,
+        alpha: look.alpha,
+    }
+}
+
+/// Text to World; what the scene prints goes to stderr.
+pub fn build(console: &Console, sources: &Sources, file: FileId, options: &interpreter::Options) -> Built {
+    let quiet = console.quiet;
+    crate::build(sources, file, options, &mut |text| {
+        if !quiet {
+            say(text);
+        }
+    })
+}
+
+/// How a run ended, apart from what it made.
+pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
+    if limit_reached {
+        Exit::Limit
+    } else if diagnostics.iter().any(|d| d.severity == Severity::Error) {
+        Exit::Scene
+    } else {
+        Exit::Fine
+    }
+}
+
+/// Reports, and goes on only if there is a World and no error.
+pub fn settle(console: &Console, sources: &Sources, built: &mut Built) -> Result<World> {
+    console.report(sources, &built.diagnostics);
+    match (verdict(built.limit_reached, &built.diagnostics), built.world.take()) {
+        (Exit::Fine, Some(world)) => Ok(world),
+        (Exit::Fine, None) => Err(Failure::Told(Exit::Scene)),
+        (exit, _) => Err(Failure::Told(exit)),
+    }
+}

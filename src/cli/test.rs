@@ -1,0 +1,217 @@
+//! `durer test [PATH…]`: draws each scene that has a snapshot, and compares.
+
+use super::args::{LookArgs, SceneArgs, TestArgs};
+use super::console::Console;
+use super::exit::{Exit, Failure, Result, usage};
+use super::interrupt;
+use super::session::{self, Moment};
+use super::values::Size;
+use crate::diagnostic::file;
+use crate::image_io::{self, Encoding, Format, Frame, Pixels};
+use crate::render::{self, Unwatched};
+use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};
+use crate::source::{self, Sources};
+use clap::Parser;
+use std::path::{Path, PathBuf};
+
+/// What a scene says about its snapshot: `//! test: --size 128x96 --aa off`.
+#[derive(Parser, Debug)]
+#[command(no_binary_name = true, disable_help_flag = true)]
+struct Header {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    look: LookArgs,
+}
+
+/// What all scenes of a test are drawn with.
+#[derive(Clone, Debug, Default)]
+pub struct Setting {
+    /// `-I`.
+    pub include: Vec<PathBuf>,
+    /// 0: one for each processor.
+    pub threads: usize,
+}
+
+/// How one scene fared.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The exit code it alone would give.
+    pub exit: Exit,
+    /// How the pictures differ, where there are two.
+    pub comparison: Option<Comparison>,
+    /// One line.
+    pub text: String,
+    /// Errors and warnings as a person reads them.
+    pub messages: String,
+    /// The snapshot.
+    pub expected: Option<Frame>,
+    /// What was drawn now.
+    pub drawn: Option<Frame>,
+    /// How it is stored.
+    encoding: Encoding,
+}
+
+/// Draws, compares, tells and accepts.
+pub fn run(console: &Console, args: &TestArgs) -> Result {
+    let here = vec![PathBuf::from(".")];
+    let paths = if args.paths.is_empty() { &here } else { &args.paths };
+    for path in paths.iter().filter(|path| !path.is_dir()) {
+        session::check_input(path)?;
+    }
+    let cases = snapshot::find(paths).map_err(|e| Box::new(file::unreadable(&paths[0], &e.into())))?;
+    if cases.is_empty() {
+        return usage("no scene here has a snapshot; `durer test --accept NAME.scene` makes the first one");
+    }
+    let setting = Setting { include: args.include.clone(), threads: args.threads.map_or(0, usize::from) };
+    let mut outcomes = Vec::new();
+    for case in cases {
+        let mut outcome = try_case(console, &case, &setting);
+        if args.accept {
+            accept(&case, &mut outcome)?;
+        }
+        console.note(&outcome.messages);
+        console.data(line(&case, &outcome))?;
+        outcomes.push((case, outcome));
+        if interrupt::asked() {
+            return Err(Failure::Told(Exit::Interrupted));
+        }
+    }
+    if let Some(folder) = &args.report {
+        write_report(folder, &outcomes)?;
+    }
+    console.data(summary(&outcomes))?;
+    let worst = [Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot].into_iter();
+    Ok(worst.into_iter().find(|exit| outcomes.iter().any(|(_, o)| o.exit == *exit)).unwrap_or(Exit::Fine))
+}
+
+/// The same for programs, without a terminal.
+pub fn try_quietly(case: &Case, setting: &Setting) -> Outcome {
+    try_case(&Console::plain(), case, setting)
+}
+
+fn try_case(console: &Console, case: &Case, setting: &Setting) -> Outcome {
+    let sources = Sources::default();
+    let mut outcome = Outcome {
+        exit: Exit::Fine,
+        comparison: None,
+        text: String::new(),
+        messages: String::new(),
+        expected: None,
+        drawn: None,
+        encoding: Encoding::new(Format::Png),
+    };
+    if let Err(failure) = attempt(console, &sources, case, setting, &mut outcome) {
+        let (exit, messages) = console.text_of(&sources, failure);
+        outcome.exit = exit;
+        outcome.messages += &messages;
+        outcome.text = "could not be drawn".into();
+    }
+    outcome
+}
+
+fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting, outcome: &mut Outcome) -> Result<()> {
+    let file = session::open(sources, &case.scene)?;
+    let mut header = match Header::try_parse_from(snapshot::header(sources.text(file)).unwrap_or("").split_whitespace())
+    {
+        Ok(header) => header,
+        Err(error) => return Err(Failure::Usage(Box::new(error))),
+    };
+    let expected = if case.picture.is_file() { Some(image_io::decode_file(&case.picture)?) } else { None };
+    header.scene.include.extend(setting.include.iter().cloned());
+    header.scene.size = header.scene.size.or(expected.as_ref().map(|p| Size { width: p.width, height: p.height }));
+    header.look.alpha |= expected.as_ref().is_some_and(|p| p.channels % 2 == 0);
+    outcome.encoding.alpha = header.look.alpha;
+    super::memory::check(header.scene.size(), header.scene.max_memory.map(|b| b.0))?;
+
+    let moment = Moment::single(&header.scene);
+    let options = session::reading_options(&header.scene, &case.scene, moment);
+    let built = crate::build(sources, file, &options, &mut |_| {});
+    outcome.messages = console.text(sources, &built.diagnostics);
+    let (exit, Some(world)) = (session::verdict(built.limit_reached, &built.diagnostics), built.world) else {
+        return Err(Failure::Told(Exit::Scene));
+    };
+    if exit != Exit::Fine {
+        return Err(Failure::Told(exit));
+    }
+    let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, moment);
+    let Ok((frame, _)) = render::render(&world, &drawing, &Unwatched) else {
+        return Err(Failure::Told(Exit::Interrupted));
+    };
+    compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
+    Ok(())
+}
+
+fn compare(drawn: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
+    if let Some(expected) = expected.map(Pixels::to_frame) {
+        let comparison = snapshot::compare(&expected, &drawn, Tolerance::default());
+        if comparison.verdict == Verdict::Differs {
+            outcome.exit = Exit::Snapshot;
+        }
+        if comparison.verdict != Verdict::Identical {
+            outcome.text = comparison.to_string();
+        }
+        outcome.comparison = Some(comparison);
+        outcome.expected = Some(expected);
+    } else {
+        outcome.exit = Exit::Snapshot;
+        outcome.text = "has no snapshot; --accept makes one".into();
+    }
+    outcome.drawn = Some(drawn);
+}
+
+/// What was drawn becomes the snapshot, unless it is the same already.
+fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
+    let Some(drawn) =
+        outcome.drawn.as_ref().filter(|_| outcome.comparison.is_none_or(|c| c.verdict != Verdict::Identical))
+    else {
+        return Ok(());
+    };
+    let bytes = image_io::encode(drawn, &outcome.encoding)?;
+    source::write_whole(&case.picture, &bytes).map_err(|e| Box::new(file::unwritable(&case.picture, &e)))?;
+    outcome.text = format!("accepted: {}", outcome.comparison.map_or("new".into(), |c| c.to_string()));
+    outcome.exit = Exit::Fine;
+    Ok(())
+}
+
+/// `ok`, `FAIL` or `new`.
+fn word(outcome: &Outcome) -> &'static str {
+    match (outcome.exit, &outcome.drawn, outcome.comparison) {
+        (Exit::Fine, ..) => "ok",
+        (Exit::Snapshot, Some(_), None) => "new",
+        _ => "FAIL",
+    }
+}
+
+fn line(case: &Case, outcome: &Outcome) -> String {
+    let text = if outcome.text.is_empty() { String::new() } else { format!("  {}", outcome.text) };
+    format!("{:4}  {}{text}\n", word(outcome), case.scene.display())
+}
+
+/// `12 ok, 1 FAIL`.
+fn summary(outcomes: &[(Case, Outcome)]) -> String {
+    let count = |wanted: &'static str| (outcomes.iter().filter(|(_, o)| word(o) == wanted).count(), wanted);
+    let parts = [count("ok"), count("FAIL"), count("new")];
+    let parts = parts.iter().filter(|(n, _)| *n > 0).map(|(n, word)| format!("{n} {word}"));
+    parts.collect::<Vec<_>>().join(", ") + "\n"
+}
+
+fn write_report(folder: &Path, outcomes: &[(Case, Outcome)]) -> Result<()> {
+    let entries: Vec<_> = outcomes.iter().map(entry).collect();
+    std::fs::create_dir_all(folder).map_err(|e| Box::new(file::unwritable(folder, &e)))?;
+    for (name, bytes) in snapshot::report(&entries)? {
+        let path = folder.join(name);
+        source::write_whole(&path, &bytes).map_err(|e| Box::new(file::unwritable(&path, &e)))?;
+    }
+    Ok(())
+}
+
+fn entry((case, outcome): &(Case, Outcome)) -> Entry<'_> {
+    Entry {
+        name: case.scene.display().to_string(),
+        fine: outcome.exit == Exit::Fine,
+        text: format!("{}\n{}", outcome.text, outcome.messages).trim().to_string(),
+        expected: outcome.expected.as_ref(),
+        drawn: outcome.drawn.as_ref(),
+    }
+}

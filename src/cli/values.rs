@@ -1,0 +1,256 @@
+//! The values that options take, each with its own way of being written.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// `640x480`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+}
+
+impl Default for Size {
+    fn default() -> Self {
+        Self { width: 640, height: 480 }
+    }
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let side = |side: &str| side.parse().ok().filter(|&n| n > 0);
+        let (width, height) = text.split_once(['x', 'X', '×']).ok_or("width and height are needed, such as 640x480")?;
+        match (side(width), side(height)) {
+            (Some(width), Some(height)) => Ok(Self { width, height }),
+            _ => Err("both must be whole numbers of pixels, 1 or more".into()),
+        }
+    }
+}
+
+/// Threshold of anti-aliasing: `0.3` or `off`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Antialias(pub Option<f64>);
+
+impl FromStr for Antialias {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.parse::<f64>() {
+            _ if text.eq_ignore_ascii_case("off") => Ok(Self(None)),
+            Ok(threshold) if threshold >= 0.0 => Ok(Self(Some(threshold))),
+            _ => Err("it is a number from 0 (all pixels) to 3 (none), or `off`".into()),
+        }
+    }
+}
+
+/// `X,Y,W,H`: a part of the picture, in pixels from the top left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part(pub crate::render::Region);
+
+impl FromStr for Part {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers: Vec<usize> = text.split(',').map_while(|n| n.trim().parse().ok()).collect();
+        match numbers[..] {
+            [x, y, width, height] if width > 0 && height > 0 && text.matches(',').count() == 3 => {
+                Ok(Self(crate::render::Region { x, y, width, height }))
+            }
+            _ => Err("four whole numbers are needed: left, top, width and height, such as 100,50,64,48".into()),
+        }
+    }
+}
+
+/// `X,Y`: a pixel, from the top left; it may lie outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixel {
+    /// Columns from the left.
+    pub x: i64,
+    /// Rows from the top.
+    pub y: i64,
+}
+
+impl FromStr for Pixel {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parse = || {
+            let (x, y) = text.split_once(',')?;
+            Some(Self { x: x.trim().parse().ok()?, y: y.trim().parse().ok()? })
+        };
+        parse().ok_or_else(|| "two whole numbers are needed: column and row, such as 320,240".into())
+    }
+}
+
+/// `A-B[:STEP]`: frames of an animation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Frames {
+    /// The first one.
+    pub first: u32,
+    /// The last one.
+    pub last: u32,
+    /// From one to the next.
+    pub step: u32,
+    /// How many digits the last number is written with; file names have as many.
+    pub digits: usize,
+}
+
+impl FromStr for Frames {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parse = || {
+            let (range, step) = text.split_once(':').unwrap_or((text, "1"));
+            let (first, last) = range.split_once('-')?;
+            let frames = Self {
+                first: first.parse().ok()?,
+                last: last.parse().ok()?,
+                step: step.parse().ok()?,
+                digits: last.len().max(first.trim_start_matches('0').len()),
+            };
+            (frames.first <= frames.last && frames.step > 0).then_some(frames)
+        };
+        parse().ok_or_else(|| "first and last frame are needed, such as 1-30, or 1-30:5 for every fifth".into())
+    }
+}
+
+/// `X`, or `A..B` for what `clock` is in the first and last of many frames.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock {
+    /// In the first frame.
+    pub first: f64,
+    /// In the last frame.
+    pub last: f64,
+}
+
+impl FromStr for Clock {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
+        let (first, last) = text.split_once("..").unwrap_or((text, text));
+        match (number(first), number(last)) {
+            (Some(first), Some(last)) => Ok(Self { first, last }),
+            _ => Err("it is a number such as 0.5, or two for an animation: 0..10".into()),
+        }
+    }
+}
+
+/// `NAME=VALUE`: a number, or text in quotes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Declare {
+    /// The identifier.
+    pub name: String,
+    /// As written.
+    pub value: String,
+}
+
+impl FromStr for Declare {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, value) = text.split_once('=').ok_or("a name and a value are needed, such as Speed=2.5")?;
+        let is_name = name.starts_with(|c: char| c.is_alphabetic() || c == '_')
+            && name.chars().all(|c| c.is_alphanumeric() || c == '_');
+        let is_quoted = value.len() >= 2 && value.starts_with('"') && value.ends_with('"');
+        if !is_name {
+            Err(format!("`{name}` can't be a name: letters, digits and `_` make one"))
+        } else if is_quoted || value.parse::<f64>().is_ok_and(f64::is_finite) {
+            Ok(Self { name: name.into(), value: value.into() })
+        } else {
+            Err(format!("`{value}` is no number; text has to stand in quotes: '{name}=\"{value}\"'"))
+        }
+    }
+}
+
+/// A number of bytes: `500M`, `2G`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bytes(pub u64);
+
+impl FromStr for Bytes {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let text = text.trim_end_matches(['b', 'B', 'i']);
+        let (digits, shift) = match text.char_indices().last() {
+            Some((i, 'k' | 'K')) => (&text[..i], 10),
+            Some((i, 'm' | 'M')) => (&text[..i], 20),
+            Some((i, 'g' | 'G')) => (&text[..i], 30),
+            _ => (text, 0),
+        };
+        let bytes = digits.parse().ok().and_then(|n: u64| n.checked_mul(1 << shift));
+        bytes.map(Self).ok_or_else(|| "it is a number of bytes, such as 500M or 2G".into())
+    }
+}
+
+/// A number of seconds, 0 or more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seconds(pub f64);
+
+impl FromStr for Seconds {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let seconds = text.trim_end_matches('s').parse().ok().filter(|s: &f64| *s >= 0.0 && *s < 1e12);
+        seconds.map(Self).ok_or_else(|| "it is a number of seconds, such as 60".into())
+    }
+}
+
+/// Where `--stats` go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Stats {
+    /// Standard output.
+    Json,
+    /// A file.
+    File(PathBuf),
+}
+
+impl FromStr for Stats {
+    type Err = std::convert::Infallible;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        Ok(if text == "json" { Self::Json } else { Self::File(text.into()) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn well_written() {
+        assert_eq!("4x3".parse(), Ok(Size { width: 4, height: 3 }));
+        assert_eq!("off".parse(), Ok(Antialias(None)));
+        assert_eq!("0.1".parse(), Ok(Antialias(Some(0.1))));
+        assert_eq!("3-12:2".parse(), Ok(Frames { first: 3, last: 12, step: 2, digits: 2 }));
+        assert_eq!("05-007".parse(), Ok(Frames { first: 5, last: 7, step: 1, digits: 3 }));
+        assert_eq!("-1.5".parse(), Ok(Clock { first: -1.5, last: -1.5 }));
+        assert_eq!("0..10".parse(), Ok(Clock { first: 0.0, last: 10.0 }));
+        assert_eq!("-3,7".parse(), Ok(Pixel { x: -3, y: 7 }));
+        assert_eq!("2G".parse(), Ok(Bytes(2 << 30)));
+        assert_eq!("10MiB".parse(), Ok(Bytes(10 << 20)));
+        assert_eq!("A=1e3".parse(), Ok(Declare { name: "A".into(), value: "1e3".into() }));
+        assert_eq!("A=\"x y\"".parse(), Ok(Declare { name: "A".into(), value: "\"x y\"".into() }));
+    }
+
+    #[test]
+    fn badly_written() {
+        for text in ["", "640", "0x5", "-1x5", "axb", "5x", "99999999999999999999x1"] {
+            assert!(text.parse::<Size>().is_err(), "{text}");
+        }
+        for text in ["1,2,3", "1,2,0,4", "1,2,3,4,5", "a,2,3,4", "1,2,3,4,"] {
+            assert!(text.parse::<Part>().is_err(), "{text}");
+        }
+        for text in ["5", "5-3", "1-3:0", "a-b", "1-"] {
+            assert!(text.parse::<Frames>().is_err(), "{text}");
+        }
+        assert!("on".parse::<Antialias>().is_err() && "-1".parse::<Antialias>().is_err());
+        assert!("nan".parse::<Antialias>().is_err() && "nan".parse::<Clock>().is_err());
+        assert!("A=x".parse::<Declare>().is_err() && "1=2".parse::<Declare>().is_err());
+        assert!("99999999999G".parse::<Bytes>().is_err());
+    }
+}

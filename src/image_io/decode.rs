@@ -1,0 +1,132 @@
+//! The bytes of a picture file to numbers.
+
+use super::Frame;
+use crate::color::transfer;
+use crate::diagnostic::{Diagnostic, Result, codes, file};
+use crate::source::{ReadError, Span};
+use exr::prelude::{ReadChannels, ReadLayers};
+use image::{DynamicImage, ImageFormat, ImageReader};
+use std::io::Cursor;
+use std::path::Path;
+
+/// A picture as its file stores it, before any curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pixels {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// 1 gray, 2 gray and alpha, 3 colour, 4 colour and alpha.
+    pub channels: usize,
+    /// Row by row from the top left, the channels of a pixel side by side; alpha is not multiplied in.
+    pub samples: Samples,
+}
+
+/// The numbers of a picture file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Samples {
+    /// 0 to 255.
+    U8(Vec<u8>),
+    /// 0 to 65535.
+    U16(Vec<u16>),
+    /// Linear light.
+    F32(Vec<f32>),
+}
+
+/// Decodes a file (E0002, E0003, E0007).
+pub fn decode_file(path: &Path) -> Result<Pixels> {
+    let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+    decode(&bytes, ending).map_err(|reason| {
+        let text = format!("`{}` can't be decoded: {reason}", path.display());
+        Box::new(Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text))
+    })
+}
+
+/// Decodes png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes tell which; the ending of the file's name counts only for
+/// tga, which has no mark. The error is the reason in words.
+pub fn decode(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
+    if bytes.starts_with(b"\x76\x2f\x31\x01") {
+        return decode_exr(bytes).map_err(|e| e.to_string());
+    }
+    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
+    if reader.format().is_none() && ending.eq_ignore_ascii_case("tga") {
+        reader.set_format(ImageFormat::Tga);
+    }
+    reader.decode().map(Pixels::from).map_err(|e| e.to_string())
+}
+
+fn decode_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
+    let image = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgba_channels(
+            |size, _| Frame::new(size.width(), size.height()),
+            |frame: &mut Frame, at, (r, g, b, a): (f32, f32, f32, f32)| {
+                let k = if a == 0.0 { 1.0 } else { 1.0 / a };
+                frame.pixels[at.y() * frame.width + at.x()] = [r * k, g * k, b * k, a];
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))?;
+    let frame = image.layer_data.channel_data.pixels;
+    let samples = Samples::F32(frame.pixels.into_iter().flatten().collect());
+    Ok(Pixels { width: frame.width, height: frame.height, channels: 4, samples })
+}
+
+impl From<DynamicImage> for Pixels {
+    fn from(image: DynamicImage) -> Self {
+        let (width, height) = (image.width() as usize, image.height() as usize);
+        let channels = image.color().channel_count() as usize;
+        let samples = match image {
+            DynamicImage::ImageLuma16(i) => Samples::U16(i.into_raw()),
+            DynamicImage::ImageLumaA16(i) => Samples::U16(i.into_raw()),
+            DynamicImage::ImageRgb16(i) => Samples::U16(i.into_raw()),
+            DynamicImage::ImageRgba16(i) => Samples::U16(i.into_raw()),
+            DynamicImage::ImageRgb32F(i) => Samples::F32(i.into_raw()),
+            DynamicImage::ImageRgba32F(i) => Samples::F32(i.into_raw()),
+            other => Samples::U8(other.into_bytes()),
+        };
+        Self { width, height, channels, samples }
+    }
+}
+
+impl Pixels {
+    /// Linear light: integers are taken to follow the sRGB curve, floating-point numbers to be linear.
+    pub fn to_frame(&self) -> Frame {
+        let pixels = match &self.samples {
+            Samples::U8(v) => self.gather(v, &curve(255), |x| f32::from(x) / 255.0, usize::from),
+            Samples::U16(v) => self.gather(v, &curve(65_535), |x| f32::from(x) / 65_535.0, usize::from),
+            Samples::F32(v) => v.chunks_exact(self.channels).map(|p| spread(p, |x| x, |x| x)).collect(),
+        };
+        Frame { width: self.width, height: self.height, pixels }
+    }
+
+    fn gather<T: Copy>(
+        &self,
+        samples: &[T],
+        curve: &[f32],
+        alpha: impl Fn(T) -> f32,
+        index: impl Fn(T) -> usize,
+    ) -> Vec<[f32; 4]> {
+        samples.chunks_exact(self.channels).map(|p| spread(p, |x| curve[index(x)], &alpha)).collect()
+    }
+}
+
+/// One pixel of any number of channels as colour and alpha.
+fn spread<T: Copy>(p: &[T], light: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
+    match *p {
+        [gray] => [light(gray), light(gray), light(gray), 1.0],
+        [gray, a] => [light(gray), light(gray), light(gray), alpha(a)],
+        [r, g, b] => [light(r), light(g), light(b), 1.0],
+        [r, g, b, a] => [light(r), light(g), light(b), alpha(a)],
+        _ => [0.0; 4],
+    }
+}
+
+/// The linear light of each code.
+fn curve(max: u16) -> Vec<f32> {
+    (0..=max).map(|code| transfer::srgb_decode(f64::from(code) / f64::from(max)) as f32).collect()
+}

@@ -1,0 +1,150 @@
+//! The formats that pictures are written in.
+
+use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::source::Span;
+use std::path::Path;
+
+/// A picture format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// 8 or 16 bits, alpha.
+    Png,
+    /// Linear floating point, alpha.
+    Exr,
+    /// Linear, Radiance's shared exponent.
+    Hdr,
+    /// 8 bits, lossy.
+    Jpg,
+    /// 8 or 16 bits.
+    Ppm,
+    /// 8 bits, alpha.
+    Bmp,
+    /// 8 bits, alpha.
+    Tga,
+    /// 8 or 16 bits, alpha.
+    Tiff,
+}
+
+/// What a format can hold.
+struct Row {
+    format: Format,
+    /// The first one is the format's name.
+    endings: &'static [&'static str],
+    /// Bits a channel; empty where they are floating-point numbers.
+    depths: &'static [u8],
+    alpha: bool,
+    max_side: usize,
+}
+
+const fn row(
+    format: Format,
+    endings: &'static [&'static str],
+    depths: &'static [u8],
+    alpha: bool,
+    max_side: usize,
+) -> Row {
+    Row { format, endings, depths, alpha, max_side }
+}
+
+const ROWS: &[Row] = &[
+    row(Format::Png, &["png"], &[8, 16], true, i32::MAX as usize),
+    row(Format::Exr, &["exr"], &[], true, i32::MAX as usize),
+    row(Format::Hdr, &["hdr"], &[], false, i32::MAX as usize),
+    row(Format::Jpg, &["jpg", "jpeg"], &[8], false, 65_535),
+    row(Format::Ppm, &["ppm", "pnm"], &[8, 16], false, usize::MAX),
+    row(Format::Bmp, &["bmp"], &[8], true, i32::MAX as usize),
+    row(Format::Tga, &["tga"], &[8], true, 65_535),
+    row(Format::Tiff, &["tiff", "tif"], &[8, 16], true, i32::MAX as usize),
+];
+
+impl Format {
+    fn row(self) -> &'static Row {
+        &ROWS[self as usize]
+    }
+
+    /// `png`, `exr` …
+    pub fn name(self) -> &'static str {
+        self.row().endings[0]
+    }
+
+    /// All names, in the order of the manual.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        ROWS.iter().map(|row| row.endings[0])
+    }
+
+    /// Can it be told how many bits a channel has?
+    pub fn has_depth(self) -> bool {
+        !self.row().depths.is_empty()
+    }
+
+    /// Can it hold transparency?
+    pub fn has_alpha(self) -> bool {
+        self.row().alpha
+    }
+
+    /// By name or ending, in any letter case.
+    pub fn from_name(name: &str) -> Option<Format> {
+        ROWS.iter().find(|row| row.endings.iter().any(|e| e.eq_ignore_ascii_case(name))).map(|row| row.format)
+    }
+
+    /// By the ending of a file's name (E0005).
+    pub fn from_path(path: &Path) -> Result<Format> {
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        if let Some(format) = Self::from_name(ending) {
+            return Ok(format);
+        }
+        let known: Vec<_> = Self::names().collect();
+        let help = did_you_mean(ending, Self::names())
+            .unwrap_or_else(|| format!("endings are {}; or say `--format`", known.join(", ")));
+        let message = match ending {
+            "" => format!("`{}` has no ending that names a picture format", path.display()),
+            _ => format!("`.{ending}` is no picture format"),
+        };
+        Diagnostic::new(codes::UNKNOWN_FORMAT, Span::NONE, message).help(help).into()
+    }
+
+    /// Can it hold a picture of this size with so many bits a channel (E0008)?
+    pub fn check(self, width: usize, height: usize, depth: Option<u8>) -> Result<()> {
+        let (row, name) = (self.row(), self.name());
+        let fault = |text: String| Diagnostic::err(codes::FORMAT_LIMIT, Span::NONE, text);
+        match depth {
+            Some(_) if row.depths.is_empty() => {
+                return fault(format!("{name} always holds floating-point numbers, not bits"));
+            }
+            Some(depth) if !row.depths.contains(&depth) => {
+                return fault(format!("{name} can't hold {depth} bits a channel"));
+            }
+            _ => {}
+        }
+        if width.max(height) > row.max_side {
+            return fault(format!("{name} holds at most {} pixels a side, not {width}x{height}", row.max_side));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_stand_in_the_order_of_the_enum() {
+        assert!(ROWS.iter().enumerate().all(|(i, row)| row.format as usize == i));
+    }
+
+    #[test]
+    fn endings_name_formats() {
+        assert_eq!(Format::from_path(Path::new("a/b.PNG")).unwrap(), Format::Png);
+        assert_eq!(Format::from_path(Path::new("b.jpeg")).unwrap(), Format::Jpg);
+        assert_eq!(Format::from_path(Path::new("b.pgn")).unwrap_err().help.as_deref(), Some("did you mean `png`?"));
+        assert!(Format::from_path(Path::new("b")).is_err());
+    }
+
+    #[test]
+    fn limits_are_told() {
+        assert!(Format::Jpg.check(70_000, 1, None).is_err());
+        assert!(Format::Jpg.check(10, 10, Some(16)).is_err());
+        assert!(Format::Exr.check(10, 10, Some(16)).is_err());
+        assert!(Format::Png.check(10, 10, Some(16)).is_ok());
+    }
+}

@@ -1,0 +1,120 @@
+//! Built-in functions of the language: one table a group.
+
+mod numeric;
+mod text;
+mod vector;
+
+use super::Interpreter;
+use super::eval::as_float;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::DVec3;
+use crate::source::Span;
+use crate::syntax::ast::{Expr, ExprKind};
+use crate::value::Value;
+
+/// A function of values: its name, how many arguments it takes, and what computes it.
+pub(super) struct Builtin {
+    name: &'static str,
+    arity: std::ops::RangeInclusive<usize>,
+    run: fn(&Arguments) -> Result<Value>,
+}
+
+/// Evaluated arguments with their places.
+pub(super) struct Arguments {
+    values: Vec<(Value, Span)>,
+}
+
+impl Arguments {
+    fn float(&self, i: usize) -> Result<f64> {
+        as_float(&self.values[i].0, self.values[i].1)
+    }
+
+    fn vector(&self, i: usize) -> Result<DVec3> {
+        match &self.values[i].0 {
+            Value::Float(x) => Ok(DVec3::splat(*x)),
+            Value::Vector(v) => Ok(v.xyz()),
+            Value::Color(c) => Ok(c.rgb),
+            other => self.wrong(i, "a vector", other),
+        }
+    }
+
+    fn text(&self, i: usize) -> Result<&str> {
+        match &self.values[i].0 {
+            Value::Text(text) => Ok(text),
+            other => self.wrong(i, "a string", other),
+        }
+    }
+
+    fn wrong<T>(&self, i: usize, wanted: &str, found: &Value) -> Result<T> {
+        let message = format!("expected {wanted}, found {}", found.describe());
+        Diagnostic::err(codes::WRONG_TYPE, self.values[i].1, message)
+    }
+
+    /// The function can't be computed for this argument.
+    fn bad<T>(&self, i: usize, message: String) -> Result<T> {
+        Diagnostic::err(codes::BAD_ARGUMENT, self.values[i].1, message)
+    }
+
+    fn len(&self) -> usize {
+        self.values.len()
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    /// Calls the built-in function of this name.
+    pub(super) fn builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
+        if let Some(result) = self.special(name, arguments, span) {
+            return result;
+        }
+        let tables = [numeric::TABLE, vector::TABLE, text::TABLE];
+        let Some(function) = tables.iter().flat_map(|t| t.iter()).find(|f| f.name == name) else {
+            return Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet"));
+        };
+        if !function.arity.contains(&arguments.len()) {
+            let (low, high) = (function.arity.start(), function.arity.end());
+            let takes = match high {
+                &usize::MAX => format!("at least {low}"),
+                high if low == high => low.to_string(),
+                high => format!("{low} to {high}"),
+            };
+            let message = format!("`{name}` takes {takes} arguments, {} are given", arguments.len());
+            return Diagnostic::err(codes::WRONG_COUNT, span, message);
+        }
+        let mut values = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            values.push((self.eval(argument)?, argument.span));
+        }
+        (function.run)(&Arguments { values })
+    }
+
+    /// Functions that look at more than values.
+    fn special(&mut self, name: &str, arguments: &'a [Expr], span: Span) -> Option<Result<Value>> {
+        match (name, arguments) {
+            ("defined", [Expr { kind: ExprKind::Name(symbol), .. }]) => {
+                Some(Ok(Value::Float(f64::from(self.scopes.get(*symbol).is_some() || self.is_constant(*symbol)))))
+            }
+            ("select", [condition, rest @ ..]) if rest.len() == 2 || rest.len() == 3 => Some(self.select(condition, rest)),
+            ("file_exists", [path]) => Some(self.text_value(path).map(|name| {
+                Value::Float(f64::from(self.options.search.find(&name).is_some()))
+            })),
+            ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),
+            _ => None,
+        }
+    }
+
+    /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or ≥ 0 without D), else D. Only that one is evaluated.
+    fn select(&mut self, condition: &'a Expr, rest: &'a [Expr]) -> Result<Value> {
+        let a = self.number(condition)?;
+        match rest {
+            [b, _] | [b, _, _] if a < 0.0 => self.eval(b),
+            [_, c] => self.eval(c),
+            [_, c, _] if a == 0.0 => self.eval(c),
+            [.., d] => self.eval(d),
+            [] => Ok(Value::Float(0.0)),
+        }
+    }
+}
+
+fn float(x: f64) -> Result<Value> {
+    Ok(Value::Float(x))
+}

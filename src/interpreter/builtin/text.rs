@@ -1,0 +1,80 @@
+//! Functions of strings (manual, "String Functions").
+
+use super::{Arguments, Builtin, float};
+use crate::diagnostic::Result;
+use crate::value::Value;
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin { name: "asc", arity: 1..=1, run: |a| float(a.text(0)?.chars().next().map_or(0.0, |c| f64::from(u32::from(c)))) },
+    Builtin {
+        name: "chr",
+        arity: 1..=1,
+        run: |a| match char::from_u32(a.float(0)? as u32) {
+            Some(c) => text(c.to_string()),
+            None => a.bad(0, "no character has this number".into()),
+        },
+    },
+    Builtin {
+        name: "concat",
+        arity: 1..=usize::MAX,
+        run: |a| (0..a.len()).map(|i| a.text(i)).collect::<Result<String>>().and_then(text),
+    },
+    Builtin {
+        name: "str",
+        arity: 3..=3,
+        run: |a| text(format_number(a.float(0)?, a.float(1)? as i64, a.float(2)? as i64)),
+    },
+    Builtin {
+        name: "strcmp",
+        arity: 2..=2,
+        run: |a| float(f64::from(a.text(0)?.cmp(a.text(1)?) as i8)),
+    },
+    Builtin { name: "strlen", arity: 1..=1, run: |a| float(a.text(0)?.chars().count() as f64) },
+    Builtin { name: "strlwr", arity: 1..=1, run: |a| text(a.text(0)?.to_lowercase()) },
+    Builtin { name: "strupr", arity: 1..=1, run: |a| text(a.text(0)?.to_uppercase()) },
+    Builtin { name: "substr", arity: 3..=3, run: substr },
+    Builtin {
+        name: "val",
+        arity: 1..=1,
+        run: |a| match a.text(0)?.trim().parse::<f64>() {
+            Ok(x) => float(x),
+            Err(_) => a.bad(0, format!("`{}` is not a number", a.text(0)?)),
+        },
+    },
+    Builtin { name: "vstr", arity: 5..=5, run: vstr },
+];
+
+fn text(s: String) -> Result<Value> {
+    Ok(Value::Text(s.into()))
+}
+
+/// A number as C's printf writes it: a negative width fills with zeros, a negative precision means six digits.
+fn format_number(x: f64, width: i64, precision: i64) -> String {
+    let precision = if precision < 0 { 6 } else { precision.min(300) as usize };
+    let wide = width.unsigned_abs().min(10_000) as usize;
+    if width < 0 { format!("{x:0wide$.precision$}") } else { format!("{x:wide$.precision$}") }
+}
+
+/// `substr(S, P, L)`: L characters from the P-th on, counted from 1.
+fn substr(a: &Arguments) -> Result<Value> {
+    let (s, from, len) = (a.text(0)?, a.float(1)?, a.float(2)?);
+    let count = s.chars().count() as f64;
+    if from < 1.0 || len < 0.0 || from - 1.0 + len > count {
+        return a.bad(1, format!("a string of {count} characters has none at {from} to {}", from + len - 1.0));
+    }
+    text(s.chars().skip(from as usize - 1).take(len as usize).collect())
+}
+
+/// `vstr(N, V, Separator, Width, Precision)`.
+fn vstr(a: &Arguments) -> Result<Value> {
+    let n = a.float(0)?.clamp(2.0, 5.0) as usize;
+    let c = match &a.values[1].0 {
+        Value::Float(x) => [*x; 5],
+        Value::Vector(v) => v.c,
+        Value::Color(c) => c.to_array(),
+        other => return a.wrong(1, "a vector", other),
+    };
+    let (separator, width, precision) = (a.text(2)?, a.float(3)? as i64, a.float(4)? as i64);
+    let parts: Vec<String> = c[..n].iter().map(|x| format_number(*x, width, precision)).collect();
+    text(parts.join(separator))
+}

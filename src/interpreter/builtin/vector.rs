@@ -1,0 +1,36 @@
+//! Functions of vectors (manual, "Vector Functions").
+
+use super::{Builtin, float};
+use crate::diagnostic::Result;
+use crate::math::{DVec3, Transform};
+use crate::value::Value;
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "vaxis_rotate",
+        arity: 3..=3,
+        run: |a| {
+            let (v, axis, degrees) = (a.vector(0)?, a.vector(1)?, a.float(2)?);
+            if axis == DVec3::ZERO {
+                return a.bad(1, "an axis of length 0 points nowhere".into());
+            }
+            vector(Transform::rotate_about(axis, degrees).vector(v))
+        },
+    },
+    Builtin { name: "vcross", arity: 2..=2, run: |a| vector(a.vector(0)?.cross(a.vector(1)?)) },
+    Builtin { name: "vdot", arity: 2..=2, run: |a| float(a.vector(0)?.dot(a.vector(1)?)) },
+    Builtin { name: "vlength", arity: 1..=1, run: |a| float(a.vector(0)?.length()) },
+    Builtin {
+        name: "vnormalize",
+        arity: 1..=1,
+        run: |a| match a.vector(0)?.try_normalize() {
+            Some(unit) => vector(unit),
+            None => a.bad(0, "a vector of length 0 has no direction".into()),
+        },
+    },
+    Builtin { name: "vrotate", arity: 2..=2, run: |a| vector(Transform::rotate(a.vector(1)?).vector(a.vector(0)?)) },
+];
+
+fn vector(v: DVec3) -> Result<Value> {
+    Ok(Value::Vector(v.into()))
+}

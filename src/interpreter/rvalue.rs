@@ -1,0 +1,163 @@
+//! What may stand behind `#declare X =` and as a macro's argument: anything that can have a name.
+
+use super::Interpreter;
+use super::reader::TransformThing;
+use super::scope::Slot;
+use super::stream::Token;
+use crate::camera::Camera;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::scene::{Object, is_object, read_layers, read_material};
+use crate::syntax::ast::{Expr, ExprKind};
+use crate::texture::{ColorMap, Finish, Interior, Pigment};
+use crate::value::{Next, Reader, Thing, Value};
+use std::sync::Arc;
+
+/// Blocks that may be declared, and whose kind is not read yet.
+const LATER: &[&str] = &[
+    "normal", "media", "density", "fog", "rainbow", "sky_sphere", "spline", "pigment_map", "normal_map", "slope_map",
+    "texture_map", "density_map", "warp", "radiosity", "photons", "pattern", "dictionary", "array", "texture_list",
+];
+
+impl<'a> Interpreter<'a> {
+    /// The next complete value.
+    pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
+        match self.peek()? {
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), span }) => {
+                if let Some(slot @ (Slot::Macro(_) | Slot::Faulty(_))) = self.scopes.get(*symbol) {
+                    let slot = slot.clone();
+                    self.advance();
+                    return Ok(slot);
+                }
+                let value = self.name_value(*symbol, *span)?;
+                self.advance();
+                Ok(Slot::Value(value))
+            }
+            Token::Function | Token::Expr(Expr { kind: ExprKind::Function(_), .. }) => {
+                let span = self.here();
+                self.advance();
+                Diagnostic::err(codes::NOT_YET, span, "functions are not supported yet")
+            }
+            Token::Expr(_) | Token::Numbers(_) => self.value_here().map(|(value, _)| Slot::Value(value)),
+            Token::Word(word @ ("array" | "spline")) => {
+                let span = self.here();
+                Diagnostic::err(codes::NOT_YET, span, format!("`{word}` is not supported yet"))
+            }
+            Token::Word(_) if self.at_color()? => Ok(Slot::Value(Value::Color(self.color()?))),
+            _ => match Reader::next(self)? {
+                Next::Block(word) => self.thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
+                _ => Err(self.unexpected_token("a value").into()),
+            },
+        }
+    }
+
+    /// A block that has a kind of value.
+    fn thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
+        let defaults = self.defaults.clone();
+        if word == "texture" {
+            return Ok(Arc::new(read_layers(self, &defaults)?));
+        }
+        if is_object(word) {
+            return Ok(Arc::new(Object::read(self, &defaults)?));
+        }
+        if LATER.contains(&word) || crate::scene::NOT_DRAWN.contains(&word) {
+            let span = self.here();
+            self.advance();
+            return Diagnostic::err(codes::NOT_YET, span, format!("`{word}` is not supported yet"));
+        }
+        let expected = "something that can be declared";
+        if !matches!(word, "pigment" | "finish" | "interior" | "material" | "color_map" | "colour_map" | "camera" | "transform") {
+            return Err(self.unexpected_token(expected).into());
+        }
+        let at = self.take()?;
+        let base = &defaults.texture.layers[0];
+        let thing: Arc<dyn Thing> = match word {
+            "pigment" => Arc::new(Pigment::read(self, &base.pigment)?),
+            "finish" => Arc::new(Finish::read(self, &base.finish)?),
+            "interior" => Arc::new(Interior::read(self)?),
+            "material" => Arc::new(read_material(self, &defaults)?),
+            "camera" => Arc::new(Camera::read(self, at)?),
+            "transform" => Arc::new(TransformThing(self.transform_block()?)),
+            _ => Arc::new(ColorMap::read(self)?),
+        };
+        self.leave()?;
+        Ok(thing)
+    }
+
+    /// `#default { … }` and `default { … }`, between the braces.
+    pub(super) fn read_defaults(&mut self) -> Result<()> {
+        loop {
+            let next = Reader::next(self)?;
+            match next {
+                Next::End => return Ok(()),
+                Next::Block("texture") | Next::Thing("texture") => {
+                    let defaults = self.defaults.clone();
+                    self.defaults.texture = Arc::new(read_layers(self, &defaults)?);
+                }
+                Next::Block("camera") => {
+                    let at = self.take()?;
+                    self.scene.camera = Camera::read(self, at)?;
+                    self.leave()?;
+                }
+                _ => {
+                    let base = self.defaults.texture.clone();
+                    let mut texture = (*base).clone();
+                    if !texture.read_part(self, next, &base)? {
+                        let words = ["texture", "pigment", "normal", "finish", "camera"];
+                        return Err(self.unknown_word("default", &words).into());
+                    }
+                    self.defaults.texture = Arc::new(texture);
+                }
+            }
+        }
+    }
+
+    /// Names that the program sets.
+    pub(super) fn constant_value(&self, name: &str) -> Option<Value> {
+        use crate::math::DVec3;
+        use crate::value::VecN;
+        let flag = |b: bool| Some(Value::Float(f64::from(b)));
+        let float = |x: f64| Some(Value::Float(x));
+        match name {
+            "x" => Some(Value::Vector(DVec3::X.into())),
+            "y" => Some(Value::Vector(DVec3::Y.into())),
+            "z" => Some(Value::Vector(DVec3::Z.into())),
+            "u" => Some(Value::Vector(VecN::from_slice(&[1.0, 0.0]))),
+            "v" => Some(Value::Vector(VecN::from_slice(&[0.0, 1.0]))),
+            "t" => Some(Value::Vector(VecN::from_slice(&[0.0, 0.0, 0.0, 1.0]))),
+            "pi" => float(std::f64::consts::PI),
+            "true" | "on" | "yes" => flag(true),
+            "false" | "off" | "no" => flag(false),
+            "clock" => float(self.options.clock),
+            "clock_delta" => float(1.0),
+            "clock_on" => flag(self.options.frame > 0),
+            "frame_number" => float(f64::from(self.options.frame)),
+            "initial_frame" | "final_frame" => float(f64::from(self.options.frame)),
+            "initial_clock" => float(0.0),
+            "final_clock" => float(1.0),
+            "image_width" => float(self.options.size.0 as f64),
+            "image_height" => float(self.options.size.1 as f64),
+            "version" => float(f64::from(self.language.version) / 100.0),
+            "now" => float(days_since_2000()),
+            "input_file_name" => Some(Value::Text(self.sources.name(crate::source::FileId(0)).into())),
+            _ => None,
+        }
+    }
+
+    /// `--declare NAME=VALUE`: a number, or else text.
+    pub(super) fn declare_options(&mut self) {
+        for (name, value) in &self.options.declares {
+            let value = match value.trim().parse::<f64>() {
+                Ok(x) => Value::Float(x),
+                Err(_) => Value::Text(value.trim_matches('"').into()),
+            };
+            let symbol = self.names.intern(name);
+            self.scopes.set_global(symbol, Slot::Value(value), vec![]);
+        }
+    }
+}
+
+/// Days since the beginning of the year 2000 (manual, "now").
+fn days_since_2000() -> f64 {
+    let since_1970 = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    since_1970.map_or(0.0, |d| d.as_secs_f64() / 86_400.0 - 10_957.0)
+}

@@ -1,0 +1,108 @@
+//! Statements at the outermost level: objects, lights, cameras, settings.
+
+use super::stream::Token;
+use super::{Interpreter, compat};
+use crate::camera::Camera;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::scene::{Gamma, NOT_DRAWN, Object, is_object};
+use crate::source::Span;
+use crate::value::{Next, Reader};
+
+/// Blocks that stand at the outermost level and are not drawn yet.
+const LATER: &[&str] = &["fog", "sky_sphere", "rainbow", "media", "radiosity", "photons"];
+
+/// Everything that can stand at the outermost level.
+const STATEMENTS: &[&str] = &[
+    "camera", "light_source", "sphere", "box", "cylinder", "cone", "torus", "plane", "disc", "triangle",
+    "smooth_triangle", "polygon", "union", "intersection", "difference", "merge", "object", "background",
+    "global_settings", "default", "fog", "sky_sphere", "rainbow",
+];
+
+impl Interpreter<'_> {
+    /// Reads one statement, which [`Self::peek`] has announced; false at the end of the file.
+    pub(super) fn statement(&mut self) -> Result<bool> {
+        match Reader::next(self)? {
+            Next::End if self.at_stray_closer() => {
+                let span = self.here();
+                self.advance();
+                return Diagnostic::err(codes::UNMATCHED_CLOSER, span, "this `}` closes nothing");
+            }
+            Next::End => return Ok(false),
+            Next::Block(word) => self.top_block(word)?,
+            Next::Thing("object" | "light_source") => {
+                let defaults = self.defaults.clone();
+                let object = Object::read(self, &defaults)?;
+                self.scene.objects.push(object);
+            }
+            Next::Thing(kind) => {
+                let span = self.here();
+                let d = Diagnostic::new(codes::EXPECTED, span, format!("a {kind} can't stand alone at the outermost level"));
+                return d.help("only objects do; a `texture` or `pigment` belongs inside one").into();
+            }
+            Next::Value => return Err(self.stray_value().into()),
+            _ => return Err(self.unknown_word("scene", STATEMENTS).into()),
+        }
+        Ok(true)
+    }
+
+    fn at_stray_closer(&self) -> bool {
+        self.frames.last().is_some_and(|f| f.at < f.elements.len())
+    }
+
+    fn top_block(&mut self, word: &'static str) -> Result<()> {
+        if is_object(word) {
+            let defaults = self.defaults.clone();
+            let object = Object::read(self, &defaults)?;
+            self.scene.objects.push(object);
+            return Ok(());
+        }
+        if NOT_DRAWN.contains(&word) || LATER.contains(&word) {
+            return self.skip_unsupported(word);
+        }
+        if !matches!(word, "camera" | "background" | "global_settings" | "default") {
+            return Err(self.unknown_word("scene", STATEMENTS).into());
+        }
+        let at = self.take()?;
+        match word {
+            "camera" => {
+                self.scene.camera = Camera::read(self, at)?;
+                self.camera_stated = true;
+            }
+            "background" => self.scene.background = Some(self.color()?),
+            "default" => self.read_defaults()?,
+            _ => {
+                let mut settings = self.scene.settings.clone();
+                settings.read(self)?;
+                self.language.assumed_gamma = match settings.gamma {
+                    Some(Gamma::Power(g)) => Some(g),
+                    _ => self.language.assumed_gamma,
+                };
+                self.scene.settings = settings;
+            }
+        }
+        self.leave()
+    }
+
+    /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.
+    fn stray_value(&mut self) -> Diagnostic {
+        if let Ok(Token::Expr(e)) = self.peek() {
+            if let Err(fault) = self.eval(e) {
+                return *fault;
+            }
+            return Diagnostic::new(codes::EXPECTED, e.span, "expected an object or a directive, found a value")
+                .help("to give it a name, write `#declare Name = …;`");
+        }
+        self.unexpected_token("an object or a directive")
+    }
+
+    /// What is settled only when the whole text has run.
+    pub(super) fn finish_scene(&mut self) {
+        self.scene.version = self.language.version;
+        let version = self.version_stated.then_some(self.language.version);
+        self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
+        if !self.camera_stated {
+            let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
+            self.report_fault(Diagnostic::new(codes::NO_CAMERA, Span::NONE, message).help("`camera { location <0, 2, -5> look_at 0 }`"));
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! Are two pictures the same?
+
+use crate::image_io::Frame;
+
+/// How far two pictures may be apart.
+///
+/// The same program draws the same bytes; but another processor or compiler may round the last bit of a sine otherwise,
+/// which then shows in a few pixels on edges. That much is allowed, and no more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Steps of 255 by which a channel of any pixel may differ.
+    pub steps: u8,
+    /// Of a thousand pixels, so many may differ by more.
+    pub per_mille: f64,
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self { steps: 2, per_mille: 0.5 }
+    }
+}
+
+/// What comparing came to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Every pixel is the same.
+    Identical,
+    /// Within the tolerance.
+    Close,
+    /// Beyond it, or of another size.
+    Differs,
+}
+
+/// How two pictures differ, as 8-bit files would store them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    /// Width and height of what was expected, where they are not those of what was drawn.
+    pub other_size: Option<(usize, usize)>,
+    /// How many pixels there are.
+    pub pixels: usize,
+    /// How many of them differ at all.
+    pub different: usize,
+    /// How many differ by more than the tolerance's steps.
+    pub beyond: usize,
+    /// The largest difference of a channel, in steps of 255.
+    pub largest: u8,
+    /// All in all.
+    pub verdict: Verdict,
+}
+
+/// Compares what was expected with what was drawn. Colours of fully transparent pixels don't count.
+pub fn compare(expected: &Frame, drawn: &Frame, tolerance: Tolerance) -> Comparison {
+    let pixels = drawn.pixels.len();
+    if (expected.width, expected.height) != (drawn.width, drawn.height) {
+        let other_size = Some((expected.width, expected.height));
+        return Comparison {
+            other_size,
+            pixels,
+            different: pixels,
+            beyond: pixels,
+            largest: 255,
+            verdict: Verdict::Differs,
+        };
+    }
+    let distances = distances(expected, drawn);
+    let count = |limit| distances.iter().filter(|&&d| d > limit).count();
+    let (different, beyond) = (count(0), count(tolerance.steps));
+    let verdict = if different == 0 {
+        Verdict::Identical
+    } else if beyond as f64 <= pixels as f64 * tolerance.per_mille / 1000.0 {
+        Verdict::Close
+    } else {
+        Verdict::Differs
+    };
+    let largest = distances.iter().copied().max().unwrap_or(0);
+    Comparison { other_size: None, pixels, different, beyond, largest, verdict }
+}
+
+/// For each pixel the largest difference of a channel.
+fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
+    let distance = |(p, q): (&[u8; 4], &[u8; 4])| match (p[3], q[3]) {
+        (0, 0) => 0,
+        _ => p.iter().zip(q).map(|(x, y)| x.abs_diff(*y)).max().unwrap_or(0),
+    };
+    a.rgba8().iter().zip(&b.rgba8()).map(distance).collect()
+}
+
+/// Where two pictures of one size differ: the expected one in dim gray, and over it red for a difference of one step, through
+/// orange and yellow to white for the largest.
+pub fn difference(expected: &Frame, drawn: &Frame) -> Frame {
+    let paint = |(pixel, d): (&[f32; 4], u8)| {
+        let gray = 0.12 * (0.3 * pixel[0] + 0.59 * pixel[1] + 0.11 * pixel[2]).clamp(0.0, 1.0);
+        let t = f32::from(d) / 255.0;
+        if d == 0 { [gray, gray, gray, 1.0] } else { [1.0, (3.0 * t).min(1.0), (2.0 * t - 1.0).max(0.0), 1.0] }
+    };
+    if (expected.width, expected.height) != (drawn.width, drawn.height) {
+        return Frame::new(1, 1).over_black();
+    }
+    let pixels = expected.pixels.iter().zip(distances(expected, drawn)).map(paint).collect();
+    Frame { width: expected.width, height: expected.height, pixels }
+}
+
+impl std::fmt::Display for Comparison {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Comparison { different, pixels, largest, .. } = self;
+        match (self.other_size, self.verdict) {
+            (Some((width, height)), _) => write!(f, "the snapshot is {width}x{height}"),
+            (None, Verdict::Identical) => write!(f, "identical"),
+            (None, _) => write!(f, "{different} of {pixels} pixels differ, by up to {largest}/255"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn gray(value: f32) -> Frame {
+        Frame { width: 100, height: 50, pixels: vec![[value, value, value, 1.0]; 5000] }
+    }
+
+    #[test]
+    fn the_three_verdicts() {
+        let expected = gray(0.5);
+        let verdict = |drawn: &Frame| compare(&expected, drawn, Tolerance::default()).verdict;
+        let mut drawn = gray(0.5);
+        assert_eq!(verdict(&drawn), Verdict::Identical);
+        drawn.pixels[..2].fill([1.0, 0.0, 0.0, 1.0]);
+        assert_eq!(verdict(&drawn), Verdict::Close);
+        drawn.pixels[..3].fill([1.0, 0.0, 0.0, 1.0]);
+        assert_eq!(verdict(&drawn), Verdict::Differs);
+        assert_eq!(verdict(&gray(0.505)), Verdict::Close);
+        assert_eq!(verdict(&gray(0.6)), Verdict::Differs);
+        assert_eq!(verdict(&Frame::new(50, 100)), Verdict::Differs);
+    }
+
+    #[test]
+    fn numbers_are_counted() {
+        let mut drawn = gray(0.5);
+        drawn.pixels[7] = [0.5, 0.5, 0.0, 1.0];
+        let c = compare(&gray(0.5), &drawn, Tolerance::default());
+        assert_eq!((c.pixels, c.different, c.beyond, c.largest), (5000, 1, 1, 188));
+        assert_eq!(c.to_string(), "1 of 5000 pixels differ, by up to 188/255");
+        let map = difference(&gray(0.5), &drawn);
+        assert!(map.pixels[7][0] == 1.0 && map.pixels[8][0] < 0.1);
+    }
+
+    #[test]
+    fn transparent_pixels_have_no_colour() {
+        let a = Frame { width: 1, height: 1, pixels: vec![[1.0, 0.0, 0.0, 0.0]] };
+        assert_eq!(compare(&a, &Frame::new(1, 1), Tolerance::default()).verdict, Verdict::Identical);
+    }
+}

@@ -1,0 +1,95 @@
+//! Finds scenes with snapshots.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A scene and its snapshot, which may not be there yet.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Case {
+    /// The text.
+    pub scene: PathBuf,
+    /// The picture.
+    pub picture: PathBuf,
+}
+
+impl Case {
+    fn of(scene: &Path) -> Self {
+        Self { scene: scene.to_path_buf(), picture: scene.with_extension("png") }
+    }
+}
+
+/// The scenes among `paths`, and those in the folders among them that have a snapshot, in the order of their names. Hidden
+/// folders and Cargo's `target` are left out.
+pub fn find(paths: &[PathBuf]) -> io::Result<Vec<Case>> {
+    let mut cases = Vec::new();
+    for path in paths {
+        if path.metadata()?.is_dir() {
+            search(path, &mut cases)?;
+        } else {
+            cases.push(Case::of(&scene_of(path)));
+        }
+    }
+    cases.sort();
+    cases.dedup();
+    Ok(cases)
+}
+
+/// The scene that a path means: itself, or the one beside a snapshot.
+fn scene_of(path: &Path) -> PathBuf {
+    let beside = ["scene", "pov"].map(|ending| path.with_extension(ending));
+    let is_picture = path.extension().is_some_and(|e| e == "png");
+    beside.into_iter().find(|scene| is_picture && scene.is_file()).unwrap_or(path.to_path_buf())
+}
+
+fn search(folder: &Path, cases: &mut Vec<Case>) -> io::Result<()> {
+    for entry in std::fs::read_dir(folder)? {
+        let entry = entry?;
+        let (path, name) = (entry.path(), entry.file_name());
+        // A link to a folder may lead in a circle.
+        if entry.file_type()?.is_dir() {
+            if !name.to_string_lossy().starts_with('.') && name != "target" {
+                search(&path, cases)?;
+            }
+        } else if path.extension().is_some_and(|e| e == "scene" || e == "pov") {
+            let path = path.strip_prefix("./").unwrap_or(&path);
+            cases.extend(Some(Case::of(path)).filter(|case| case.picture.is_file()));
+        }
+    }
+    Ok(())
+}
+
+/// The options of a snapshot, where a comment at the start of the scene gives them: `//! test: --size 128x96 --aa off`.
+pub fn header(text: &str) -> Option<&str> {
+    let lines = text.lines().map(str::trim);
+    let mut comments = lines.take_while(|line| line.is_empty() || line.starts_with("//"));
+    comments.find_map(|line| line.strip_prefix("//! test:")).map(str::trim)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_scenes_with_a_snapshot_are_found_in_folders() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir_all(at("b/.hidden")).unwrap();
+        for name in
+            ["a.scene", "a.png", "new.scene", "alone.png", "b/c.pov", "b/c.png", "b/.hidden/d.scene", "b/.hidden/d.png"]
+        {
+            std::fs::write(at(name), "").unwrap();
+        }
+        let names = |paths: &[PathBuf]| -> Vec<PathBuf> { find(paths).unwrap().into_iter().map(|c| c.scene).collect() };
+        assert_eq!(names(&[folder.path().into()]), [at("a.scene"), at("b/c.pov")]);
+        assert_eq!(names(&[at("new.scene")]), [at("new.scene")]);
+        assert_eq!(names(&[at("b/c.png"), at("b")]), [at("b/c.pov")]);
+        assert!(find(&[at("missing")]).is_err());
+    }
+
+    #[test]
+    fn options_stand_in_the_first_comments() {
+        assert_eq!(header("// A ball.\n\n//! test: --size 4x3 \nsphere {}"), Some("--size 4x3"));
+        assert_eq!(header("sphere {}\n//! test: --size 4x3"), None);
+        assert_eq!(header(""), None);
+    }
+}

@@ -1,0 +1,113 @@
+//! A page that shows what was expected, what was drawn, and where they differ.
+
+use super::difference;
+use crate::diagnostic::Result;
+use crate::image_io::{Encoding, Format, Frame, encode};
+
+/// One scene on the page.
+#[derive(Clone, Debug)]
+pub struct Entry<'a> {
+    /// The scene's path.
+    pub name: String,
+    /// Nobody has to look at it.
+    pub fine: bool,
+    /// What is said about it.
+    pub text: String,
+    /// The snapshot.
+    pub expected: Option<&'a Frame>,
+    /// What was drawn now.
+    pub drawn: Option<&'a Frame>,
+}
+
+/// The files of a report: names and contents.
+pub type Report = Vec<(String, Vec<u8>)>;
+
+/// The page `index.html`, and the pictures beside it. What needs a look comes first.
+pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
+    let mut files = Report::new();
+    let (mut good, mut bad) = (String::new(), String::new());
+    for entry in entries {
+        let pictures = pictures(entry, &mut files)?;
+        let (class, list) = if entry.fine { ("ok", &mut good) } else { ("bad", &mut bad) };
+        let (name, text) = (escape(&entry.name), escape(&entry.text));
+        *list += &format!("<section class={class}><h2>{name}</h2><p>{text}</p><div>{pictures}</div></section>\n");
+    }
+    let fine = entries.iter().filter(|e| e.fine).count();
+    let summary = format!("{fine} of {} pictures are as expected", entries.len());
+    let page = PAGE.replace("SUMMARY", &summary).replace("BAD", &bad).replace("GOOD", &good);
+    files.push(("index.html".into(), page.into_bytes()));
+    Ok(files)
+}
+
+/// The pictures of one entry as HTML; their files are added to the report.
+fn pictures(entry: &Entry<'_>, files: &mut Report) -> Result<String> {
+    let stem: String =
+        entry.name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();
+    let map = entry.expected.zip(entry.drawn).map(|(expected, drawn)| difference(expected, drawn));
+    let shown = match entry.fine {
+        true => [("drawn", entry.drawn), ("expected", None), ("difference", None)],
+        false => [("expected", entry.expected), ("drawn", entry.drawn), ("difference", map.as_ref())],
+    };
+    let mut html = String::new();
+    for (what, frame) in shown {
+        let Some(frame) = frame else { continue };
+        let file = format!("{stem}.{what}.png");
+        html += &format!("<figure><a href=\"{file}\"><img src=\"{file}\" alt=\"{what}\"></a>");
+        html += &format!("<figcaption>{what}</figcaption></figure>");
+        files.push((file, encode(frame, &Encoding { alpha: true, ..Encoding::new(Format::Png) })?));
+    }
+    Ok(html)
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+const PAGE: &str = r#"<!doctype html>
+<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>durer test: SUMMARY</title>
+<style>
+:root { color-scheme: light dark; --line: light-dark(#ddd, #444); --soft: light-dark(#666, #aaa) }
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 1200px; padding: 0 1rem }
+h1 { font-size: 1.4rem; font-weight: 600 }
+h2 { font: 600 .95rem ui-monospace, monospace; margin: 0; overflow-wrap: anywhere }
+section { border: 1px solid var(--line); border-left: 5px solid #2a9d5c; border-radius: 6px; padding: .8rem 1rem; margin: .8rem 0 }
+section.bad { border-left-color: #d1403c }
+section p { margin: .2rem 0 .6rem; color: var(--soft); white-space: pre-wrap }
+section div { display: grid; grid-template-columns: repeat(auto-fit, minmax(200px, 1fr)); gap: 1rem }
+figure { margin: 0 } figcaption { color: var(--soft); font-size: .85rem }
+img { width: 100%; image-rendering: pixelated; border-radius: 3px;
+      background: repeating-conic-gradient(#999 0 25%, #bbb 0 50%) 0 0 / 16px 16px }
+#good { display: grid; grid-template-columns: repeat(auto-fill, minmax(220px, 1fr)); gap: .8rem }
+#good section { margin: 0 }
+</style>
+<h1>SUMMARY</h1>
+BAD
+<div id="good">
+GOOD
+</div>
+</html>
+"#;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_shows_three_pictures_of_what_differs_and_one_of_what_does_not() {
+        let frame = Frame::new(2, 2);
+        let entry = |name: &str, fine| Entry {
+            name: name.into(),
+            fine,
+            text: "1 < 2".into(),
+            expected: Some(&frame),
+            drawn: Some(&frame),
+        };
+        let files = report(&[entry("a/<b>.scene", false), entry("c.scene", true)]).unwrap();
+        let names: Vec<_> = files.iter().map(|(name, _)| name.as_str()).collect();
+        let bad = ["expected", "drawn", "difference"].map(|what| format!("a__b_.scene.{what}.png"));
+        assert_eq!(names, [&bad[0], &bad[1], &bad[2], "c.scene.drawn.png", "index.html"]);
+        let page = String::from_utf8(files[4].1.clone()).unwrap();
+        assert!(page.contains("a/&lt;b&gt;.scene") && page.contains("1 &lt; 2") && page.contains("1 of 2 pictures"));
+    }
+}
