@@ -1,7 +1,10 @@
 //! Every tolerance of the program, in one table.
 
-/// A ray that leaves a surface ignores hits closer than this (world units along the ray).
-pub const SURFACE: f64 = 1e-6;
+/// A ray ignores hits nearer than this, in world units (measured on POV-Ray 3.7: absolute, for every shape).
+pub const SURFACE: f64 = 1e-4;
+
+/// A shadow ray ignores hits nearer than this to either of its ends, in world units (measured on POV-Ray 3.7).
+pub const SHADOW: f64 = 1e-3;
 
 /// How far from a flat face or a round wall a point may be and still change sides, in units of the shape's own space.
 /// Seen in what POV-Ray's `inside()` answers: a plane reaches this much beyond its surface, closed cylinders and cones

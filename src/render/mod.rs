@@ -1,9 +1,23 @@
 //! From rays to light: shading, shadows, reflection; tiles, anti-aliasing, progress.
 
+mod antialias;
+mod output;
+mod pick;
+mod refract;
+mod shade;
+mod shadow;
+mod site;
+mod tiles;
+mod trace;
+
+pub use pick::pick;
+
 use crate::image_io::Frame;
 use crate::source::Span;
 use crate::world::World;
 use serde::Serialize;
+use tiles::Workers;
+use trace::Setup;
 
 /// How a picture is made. None of it but size, antialias, quality, region and frame changes a byte of it.
 #[derive(Clone, Debug)]
@@ -74,9 +88,50 @@ pub struct Rays {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cancelled;
 
-/// Draws the picture.
-pub fn render(_world: &World, options: &Options, _watch: &dyn Watch) -> Result<(Frame, Rays), Cancelled> {
-    Ok((Frame::new(options.width, options.height), Rays::default()))
+impl Rays {
+    fn add(&mut self, other: &Rays) {
+        self.camera += other.camera;
+        self.shadow += other.shadow;
+        self.reflected += other.reflected;
+        self.transmitted += other.transmitted;
+    }
+
+    /// All of them.
+    pub fn total(&self) -> u64 {
+        self.camera + self.shadow + self.reflected + self.transmitted
+    }
+}
+
+impl Region {
+    /// What of it lies in a picture of this size.
+    fn within(self, width: usize, height: usize) -> Region {
+        let (x, y) = (self.x.min(width), self.y.min(height));
+        Region { x, y, width: self.width.min(width - x), height: self.height.min(height - y) }
+    }
+}
+
+/// Draws the picture. The same bytes whatever the number of threads.
+///
+/// # Errors
+/// When the watcher wants it to stop.
+pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Frame, Rays), Cancelled> {
+    let Options { width, height, .. } = *options;
+    let (mut frame, mut rays) = (Frame::new(width, height), Rays::default());
+    let whole = Region { x: 0, y: 0, width, height };
+    let region = options.region.unwrap_or(whole).within(width, height);
+    if region.width == 0 || region.height == 0 {
+        return Ok((frame, rays));
+    }
+    let setup = Setup::new(world, options);
+    let workers = Workers::new(options.threads, antialias::total(options, region), watch);
+    let pixels = antialias::draw(&setup, &workers, options, region, &mut rays)?;
+    for (row, line) in pixels.chunks(region.width).enumerate() {
+        let start = (region.y + row) * width + region.x;
+        for (to, pixel) in frame.pixels[start..].iter_mut().zip(line) {
+            *to = output::light(pixel, world.gamma, options.alpha);
+        }
+    }
+    Ok((frame, rays))
 }
 
 /// What is seen through one pixel.
@@ -94,9 +149,4 @@ pub struct Picked {
     pub uv: [f64; 2],
     /// The text that put it there.
     pub source: Span,
-}
-
-/// The nearest thing through the centre of pixel (x, y) counted from the top left.
-pub fn pick(_world: &World, _options: &Options, _x: usize, _y: usize) -> Option<Picked> {
-    None
 }

@@ -3,8 +3,8 @@
 use super::ColorMap;
 use crate::color::Color;
 use crate::diagnostic::Result;
-use crate::math::Transform;
-use crate::pattern::{CellPattern, Cells, FieldPattern, Modifiers, NOT_DRAWN};
+use crate::math::{DVec3, Transform};
+use crate::pattern::{CellPattern, Cells, Field, FieldPattern, Modifiers, NOT_DRAWN};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -143,6 +143,34 @@ impl Pigment {
             pigment.paint = draft.finish();
         }
         Ok(pigment)
+    }
+
+    /// The colour at a point of the space around it.
+    pub fn at(&self, p: DVec3) -> Color {
+        let inner = || self.transform.inverse_point(p);
+        match &self.paint {
+            Paint::Solid(color) => *color,
+            Paint::Cells { pattern, pigments } => {
+                let inner = inner();
+                pigments.get(pattern.cell(inner)).map_or(Color::BLACK, |pigment| pigment.at(inner))
+            }
+            Paint::Mapped { pattern, modifiers, map } => map.at(modifiers.apply(pattern.value(inner()))),
+        }
+    }
+
+    /// Is it the same everywhere?
+    pub fn is_solid(&self) -> bool {
+        matches!(self.paint, Paint::Solid(_))
+    }
+
+    /// Does no light pass anywhere?
+    pub fn is_opaque(&self) -> bool {
+        let opaque = |c: &Color| c.filter == 0.0 && c.transmit == 0.0;
+        match &self.paint {
+            Paint::Solid(color) => opaque(color),
+            Paint::Cells { pigments, .. } => pigments.iter().all(Pigment::is_opaque),
+            Paint::Mapped { map, .. } => map.entries.iter().all(|(_, color)| opaque(color)),
+        }
     }
 
     /// Moves the pigment after all it has been moved before.

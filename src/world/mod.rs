@@ -2,20 +2,121 @@
 
 mod bvh;
 mod geometry;
+mod lower;
+mod material;
 mod node;
 
 pub use geometry::Geometry;
+pub use lower::lower;
+pub use material::{Layer, Lobe, Material};
 pub use node::{Found, FoundList, Leaf, Node, NodeKind, Surface};
 
-use crate::diagnostic::Result;
-use crate::scene::Scene;
+use crate::camera::Camera;
+use crate::color::{Color, Rgb};
+use crate::math::{DVec3, Transform};
+use crate::scene::Gamma;
+use crate::source::Span;
 use serde::Serialize;
 
 /// The lowered scene.
 #[derive(Debug, Serialize)]
-pub struct World {}
+pub struct World {
+    /// Where rays begin.
+    pub camera: Camera,
+    /// All objects.
+    pub geometry: Geometry,
+    /// By [`Leaf::id`].
+    pub parts: Vec<Part>,
+    /// By [`Node::object`].
+    pub objects: Vec<ObjectInfo>,
+    /// By [`Coat::material`].
+    pub materials: Vec<Material>,
+    /// Index of refraction, by number of the interior.
+    pub interiors: Vec<f64>,
+    /// All lamps.
+    pub lights: Vec<Lamp>,
+    /// What rays see that hit nothing.
+    pub background: Color,
+    /// From the numbers of the scene to light.
+    pub gamma: Gamma,
+    /// How often a ray may be reflected and bent.
+    pub max_trace_level: u32,
+    /// Rays that count for no more than this are not followed.
+    pub adc_bailout: f64,
+    /// Does light pass through any object?
+    pub see_through: bool,
+    /// Is any index of refraction not 1?
+    pub bends: bool,
+}
 
-/// Lowers what the author said to what a ray needs.
-pub fn lower(_scene: &Scene) -> Result<World> {
-    Ok(World {})
+/// What belongs to a leaf.
+#[derive(Clone, Debug, Serialize)]
+pub struct Part {
+    /// Seen from outside.
+    pub outside: Coat,
+    /// Seen from inside, if that differs.
+    pub inside: Option<Coat>,
+    /// Number of what fills it.
+    pub interior: u32,
+    /// Light from behind counts as light from the front.
+    pub double_illuminate: bool,
+    /// The word it was written with.
+    pub word: &'static str,
+    /// The text that made it.
+    pub source: Span,
+}
+
+/// A material where it lies.
+#[derive(Clone, Debug, Serialize)]
+pub struct Coat {
+    /// Number of the material.
+    pub material: u32,
+    /// World from texture; `None` where both are the same or it does not matter.
+    pub place: Option<Box<Transform>>,
+}
+
+impl Coat {
+    /// A point of the world in the texture's space.
+    pub fn local(&self, p: DVec3) -> DVec3 {
+        self.place.as_ref().map_or(p, |m| m.inverse_point(p))
+    }
+}
+
+/// What belongs to an object as a whole.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct ObjectInfo {
+    /// Does it cast shadows?
+    pub shadow: bool,
+    /// Does the camera see it, also through others?
+    pub image: bool,
+    /// Do mirrors show it?
+    pub reflection: bool,
+    /// Does no light pass anywhere?
+    pub opaque: bool,
+    /// Number of what fills it.
+    pub interior: u32,
+}
+
+/// A point of light.
+#[derive(Clone, Debug, Serialize)]
+pub struct Lamp {
+    /// In world space.
+    pub location: DVec3,
+    /// Negative ones darken.
+    pub color: Rgb,
+    /// Casts no shadow and makes no highlight.
+    pub shadowless: bool,
+    /// Distance of full strength, and how fast it fades from there.
+    pub fade: Option<(f64, f64)>,
+}
+
+impl Lamp {
+    /// The light at a distance when nothing is in between.
+    pub fn strength(&self, distance: f64) -> Rgb {
+        match self.fade {
+            // 2 / (1 + (d/d₀)ᵏ)
+            Some((from, power)) => self.color * (2.0 / (1.0 + crate::math::fp::pow(distance / from, power))),
+            None => self.color,
+        }
+    }
 }

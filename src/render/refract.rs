@@ -1,0 +1,125 @@
+//! Borders between what fills the objects: indices of refraction, Snell's law, Fresnel's formula.
+
+use crate::math::DVec3;
+use smallvec::SmallVec;
+
+/// The interiors that a ray is in, the last entered on top.
+pub(super) type Interiors = SmallVec<[u32; 6]>;
+
+/// What lies on both sides of a surface that a ray meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Border {
+    /// Index of refraction on the ray's side.
+    pub n1: f64,
+    /// Index of refraction behind the surface.
+    pub n2: f64,
+    /// The place in the stack of what the ray leaves; `None` if it enters something.
+    leaves: Option<usize>,
+}
+
+impl Border {
+    /// The same on both sides.
+    pub const NONE: Border = Border { n1: 1.0, n2: 1.0, leaves: None };
+
+    /// The border of interior `own` for a ray in `inside`: a ray that is in it leaves it, any other enters it.
+    pub fn new(inside: &Interiors, own: u32, iors: &[f64]) -> Self {
+        let ior = |i: Option<&u32>| i.and_then(|&i| iors.get(i as usize)).copied().unwrap_or(1.0);
+        let leaves = inside.iter().rposition(|&i| i == own);
+        let n2 = match leaves {
+            Some(at) => ior(inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, i)| i)),
+            None => ior(Some(&own)),
+        };
+        Self { n1: ior(inside.last()), n2, leaves }
+    }
+
+    /// Is a ray bent here?
+    pub fn bends(&self) -> bool {
+        self.n1 != self.n2
+    }
+
+    /// What the ray is in behind the border of `own`.
+    pub fn cross(&self, inside: &mut Interiors, own: u32) {
+        match self.leaves {
+            Some(at) => drop(inside.remove(at)),
+            None => inside.push(own),
+        }
+    }
+
+    /// The part of unpolarised light that a dielectric mirrors (Fresnel's formula); `cos` is that of the angle between
+    /// ray and normal.
+    pub fn fresnel(&self, cos: f64) -> f64 {
+        if !self.bends() {
+            return 0.0;
+        }
+        // Snell: sin²θ₂ = (n₁/n₂)²·sin²θ₁
+        let sin2 = (self.n1 / self.n2).powi(2) * (1.0 - cos * cos);
+        if sin2 >= 1.0 {
+            return 1.0;
+        }
+        let cos2 = (1.0 - sin2).sqrt();
+        let across = (self.n1 * cos - self.n2 * cos2) / (self.n1 * cos + self.n2 * cos2);
+        let along = (self.n1 * cos2 - self.n2 * cos) / (self.n1 * cos2 + self.n2 * cos);
+        (across * across + along * along) / 2.0
+    }
+
+    /// The direction behind the border, by Snell's law; `None` if all is reflected. `normal` points to the ray's side.
+    pub fn refract(&self, dir: DVec3, normal: DVec3) -> Option<DVec3> {
+        if !self.bends() {
+            return Some(dir);
+        }
+        let eta = self.n1 / self.n2;
+        let cos = -dir.dot(normal);
+        // cos²θ₂ = 1 - η²·(1 - cos²θ₁)
+        let cos2 = 1.0 - eta * eta * (1.0 - cos * cos);
+        (cos2 >= 0.0).then(|| (dir * eta + normal * (eta * cos - cos2.sqrt())).normalize())
+    }
+}
+
+/// The mirrored direction: d - 2(d·n)n.
+pub(super) fn reflect(dir: DVec3, normal: DVec3) -> DVec3 {
+    (dir - normal * (2.0 * dir.dot(normal))).normalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn border(n1: f64, n2: f64) -> Border {
+        Border { n1, n2, leaves: None }
+    }
+
+    #[test]
+    fn snell() {
+        let (sin, cos) = 30f64.to_radians().sin_cos();
+        let out = border(1.0, 1.5).refract(DVec3::new(sin, -cos, 0.0), DVec3::Y).unwrap();
+        assert!((out.x - sin / 1.5).abs() < 1e-15 && out.y < 0.0);
+        // past the critical angle asin(1/1.5) = 41.8°
+        let (sin, cos) = 42f64.to_radians().sin_cos();
+        assert_eq!(border(1.5, 1.0).refract(DVec3::new(sin, -cos, 0.0), DVec3::Y), None);
+    }
+
+    #[test]
+    fn fresnel_straight_on_and_at_brewsters_angle() {
+        // ((n₁ - n₂)/(n₁ + n₂))²
+        assert!((border(1.0, 1.5).fresnel(1.0) - 0.04).abs() < 1e-15);
+        assert!((border(1.5, 1.0).fresnel(0.1) - 1.0).abs() < 1e-15);
+        // at Brewster's angle, tan θ = n₂/n₁, only the part across is mirrored: ((n² - 1)/(n² + 1))²/2
+        let cos = 1.5f64.atan().cos();
+        assert!((border(1.0, 1.5).fresnel(cos) - (1.25f64 / 3.25).powi(2) / 2.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn overlapping_glasses() {
+        // A 1.5 and B 1.2 overlap: in A, in both, in B, out
+        let iors = [1.5, 1.2];
+        let mut inside = Interiors::new();
+        let mut seen = vec![];
+        for own in [0, 1, 0, 1] {
+            let border = Border::new(&inside, own, &iors);
+            seen.push((border.n1, border.n2));
+            border.cross(&mut inside, own);
+        }
+        assert_eq!(seen, [(1.0, 1.5), (1.5, 1.2), (1.2, 1.2), (1.2, 1.0)]);
+        assert!(inside.is_empty());
+    }
+}

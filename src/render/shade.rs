@@ -1,0 +1,127 @@
+//! How surfaces answer to light: one function for each term of `finish` (manual, "Finish"; details measured on 3.7).
+
+use super::refract::reflect;
+use super::site::{Shown, Site};
+use super::trace::Tracer;
+use crate::color::Rgb;
+use crate::math::{DVec3, fp};
+use crate::world::{Lamp, Layer, Lobe};
+use std::f64::consts::FRAC_PI_2;
+
+/// Where the light comes from and where it is looked at from.
+struct Incidence {
+    /// N·l; negative from behind.
+    cos: f64,
+    /// R·l, where R is the ray mirrored by the surface.
+    cos_mirrored: f64,
+    /// N·h, where h is half-way between the light and the eye.
+    cos_halfway: f64,
+}
+
+impl Tracer<'_> {
+    /// The light that a place sends back along the ray, without what it mirrors and lets pass.
+    pub(super) fn shade(&mut self, dir: DVec3, site: &Site) -> Rgb {
+        if !self.setup.quality.lit {
+            return site.layers.first().map_or(Rgb::ZERO, |top| top.color.rgb);
+        }
+        let mut sum = Rgb::ZERO;
+        for shown in &site.layers {
+            sum += shown.weight * glow(shown);
+        }
+        for lamp in &self.setup.world.lights {
+            sum += self.answer(lamp, dir, site);
+        }
+        sum
+    }
+
+    /// What it answers to one lamp.
+    fn answer(&mut self, lamp: &Lamp, dir: DVec3, site: &Site) -> Rgb {
+        let to_lamp = lamp.location - site.point;
+        let distance = to_lamp.length();
+        let l = to_lamp / distance;
+        let cos = site.normal.dot(l);
+        let side = if cos > 0.0 { answers_front } else { answers_back };
+        if !site.layers.iter().any(|shown| side(shown.layer, site.part.double_illuminate)) || distance == 0.0 {
+            return Rgb::ZERO;
+        }
+        let mut light = lamp.strength(distance);
+        if !lamp.shadowless && self.setup.quality.shadows && light != Rgb::ZERO {
+            light *= self.unshadowed(site.point, l, distance);
+        }
+        if light == Rgb::ZERO {
+            return Rgb::ZERO;
+        }
+        let cos_halfway = site.normal.dot((l - dir).normalize_or_zero());
+        let at = Incidence { cos, cos_mirrored: reflect(dir, site.normal).dot(l), cos_halfway };
+        let mut sum = Rgb::ZERO;
+        for shown in &site.layers {
+            let grain = if shown.layer.crand == 0.0 { 0.0 } else { shown.layer.crand * self.random() };
+            sum += shown.weight * scattered(shown, &at, grain, site.part.double_illuminate);
+            if cos > 0.0 && !lamp.shadowless {
+                sum += shown.weight * highlight(shown, &at);
+            }
+        }
+        sum * light
+    }
+}
+
+fn answers_front(layer: &Layer, _: bool) -> bool {
+    layer.diffuse != 0.0 || layer.phong.strength != 0.0 || layer.specular.strength != 0.0
+}
+
+fn answers_back(layer: &Layer, double_illuminate: bool) -> bool {
+    layer.diffuse_back != 0.0 || (double_illuminate && layer.diffuse != 0.0)
+}
+
+/// `ambient` and `emission`.
+fn glow(shown: &Shown) -> Rgb {
+    shown.color.rgb * shown.color.opacity() * shown.layer.glow
+}
+
+/// `diffuse`, `brilliance`, `crand`.
+fn scattered(shown: &Shown, at: &Incidence, grain: f64, double_illuminate: bool) -> Rgb {
+    let layer = shown.layer;
+    let amount = if at.cos > 0.0 || double_illuminate { layer.diffuse } else { layer.diffuse_back };
+    if amount == 0.0 {
+        return Rgb::ZERO;
+    }
+    // d·|N·l|ᵇ, less some grain
+    let mut intensity = amount * power(at.cos.abs(), layer.brilliance);
+    if grain != 0.0 {
+        intensity = (intensity - grain).max(0.0);
+    }
+    shown.color.rgb * (shown.color.opacity() * intensity)
+}
+
+/// `phong` and `specular`, coloured by `metallic`.
+fn highlight(shown: &Shown, at: &Incidence) -> Rgb {
+    let layer = shown.layer;
+    let amount = lobe(&layer.phong, at.cos_mirrored) + lobe(&layer.specular, at.cos_halfway);
+    if amount == 0.0 {
+        return Rgb::ZERO;
+    }
+    metal_tint(layer.metallic, at.cos, shown.color.rgb) * amount
+}
+
+/// strength · cosⁿ
+fn lobe(lobe: &Lobe, cos: f64) -> f64 {
+    if lobe.strength == 0.0 || cos <= 0.0 { 0.0 } else { lobe.strength * power(cos, lobe.exponent) }
+}
+
+/// The colour of what metal mirrors: the pigment's, but white at a grazing angle, by F of Strauss, A realistic lighting
+/// model for computer animators, 1990.
+pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
+    if metallic == 0.0 {
+        return Rgb::ONE;
+    }
+    const K: f64 = 1.12;
+    let x = fp::acos(cos) / FRAC_PI_2;
+    // F(x) = (1/(x-k)² - 1/k²) / (1/(1-k)² - 1/k²)
+    let rise = |x: f64| 1.0 / ((x - K) * (x - K)) - 1.0 / (K * K);
+    let fresnel = rise(x) / rise(1.0);
+    Rgb::ONE + (pigment - Rgb::ONE) * (metallic * (1.0 - fresnel))
+}
+
+fn power(x: f64, exponent: f64) -> f64 {
+    if exponent == 1.0 { x } else { fp::pow(x, exponent) }
+}

@@ -1,0 +1,245 @@
+//! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
+
+use super::refract::{Border, Interiors, reflect};
+use super::shade::metal_tint;
+use super::site::{Shown, Site};
+use super::{Options, Rays};
+use crate::camera::Window;
+use crate::color::{Rgb, gray};
+use crate::math::{DVec3, Range, Ray, fp, rng, tolerance};
+use crate::texture::Reflection;
+use crate::world::{Found, World};
+
+/// So many surfaces one ray passes at most; it ends what rounding would keep in one place for ever.
+const CROSSINGS: usize = 20_000;
+
+/// What `+Q` switches.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Quality {
+    /// From 2 on: lamps shine.
+    pub lit: bool,
+    /// From 4 on.
+    pub shadows: bool,
+    /// From 6 on: no quick colours, and see-through.
+    pub real: bool,
+    /// From 8 on.
+    pub mirrors: bool,
+}
+
+/// What is the same for all rays of a frame.
+pub(super) struct Setup<'w> {
+    pub world: &'w World,
+    pub window: Window,
+    pub quality: Quality,
+    frame: u32,
+    /// The picture keeps alpha.
+    alpha: bool,
+    /// What the camera is in.
+    start: Interiors,
+}
+
+impl<'w> Setup<'w> {
+    pub fn new(world: &'w World, options: &Options) -> Self {
+        let window = world.camera.window(options.width, options.height);
+        let q = options.quality;
+        let quality = Quality { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8 };
+        let mut start = Interiors::new();
+        if world.bends {
+            world
+                .geometry
+                .containing(window.origin, &mut |node| start.push(world.objects[node.object as usize].interior));
+            start.sort_unstable();
+        }
+        Self { world, window, quality, frame: options.frame, alpha: options.alpha, start }
+    }
+}
+
+/// Light along a camera ray, in the numbers of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sample {
+    pub rgb: Rgb,
+    /// How much of what is behind the scene shows.
+    pub passed: f64,
+}
+
+/// A ray and what is known of it.
+struct Path {
+    ray: Ray,
+    /// 1 for a ray from the eye.
+    level: u32,
+    /// How much it counts.
+    weight: f64,
+    /// Has it been mirrored?
+    mirrored: bool,
+    /// What it is in.
+    inside: Interiors,
+}
+
+/// Where a ray goes on behind a surface.
+enum Onward {
+    /// Nowhere.
+    Ends,
+    /// Through it, in this direction.
+    Through(DVec3),
+    /// It is mirrored, all of it.
+    Total,
+}
+
+/// Traces the rays of one sample after another.
+pub(super) struct Tracer<'w> {
+    pub setup: &'w Setup<'w>,
+    pub rays: Rays,
+    pixel: u64,
+    sample: u64,
+    dimension: u64,
+}
+
+impl<'w> Tracer<'w> {
+    pub fn new(setup: &'w Setup<'w>) -> Self {
+        Self { setup, rays: Rays::default(), pixel: 0, sample: 0, dimension: 0 }
+    }
+
+    /// All random numbers from here on belong to this sample of this pixel.
+    pub fn begin(&mut self, pixel: u64, sample: u64) {
+        (self.pixel, self.sample, self.dimension) = (pixel, sample, 0);
+    }
+
+    /// The next random number of this sample, in [0, 1).
+    pub fn random(&mut self) -> f64 {
+        self.dimension += 1;
+        rng::unit(&[u64::from(self.setup.frame), self.pixel, self.sample, self.dimension])
+    }
+
+    /// The light through a point of the picture, in pixels from its top left corner.
+    pub fn see(&mut self, x: f64, y: f64) -> Sample {
+        self.rays.camera += 1;
+        let ray = self.setup.window.ray(x, y);
+        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, inside: self.setup.start.clone() })
+    }
+
+    /// Follows a ray through all that lets it pass; only mirrors recurse.
+    fn follow(&mut self, mut path: Path) -> Sample {
+        let mut rgb = Rgb::ZERO;
+        // How much of the light ahead arrives.
+        let mut through = Rgb::ONE;
+        let mut passed = 1.0;
+        for _ in 0..CROSSINGS {
+            let Some(found) = self.closest(&path) else {
+                let (sky, open) = self.background(path.mirrored);
+                return Sample { rgb: rgb + through * sky, passed: passed * open };
+            };
+            let site = Site::new(self.setup.world, &path.ray, &found, !self.setup.quality.real);
+            rgb += through * self.shade(path.ray.dir, &site);
+            let border = match self.setup.world.bends {
+                true => Border::new(&path.inside, site.part.interior, &self.setup.world.interiors),
+                false => Border::NONE,
+            };
+            let onward = self.onward(&path, &site, &border);
+            let mirror = if self.setup.quality.mirrors { mirrors(&site, &border) } else { Rgb::ZERO };
+            if mirror != Rgb::ZERO && !matches!(onward, Onward::Total) {
+                rgb += through * self.mirrored(&path, &site, &border, mirror);
+            }
+            match onward {
+                Onward::Ends => return Sample { rgb, passed: 0.0 },
+                Onward::Through(dir) => {
+                    let kept =
+                        if site.layers.iter().any(|s| s.layer.conserve_energy) { 1.0 - mirror } else { Rgb::ONE };
+                    through *= site.pass * kept;
+                    passed *= gray(site.pass);
+                    path.weight *= gray(site.pass);
+                    path.level += u32::from(border.bends());
+                    path.ray = Ray::new(site.point, dir);
+                    if self.setup.world.bends {
+                        border.cross(&mut path.inside, site.part.interior);
+                    }
+                    self.rays.transmitted += 1;
+                }
+                Onward::Total => {
+                    (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
+                    path.ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
+                    self.rays.reflected += 1;
+                }
+            }
+        }
+        Sample { rgb, passed: 0.0 }
+    }
+
+    fn closest(&self, path: &Path) -> Option<Found<'w>> {
+        let world = self.setup.world;
+        let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
+        if path.mirrored {
+            world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].reflection)
+        } else {
+            world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].image)
+        }
+    }
+
+    /// Its light, and how much of what is behind it shows; mirrors see it opaque when the picture keeps alpha.
+    fn background(&self, mirrored: bool) -> (Rgb, f64) {
+        let sky = &self.setup.world.background;
+        if mirrored && self.setup.alpha {
+            return (sky.rgb, 0.0);
+        }
+        (sky.rgb * (1.0 - sky.transmit), sky.filter * gray(sky.rgb) + sky.transmit)
+    }
+
+    /// Does the ray go on behind the surface, and where to? Straight on it stays on its level.
+    fn onward(&self, path: &Path, site: &Site, border: &Border) -> Onward {
+        let world = self.setup.world;
+        let weight = path.weight * gray(site.pass);
+        let level = path.level + u32::from(border.bends());
+        if site.pass == Rgb::ZERO || weight <= world.adc_bailout || level > world.max_trace_level {
+            return Onward::Ends;
+        }
+        border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
+    }
+
+    /// The light that the place mirrors; `sum` is how much all its layers mirror together.
+    fn mirrored(&mut self, path: &Path, site: &Site, border: &Border, sum: Rgb) -> Rgb {
+        let world = self.setup.world;
+        let weight = path.weight * sum.max_element();
+        if weight <= world.adc_bailout || path.level >= world.max_trace_level {
+            return Rgb::ZERO;
+        }
+        self.rays.reflected += 1;
+        let ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
+        let light =
+            self.follow(Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() }).rgb;
+        let mut out = Rgb::ZERO;
+        for shown in &site.layers {
+            if let Some(mirror) = &shown.layer.mirror {
+                let seen = match mirror.exponent {
+                    1.0 => light,
+                    exponent => light.max(Rgb::ZERO).map(|x| fp::pow(x, 1.0 / exponent)),
+                };
+                out += reflectivity(mirror, shown, site.cos, border) * seen;
+            }
+        }
+        out
+    }
+}
+
+/// How much all layers mirror. What lies above a layer takes nothing from its mirror (measured on 3.7).
+fn mirrors(site: &Site, border: &Border) -> Rgb {
+    let mut sum = Rgb::ZERO;
+    for shown in &site.layers {
+        if let Some(mirror) = &shown.layer.mirror {
+            sum += reflectivity(mirror, shown, site.cos, border);
+        }
+    }
+    sum
+}
+
+/// How much one layer mirrors at this angle.
+fn reflectivity(mirror: &Reflection, shown: &Shown, cos: f64, border: &Border) -> Rgb {
+    let part = if mirror.fresnel {
+        border.fresnel(cos)
+    } else if mirror.min == mirror.max {
+        0.0
+    } else {
+        fp::pow(1.0 - cos.min(1.0), mirror.falloff)
+    };
+    // min + (max - min)·part
+    let amount = mirror.min + (mirror.max - mirror.min) * part;
+    amount * metal_tint(mirror.metallic, cos, shown.color.rgb)
+}

@@ -1,0 +1,280 @@
+//! From what the author said to what a ray needs: nested blocks become one M and M⁻¹ per shape, what a group says goes
+//! down to its parts, textures are lowered once however often they are used.
+
+use super::{Coat, Geometry, Lamp, Leaf, Material, Node, ObjectInfo, Part, World};
+use crate::color::{Color, Rgb};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::light::Light;
+use crate::math::Transform;
+use crate::scene::{CsgOp, Flags, Gamma, Object, ObjectKind, Painted, Scene};
+use crate::shape::{Kernel, Shape};
+use crate::source::Span;
+use crate::texture::{Interior, Texture};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// Lowers what the author said to what a ray needs.
+///
+/// # Errors
+/// Where a number is not finite or transforms, put together, flatten space.
+pub fn lower(scene: &Scene) -> Result<World> {
+    let mut lowering = Lowering { ambient_light: scene.settings.ambient_light, ..Lowering::default() };
+    let mut roots = vec![];
+    for object in &scene.objects {
+        roots.extend(lowering.lower_object(object, &Around::default())?.map(|solid| solid.node));
+    }
+    let Lowering { parts, objects, materials, interiors, lights, .. } = lowering;
+    Ok(World {
+        camera: scene.camera.clone(),
+        geometry: Geometry::new(roots),
+        see_through: objects.iter().any(|o| !o.opaque),
+        bends: interiors.iter().any(|&ior| ior != 1.0),
+        parts,
+        objects,
+        materials,
+        interiors,
+        lights,
+        background: scene.background.unwrap_or(Color { transmit: 1.0, ..Color::BLACK }),
+        gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
+        max_trace_level: scene.settings.max_trace_level,
+        adc_bailout: scene.settings.adc_bailout,
+    })
+}
+
+/// What the blocks around an object say.
+#[derive(Clone, Default)]
+struct Around {
+    /// World from the space in the block.
+    transform: Transform,
+    texture: Option<Look>,
+    inside: Option<Look>,
+    interior: Option<u32>,
+    flags: Flags,
+}
+
+/// A texture and its place in the world.
+#[derive(Clone)]
+struct Look {
+    texture: Arc<Texture>,
+    transform: Transform,
+}
+
+/// A lowered object.
+struct Solid {
+    node: Node,
+    opaque: bool,
+}
+
+#[derive(Default)]
+struct Lowering {
+    ambient_light: Rgb,
+    parts: Vec<Part>,
+    objects: Vec<ObjectInfo>,
+    materials: Vec<Material>,
+    /// By the address of the texture, which the scene keeps alive.
+    material_numbers: FxHashMap<*const Texture, u32>,
+    interiors: Vec<f64>,
+    lights: Vec<Lamp>,
+}
+
+impl Lowering {
+    /// `None` for what can't be hit: lights, empty groups.
+    fn lower_object(&mut self, object: &Object, around: &Around) -> Result<Option<Solid>> {
+        let own = self.own(object, around)?;
+        let clip = self.lower_clip(object, around)?;
+        let solid = match &object.kind {
+            ObjectKind::Light(light) => {
+                self.lower_light(light, &own.transform)?;
+                None
+            }
+            ObjectKind::Shape(shape) => Some(self.lower_shape(object, shape, &own)?),
+            ObjectKind::Csg(op, parts) => self.lower_csg(*op, parts, &own)?,
+        };
+        let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
+        if object.flags.inverse {
+            node = node.inverted();
+        }
+        if !clip.is_empty() {
+            node = node.clipped(clip);
+        }
+        Ok(Some(Solid { node, opaque }))
+    }
+
+    /// What holds inside the object's block.
+    fn own(&mut self, object: &Object, around: &Around) -> Result<Around> {
+        // world from object = world from block · block from object
+        let transform = checked(object.transform.then(&around.transform), object.source)?;
+        let look = |painted: &Option<Painted>| -> Result<Option<Look>> {
+            let Some(painted) = painted else { return Ok(None) };
+            let transform = checked(painted.transform.then(&around.transform), object.source)?;
+            Ok(Some(Look { texture: painted.texture.clone(), transform }))
+        };
+        let texture = look(&object.texture)?;
+        // What a group says of its inside does not belong to a part's own texture.
+        let inherited = if texture.is_none() { around.inside.clone() } else { None };
+        Ok(Around {
+            transform,
+            inside: look(&object.interior_texture)?.or(inherited),
+            texture: texture.or_else(|| around.texture.clone()),
+            interior: object.interior.as_deref().map(|i| self.add_interior(i)).or(around.interior),
+            flags: joined(object.flags, around.flags),
+        })
+    }
+
+    fn add_interior(&mut self, interior: &Interior) -> u32 {
+        self.interiors.push(interior.ior);
+        self.interiors.len() as u32 - 1
+    }
+
+    /// The objects that clip this one; they are in the space around it.
+    fn lower_clip(&mut self, object: &Object, around: &Around) -> Result<Vec<Node>> {
+        let mut clip = vec![];
+        for part in object.clipped_by.iter().flat_map(|parts| parts.iter()) {
+            clip.extend(self.lower_object(part, around)?.map(|solid| solid.node));
+        }
+        Ok(clip)
+    }
+
+    fn lower_light(&mut self, light: &Light, transform: &Transform) -> Result<()> {
+        let location = transform.point(light.location);
+        if !location.is_finite() {
+            return not_finite(light.source);
+        }
+        let fade =
+            (light.fade_distance > 0.0 && light.fade_power > 0.0).then_some((light.fade_distance, light.fade_power));
+        self.lights.push(Lamp { location, color: light.color, shadowless: light.shadowless, fade });
+        Ok(())
+    }
+
+    fn lower_shape(&mut self, object: &Object, shape: &Arc<Shape>, own: &Around) -> Result<Solid> {
+        let bounds = shape.bounds_under(&own.transform);
+        if bounds.min.is_nan() || bounds.max.is_nan() {
+            return not_finite(object.source);
+        }
+        let default = || Look { texture: object.default_texture.clone(), transform: Transform::IDENTITY };
+        let outside = self.lower_look(&own.texture.clone().unwrap_or_else(default));
+        let inside = own.inside.as_ref().map(|look| self.lower_look(look));
+        let opaque = [Some(&outside), inside.as_ref()]
+            .into_iter()
+            .flatten()
+            .all(|coat| self.materials[coat.material as usize].opaque);
+        let interior = own.interior.unwrap_or_else(|| self.add_interior(&Interior::default()));
+        let id = self.parts.len() as u32;
+        let double_illuminate = own.flags.double_illuminate;
+        self.parts.push(Part {
+            outside,
+            inside,
+            interior,
+            double_illuminate,
+            word: object.word,
+            source: object.source,
+        });
+        let leaf = Leaf::new(shape.clone(), &own.transform, id);
+        Ok(Solid { node: Node::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
+    }
+
+    fn add_object(&mut self, flags: Flags, opaque: bool, interior: u32) -> u32 {
+        let Flags { no_shadow, no_image, no_reflection, .. } = flags;
+        let info = ObjectInfo { shadow: !no_shadow, image: !no_image, reflection: !no_reflection, opaque, interior };
+        self.objects.push(info);
+        self.objects.len() as u32 - 1
+    }
+
+    fn lower_look(&mut self, look: &Look) -> Coat {
+        let next = self.materials.len() as u32;
+        let material = *self.material_numbers.entry(Arc::as_ptr(&look.texture)).or_insert(next);
+        if material == next {
+            self.materials.push(Material::new(&look.texture, self.ambient_light));
+        }
+        let matters = !self.materials[material as usize].solid && !look.transform.is_identity();
+        Coat { material, place: matters.then(|| Box::new(look.transform)) }
+    }
+
+    fn lower_csg(&mut self, op: CsgOp, parts: &[Object], own: &Around) -> Result<Option<Solid>> {
+        let mut within = own.clone();
+        if op != CsgOp::Union && within.interior.is_none() {
+            // All faces of one solid border on the same inside.
+            within.interior = Some(self.add_interior(&Interior::default()));
+        }
+        if own.flags.cutaway_textures && within.texture.is_none() {
+            // A cut shows the texture of what is cut.
+            within.texture = parts.iter().find_map(|part| first_look(part, &own.transform));
+        }
+        let (mut nodes, mut opaque) = (vec![], true);
+        for (i, part) in parts.iter().enumerate() {
+            match self.lower_object(part, &within)? {
+                Some(solid) => {
+                    opaque &= solid.opaque;
+                    nodes.push(solid.node);
+                }
+                // Nothing without something is nothing, and so is what nothing shares with anything.
+                None if op == CsgOp::Intersection || (op == CsgOp::Difference && i == 0) => return Ok(None),
+                None => {}
+            }
+        }
+        if nodes.is_empty() {
+            return Ok(None);
+        }
+        let interior = match within.interior {
+            Some(interior) => interior,
+            None => self.add_interior(&Interior::default()),
+        };
+        let number = self.add_object(own.flags, opaque, interior);
+        let node = match op {
+            CsgOp::Union => Node::union(nodes, number),
+            CsgOp::Intersection => Node::intersection(nodes, number),
+            CsgOp::Difference => Node::difference(nodes, number),
+            CsgOp::Merge => Node::merge(nodes, number),
+        };
+        Ok(Some(Solid { node, opaque }))
+    }
+}
+
+/// The texture of the first part that has one.
+fn first_look(object: &Object, around: &Transform) -> Option<Look> {
+    if let Some(painted) = &object.texture {
+        return Some(Look { texture: painted.texture.clone(), transform: painted.transform.then(around) });
+    }
+    match &object.kind {
+        ObjectKind::Csg(_, parts) => {
+            let inner = object.transform.then(around);
+            parts.iter().find_map(|part| first_look(part, &inner))
+        }
+        _ => None,
+    }
+}
+
+/// Switches of a part and of the group around it. `inverse` is each one's own.
+fn joined(own: Flags, around: Flags) -> Flags {
+    Flags {
+        no_shadow: own.no_shadow || around.no_shadow,
+        no_image: own.no_image || around.no_image,
+        no_reflection: own.no_reflection || around.no_reflection,
+        no_radiosity: own.no_radiosity || around.no_radiosity,
+        hollow: own.hollow || around.hollow,
+        inverse: own.inverse,
+        double_illuminate: own.double_illuminate || around.double_illuminate,
+        cutaway_textures: own.cutaway_textures || around.cutaway_textures,
+    }
+}
+
+/// A transform that can be undone.
+fn checked(transform: Transform, source: Span) -> Result<Transform> {
+    let Transform { m, inv } = &transform;
+    if !m.is_finite() {
+        return not_finite(source);
+    }
+    if !inv.is_finite() || m.matrix3.determinant() == 0.0 || inv.matrix3.determinant() == 0.0 {
+        let message = "all the transforms of this object together flatten it";
+        return Diagnostic::new(codes::SINGULAR, source, message)
+            .help("a factor that is 0 or nearly so has no way back; take a larger one, or a flat shape such as `disc`")
+            .into();
+    }
+    Ok(transform)
+}
+
+fn not_finite<T>(source: Span) -> Result<T> {
+    Diagnostic::new(codes::NOT_FINITE, source, "a number that places this object is infinite or not a number")
+        .help("look for a division by zero, or a number that grows in a loop")
+        .into()
+}
