@@ -2,7 +2,10 @@
 
 use super::{Diagnostic, Label, Severity};
 use crate::source::{FileId, Sources, Span};
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
+use miette::{
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan,
+    SpanContents,
+};
 
 /// How to draw.
 #[derive(Clone, Copy, Debug)]
@@ -105,8 +108,13 @@ struct Lines {
 impl Lines {
     fn new(sources: &Sources, file: FileId, d: &Diagnostic) -> Self {
         let text = sources.text(file);
-        let ranges: Vec<_> =
-            d.labels.iter().filter_map(|l| sources.locate(l.span)).filter(|(id, _)| *id == file).map(|(_, r)| r).collect();
+        let ranges: Vec<_> = d
+            .labels
+            .iter()
+            .filter_map(|l| sources.locate(l.span))
+            .filter(|(id, _)| *id == file)
+            .map(|(_, r)| r)
+            .collect();
         let first = ranges.iter().map(|r| r.start).min().unwrap_or(0);
         let last = ranges.iter().map(|r| r.end).max().unwrap_or(0);
         let ends = ['\n', '\r'];
@@ -126,7 +134,11 @@ impl SourceCode for Lines {
         before: usize,
         _after: usize,
     ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
-        let lo = span.offset().checked_sub(self.start).filter(|lo| *lo <= self.text.len()).ok_or(MietteError::OutOfBounds)?;
+        let lo = span
+            .offset()
+            .checked_sub(self.start)
+            .filter(|lo| *lo <= self.text.len())
+            .ok_or(MietteError::OutOfBounds)?;
         let hi = (lo + span.len()).min(self.text.len());
         let from = self.text[..lo].rfind('\n').map_or(0, |i| i + 1);
         let to = self.text[hi..].find('\n').map_or(self.text.len(), |i| hi + i);

@@ -53,7 +53,11 @@ impl<'a> Interpreter<'a> {
             }
             ExprKind::Block(block) => {
                 let name = block.name.word.unwrap_or("this block");
-                Diagnostic::err(codes::EXPECTED_VALUE, e.span, format!("expected a number or text, found `{name} {{…}}`"))
+                Diagnostic::err(
+                    codes::EXPECTED_VALUE,
+                    e.span,
+                    format!("expected a number or text, found `{name} {{…}}`"),
+                )
             }
         }
     }
@@ -137,7 +141,8 @@ impl<'a> Interpreter<'a> {
         let declared: Vec<&str> = self.scopes.names().map(|s| self.names.text(s)).collect();
         let words = word::KEYWORDS.iter().chain(word::CONSTANTS).chain(word::FUNCTIONS).copied();
         let near = did_you_mean(name, declared.into_iter().chain(words));
-        d.help(near.unwrap_or_else(|| format!("`#declare {name} = …;` gives it a value; is an `#include` missing?"))).into()
+        d.help(near.unwrap_or_else(|| format!("`#declare {name} = …;` gives it a value; is an `#include` missing?")))
+            .into()
     }
 
     pub(super) fn is_constant(&self, symbol: Symbol) -> bool {

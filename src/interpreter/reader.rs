@@ -77,7 +77,9 @@ impl<'a> Interpreter<'a> {
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), span })) => {
                 if self.scopes.get(*symbol).is_none() && !self.is_constant(*symbol) {
-                    let Err(fault) = self.name_value(*symbol, *span) else { return self.expected(*span, expected, "a name") };
+                    let Err(fault) = self.name_value(*symbol, *span) else {
+                        return self.expected(*span, expected, "a name");
+                    };
                     return *fault;
                 }
                 format!("`{}`", self.names.text(*symbol))
@@ -396,7 +398,8 @@ impl Reader for Interpreter<'_> {
         Ok(match self.peek()? {
             Token::Word(word) => COLOR_WORDS.contains(&word),
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
-                matches!(self.next_of_name(*symbol), Next::Value) && !matches!(self.scopes.get(*symbol), Some(Slot::Value(Value::Text(_))))
+                matches!(self.next_of_name(*symbol), Next::Value)
+                    && !matches!(self.scopes.get(*symbol), Some(Slot::Value(Value::Text(_))))
             }
             Token::Expr(_) | Token::Numbers(_) => true,
             _ => false,
@@ -457,15 +460,20 @@ impl Reader for Interpreter<'_> {
             Err(fault) => return *fault,
             Ok(Token::Word(word)) => word.to_string(),
             Ok(Token::Block(Block { name, .. }) | Token::Open(name)) => self.sources.snippet(name.span).to_string(),
-            Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. })) if self.scopes.get(*symbol).is_none() && !self.is_constant(*symbol) => {
+            Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
+                if self.scopes.get(*symbol).is_none() && !self.is_constant(*symbol) =>
+            {
                 let name = self.names.text(*symbol).to_string();
-                let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{name}` is not something a `{block}` takes"));
+                let d =
+                    Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{name}` is not something a `{block}` takes"));
                 let declared = self.scopes.names().map(|s| self.names.text(s));
                 let near = did_you_mean(&name, takes.iter().copied().chain(declared));
                 let hint = hints::other_tools(&name).map(String::from);
                 return d.help(format!("it takes {}", list(takes))).maybe_help(near).maybe_help(hint);
             }
-            Ok(_) => return self.unexpected_token(&format!("a word of `{block}`")).help(format!("it takes {}", list(takes))),
+            Ok(_) => {
+                return self.unexpected_token(&format!("a word of `{block}`")).help(format!("it takes {}", list(takes)));
+            }
         };
         let near = did_you_mean(&word, takes.iter().copied());
         Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` is not something a `{block}` takes"))

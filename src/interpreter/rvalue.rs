@@ -14,8 +14,25 @@ use std::sync::Arc;
 
 /// Blocks that may be declared, and whose kind is not read yet.
 const LATER: &[&str] = &[
-    "normal", "media", "density", "fog", "rainbow", "sky_sphere", "spline", "pigment_map", "normal_map", "slope_map",
-    "texture_map", "density_map", "warp", "radiosity", "photons", "pattern", "dictionary", "array", "texture_list",
+    "normal",
+    "media",
+    "density",
+    "fog",
+    "rainbow",
+    "sky_sphere",
+    "spline",
+    "pigment_map",
+    "normal_map",
+    "slope_map",
+    "texture_map",
+    "density_map",
+    "warp",
+    "radiosity",
+    "photons",
+    "pattern",
+    "dictionary",
+    "array",
+    "texture_list",
 ];
 
 impl<'a> Interpreter<'a> {
@@ -65,7 +82,10 @@ impl<'a> Interpreter<'a> {
             return Diagnostic::err(codes::NOT_YET, span, format!("`{word}` is not supported yet"));
         }
         let expected = "something that can be declared";
-        if !matches!(word, "pigment" | "finish" | "interior" | "material" | "color_map" | "colour_map" | "camera" | "transform") {
+        if !matches!(
+            word,
+            "pigment" | "finish" | "interior" | "material" | "color_map" | "colour_map" | "camera" | "transform"
+        ) {
             return Err(self.unexpected_token(expected).into());
         }
         let at = self.take()?;

@@ -41,7 +41,11 @@ pub(super) enum FrameKind<'a> {
     /// Like a branch, and `#break` leaves it.
     Switch,
     While(&'a Expr),
-    For { counter: Symbol, last: f64, step: f64 },
+    For {
+        counter: Symbol,
+        last: f64,
+        step: f64,
+    },
     Macro(Symbol),
     Include,
 }
@@ -229,7 +233,8 @@ impl<'a> Interpreter<'a> {
 
     /// `#break`: leaves the innermost loop or `#switch`.
     pub(super) fn break_out(&mut self, span: Span) -> Result<()> {
-        let is_breakable = |f: &Frame| matches!(f.kind, FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch);
+        let is_breakable =
+            |f: &Frame| matches!(f.kind, FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch);
         let is_branch = |f: &Frame| matches!(f.kind, FrameKind::Branch);
         let inner = self.frames.iter().rev().take_while(|f| is_branch(f)).count();
         let target = self.frames.len().checked_sub(inner + 1);

@@ -13,9 +13,29 @@ const LATER: &[&str] = &["fog", "sky_sphere", "rainbow", "media", "radiosity", "
 
 /// Everything that can stand at the outermost level.
 const STATEMENTS: &[&str] = &[
-    "camera", "light_source", "sphere", "box", "cylinder", "cone", "torus", "plane", "disc", "triangle",
-    "smooth_triangle", "polygon", "union", "intersection", "difference", "merge", "object", "background",
-    "global_settings", "default", "fog", "sky_sphere", "rainbow",
+    "camera",
+    "light_source",
+    "sphere",
+    "box",
+    "cylinder",
+    "cone",
+    "torus",
+    "plane",
+    "disc",
+    "triangle",
+    "smooth_triangle",
+    "polygon",
+    "union",
+    "intersection",
+    "difference",
+    "merge",
+    "object",
+    "background",
+    "global_settings",
+    "default",
+    "fog",
+    "sky_sphere",
+    "rainbow",
 ];
 
 impl Interpreter<'_> {
@@ -36,7 +56,11 @@ impl Interpreter<'_> {
             }
             Next::Thing(kind) => {
                 let span = self.here();
-                let d = Diagnostic::new(codes::EXPECTED, span, format!("a {kind} can't stand alone at the outermost level"));
+                let d = Diagnostic::new(
+                    codes::EXPECTED,
+                    span,
+                    format!("a {kind} can't stand alone at the outermost level"),
+                );
                 return d.help("only objects do; a `texture` or `pigment` belongs inside one").into();
             }
             Next::Value => return Err(self.stray_value().into()),
@@ -102,7 +126,10 @@ impl Interpreter<'_> {
         self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
         if !self.camera_stated {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
-            self.report_fault(Diagnostic::new(codes::NO_CAMERA, Span::NONE, message).help("`camera { location <0, 2, -5> look_at 0 }`"));
+            self.report_fault(
+                Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)
+                    .help("`camera { location <0, 2, -5> look_at 0 }`"),
+            );
         }
     }
 }

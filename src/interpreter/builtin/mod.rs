@@ -93,10 +93,12 @@ impl<'a> Interpreter<'a> {
             ("defined", [Expr { kind: ExprKind::Name(symbol), .. }]) => {
                 Some(Ok(Value::Float(f64::from(self.scopes.get(*symbol).is_some() || self.is_constant(*symbol)))))
             }
-            ("select", [condition, rest @ ..]) if rest.len() == 2 || rest.len() == 3 => Some(self.select(condition, rest)),
-            ("file_exists", [path]) => Some(self.text_value(path).map(|name| {
-                Value::Float(f64::from(self.options.search.find(&name).is_some()))
-            })),
+            ("select", [condition, rest @ ..]) if rest.len() == 2 || rest.len() == 3 => {
+                Some(self.select(condition, rest))
+            }
+            ("file_exists", [path]) => Some(
+                self.text_value(path).map(|name| Value::Float(f64::from(self.options.search.find(&name).is_some()))),
+            ),
             ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),
             _ => None,
         }

@@ -5,7 +5,11 @@ use crate::diagnostic::Result;
 use crate::value::Value;
 
 pub(super) const TABLE: &[Builtin] = &[
-    Builtin { name: "asc", arity: 1..=1, run: |a| float(a.text(0)?.chars().next().map_or(0.0, |c| f64::from(u32::from(c)))) },
+    Builtin {
+        name: "asc",
+        arity: 1..=1,
+        run: |a| float(a.text(0)?.chars().next().map_or(0.0, |c| f64::from(u32::from(c)))),
+    },
     Builtin {
         name: "chr",
         arity: 1..=1,
@@ -24,11 +28,7 @@ pub(super) const TABLE: &[Builtin] = &[
         arity: 3..=3,
         run: |a| text(format_number(a.float(0)?, a.float(1)? as i64, a.float(2)? as i64)),
     },
-    Builtin {
-        name: "strcmp",
-        arity: 2..=2,
-        run: |a| float(f64::from(a.text(0)?.cmp(a.text(1)?) as i8)),
-    },
+    Builtin { name: "strcmp", arity: 2..=2, run: |a| float(f64::from(a.text(0)?.cmp(a.text(1)?) as i8)) },
     Builtin { name: "strlen", arity: 1..=1, run: |a| float(a.text(0)?.chars().count() as f64) },
     Builtin { name: "strlwr", arity: 1..=1, run: |a| text(a.text(0)?.to_lowercase()) },
     Builtin { name: "strupr", arity: 1..=1, run: |a| text(a.text(0)?.to_uppercase()) },

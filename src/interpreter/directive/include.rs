@@ -16,7 +16,9 @@ impl<'a> Interpreter<'a> {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
             return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
-        let Some(path) = self.options.search.find(&text) else { return Err(self.missing_include(&text, name.span).into()) };
+        let Some(path) = self.options.search.find(&text) else {
+            return Err(self.missing_include(&text, name.span).into());
+        };
         let ast = self.load(&path, &text, name.span)?;
         self.scopes.enter();
         self.including.push(path);
@@ -34,7 +36,11 @@ impl<'a> Interpreter<'a> {
             return Ok(ast);
         }
         let bytes = std::fs::read(path).map_err(|e| {
-            Box::new(Diagnostic::new(codes::UNREADABLE_INCLUDE, span, format!("`{}` can't be read: {e}", path.display())))
+            Box::new(Diagnostic::new(
+                codes::UNREADABLE_INCLUDE,
+                span,
+                format!("`{}` can't be read: {e}", path.display()),
+            ))
         })?;
         let Some(file) = self.sources.add(name, Some(path), decode_text(bytes)) else {
             return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
@@ -86,9 +92,42 @@ fn files_in(folder: &PathBuf) -> Vec<String> {
 
 /// The include files that POV-Ray's manual describes.
 const STANDARD: &[&str] = &[
-    "arrays.inc", "chars.inc", "colors.inc", "consts.inc", "debug.inc", "finish.inc", "functions.inc", "glass.inc",
-    "glass_old.inc", "golds.inc", "ior.inc", "logo.inc", "makegrass.inc", "math.inc", "meshmaker.inc", "metals.inc",
-    "rad_def.inc", "rand.inc", "screen.inc", "shapes.inc", "shapes2.inc", "shapes3.inc", "shapesq.inc", "skies.inc",
-    "stage1.inc", "stars.inc", "stdcam.inc", "stdinc.inc", "stoneold.inc", "stones.inc", "stones1.inc", "stones2.inc",
-    "strings.inc", "sunpos.inc", "textures.inc", "transforms.inc", "woodmaps.inc", "woods.inc",
+    "arrays.inc",
+    "chars.inc",
+    "colors.inc",
+    "consts.inc",
+    "debug.inc",
+    "finish.inc",
+    "functions.inc",
+    "glass.inc",
+    "glass_old.inc",
+    "golds.inc",
+    "ior.inc",
+    "logo.inc",
+    "makegrass.inc",
+    "math.inc",
+    "meshmaker.inc",
+    "metals.inc",
+    "rad_def.inc",
+    "rand.inc",
+    "screen.inc",
+    "shapes.inc",
+    "shapes2.inc",
+    "shapes3.inc",
+    "shapesq.inc",
+    "skies.inc",
+    "stage1.inc",
+    "stars.inc",
+    "stdcam.inc",
+    "stdinc.inc",
+    "stoneold.inc",
+    "stones.inc",
+    "stones1.inc",
+    "stones2.inc",
+    "strings.inc",
+    "sunpos.inc",
+    "textures.inc",
+    "transforms.inc",
+    "woodmaps.inc",
+    "woods.inc",
 ];

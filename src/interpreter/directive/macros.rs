@@ -67,7 +67,9 @@ impl<'a> Interpreter<'a> {
         }
         if !matches!(self.peek()?, Token::End) {
             let message = format!("macro `{name}` takes {wanted} arguments, but more are given");
-            return Diagnostic::new(codes::WRONG_COUNT, self.here(), message).also(definition.span, "defined here").into();
+            return Diagnostic::new(codes::WRONG_COUNT, self.here(), message)
+                .also(definition.span, "defined here")
+                .into();
         }
         Ok(slots)
     }
