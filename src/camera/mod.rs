@@ -105,6 +105,7 @@ impl Camera {
                 }
             }
         }
+        let mut other_kind = false;
         let mut lecture: Option<LectureCamera> = None;
         let mut transform = Transform::IDENTITY;
         loop {
@@ -129,7 +130,10 @@ impl Camera {
                     let at = r.take()?;
                     povray.read_word(word, at, r)?;
                 }
-                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => r.skip_unsupported(word)?,
+                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => {
+                    other_kind = true;
+                    r.skip_unsupported(word)?
+                }
                 _ => return Err(r.unknown_word("camera", WORDS).into()),
             }
         }
@@ -141,6 +145,10 @@ impl Camera {
             }
             None => {
                 povray.transform = povray.transform.then(&transform);
+                if other_kind {
+                    // Another kind of camera may see more than half a turn; the perspective that stands for it can't.
+                    povray.angle = povray.angle.map(|a| a.clamp(1.0, 120.0));
+                }
                 povray.check(source)?;
                 Ok(Camera::Perspective(povray))
             }

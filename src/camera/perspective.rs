@@ -25,6 +25,8 @@ pub struct Perspective {
     pub look_at: Option<DVec3>,
     /// Horizontal angle of view in degrees.
     pub angle: Option<f64>,
+    /// Where the angle was written.
+    pub angle_span: Span,
     /// Applied to all of it in the end.
     pub transform: Transform,
 }
@@ -40,6 +42,7 @@ impl Default for Perspective {
             sky: DVec3::Y,
             look_at: None,
             angle: None,
+            angle_span: Span::NONE,
             transform: Transform::IDENTITY,
         }
     }
@@ -59,12 +62,8 @@ impl Perspective {
             "look_at" => self.look_at = Some(r.vector()?),
             "angle" => {
                 let angle = r.float()?;
-                if !(0.0..180.0).contains(&angle) {
-                    let message =
-                        format!("a perspective camera's `angle` lies between 0 and 180 degrees, this is {angle}");
-                    return Diagnostic::err(codes::BAD_CAMERA, at, message);
-                }
-                self.angle = (angle > 0.0).then_some(angle);
+                self.angle = (angle != 0.0).then_some(angle);
+                self.angle_span = at;
             }
             _ => {}
         }
@@ -72,6 +71,10 @@ impl Perspective {
     }
 
     pub(super) fn check(&self, source: Span) -> Result<()> {
+        if let Some(angle) = self.angle.filter(|a| !(*a > 0.0 && *a < 180.0)) {
+            let message = format!("a perspective camera's `angle` lies between 0 and 180 degrees, this is {angle}");
+            return Diagnostic::err(codes::BAD_CAMERA, self.angle_span, message);
+        }
         let bad = |message: &str| Diagnostic::err(codes::BAD_CAMERA, source, message);
         if self.look_at == Some(self.location) {
             return bad("the camera looks at the place where it stands");

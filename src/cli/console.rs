@@ -64,17 +64,13 @@ impl Console {
 
     /// Diagnostics as a person reads them, errors first, and how many there were.
     pub fn text(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
-        let mut text = String::new();
-        for severity in [Severity::Error, Severity::Warning] {
-            if severity == Severity::Error || !self.quiet {
-                for diagnostic in diagnostics.iter().filter(|d| d.severity == severity) {
-                    text += &draw::render(diagnostic, sources, self.style);
-                    text += "\n";
-                }
-            }
-        }
-        if diagnostics.len() > 1 && !text.is_empty() {
-            text += &format!("{}\n", summary(diagnostics));
+        let wanted = |severity| move |d: &&Diagnostic| d.severity == severity;
+        let errors = diagnostics.iter().filter(wanted(Severity::Error));
+        let warnings = diagnostics.iter().filter(wanted(Severity::Warning)).filter(|_| !self.quiet);
+        let told: Vec<_> = errors.chain(warnings).collect();
+        let mut text: String = told.iter().map(|d| draw::render(d, sources, self.style) + "\n").collect();
+        if told.len() > 1 {
+            text += &format!("{}\n", summary(&told));
         }
         text
     }
@@ -129,7 +125,7 @@ pub fn say(text: &str) {
 }
 
 /// `2 errors, 1 warning`.
-fn summary(diagnostics: &[Diagnostic]) -> String {
+fn summary(diagnostics: &[&Diagnostic]) -> String {
     let count = |severity, word: &str| match diagnostics.iter().filter(|d| d.severity == severity).count() {
         0 => None,
         1 => Some(format!("1 {word}")),

@@ -12,22 +12,20 @@ use super::target::Target;
 use super::values::{Clock, Frames, Stats};
 use super::watch::Watcher;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::image_io::Frame;
-use crate::render::{self, Region, Watch};
+use crate::render::{self, Region};
 use crate::source::{Sources, Span};
-use crate::world::World;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Draws one picture, or one for each frame.
 pub fn run(console: &Console, args: &RenderArgs) -> Result {
     session::check_input(&args.input)?;
-    let target = Target::new(args)?;
-    if target.is_stdout() && (args.stats == Some(Stats::Json) || args.dump.is_some()) {
-        return usage("standard output can't take the picture and `--stats json` or `--dump` at once");
-    }
     if args.dump.is_none() {
         memory::check(args.scene.size(), args.scene.max_memory.map(|b| b.0))?;
         check_region(args)?;
+    }
+    let target = Target::new(args)?;
+    if target.is_stdout() && (args.stats == Some(Stats::Json) || args.dump.is_some()) {
+        return usage("standard output can't take the picture and `--stats json` or `--dump` at once");
     }
     let mut reports = Vec::new();
     let Some(frames) = &args.frames else {
@@ -86,10 +84,10 @@ fn draw(console: &Console, args: &RenderArgs, target: &Target, moment: Moment, r
     }
 
     let orderly = Orderly::begin();
-    let deadline = args.scene.max_time.map(|s| start + Duration::from_secs_f64(s.0));
-    let watcher = Watcher { progress: Progress::new(args.progress, console, sources.name(file)), deadline };
+    let progress = Progress::new(args.progress, console, sources.name(file));
+    let watcher = Watcher::new(progress, start, args.scene.max_time);
     let trace = Instant::now();
-    let (frame, rays) = trace_watched(&world, &drawing_options(args, moment), &watcher)?;
+    let (frame, rays) = watcher.render(&world, &drawing_options(args, moment))?;
     let trace_time = trace.elapsed();
     let encode = Instant::now();
     let bytes = target.encode(&frame)?;
@@ -106,16 +104,6 @@ fn draw(console: &Console, args: &RenderArgs, target: &Target, moment: Moment, r
         console.note(&format!("{} ({:.1} s)\n", path.display(), start.elapsed().as_secs_f64()));
     }
     if interrupt::asked() { Err(Failure::Told(Exit::Interrupted)) } else { Ok(Exit::Fine) }
-}
-
-/// World to Frame, unless the watcher stops it.
-fn trace_watched(world: &World, options: &render::Options, watcher: &Watcher) -> Result<(Frame, render::Rays)> {
-    if watcher.cancelled() {
-        return Err(watcher.reason());
-    }
-    let drawn = render::render(world, options, watcher);
-    watcher.progress.finish();
-    drawn.map_err(|_| watcher.reason())
 }
 
 #[cfg(test)]

@@ -44,6 +44,11 @@ impl Target {
         if place != Place::Nowhere {
             format.check(size.width, size.height, depth)?;
         }
+        if let Place::File(path) = &place
+            && is_same(path, &args.input)
+        {
+            return usage(format!("the picture would take the place of the scene `{}`", path.display()));
+        }
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
         }
@@ -109,6 +114,10 @@ impl Target {
 /// What lies outside of `--region` is transparent too.
 fn keeps_alpha(look: &LookArgs, args: &RenderArgs) -> bool {
     look.alpha || args.region.is_some()
+}
+
+fn is_same(a: &Path, b: &Path) -> bool {
+    a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }
 
 fn is_folder(path: &Path) -> bool {

@@ -3,16 +3,18 @@
 use super::args::{LookArgs, SceneArgs, TestArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
-use super::interrupt;
+use super::interrupt::{self, Orderly};
+use super::progress::Progress;
 use super::session::{self, Moment};
 use super::values::Size;
+use super::watch::Watcher;
 use crate::diagnostic::file;
 use crate::image_io::{self, Encoding, Format, Frame, Pixels};
-use crate::render::{self, Unwatched};
 use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};
 use crate::source::{self, Sources};
 use clap::Parser;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 /// What a scene says about its snapshot: `//! test: --size 128x96 --aa off`.
 #[derive(Parser, Debug)]
@@ -111,6 +113,7 @@ fn try_case(console: &Console, case: &Case, setting: &Setting) -> Outcome {
 }
 
 fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting, outcome: &mut Outcome) -> Result<()> {
+    let start = Instant::now();
     let file = session::open(sources, &case.scene)?;
     let mut header = match Header::try_parse_from(snapshot::header(sources.text(file)).unwrap_or("").split_whitespace())
     {
@@ -135,9 +138,8 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
         return Err(Failure::Told(exit));
     }
     let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, moment);
-    let Ok((frame, _)) = render::render(&world, &drawing, &Unwatched) else {
-        return Err(Failure::Told(Exit::Interrupted));
-    };
+    let _orderly = Orderly::begin();
+    let (frame, _) = Watcher::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
     compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
     Ok(())
 }
@@ -167,6 +169,7 @@ fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
     else {
         return Ok(());
     };
+    let _orderly = Orderly::begin();
     let bytes = image_io::encode(drawn, &outcome.encoding)?;
     source::write_whole(&case.picture, &bytes).map_err(|e| Box::new(file::unwritable(&case.picture, &e)))?;
     outcome.text = format!("accepted: {}", outcome.comparison.map_or("new".into(), |c| c.to_string()));

@@ -1,19 +1,23 @@
 //! Watches a picture being drawn: progress, Ctrl-C and `--max-time`.
 
-use super::exit::{Exit, Failure};
+use super::console::say;
+use super::exit::{Exit, Failure, Result};
 use super::interrupt;
 use super::progress::Progress;
+use super::values::Seconds;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::render::Watch;
+use crate::image_io::Frame;
+use crate::render::{self, Rays, Watch};
 use crate::source::Span;
-use std::time::Instant;
+use crate::world::World;
+use std::time::{Duration, Instant};
 
 /// Shows progress and stops when asked to, or when time is over.
 pub struct Watcher {
     /// Where progress is shown.
-    pub progress: Progress,
+    progress: Progress,
     /// When `--max-time` is over.
-    pub deadline: Option<Instant>,
+    deadline: Option<Instant>,
 }
 
 impl Watch for Watcher {
@@ -27,14 +31,30 @@ impl Watch for Watcher {
 }
 
 impl Watcher {
+    /// For work that began at `start`.
+    pub fn new(progress: Progress, start: Instant, limit: Option<Seconds>) -> Self {
+        Self { progress, deadline: limit.map(|s| start + Duration::from_secs_f64(s.0)) }
+    }
+
+    /// World to Frame, unless it is stopped.
+    pub fn render(&self, world: &World, options: &render::Options) -> Result<(Frame, Rays)> {
+        if self.cancelled() {
+            return Err(self.reason());
+        }
+        let drawn = render::render(world, options, self);
+        self.progress.finish();
+        drawn.map_err(|_| self.reason())
+    }
+
     /// Is the time over?
-    pub fn late(&self) -> bool {
+    fn late(&self) -> bool {
         self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// Why the picture was not finished.
-    pub fn reason(&self) -> Failure {
+    fn reason(&self) -> Failure {
         if interrupt::asked() {
+            say("interrupted; no picture was written\n");
             return Failure::Told(Exit::Interrupted);
         }
         let text = "the picture took longer than `--max-time` allows";

@@ -4,7 +4,8 @@ use super::quantize::{bytes, over_black, words};
 use super::{Format, Frame};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
-use exr::prelude::{Encoding as ExrEncoding, Image, SpecificChannels, WritableImage};
+use exr::image::Blocks;
+use exr::prelude::{Compression, Encoding as ExrEncoding, Image, LineOrder, SpecificChannels, WritableImage};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::codecs::{bmp::BmpEncoder, hdr::HdrEncoder, jpeg::JpegEncoder, tga::TgaEncoder, tiff::TiffEncoder};
 use image::{ExtendedColorType, ImageEncoder, Rgb};
@@ -30,6 +31,10 @@ impl Encoding {
 
 /// JPEG's quality, of 100.
 const JPEG_QUALITY: u8 = 92;
+
+/// Run lengths, line by line: ten times as fast as the denser methods, in a fixed order.
+const EXR_STORAGE: ExrEncoding =
+    ExrEncoding { compression: Compression::RLE, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
 
 /// The bytes of the file: integers follow the sRGB curve, floating-point formats hold linear light.
 pub fn encode(frame: &Frame, encoding: &Encoding) -> Result<Vec<u8>> {
@@ -94,11 +99,11 @@ fn encode_exr(frame: &Frame, alpha: bool) -> exr::error::Result<Vec<u8>> {
             let [r, g, b, a] = pixel(at);
             (r * a, g * a, b * a, a)
         });
-        let image = Image::from_encoded_channels(size, ExrEncoding::SMALL_LOSSLESS, channels);
+        let image = Image::from_encoded_channels(size, EXR_STORAGE, channels);
         image.write().non_parallel().to_buffered(&mut out)?;
     } else {
         let channels = SpecificChannels::rgb(|at| <(f32, f32, f32)>::from(over_black(pixel(at))));
-        let image = Image::from_encoded_channels(size, ExrEncoding::SMALL_LOSSLESS, channels);
+        let image = Image::from_encoded_channels(size, EXR_STORAGE, channels);
         image.write().non_parallel().to_buffered(&mut out)?;
     }
     Ok(out.into_inner())

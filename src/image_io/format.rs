@@ -106,18 +106,20 @@ impl Format {
     /// Can it hold a picture of this size with so many bits a channel (E0008)?
     pub fn check(self, width: usize, height: usize, depth: Option<u8>) -> Result<()> {
         let (row, name) = (self.row(), self.name());
-        let fault = |text: String| Diagnostic::err(codes::FORMAT_LIMIT, Span::NONE, text);
+        let fault = |text: String, help: &str| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help(help).into();
         match depth {
             Some(_) if row.depths.is_empty() => {
-                return fault(format!("{name} always holds floating-point numbers, not bits"));
+                let text = format!("{name} always holds floating-point numbers, which `--bit-depth` can't change");
+                return fault(text, "leave `--bit-depth` out");
             }
             Some(depth) if !row.depths.contains(&depth) => {
-                return fault(format!("{name} can't hold {depth} bits a channel"));
+                return fault(format!("{name} can't hold {depth} bits a channel"), "png, tiff and ppm can");
             }
             _ => {}
         }
         if width.max(height) > row.max_side {
-            return fault(format!("{name} holds at most {} pixels a side, not {width}x{height}", row.max_side));
+            let text = format!("{name} holds at most {} pixels a side, not {width}x{height}", row.max_side);
+            return fault(text, "ppm has no limit");
         }
         Ok(())
     }

@@ -4,21 +4,21 @@ use super::Frame;
 use crate::color::transfer;
 use std::sync::LazyLock;
 
-/// Finds the code of a number by table instead of by power: the numbers at which the code grows, and for each small interval
-/// of numbers (equal leading bits) the code at its start.
+/// Finds the code of a number by table instead of by power: for each small interval of numbers (equal leading bits) the code of
+/// its start, and the one number in the interval, if any, from which on the code is one more.
 struct Quantizer {
-    /// Entry k-1 is the smallest number that is stored as k or more.
+    /// Entry k is the smallest number that is stored as more than k; the last is infinite.
     thresholds: Vec<f32>,
     /// The code of the smallest number of each interval.
     starts: Vec<u16>,
-    /// The bits of the first interval's start.
-    first: u32,
-    /// How many trailing bits an interval ignores.
+    /// The start of the first interval, which is stored as 0.
+    lowest: f32,
+    /// How many trailing bits an interval ignores: so few that no two thresholds fall into one.
     shift: u32,
 }
 
-static BITS8: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(255, 17));
-static BITS16: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(65_535, 9));
+static BITS8: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(255, 16));
+static BITS16: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(65_535, 8));
 
 /// What the tables must reproduce: the curve, times the largest code, rounded.
 fn exact(x: f32, max: u16) -> u16 {
@@ -27,28 +27,25 @@ fn exact(x: f32, max: u16) -> u16 {
 
 impl Quantizer {
     fn new(max: u16, shift: u32) -> Self {
-        let thresholds: Vec<f32> = (1..=max).map(|k| threshold(k, max)).collect();
-        let first = thresholds[0].to_bits() >> shift << shift;
-        let count = ((1f32.to_bits() - first) >> shift) + 1;
-        let starts = (0..count).map(|i| exact(f32::from_bits(first + (i << shift)), max)).collect();
-        Self { thresholds, starts, first, shift }
+        let mut thresholds: Vec<f32> = (1..=max).map(|k| threshold(k, max)).collect();
+        thresholds.push(f32::INFINITY);
+        let first = (thresholds[0].to_bits() >> shift) - 1;
+        let mut code = 0;
+        let starts = (first..=1f32.to_bits() >> shift).map(|interval| {
+            while thresholds[code] <= f32::from_bits(interval << shift) {
+                code += 1;
+            }
+            code as u16
+        });
+        Self { starts: starts.collect(), thresholds, lowest: f32::from_bits(first << shift), shift }
     }
 
     /// The code nearest to the curve; 0 for NaN and what is below 0, the largest one above 1.
     #[inline]
     fn code(&self, x: f32) -> u16 {
-        let top = self.thresholds.len();
-        if x >= self.thresholds[top - 1] {
-            return top as u16;
-        }
-        if x >= self.thresholds[0] {
-            let mut code = self.starts[((x.to_bits() - self.first) >> self.shift) as usize] as usize;
-            while self.thresholds[code] <= x {
-                code += 1;
-            }
-            return code as u16;
-        }
-        0
+        let x = if x > self.lowest { x.min(1.0) } else { self.lowest };
+        let code = self.starts[((x.to_bits() - self.lowest.to_bits()) >> self.shift) as usize];
+        code + u16::from(self.thresholds[usize::from(code)] <= x)
     }
 }
 
@@ -80,27 +77,27 @@ pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
 
 /// Rows of three or four bytes a pixel, with the sRGB curve.
 pub(super) fn bytes(frame: &Frame, alpha: bool) -> Vec<u8> {
-    let (quantizer, channels) = (&*BITS8, if alpha { 4 } else { 3 });
-    let mut out = Vec::with_capacity(frame.pixels.len() * channels);
-    for &pixel in &frame.pixels {
-        let rgb = if alpha { [pixel[0], pixel[1], pixel[2]] } else { over_black(pixel) };
-        out.extend(rgb.map(|c| quantizer.code(c) as u8));
-        if alpha {
-            out.push(linear(pixel[3], 255.0) as u8);
-        }
-    }
-    out
+    let table = &*BITS8;
+    pack(frame, alpha, |x| table.code(x) as u8, |a| linear(a, 255.0) as u8)
 }
 
 /// The same with 16 bits a channel.
 pub(super) fn words(frame: &Frame, alpha: bool) -> Vec<u16> {
-    let (quantizer, channels) = (&*BITS16, if alpha { 4 } else { 3 });
-    let mut out = Vec::with_capacity(frame.pixels.len() * channels);
-    for &pixel in &frame.pixels {
-        let rgb = if alpha { [pixel[0], pixel[1], pixel[2]] } else { over_black(pixel) };
-        out.extend(rgb.map(|c| quantizer.code(c)));
-        if alpha {
-            out.push(linear(pixel[3], 65_535.0) as u16);
+    let table = &*BITS16;
+    pack(frame, alpha, |x| table.code(x), |a| linear(a, 65_535.0) as u16)
+}
+
+/// Stores colours by one rule and alpha by another.
+fn pack<T: Copy + Default>(frame: &Frame, alpha: bool, color: impl Fn(f32) -> T, opacity: impl Fn(f32) -> T) -> Vec<T> {
+    let channels = if alpha { 4 } else { 3 };
+    let mut out = vec![T::default(); frame.pixels.len() * channels];
+    if alpha {
+        for (to, &[r, g, b, a]) in out.as_chunks_mut::<4>().0.iter_mut().zip(&frame.pixels) {
+            *to = [color(r), color(g), color(b), opacity(a)];
+        }
+    } else {
+        for (to, &pixel) in out.as_chunks_mut::<3>().0.iter_mut().zip(&frame.pixels) {
+            *to = over_black(pixel).map(&color);
         }
     }
     out

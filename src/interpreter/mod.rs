@@ -82,6 +82,8 @@ pub(crate) struct Interpreter<'a> {
     deprecated: FxHashMap<Symbol, &'a str>,
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
+    /// How many frames there were when the declaration that is being read began.
+    floor: usize,
     /// The words of the blocks around here, innermost last.
     blocks: Vec<&'static str>,
     depth: usize,
@@ -116,6 +118,7 @@ impl<'a> Interpreter<'a> {
             deprecated: FxHashMap::default(),
             frames: vec![],
             peeked: None,
+            floor: 0,
             blocks: vec![],
             depth: 0,
             steps: 0,

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::value::{Language, Next, Reader, ReaderExt, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Reader, ReaderExt, Thing, Value, VecN};
 use std::sync::Arc;
 
 /// The words that begin a colour.
@@ -76,7 +76,8 @@ impl<'a> Interpreter<'a> {
                 format!("`{} {{`", self.sources.snippet(name.span))
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), span })) => {
-                if self.scopes.get(*symbol).is_none() && !self.is_constant(*symbol) {
+                let slot = self.scopes.get(*symbol);
+                if matches!(slot, Some(Slot::Faulty(_))) || slot.is_none() && !self.is_constant(*symbol) {
                     let Err(fault) = self.name_value(*symbol, *span) else {
                         return self.expected(*span, expected, "a name");
                     };
@@ -125,6 +126,20 @@ impl<'a> Interpreter<'a> {
     /// as the word has letters, and the two last of `rgbt` are swapped into place.
     fn color_after(&mut self, word: &str) -> Result<Color> {
         let (value, span) = self.value_here()?;
+        self.as_color(value, word, span)
+    }
+
+    /// `filter 0.5` and its kin after a colour.
+    fn color_components(&mut self, color: &mut Color) -> Result<()> {
+        while let Token::Word(word @ ("red" | "green" | "blue" | "filter" | "transmit" | "alpha")) = self.peek_on()? {
+            self.advance();
+            let x = self.float()?;
+            set_component(color, word, x);
+        }
+        Ok(())
+    }
+
+    fn as_color(&self, value: Value, word: &str, span: Span) -> Result<Color> {
         let letters = word.trim_start_matches('s').len();
         let mut c = match value {
             Value::Float(x) => VecN::splat(x, if word.starts_with("col") { 5 } else { letters as u8 }).c,
@@ -386,12 +401,28 @@ impl Reader for Interpreter<'_> {
             }
             word => color = self.color_after(word)?,
         }
-        while let Token::Word(word @ ("red" | "green" | "blue" | "filter" | "transmit" | "alpha")) = self.peek()? {
-            self.advance();
-            let x = self.float()?;
-            set_component(&mut color, word, x);
-        }
+        self.color_components(&mut color)?;
         Ok(color)
+    }
+
+    fn continued(&mut self) -> Result<Next> {
+        match self.peek_on()? {
+            Token::End => Ok(Next::End),
+            _ => Reader::next(self),
+        }
+    }
+
+    fn float_or_color(&mut self) -> Result<FloatOrColor> {
+        if matches!(self.peek()?, Token::Word(_)) {
+            return self.color().map(FloatOrColor::Color);
+        }
+        let (value, span) = self.value_here()?;
+        if let Value::Float(x) = value {
+            return Ok(FloatOrColor::Float(x));
+        }
+        let mut color = self.as_color(value, "color", span)?;
+        self.color_components(&mut color)?;
+        Ok(FloatOrColor::Color(color))
     }
 
     fn at_color(&mut self) -> Result<bool> {
@@ -470,6 +501,11 @@ impl Reader for Interpreter<'_> {
                 let near = did_you_mean(&name, takes.iter().copied().chain(declared));
                 let hint = hints::other_tools(&name).map(String::from);
                 return d.help(format!("it takes {}", list(takes))).maybe_help(near).maybe_help(hint);
+            }
+            Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
+                if matches!(self.scopes.get(*symbol), Some(Slot::Faulty(_))) =>
+            {
+                return self.unexpected_token(block);
             }
             Ok(_) => {
                 return self.unexpected_token(&format!("a word of `{block}`")).help(format!("it takes {}", list(takes)));

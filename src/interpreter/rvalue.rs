@@ -35,6 +35,16 @@ const LATER: &[&str] = &[
     "texture_list",
 ];
 
+/// A declared thing that is not drawn yet; the word of its block.
+#[derive(Debug)]
+struct NotDrawn(&'static str);
+
+impl Thing for NotDrawn {
+    fn kind(&self) -> &'static str {
+        self.0
+    }
+}
+
 impl<'a> Interpreter<'a> {
     /// The next complete value.
     pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
@@ -76,10 +86,9 @@ impl<'a> Interpreter<'a> {
         if is_object(word) {
             return Ok(Arc::new(Object::read(self, &defaults)?));
         }
-        if LATER.contains(&word) || crate::scene::NOT_DRAWN.contains(&word) {
-            let span = self.here();
-            self.advance();
-            return Diagnostic::err(codes::NOT_YET, span, format!("`{word}` is not supported yet"));
+        if LATER.contains(&word) {
+            self.skip_unsupported(word)?;
+            return Ok(Arc::new(NotDrawn(word)));
         }
         let expected = "something that can be declared";
         if !matches!(

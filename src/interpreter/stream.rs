@@ -123,6 +123,46 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// Like [`Self::peek`], but stops before directives and semicolons, and at the end of what the value that is being
+    /// declared stands in.
+    pub(super) fn peek_on(&mut self) -> Result<Token<'a>> {
+        while self.peeked.is_none() {
+            let Some(frame) = self.frames.last() else { return Ok(Token::End) };
+            match frame.elements.get(frame.at).map(|e| &e.kind) {
+                Some(ElementKind::Directive(_) | ElementKind::Semicolon) => return Ok(Token::End),
+                Some(_) => break,
+                None => match frame.kind {
+                    FrameKind::Branch | FrameKind::Macro(_) if self.frames.len() > self.floor => self.pop_frame(),
+                    _ => return Ok(Token::End),
+                },
+            }
+        }
+        self.peek()
+    }
+
+    /// Runs what the macros that gave a declared value still have to run, down to `floor` frames.
+    pub(super) fn drain(&mut self, floor: usize) -> Result<()> {
+        self.peeked = None;
+        while self.frames.len() > floor {
+            let Some(frame) = self.frames.last_mut() else { break };
+            match frame.elements.get(frame.at) {
+                None => self.end_of_frame()?,
+                Some(element) => {
+                    frame.at += 1;
+                    match &element.kind {
+                        ElementKind::Semicolon => {}
+                        ElementKind::Directive(directive) => self.run_directive(directive, element.span)?,
+                        _ => {
+                            let message = "the macro gives more than the one value that is declared here";
+                            return Diagnostic::err(codes::WRONG_COUNT, element.span, message);
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn announce(&mut self, token: Token<'a>) -> Token<'a> {
         self.peeked = Some(token);
         token

@@ -4,7 +4,7 @@ use super::stream::Token;
 use super::{Interpreter, compat};
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::scene::{Gamma, NOT_DRAWN, Object, is_object};
+use crate::scene::{Gamma, Object, is_object};
 use crate::source::Span;
 use crate::value::{Next, Reader};
 
@@ -80,7 +80,7 @@ impl Interpreter<'_> {
             self.scene.objects.push(object);
             return Ok(());
         }
-        if NOT_DRAWN.contains(&word) || LATER.contains(&word) {
+        if LATER.contains(&word) {
             return self.skip_unsupported(word);
         }
         if !matches!(word, "camera" | "background" | "global_settings" | "default") {

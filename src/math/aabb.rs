@@ -103,10 +103,30 @@ impl Aabb {
                 }
                 continue;
             }
-            let (t1, t2) = ((self.min[axis] - o) / v, (self.max[axis] - o) / v);
-            near = near.max(t1.min(t2));
-            far = far.min(t1.max(t2));
+            // Enters through the lower plane where v is positive. (Sorting t₁ and t₂ would find a way into an empty box.)
+            let (enter, leave) = if v > 0.0 { (self.min, self.max) } else { (self.max, self.min) };
+            near = near.max((enter[axis] - o) / v);
+            far = far.min((leave[axis] - o) / v);
         }
         (near <= far).then_some((near, far))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slabs() {
+        let cube = Aabb::from_corners(DVec3::ONE, DVec3::NEG_ONE);
+        let ray = Ray::new(DVec3::new(-3.0, 0.5, 0.0), DVec3::X * 2.0);
+        assert_eq!(cube.slabs(&ray, Range::ALL), Some((1.0, 2.0)));
+        assert_eq!(cube.slabs(&ray, Range { min: 1.5, max: 9.0 }), Some((1.5, 2.0)));
+        assert_eq!(cube.slabs(&ray, Range { min: 2.5, max: 9.0 }), None);
+        assert_eq!(cube.slabs(&Ray::new(DVec3::Y * 1.5, DVec3::X), Range::ALL), None);
+        assert_eq!(Aabb::INFINITE.slabs(&ray, Range::FORWARD), Some((0.0, f64::INFINITY)));
+        assert_eq!(Aabb::EMPTY.slabs(&ray, Range::ALL), None);
+        let empty_along_y = Aabb { min: DVec3::new(-1.0, 1.0, -1.0), max: DVec3::new(1.0, -1.0, 1.0) };
+        assert_eq!(empty_along_y.slabs(&Ray::new(DVec3::splat(-3.0), DVec3::ONE), Range::ALL), None);
     }
 }

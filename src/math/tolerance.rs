@@ -17,7 +17,7 @@ pub const FLAT: f64 = 1e-10;
 /// Sub-polygons end where a point comes back to the first one: this near, in every coordinate.
 pub const SAME_POINT: f64 = 1e-10;
 
-/// Relative growth of an object's box, so that rounding in its kernel never puts a hit outside.
+/// Growth of an object's box, relative to its largest coordinate or 1, so that rounding in its kernel never puts a hit outside.
 pub const BOUNDS: f64 = 1e-9;
 
 /// Rounding in a polynomial's value, as a multiple of the sum of its terms' sizes: below it, a value counts as zero.

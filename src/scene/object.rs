@@ -159,13 +159,22 @@ fn csg_op(word: &str) -> Option<CsgOp> {
 
 /// Does a block of this name make an object?
 pub fn is_object(word: &str) -> bool {
-    matches!(word, "object" | "light_source") || csg_op(word).is_some() || shape::SPECS.iter().any(|s| s.name == word)
+    matches!(word, "object" | "light_source")
+        || csg_op(word).is_some()
+        || shape::SPECS.iter().any(|s| s.name == word)
+        || NOT_DRAWN.contains(&word)
 }
 
 impl Object {
     /// Reads the object that comes next: a block, whose name is still to be consumed, or a declared one.
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Self> {
         match r.next()? {
+            // Nothing stands for what can't be drawn yet.
+            Next::Block(word) if NOT_DRAWN.contains(&word) => {
+                let source = r.span();
+                r.skip_unsupported(word)?;
+                Ok(Self::new(ObjectKind::Csg(CsgOp::Union, Arc::new([])), word, source, defaults))
+            }
             Next::Block(word) => {
                 let source = r.take()?;
                 let object = Self::read_block(word, source, r, defaults)?;
@@ -224,7 +233,6 @@ impl Object {
         loop {
             match r.next()? {
                 Next::Block(part) if is_object(part) => parts.push(Self::read(r, defaults)?),
-                Next::Block(part) if NOT_DRAWN.contains(&part) => r.skip_unsupported(part)?,
                 Next::Thing("object" | "light_source") => parts.push(Self::read(r, defaults)?),
                 _ => break,
             }
@@ -359,7 +367,6 @@ impl Object {
                     let other = if word == "clipped_by" { &self.bounded_by } else { &self.clipped_by };
                     parts.extend(other.iter().flat_map(|o| o.iter().cloned()));
                 }
-                Next::Block(part) if NOT_DRAWN.contains(&part) => r.skip_unsupported(part)?,
                 _ => parts.push(Self::read(r, defaults)?),
             }
         }
@@ -408,8 +415,9 @@ impl Painted {
 /// One or more `texture` blocks in a row: layers, the first is the lowest.
 pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     let mut layers = vec![];
+    let mut next = r.next()?;
     loop {
-        match r.next()? {
+        match next {
             Next::Block("texture") => {
                 r.take()?;
                 layers.extend(Texture::read(r, &defaults.texture)?.layers);
@@ -421,6 +429,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
             },
             _ => break,
         }
+        next = r.continued()?;
     }
     Ok(Texture { layers })
 }

@@ -99,9 +99,12 @@ impl Kernel for Torus {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        // Only the piece in the box around it matters; roots are looked for nowhere else.
+        // Roots are looked for in the box around it only. Not in the range: it should not change the last digit of a hit.
         let around = self.bounds().grown(0.01 * self.minor);
-        let Some((near, far)) = around.slabs(ray, range).filter(|_| !self.is_empty()) else { return };
+        let Some((near, far)) = around.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
+        if near >= range.max || far <= range.min {
+            return;
+        }
         let length = ray.dir.length();
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);

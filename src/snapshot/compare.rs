@@ -129,7 +129,7 @@ mod tests {
         assert_eq!(verdict(&drawn), Verdict::Close);
         drawn.pixels[..3].fill([1.0, 0.0, 0.0, 1.0]);
         assert_eq!(verdict(&drawn), Verdict::Differs);
-        assert_eq!(verdict(&gray(0.505)), Verdict::Close);
+        assert_eq!(verdict(&gray(0.508)), Verdict::Close);
         assert_eq!(verdict(&gray(0.6)), Verdict::Differs);
         assert_eq!(verdict(&Frame::new(50, 100)), Verdict::Differs);
     }

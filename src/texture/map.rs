@@ -2,7 +2,7 @@
 
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::value::{Next, Reader, ReaderExt};
+use crate::value::{FloatOrColor, Next, Reader, ReaderExt};
 use serde::Serialize;
 
 /// Colours at numbers, in the order they were written; between them it blends.
@@ -40,10 +40,12 @@ impl ColorMap {
         while r.next()? == Next::Entry {
             r.take()?;
             let from = r.float()?;
-            let to = r.optional_float()?;
-            entries.push((from, r.color()?));
-            if let Some(to) = to {
-                entries.push((to, r.color()?));
+            match r.float_or_color()? {
+                FloatOrColor::Color(color) => entries.push((from, color)),
+                FloatOrColor::Float(to) => {
+                    entries.push((from, r.color()?));
+                    entries.push((to, r.color()?));
+                }
             }
             r.leave()?;
         }

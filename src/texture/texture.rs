@@ -92,6 +92,7 @@ impl Texture {
                 r.leave()?;
             }
             Next::Block("normal") => r.skip_unsupported("normal")?,
+            Next::Thing("normal") => drop(r.take_thing()?),
             Next::Thing("pigment") => match r.thing::<Pigment>()? {
                 Some(pigment) => layer.pigment = (*pigment).clone(),
                 None => return Ok(false),

@@ -5,6 +5,6 @@ mod reader;
 mod spec;
 mod value;
 
-pub use reader::{Language, Next, Reader, ReaderExt};
+pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt};
 pub use spec::{Kind, Param, Spec, WordSpec};
 pub use value::{Thing, Value, VecN};

@@ -36,10 +36,22 @@ pub struct Language {
     pub assumed_gamma: Option<f64>,
 }
 
+/// What [`Reader::float_or_color`] found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FloatOrColor {
+    /// A number.
+    Float(f64),
+    /// A colour.
+    Color(Color),
+}
+
 /// A family's view of the text.
 pub trait Reader {
     /// What comes next; nothing is consumed. Commas and semicolons are passed over.
     fn next(&mut self) -> Result<Next>;
+    /// The same, but `Next::End` where a directive or a `;` stands before it: is what was just read continued? A directive
+    /// may use the name that is just being declared, so it must not run yet.
+    fn continued(&mut self) -> Result<Next>;
     /// The place of what comes next.
     fn span(&mut self) -> Span;
     /// Consumes the word or the opening `name {`, `[` or `{` that [`Reader::next`] announced.
@@ -63,6 +75,8 @@ pub trait Reader {
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
     /// A colour with all the ways to write one, also without the word `color` or `rgb` before it.
     fn color(&mut self) -> Result<Color>;
+    /// A number, or else a colour.
+    fn float_or_color(&mut self) -> Result<FloatOrColor>;
     /// Does a colour come next: one of its words, or an expression?
     fn at_color(&mut self) -> Result<bool>;
     /// Consumes one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform if one comes next.

@@ -399,5 +399,5 @@ fn loosened(b: Aabb) -> Aabb {
         return Aabb::EMPTY;
     }
     let finite = |v: DVec3| v.map(|x| if x.is_finite() { x.abs() } else { 0.0 }).max_element();
-    b.grown(tolerance::BOUNDS * finite(b.min).max(finite(b.max)))
+    b.grown(tolerance::BOUNDS * finite(b.min).max(finite(b.max)).max(1.0))
 }

@@ -22,6 +22,11 @@ pub fn translate(words: Vec<OsString>) -> Result<(Vec<OsString>, Vec<Diagnostic>
     if is_ours(&words) {
         return Ok((words, Vec::new()));
     }
+    if let [program, word] = &words[..]
+        && ["-?", "+?", "-H", "+H"].iter().any(|help| word.eq_ignore_ascii_case(help))
+    {
+        return Ok((vec![program.clone(), "--help".into()], Vec::new()));
+    }
     let mut translation = Translation::new();
     let mut rest = words.iter().skip(1);
     while let Some(word) = rest.next() {

@@ -125,6 +125,12 @@ fn unknown_options_are_errors_with_a_guess() {
 }
 
 #[test]
+fn help_is_given_when_it_is_the_only_word() {
+    assert_eq!(translate(words("+h")).unwrap().0, ["durer", "--help"]);
+    assert_eq!(translate(words("-?")).unwrap().0, ["durer", "--help"]);
+}
+
+#[test]
 fn our_own_command_lines_are_left_alone() {
     for line in
         ["", "--help", "-h", "render a.scene", "-q render a.scene", "--color never check a.scene", "rendr a.scene"]

@@ -22,7 +22,10 @@ impl<'a> Interpreter<'a> {
         }
         let mark = self.diagnostics.len();
         let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
-        let slot = match self.rvalue() {
+        let outer = std::mem::replace(&mut self.floor, depth);
+        let value = self.rvalue().and_then(|slot| self.drain(depth).map(|()| slot));
+        self.floor = outer;
+        let slot = match value {
             Ok(slot) => slot,
             Err(fault) if self.limit_reached || fault.code == codes::ENDS_RUN => return Err(fault),
             Err(fault) => {

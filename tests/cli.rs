@@ -1,0 +1,291 @@
+//! The command as a user meets it: exit codes, what goes to stdout and what to stderr, and files that are written whole or not
+//! at all.
+
+#![allow(clippy::unwrap_used)]
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+const SCENE: &str = "camera { location <0, 0, -5> look_at 0 }\nsphere { 0, 1 }\n";
+
+/// An empty folder with one scene in it.
+struct Place(tempfile::TempDir);
+
+impl Place {
+    fn new() -> Self {
+        let place = Self(tempfile::tempdir().unwrap());
+        place.put("ball.scene", SCENE);
+        place
+    }
+
+    fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    fn put(&self, name: &str, text: impl AsRef<[u8]>) {
+        std::fs::write(self.path().join(name), text).unwrap();
+    }
+
+    fn read(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.path().join(name)).unwrap()
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.path()).unwrap();
+        let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    fn command(&self, line: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_durer"));
+        command.args(line.split_whitespace()).current_dir(self.path()).stdin(Stdio::null());
+        command
+    }
+
+    fn run(&self, line: &str) -> Output {
+        self.command(line).output().unwrap()
+    }
+
+    /// Runs and demands an exit code; returns stdout and stderr.
+    #[track_caller]
+    fn exits(&self, code: i32, line: &str) -> (String, String) {
+        let output = self.run(line);
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        let (out, err) = (text(&output.stdout), text(&output.stderr));
+        assert_eq!(output.status.code(), Some(code), "durer {line}\n{out}{err}");
+        (out, err)
+    }
+}
+
+#[test]
+fn a_scene_becomes_a_picture_beside_us() {
+    let place = Place::new();
+    let (out, err) = place.exits(0, "render ball.scene --size 8x6");
+    assert_eq!((out.as_str(), err.as_str()), ("", ""));
+    assert_eq!(place.names(), ["ball.png", "ball.scene"]);
+    assert!(place.read("ball.png").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn every_format_is_written() {
+    let place = Place::new();
+    let starts: [(&str, &[u8]); 8] = [
+        ("png", b"\x89PNG"),
+        ("exr", b"\x76\x2f\x31\x01"),
+        ("hdr", b"#?"),
+        ("jpg", b"\xff\xd8"),
+        ("ppm", b"P6\n8 6\n255\n"),
+        ("bmp", b"BM"),
+        ("tga", b"\0"),
+        ("tiff", b"II*\0"),
+    ];
+    for (ending, start) in starts {
+        place.exits(0, &format!("render ball.scene --size 8x6 -o a.{ending}"));
+        assert!(place.read(&format!("a.{ending}")).starts_with(start), "{ending}");
+    }
+}
+
+#[test]
+fn standard_output_and_input() {
+    let place = Place::new();
+    let output = place.run("render ball.scene --size 4x3 -o - --format ppm --bit-depth 16");
+    assert!(output.stdout.starts_with(b"P6\n4 3\n65535\n") && output.stderr.is_empty());
+    assert!(place.run("render ball.scene --size 4x3 -o -").stdout.starts_with(b"\x89PNG"));
+    let mut command = place.command("render - --size 4x3 -o -");
+    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    child.stdin.take().unwrap().write_all(SCENE.as_bytes()).unwrap();
+    assert!(child.wait_with_output().unwrap().stdout.starts_with(b"\x89PNG"));
+    assert_eq!(place.names(), ["ball.scene"]);
+}
+
+#[test]
+fn a_closed_pipe_is_no_accident() {
+    let place = Place::new();
+    for line in ["explain", "completions bash", "render ball.scene -o - --size 8x6"] {
+        let mut child = place.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{line}");
+        assert_eq!(output.status.code(), Some(0), "{line}");
+    }
+}
+
+#[test]
+fn exit_codes() {
+    let place = Place::new();
+    place.put("picture.scene", b"\x89PNG\r\n\x1a\n\0");
+    for (code, line) in [
+        (0, "check ball.scene"),
+        (0, "--help"),
+        (0, "--version"),
+        (0, "help render"),
+        (0, "-?"),
+        (0, "render ball.scene --no-output --size 4x3"),
+        (1, "check picture.scene"),
+        (1, "render picture.scene"),
+        (2, ""),
+        (2, "rendr ball.scene"),
+        (2, "render"),
+        (2, "render ball.scene --size 0x4"),
+        (2, "render ball.scene --size big"),
+        (2, "render ball.scene -o a.xyz"),
+        (2, "render ball.scene -o ./ball.scene --format png"),
+        (2, "render ball.scene -o a.jpg --alpha"),
+        (2, "render ball.scene -o - --stats json"),
+        (2, "render ball.scene --frame 1 --frames 1-2"),
+        (2, "render ball.scene --region 0,0,641,1"),
+        (2, "render ball.scene --declare 1=2"),
+        (2, "pick ball.scene 640,0"),
+        (2, "pick ball.scene -1,0"),
+        (2, "pick ball.scene here"),
+        (2, "explain E9999"),
+        (2, "test"),
+        (4, "render ball.scene --size 1000000x1000000"),
+        (4, "render ball.scene --size 18446744073709551615x18446744073709551615"),
+        (4, "render ball.scene --max-memory 1k"),
+        (4, "render ball.scene --max-time 0"),
+        (5, "render missing.scene"),
+        (5, "check missing.scene"),
+        (5, "check ."),
+        (5, "render ball.scene -o nowhere/a.png"),
+    ] {
+        place.exits(code, line);
+    }
+    assert_eq!(place.names(), ["ball.scene", "picture.scene"]);
+}
+
+#[test]
+fn a_picture_that_fails_leaves_the_old_one() {
+    let place = Place::new();
+    place.put("ball.png", "old");
+    place.exits(4, "render ball.scene --max-time 0");
+    assert_eq!(place.read("ball.png"), b"old");
+    assert_eq!(place.names(), ["ball.png", "ball.scene"]);
+}
+
+#[test]
+fn missing_files_are_guessed() {
+    let place = Place::new();
+    let (out, err) = place.exits(5, "render bal.scene");
+    assert!(out.is_empty() && err.contains("E0002") && err.contains("did you mean `ball.scene`?"), "{err}");
+    let (_, err) = place.exits(5, "check ball");
+    assert!(err.contains("did you mean `ball.scene`?"), "{err}");
+}
+
+#[test]
+fn messages_for_programs() {
+    let place = Place::new();
+    place.put("picture.scene", b"\x89PNG\r\n\x1a\n\0");
+    let (out, err) = place.exits(1, "check --format json ball.scene picture.scene missing.scene");
+    let lines: Vec<serde_json::Value> = out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert!(err.is_empty() && lines.len() == 2, "{out}{err}");
+    assert_eq!((&lines[0]["code"], &lines[0]["severity"]), (&"E0001".into(), &"error".into()));
+    assert_eq!((&lines[0]["file"], &lines[0]["line"]), (&"picture.scene".into(), &1.into()));
+    assert_eq!((&lines[1]["code"], &lines[1]["file"]), (&"E0002".into(), &serde_json::Value::Null));
+}
+
+#[test]
+fn quiet_hides_warnings_and_counts_what_is_told() {
+    let place = Place::new();
+    place.put("two.scene", "#warning \"careful\"\nboxx { }\nspere { }\n");
+    let (_, err) = place.exits(1, "check two.scene");
+    assert!(err.contains("careful") && err.contains("2 errors, "), "{err}");
+    assert!(err.find("boxx") < err.find("careful"), "errors come first: {err}");
+    let (_, err) = place.exits(1, "check -q two.scene");
+    assert!(!err.contains("careful") && err.ends_with("2 errors\n"), "{err}");
+}
+
+#[test]
+fn many_frames_are_numbered() {
+    let place = Place::new();
+    place.exits(0, "render ball.scene --size 4x3 --frames 8-10 --stats s.json");
+    assert_eq!(place.names(), ["ball.scene", "ball08.png", "ball09.png", "ball10.png", "s.json"]);
+    assert_eq!(String::from_utf8(place.read("s.json")).unwrap().lines().count(), 3);
+}
+
+#[test]
+fn stats_are_one_object() {
+    let (out, _) = Place::new().exits(0, "render ball.scene --size 4x3 --stats json --threads 1");
+    let stats: serde_json::Value = serde_json::from_str(&out).unwrap();
+    for time in ["parse", "build", "trace", "encode", "total"] {
+        assert!(stats["times"][time].is_f64(), "{out}");
+    }
+    assert_eq!((&stats["width"], &stats["height"], &stats["threads"]), (&4.into(), &3.into(), &1.into()));
+    assert!(stats["rays"]["camera"].is_u64(), "{out}");
+}
+
+#[test]
+fn dumps_are_json_and_draw_nothing() {
+    let place = Place::new();
+    for stage in ["scene", "world"] {
+        let (out, _) = place.exits(0, &format!("render ball.scene --dump {stage}"));
+        assert!(serde_json::from_str::<serde_json::Value>(&out).is_ok(), "{out}");
+    }
+    assert_eq!(place.names(), ["ball.scene"]);
+}
+
+#[test]
+fn pov_rays_command_line() {
+    let place = Place::new();
+    place.exits(0, "+Iball.scene +W8 +H6 -D -P +Ofoo.ppm +FP -GA");
+    assert!(place.read("foo.ppm").starts_with(b"P6\n8 6\n"));
+    let (_, err) = place.exits(0, "ball.scene +W8 +H6 +R3");
+    assert!(err.contains("W0012"), "{err}");
+    let (_, err) = place.exits(2, "ball.scene Widht=8");
+    assert!(err.contains("did you mean `Width=8`?"), "{err}");
+    assert_eq!(place.names(), ["ball.png", "ball.scene", "foo.ppm"]);
+}
+
+#[test]
+fn explanations_and_completions() {
+    let place = Place::new();
+    let (out, err) = place.exits(0, "explain e0004");
+    assert!(out.starts_with("E0004: ") && err.is_empty());
+    let (out, _) = place.exits(0, "explain");
+    assert_eq!(out.lines().count(), durer::diagnostic::codes::ALL.len());
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let (out, _) = place.exits(0, &format!("completions {shell}"));
+        assert!(out.contains("max-steps"), "{shell}");
+    }
+}
+
+#[test]
+fn snapshots_are_made_kept_and_compared() {
+    let place = Place::new();
+    place.put("ball.scene", format!("//! test: --size 8x6 --aa off\n{SCENE}"));
+    let (out, _) = place.exits(3, "test ball.scene");
+    assert!(out.starts_with("new   ball.scene"), "{out}");
+    place.exits(2, "test .");
+    let (out, _) = place.exits(0, "test --accept ball.scene");
+    assert!(out.contains("accepted") && place.names() == ["ball.png", "ball.scene"], "{out}");
+    let accepted = place.read("ball.png");
+    assert_eq!(place.exits(0, "test").0, "ok    ball.scene\n1 ok\n");
+
+    std::fs::create_dir(place.path().join("other")).unwrap();
+    place.put("other/white.ppm", [b"P6\n8 6\n255\n".as_slice(), &[255; 8 * 6 * 3]].concat());
+    let white = durer::image_io::decode_file(&place.path().join("other/white.ppm")).unwrap().to_frame();
+    let png = durer::image_io::Encoding::new(durer::image_io::Format::Png);
+    place.put("ball.png", durer::image_io::encode(&white, &png).unwrap());
+    let (out, _) = place.exits(3, "test --report report");
+    assert!(out.starts_with("FAIL  ball.scene") && out.ends_with("1 FAIL\n"), "{out}");
+    let page = String::from_utf8(place.read("report/index.html")).unwrap();
+    assert!(
+        page.contains("ball.scene.difference.png") && place.path().join("report/ball.scene.difference.png").exists()
+    );
+    place.exits(0, "test --accept");
+    assert_eq!(place.read("ball.png"), accepted);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn devices_are_written_to_and_full_disks_are_told() {
+    let place = Place::new();
+    place.exits(0, "render ball.scene --size 4x3 -o /dev/null --format png");
+    assert!(!Path::new("/dev/null").is_file());
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = place.command("explain").stdout(full).output().unwrap();
+    assert_eq!(output.status.code(), Some(5));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("E0004"));
+}

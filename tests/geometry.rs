@@ -1,0 +1,313 @@
+//! Properties of shapes, of what CSG makes of them, and of the hierarchy, over random scenes.
+
+use durer::math::{DVec3, Range, Ray, Transform, rng};
+use durer::shape::*;
+use durer::world::{Found, FoundList, Geometry, Leaf, Node};
+use proptest::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+/// Numbers that follow from a seed.
+struct Dice {
+    seed: u64,
+    count: u64,
+}
+
+impl Dice {
+    fn new(seed: u64) -> Self {
+        Self { seed, count: 0 }
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.count += 1;
+        rng::unit(&[self.seed, self.count])
+    }
+
+    fn between(&mut self, lo: f64, hi: f64) -> f64 {
+        lo + (hi - lo) * self.unit()
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        (self.unit() * n as f64) as usize
+    }
+
+    fn vector(&mut self, size: f64) -> DVec3 {
+        DVec3::new(self.between(-size, size), self.between(-size, size), self.between(-size, size))
+    }
+
+    /// A closed solid.
+    fn solid(&mut self) -> Shape {
+        let (p, size) = (self.vector(1.0), self.between(0.2, 1.0));
+        let q = p + self.vector(1.0) + DVec3::Y * 0.1;
+        match self.below(6) {
+            0 => Shape::Sphere(Sphere { center: p, radius: size }),
+            1 => Shape::Cuboid(Cuboid::new(p, q)),
+            2 => Shape::Cylinder(Cylinder::new(p, q, size, false)),
+            3 => Shape::Cone(Cone::new(p, size, q, self.between(0.0, 1.0), false)),
+            4 => Shape::Cone(Cone::new(p, 0.0, p + DVec3::X, size, false)),
+            _ => Shape::Torus(Torus { major: 0.6 + size, minor: self.between(0.05, 0.55) }),
+        }
+    }
+
+    /// Any shape.
+    fn shape(&mut self) -> Shape {
+        let (p, q, r) = (self.vector(1.0), self.vector(1.0), self.vector(1.0));
+        let flat = Triangle { a: p, b: q, c: r };
+        match self.below(14) {
+            0 => Shape::Disc(Disc::new(p, q, 1.0, 0.3)),
+            1 => Shape::Plane(Plane::new(q, self.between(-1.0, 1.0)).unwrap()),
+            2 => Shape::Triangle(flat),
+            3 => {
+                let mut normal = || flat.face_normal().normalize() + self.vector(0.3);
+                Shape::SmoothTriangle(SmoothTriangle::new(flat, [normal(), normal(), normal()]))
+            }
+            4 => {
+                let corners = [(0.0, 0.0), (1.0, 0.0), (0.3, 0.3), (0.0, 1.0), (0.0, 0.0)];
+                Shape::Polygon(Polygon::new(&corners.map(|(x, y)| DVec3::new(x, y, 0.5))))
+            }
+            5 => Shape::Cylinder(Cylinder::new(p, p + DVec3::Y, 0.4, true)),
+            6 => Shape::Cone(Cone::new(p, -0.4, p + DVec3::Z, 0.6, self.unit() < 0.5)),
+            7 => Shape::Cuboid(Cuboid::new(p.with_z(0.0), q.with_z(0.0))),
+            _ => self.solid(),
+        }
+    }
+
+    /// Translation, rotation and a scale that is not the same on all axes.
+    fn transform(&mut self) -> Transform {
+        let scale = Transform::scale(self.vector(1.0).map(|x| x.signum() * (0.3 + x.abs()))).unwrap();
+        match self.below(4) {
+            0 => Transform::IDENTITY,
+            1 => Transform::translate(self.vector(3.0)),
+            _ => scale.then(&Transform::rotate(self.vector(180.0))).then(&Transform::translate(self.vector(3.0))),
+        }
+    }
+
+    fn leaf(&mut self, shape: Shape) -> Node {
+        let id = (self.unit() * 1e6) as u32;
+        Node::leaf(Leaf::new(Arc::new(shape), &self.transform(), id), id)
+    }
+
+    /// A tree of at most `depth` levels, of any shapes.
+    fn tree(&mut self, depth: usize) -> Node {
+        self.tree_of(depth, 7, Dice::shape)
+    }
+
+    /// A tree of the first so many kinds: leaf, union, merge, intersection, difference, clipped union.
+    fn tree_of(&mut self, depth: usize, kinds: usize, shape: fn(&mut Dice) -> Shape) -> Node {
+        let kind = if depth == 0 { 0 } else { self.below(kinds) };
+        if kind < 2 {
+            let shape = shape(self);
+            let leaf = self.leaf(shape);
+            return if self.below(8) == 0 { leaf.inverted() } else { leaf };
+        }
+        let count = if self.below(10) == 0 { 12 } else { 2 + self.below(2) };
+        let children = (0..count).map(|_| self.tree_of(depth - 1, kinds, shape)).collect();
+        let object = self.below(1000) as u32;
+        match kind {
+            2 => Node::union(children, object),
+            3 => Node::merge(children, object),
+            4 => Node::intersection(children, object),
+            5 => Node::difference(children, object),
+            _ => Node::union(children, object).clipped(vec![self.tree_of(0, kinds, shape)]),
+        }
+    }
+
+    /// From anywhere near to anywhere near; often along an axis, and then from a point of a coarse grid.
+    fn ray(&mut self) -> Ray {
+        let axis = DVec3::AXES[self.below(3)] * if self.below(2) == 0 { 1.0 } else { -1.0 };
+        match self.below(4) {
+            0 => Ray::new((self.vector(3.0) * 2.0).round() / 2.0, axis),
+            1 => Ray::new(self.vector(3.0), axis * 3.0),
+            2 => {
+                let from = self.vector(100.0);
+                Ray::new(from, (self.vector(2.0) - from).normalize())
+            }
+            _ => {
+                let from = self.vector(4.0);
+                Ray::new(from, self.vector(2.0) - from)
+            }
+        }
+    }
+
+    fn range(&mut self) -> Range {
+        let min = self.between(-1.0, 1.0);
+        [Range::ALL, Range::FORWARD, Range { min, max: min + self.between(0.0, 5.0) }][self.below(3)]
+    }
+}
+
+fn hits(shape: &Shape, ray: &Ray, range: Range) -> Vec<Hit> {
+    let mut all = Hits::new();
+    shape.hits(ray, range, &mut all);
+    all.sort_by(|a, b| a.t.total_cmp(&b.t));
+    all.into_vec()
+}
+
+fn node_hits<'a>(node: &'a Node, ray: &Ray, range: Range) -> FoundList<'a> {
+    let mut all = FoundList::new();
+    node.hits(ray, range, &mut all);
+    all.sort_by(|a, b| a.t().total_cmp(&b.t()));
+    all
+}
+
+/// Is the solid locally flat around the point: full on one side of the plane across n, empty on the other?
+fn is_flat_at(shape: &Shape, p: DVec3, n: DVec3, step: f64) -> bool {
+    let (e1, e2) = n.any_orthonormal_pair();
+    let around = [e1, -e1, e2, -e2, e1 + e2, e1 - e2].map(|e| p + e * (2.0 * step));
+    let side = |q: &DVec3, sign: f64| shape.inside(*q + n * (sign * step));
+    around.iter().all(|q| side(q, 1.0) == side(&around[0], 1.0) && side(q, -1.0) == side(&around[0], -1.0))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn hits_lie_in_bounds_and_have_normals(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let (shape, m) = (dice.shape(), dice.transform());
+        let node = Node::leaf(Leaf::new(Arc::new(shape.clone()), &m, 1), 1);
+        for _ in 0..20 {
+            let ray = dice.ray();
+            let scale = 1.0 + ray.origin.length();
+            for hit in hits(&shape, &ray, Range::ALL) {
+                let p = ray.at(hit.t);
+                prop_assert!(shape.bounds().grown(1e-12 * scale).contains(p), "{shape:?} {ray:?} {hit:?}");
+                let n = shape.normal(p, &hit);
+                prop_assert!(n.is_finite() && n.length() > 0.0, "{shape:?} {hit:?} {n}");
+                prop_assert!(shape.uv(p, &hit).is_finite(), "{shape:?} {hit:?}");
+            }
+            for found in node_hits(&node, &ray, Range::ALL) {
+                let surface = found.surface(&ray);
+                prop_assert!(node.bounds().grown(1e-11 * scale).contains(surface.point));
+                prop_assert!(surface.point.distance(ray.at(found.t())) < 1e-9 * scale);
+                prop_assert!((surface.normal.length() - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn inside_agrees_with_hits(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let shape = dice.solid();
+        for _ in 0..20 {
+            let ray = dice.ray();
+            let all = hits(&shape, &ray, Range::ALL);
+            prop_assert!(all.len() % 2 == 0, "{shape:?} {ray:?} {all:?}");
+            let size = ray.dir.length();
+            let middle = -ray.origin.dot(ray.dir) / (size * size);
+            for k in -30..30 {
+                let t = middle + f64::from(k) * 0.0987 / size;
+                if all.iter().any(|h| (h.t - t).abs() * size < 1e-6) {
+                    continue;
+                }
+                let behind = all.iter().filter(|h| h.t > t).count();
+                prop_assert_eq!(shape.inside(ray.at(t)), behind % 2 == 1, "{:?} {:?} {} {:?}", shape, ray, t, all);
+            }
+            for hit in &all {
+                // The normal points out: a step along it leaves the solid, one back is inside. Not at edges.
+                let (p, step) = (ray.at(hit.t), 1e-5);
+                let n = shape.normal(p, hit).normalize();
+                let out = !shape.inside(p + n * step) && shape.inside(p - n * step);
+                prop_assert!(out || !is_flat_at(&shape, p, n, step), "{shape:?} {ray:?} {hit:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn closest_is_the_first_of_all(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let (shape, node) = (dice.shape(), dice.tree(3));
+        for _ in 0..20 {
+            let (ray, range) = (dice.ray(), dice.range());
+            let first = hits(&shape, &ray, range).first().map(|h| h.t);
+            prop_assert_eq!(shape.closest(&ray, range).map(|h| h.t), first, "{:?} {:?}", shape, ray);
+            prop_assert!(first.is_none_or(|t| range.contains(t)));
+            let first = node_hits(&node, &ray, range).first().map(Found::t);
+            prop_assert_eq!(node.closest(&ray, range).map(|f| f.t()), first, "{:?} {:?}", node, ray);
+            prop_assert!(first.is_none_or(|t| range.contains(t)));
+        }
+    }
+
+    #[test]
+    fn transforms_undo_themselves(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let m = (0..4).fold(Transform::IDENTITY, |m, _| m.then(&dice.transform()));
+        let (p, v) = (dice.vector(5.0), dice.vector(5.0));
+        // Rounding is magnified by how unevenly M stretches.
+        let stretch = DVec3::AXES.map(|e| m.vector(e).length()).iter().sum::<f64>();
+        let shrink = DVec3::AXES.map(|e| m.inverse_vector(e).length()).iter().sum::<f64>();
+        let tolerance = 1e-13 * (1.0 + stretch) * (1.0 + shrink) * 100.0;
+        prop_assert!(m.inverse_point(m.point(p)).distance(p) < tolerance);
+        prop_assert!(m.vector(m.inverse_vector(v)).distance(v) < tolerance);
+        // A normal stays perpendicular to its surface.
+        let w = v.any_orthogonal_vector();
+        let cosine = m.normal(v).normalize().dot(m.vector(w).normalize());
+        prop_assert!(cosine.abs() < tolerance, "{cosine}");
+    }
+
+    /// Where the inside of a tree of closed solids begins or ends along a ray, there is a hit, and only there.
+    #[test]
+    fn trees_have_a_surface_where_their_inside_ends(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let tree = dice.tree_of(3, 6, Dice::solid);
+        for _ in 0..10 {
+            let ray = dice.ray();
+            let all = node_hits(&tree, &ray, Range::ALL);
+            let size = ray.dir.length();
+            let at = |k: i32| -ray.origin.dot(ray.dir) / (size * size) + f64::from(k) * 0.0371 / size;
+            for k in -100..100 {
+                let (a, b) = (tree.inside(ray.at(at(k))), tree.inside(ray.at(at(k + 1))));
+                let near = |f: &Found| f.t() > at(k) - 1e-6 / size && f.t() < at(k + 1) + 1e-6 / size;
+                prop_assert!(a == b || all.iter().any(near), "{tree:?} {ray:?}: {a} {b} at {} without a hit", at(k));
+            }
+            for found in &all {
+                prop_assert!(tree.bounds().contains(ray.at(found.t())), "{tree:?} {ray:?} {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn hierarchy_is_brute_force(seed: u64, count in prop_oneof![0usize..8, 20usize..60]) {
+        let mut dice = Dice::new(seed);
+        let nodes: Vec<Node> = (0..count).map(|_| dice.tree(2)).collect();
+        let geometry = Geometry::new(nodes.clone());
+        for _ in 0..40 {
+            let (ray, range) = (dice.ray(), dice.range());
+            let sorted = |mut list: Vec<(f64, u32)>| {
+                list.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                list
+            };
+            let each = nodes.iter().flat_map(|n| node_hits(n, &ray, range));
+            let want = sorted(each.map(|f| (f.t(), f.leaf.id)).collect());
+            let mut found = vec![];
+            let flow = geometry.visit(&ray, range, |_| true, &mut |f| {
+                found.push((f.t(), f.leaf.id));
+                ControlFlow::Continue(())
+            });
+            prop_assert!(flow.is_continue());
+            prop_assert_eq!(&sorted(found), &want, "{:?} {:?}", ray, range);
+            let first = geometry.closest(&ray, range, |_| true);
+            prop_assert_eq!(first.map(|f| f.t()), want.first().map(|w| w.0));
+            prop_assert_eq!(geometry.any(&ray, range, |_| true), !want.is_empty());
+            prop_assert!(geometry.closest(&ray, range, |_| false).is_none());
+            if let Some(first) = first {
+                let next = geometry.closest(&ray, range, |object| object != first.object);
+                prop_assert!(next.is_none_or(|f| f.object != first.object && f.t() >= first.t()));
+            }
+        }
+        for _ in 0..20 {
+            let p = dice.vector(3.0);
+            let mut inside = vec![];
+            geometry.containing(p, &mut |node| inside.push(node.object));
+            // A disc by itself is a plate: whether points behind it count is left open.
+            let plate = |n: &Node| matches!(n.kind(), durer::world::NodeKind::Leaf(l) if matches!(*l.shape, Shape::Disc(_)));
+            let all = |n: &&Node| n.inside(p) && !plate(n);
+            let mut want: Vec<u32> = geometry.items().iter().filter(all).map(|n| n.object).collect();
+            let plates: Vec<u32> = geometry.items().iter().filter(|n| plate(n)).map(|n| n.object).collect();
+            inside.retain(|object| !plates.contains(object));
+            want.retain(|object| !plates.contains(object));
+            inside.sort();
+            want.sort();
+            prop_assert_eq!(inside, want);
+        }
+    }
+}
