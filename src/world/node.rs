@@ -77,8 +77,6 @@ pub struct Surface {
     pub point: DVec3,
     /// In world space, length 1, out of the solid.
     pub normal: DVec3,
-    /// The shape's own coordinates on its surface.
-    pub uv: DVec2,
     /// In object space.
     pub object_point: DVec3,
 }
@@ -132,19 +130,23 @@ impl Found<'_> {
         self.leaf.inverse
     }
 
-    /// Point, normal and coordinates of this hit of `ray`, in world space (lecture, "Ray – transformed object
+    /// The shape's own coordinates on its surface, at `object_point` of [`Found::surface`].
+    pub fn uv(&self, object_point: DVec3) -> DVec2 {
+        self.leaf.shape.uv(object_point, &self.hit)
+    }
+
+    /// Point and normal of this hit of `ray`, in world space (lecture, "Ray – transformed object
     /// intersection": points by M, normals by M⁻ᵀ).
     pub fn surface(&self, ray: &Ray) -> Surface {
         let Leaf { shape, place, inverse, .. } = self.leaf;
         let object_point = self.leaf.local(ray).at(self.hit.t);
         let normal = shape.normal(object_point, &self.hit);
-        let uv = shape.uv(object_point, &self.hit);
         let (point, normal) = match place {
             Some(m) => (m.point(object_point), m.normal(normal)),
             None => (object_point, normal),
         };
         let normal = if *inverse { -normal } else { normal };
-        Surface { point, normal: normal.try_normalize().unwrap_or(-ray.dir), uv, object_point }
+        Surface { point, normal: normal.try_normalize().unwrap_or(-ray.dir), object_point }
     }
 }
 
