@@ -265,6 +265,36 @@ proptest! {
         }
     }
 
+    /// A node with many children has a hierarchy of its own; a tree of groups of four has none.
+    #[test]
+    fn many_children_are_like_few(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let parts: Vec<Node> = (0..40).map(|_| dice.tree_of(dice.seed as usize % 2, 6, Dice::solid)).collect();
+        let grouped = |make: fn(Vec<Node>, u32) -> Node, parts: &[Node]| {
+            make(parts.chunks(4).map(|group| make(group.to_vec(), 0)).collect::<Vec<_>>().chunks(4).map(|g| make(g.to_vec(), 0)).collect(), 0)
+        };
+        let carved = |parts: &[Node]| {
+            let ball = || Node::leaf(Leaf::new(Arc::new(Shape::Sphere(Sphere { center: DVec3::ZERO, radius: 3.0 })), &Transform::IDENTITY, 7), 7);
+            let few = parts.iter().fold(ball(), |node, part| Node::difference(vec![node, part.clone()], 0));
+            (Node::difference([ball()].into_iter().chain(parts.iter().cloned()).collect(), 0), few)
+        };
+        let pairs = [
+            (Node::union(parts.clone(), 0), grouped(Node::union, &parts)),
+            (Node::merge(parts.clone(), 0), grouped(Node::merge, &parts)),
+            carved(&parts),
+        ];
+        for (many, few) in &pairs {
+            for _ in 0..20 {
+                let (ray, range) = (dice.ray(), dice.range());
+                let list = |node| node_hits(node, &ray, range).iter().map(|f| (f.t(), f.leaf.id)).collect::<Vec<_>>();
+                prop_assert_eq!(list(many), list(few), "{:?}", ray);
+                prop_assert_eq!(many.closest(&ray, range).map(|f| f.t()), few.closest(&ray, range).map(|f| f.t()));
+                let p = dice.vector(3.0);
+                prop_assert_eq!(many.inside(p), few.inside(p), "{}", p);
+            }
+        }
+    }
+
     #[test]
     fn hierarchy_is_brute_force(seed: u64, count in prop_oneof![0usize..8, 20usize..60]) {
         let mut dice = Dice::new(seed);

@@ -1,11 +1,14 @@
 //! What a ray needs: every object with M and M⁻¹; no names, versions, degrees or nested blocks.
 
 mod bvh;
+mod crowd;
 mod geometry;
+mod leaf;
 mod node;
 
 pub use geometry::Geometry;
-pub use node::{Found, FoundList, Leaf, Node, NodeKind, Surface};
+pub use leaf::{Found, FoundList, Leaf, Surface};
+pub use node::{Node, NodeKind};
 
 use crate::diagnostic::Result;
 use crate::scene::Scene;
