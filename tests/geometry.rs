@@ -1,4 +1,5 @@
 //! Properties of shapes, of what CSG makes of them, and of the hierarchy, over random scenes.
+#![allow(clippy::unwrap_used)]
 
 use durer::math::{DVec3, Range, Ray, Transform, rng};
 use durer::shape::*;
@@ -191,7 +192,7 @@ proptest! {
         for _ in 0..20 {
             let ray = dice.ray();
             let all = hits(&shape, &ray, Range::ALL);
-            prop_assert!(all.len() % 2 == 0, "{shape:?} {ray:?} {all:?}");
+            prop_assert!(all.len().is_multiple_of(2), "{shape:?} {ray:?} {all:?}");
             let size = ray.dir.length();
             let middle = -ray.origin.dot(ray.dir) / (size * size);
             for k in -30..30 {

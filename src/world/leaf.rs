@@ -60,7 +60,7 @@ impl Leaf {
 
     /// Turned inside out, unless it has no inside.
     pub(super) fn inverted(self) -> Self {
-        let inverse = self.inverse != !self.shape.is_patch();
+        let inverse = if self.shape.is_patch() { self.inverse } else { !self.inverse };
         Self { inverse, ..self }
     }
 
