@@ -266,24 +266,22 @@ proptest! {
         }
     }
 
-    /// A node with many children has a hierarchy of its own; a tree of groups of four has none.
+    /// A node with many children has a hierarchy of its own; a chain of pairs has none.
     #[test]
     fn many_children_are_like_few(seed: u64) {
         let mut dice = Dice::new(seed);
         let parts: Vec<Node> = (0..40).map(|_| dice.tree_of(dice.seed as usize % 2, 6, Dice::solid)).collect();
-        let grouped = |make: fn(Vec<Node>, u32) -> Node, parts: &[Node]| {
-            make(parts.chunks(4).map(|group| make(group.to_vec(), 0)).collect::<Vec<_>>().chunks(4).map(|g| make(g.to_vec(), 0)).collect(), 0)
+        let big = |dice: &mut Dice| Shape::Sphere(Sphere { center: dice.vector(1.0), radius: dice.between(2.0, 3.0) });
+        let leaf = |shape| Node::leaf(Leaf::new(Arc::new(shape), &Transform::IDENTITY, 7), 7);
+        let balls: Vec<Node> = (0..12).map(|_| leaf(big(&mut dice))).collect();
+        let one_by_one = |make: fn(Vec<Node>, u32) -> Node, parts: &[Node]| {
+            let (first, rest) = parts.split_first().unwrap();
+            rest.iter().fold(first.clone(), |node, part| make(vec![node, part.clone()], 0))
         };
-        let carved = |parts: &[Node]| {
-            let ball = || Node::leaf(Leaf::new(Arc::new(Shape::Sphere(Sphere { center: DVec3::ZERO, radius: 3.0 })), &Transform::IDENTITY, 7), 7);
-            let few = parts.iter().fold(ball(), |node, part| Node::difference(vec![node, part.clone()], 0));
-            (Node::difference([ball()].into_iter().chain(parts.iter().cloned()).collect(), 0), few)
-        };
-        let pairs = [
-            (Node::union(parts.clone(), 0), grouped(Node::union, &parts)),
-            (Node::merge(parts.clone(), 0), grouped(Node::merge, &parts)),
-            carved(&parts),
-        ];
+        let carved: Vec<Node> = balls[..1].iter().chain(&parts).cloned().collect();
+        let makers: [(fn(Vec<Node>, u32) -> Node, &Vec<Node>); 4] =
+            [(Node::union, &parts), (Node::merge, &parts), (Node::intersection, &balls), (Node::difference, &carved)];
+        let pairs = makers.map(|(make, parts)| (make(parts.clone(), 0), one_by_one(make, parts)));
         for (many, few) in &pairs {
             for _ in 0..20 {
                 let (ray, range) = (dice.ray(), dice.range());

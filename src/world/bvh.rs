@@ -418,6 +418,14 @@ mod tests {
     }
 
     #[test]
+    fn rounding_goes_outwards() {
+        for x in [0.1, -0.1, 1.0, 1e-50, -1e-50, 16_777_217.0, 1e29, -1e39, f64::INFINITY] {
+            assert!(f64::from(round_down(x)) <= x && f64::from(round_up(x)) >= x, "{x}");
+        }
+        assert_eq!((round_down(0.5), round_up(0.5)), (0.5, 0.5));
+    }
+
+    #[test]
     fn points() {
         let boxes = grid();
         let (bvh, order) = Bvh::build(&boxes);

@@ -26,7 +26,7 @@ pub struct Found<'a> {
     pub hit: Hit,
     /// The shape that was hit.
     pub leaf: &'a Leaf,
-    /// [`Node::object`] of the outermost node that was asked.
+    /// [`super::Node::object`] of the outermost node that was asked.
     pub object: u32,
 }
 
