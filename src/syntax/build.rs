@@ -1,10 +1,10 @@
 //! pest's pairs to the tree of [`super::ast`].
 
+use super::Names;
 use super::ast::*;
+use super::lex::{Lexed, Token};
 use super::parse::Rule;
 use super::word::{self, Category};
-use super::lex::{Lexed, Token};
-use super::Names;
 use crate::source::Span;
 use pest::iterators::{Pair, Pairs};
 use std::cell::RefCell;

@@ -148,7 +148,10 @@ impl Lexer<'_> {
     fn number_or_sign(&mut self, b: u8) {
         let after_operand = self.after_operand();
         // Lists stand between elements: not inside expressions, vectors or functions.
-        let starts = !matches!(self.before(), b'@' | b'+' | b'-' | b'*' | b'/' | b'.' | b'!' | b'?' | b':' | b'&' | b'|' | b'=' | b'4' | b'5' | b'6');
+        let starts = !matches!(
+            self.before(),
+            b'@' | b'+' | b'-' | b'*' | b'/' | b'.' | b'!' | b'?' | b':' | b'&' | b'|' | b'=' | b'4' | b'5' | b'6'
+        );
         if self.nesting.takes_lists()
             && starts
             && let Some((count, end)) = self.lists.scan(self.bytes, self.at, !after_operand)

@@ -72,8 +72,7 @@ impl Nesting {
 
     /// May a list of literals stand here? Between elements, but not inside vectors, parentheses and functions.
     pub(super) fn takes_lists(&self) -> bool {
-        !self.in_function()
-            && self.stack.last().is_none_or(|(top, _)| matches!(top, Opener::Brace | Opener::Directive))
+        !self.in_function() && self.stack.last().is_none_or(|(top, _)| matches!(top, Opener::Brace | Opener::Directive))
     }
 
     fn pop(&mut self) {

@@ -178,7 +178,10 @@ impl ListScanner {
 /// Does something at `at` go on with the literal before it: an operator, component or index? (A comment may: then the
 /// literal is left to the grammar.)
 fn is_continued(bytes: &[u8], at: usize) -> bool {
-    matches!(bytes.get(at), Some(b'+' | b'-' | b'*' | b'/' | b'.' | b'(' | b'[' | b'=' | b'!' | b'&' | b'|' | b'?' | b'<' | b'>' | b':'))
+    matches!(
+        bytes.get(at),
+        Some(b'+' | b'-' | b'*' | b'/' | b'.' | b'(' | b'[' | b'=' | b'!' | b'&' | b'|' | b'?' | b'<' | b'>' | b':')
+    )
 }
 
 #[derive(Default)]

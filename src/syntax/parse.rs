@@ -83,7 +83,8 @@ fn parse_piece(
             let offset = |i: usize| lexed.tokens.get(i).map_or(text.len(), |t| t.start as usize);
             let end = lexed.tokens[..range.start + at].last().map_or(0, |t| t.end as usize);
             // At the end of the piece the fault lies behind its last token, not at the next one.
-            let place = if at == range.len() { end..end } else { offset(range.start + at)..offset(range.start + at + 1) };
+            let place =
+                if at == range.len() { end..end } else { offset(range.start + at)..offset(range.start + at + 1) };
             Err(Box::new(fault::explain(text, place.start, base)))
         }
     };
