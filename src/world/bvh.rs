@@ -13,7 +13,6 @@ use std::ops::ControlFlow;
 const REACH: f64 = 1e30;
 /// A node's child that holds no more items than this is not divided any further.
 const LEAF: usize = 3;
-const BINS: usize = 16;
 /// No hierarchy is deeper: below the level where only halving keeps this promise, it halves.
 const DEPTH: usize = 20;
 /// Each level leaves at most three entries behind.
@@ -281,9 +280,15 @@ impl Bin {
 
 /// Orders the items in two groups, neither empty, at the cheapest place; returns where the second one starts.
 fn divide(prims: &mut [Prim], halve: bool) -> usize {
-    if halve {
-        return prims.len() / 2;
+    match prims.len() {
+        n if halve => n / 2,
+        0..=32 => divide_by_bins::<6>(prims),
+        _ => divide_by_bins::<16>(prims),
     }
+}
+
+/// The cheapest of the places between so many bins along each axis.
+fn divide_by_bins<const BINS: usize>(prims: &mut [Prim]) -> usize {
     let none = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
     let (lo, hi) = prims.iter().fold(none, |(lo, hi), p| (lo.min(p.center()), hi.max(p.center())));
     let extent = hi - lo;
@@ -317,7 +322,7 @@ fn must_halve(count: usize, depth: usize) -> bool {
 }
 
 /// The number of bins on the left of the best cut, and its cost; infinite where all items are in one bin.
-fn cheapest_cut(bins: &[Bin; BINS]) -> (usize, f32) {
+fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     // Cost of everything from bin i on.
     let mut right = [0.0; BINS];
     let mut sum = Bin::EMPTY;
