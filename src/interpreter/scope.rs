@@ -18,6 +18,10 @@ pub(super) enum Slot<'a> {
     Faulty(Rc<Vec<Diagnostic>>),
 }
 
+/// Aliases stand for bindings that were none when they were made, so chains are short; only what `#undef` leaves
+/// behind can make a ring of them.
+const MAX_ALIASES: usize = 16;
+
 struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
@@ -58,14 +62,18 @@ impl<'a> Scopes<'a> {
         &mut self.bindings[index]
     }
 
-    /// The place of the innermost binding, aliases followed.
+    /// The place of the innermost binding, aliases followed; `None` also where an alias stands for what an `#undef`
+    /// took away.
     pub(super) fn resolve(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
         let (mut symbol, mut depth) = (symbol, depth);
-        while let Slot::Alias(to, at) = self.bindings[symbol.0 as usize][depth].slot {
-            (symbol, depth) = (to, at);
+        for _ in 0..MAX_ALIASES {
+            match self.bindings[symbol.0 as usize].get(depth)?.slot {
+                Slot::Alias(to, at) => (symbol, depth) = (to, at),
+                _ => return Some((symbol, depth)),
+            }
         }
-        Some((symbol, depth))
+        None
     }
 
     pub(super) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {

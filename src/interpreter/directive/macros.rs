@@ -45,7 +45,7 @@ impl<'a> Interpreter<'a> {
 
     fn arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
         let name = self.names.text(definition.name);
-        let wanted = definition.parameters.len();
+        let (depth, wanted) = (self.frames.len(), definition.parameters.len());
         let mut slots = Vec::with_capacity(wanted);
         for &(parameter, optional) in &definition.parameters {
             if matches!(self.peek()?, Token::End) {
@@ -63,7 +63,7 @@ impl<'a> Interpreter<'a> {
                 .help(format!("the argument for `{parameter}` is missing"))
                 .into();
             }
-            slots.push(Some(self.argument()?));
+            slots.push(Some(self.argument(depth)?));
         }
         if !matches!(self.peek()?, Token::End) {
             let message = format!("macro `{name}` takes {wanted} arguments, but more are given");
@@ -74,9 +74,10 @@ impl<'a> Interpreter<'a> {
         Ok(slots)
     }
 
-    /// A bare name is passed by reference, all else as a copy.
-    fn argument(&mut self) -> Result<Slot<'a>> {
+    /// A bare name is passed by reference, all else as a copy; so is a name that a macro gives, which may end with it.
+    fn argument(&mut self, depth: usize) -> Result<Slot<'a>> {
         if let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
+            && self.frames[depth..].iter().all(|f| !matches!(f.kind, FrameKind::Macro(_) | FrameKind::Include))
             && let Some((symbol, depth)) = self.scopes.resolve(*symbol)
         {
             self.advance();
