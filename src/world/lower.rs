@@ -21,6 +21,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
     let mut lowering = Lowering { ambient_light: scene.settings.ambient_light, ..Lowering::default() };
     let mut roots = vec![];
     for object in &scene.objects {
+        lowering.default_texture = object.default_texture.clone();
         roots.extend(lowering.lower_object(object, &Around::default())?.map(|solid| solid.node));
     }
     let Lowering { parts, objects, materials, interiors, lights, .. } = lowering;
@@ -68,6 +69,8 @@ struct Solid {
 #[derive(Default)]
 struct Lowering {
     ambient_light: Rgb,
+    /// For shapes of the outermost object at hand that say nothing.
+    default_texture: Arc<Texture>,
     parts: Vec<Part>,
     objects: Vec<ObjectInfo>,
     materials: Vec<Material>,
@@ -151,7 +154,7 @@ impl Lowering {
         if bounds.min.is_nan() || bounds.max.is_nan() {
             return not_finite(object.source);
         }
-        let default = || Look { texture: object.default_texture.clone(), transform: Transform::IDENTITY };
+        let default = || Look { texture: self.default_texture.clone(), transform: Transform::IDENTITY };
         let outside = self.lower_look(&own.texture.clone().unwrap_or_else(default));
         let inside = own.inside.as_ref().map(|look| self.lower_look(look));
         let opaque = [Some(&outside), inside.as_ref()]
