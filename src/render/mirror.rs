@@ -60,7 +60,7 @@ pub(super) fn left_over(site: &Site, border: &Border) -> Rgb {
 }
 
 fn mirrors<'a>(site: &'a Site) -> impl Iterator<Item = (&'a Reflection, &'a Shown<'a>)> {
-    site.layers.iter().filter_map(|shown| Some((shown.layer.mirror.as_ref()?, shown)))
+    site.layers.iter().filter_map(|shown| Some((shown.layer.mirror.as_deref()?, shown)))
 }
 
 /// How much one layer mirrors at this angle.
