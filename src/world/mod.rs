@@ -11,7 +11,7 @@ mod node;
 pub use geometry::Geometry;
 pub use leaf::{Found, FoundList, Leaf, Surface};
 pub use lower::lower;
-pub use material::{Layer, Lobe, Material};
+pub use material::{Ink, Layer, Lobe, Material};
 pub use node::{Node, NodeKind};
 
 use crate::camera::Camera;
