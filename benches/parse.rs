@@ -42,7 +42,8 @@ fn parsing(c: &mut Criterion) {
 
 fn running(c: &mut Criterion) {
     let sources = Sources::default();
-    let loops = "#declare S = 0; #for (I, 1, 100000) #declare S = S + mod(I, 7)*2; #if (S > 1e9) #declare S = 0; #end #end";
+    let loops =
+        "#declare S = 0; #for (I, 1, 100000) #declare S = S + mod(I, 7)*2; #if (S > 1e9) #declare S = 0; #end #end";
     let Some(file) = sources.add("loops", None, loops.into()) else { return };
     let options = interpreter::Options {
         search: SearchPath::default(),
