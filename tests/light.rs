@@ -5,9 +5,10 @@
 mod common;
 
 use common::*;
+use durer::color::Gamma;
 use durer::color::{Color, Rgb};
 use durer::math::DVec3;
-use durer::scene::{Gamma, Scene};
+use durer::scene::Scene;
 use durer::texture::{Finish, Pigment, Reflection};
 
 /// A wall at z = 0, seen straight on.

@@ -4,7 +4,7 @@ use super::stream::Token;
 use super::{Interpreter, compat};
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::scene::{Gamma, Object, is_object};
+use crate::scene::{Object, is_object};
 use crate::source::Span;
 use crate::value::{Next, Reader};
 
@@ -92,10 +92,7 @@ impl Interpreter<'_> {
             _ => {
                 let mut settings = self.scene.settings.clone();
                 settings.read(self)?;
-                self.language.assumed_gamma = match settings.gamma {
-                    Some(Gamma::Power(g)) => Some(g),
-                    _ => self.language.assumed_gamma,
-                };
+                self.language.assumed_gamma = settings.gamma;
                 self.scene.settings = settings;
             }
         }

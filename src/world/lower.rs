@@ -2,11 +2,12 @@
 //! down to its parts, textures are lowered once however often they are used.
 
 use super::{Coat, Geometry, Lamp, Leaf, Material, Node, ObjectInfo, Part, World};
+use crate::color::Gamma;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::Transform;
-use crate::scene::{CsgOp, Flags, Gamma, Object, ObjectKind, Painted, Scene};
+use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Kernel, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Texture};

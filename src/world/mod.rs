@@ -15,9 +15,9 @@ pub use material::{Ink, Layer, Lobe, Material};
 pub use node::{Node, NodeKind};
 
 use crate::camera::Camera;
+use crate::color::Gamma;
 use crate::color::{Color, Rgb};
 use crate::math::{DVec3, Transform};
-use crate::scene::Gamma;
 use crate::source::Span;
 use serde::Serialize;
 
