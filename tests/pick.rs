@@ -1,6 +1,8 @@
 //! `durer pick` against calculation by hand, to 1e-9 relative: the text goes the whole way, the expectation comes from
 //! the lecture's formulas written out here.
 
+#![allow(clippy::unwrap_used)]
+
 use durer::math::DVec3;
 use durer::render::{self, Picked};
 use durer::source::{SearchPath, Sources};

@@ -159,13 +159,13 @@ impl<'a> Interpreter<'a> {
         }
         let mut color = Color::from_array(c);
         if word.starts_with('s') {
-            color.rgb = self.from_srgb(color.rgb);
+            color.rgb = self.linear_of_srgb(color.rgb);
         }
         Ok(color)
     }
 
     /// An sRGB colour in the numbers that the scene computes with.
-    fn from_srgb(&self, c: Rgb) -> Rgb {
+    fn linear_of_srgb(&self, c: Rgb) -> Rgb {
         let linear = transfer::srgb_decode_rgb(c);
         match self.language.assumed_gamma {
             Some(Gamma::Srgb) => c,

@@ -182,27 +182,25 @@ fn operator(text: &str) -> Operator {
     }
 }
 
+/// Operators and their right operands.
+type Tail = Vec<(Operator, Expr)>;
+
 /// Groups a row of operands by precedence; operators of one precedence make one flat chain.
-fn climb(first: Expr, rest: Vec<(Operator, Expr)>) -> Expr {
+fn climb(first: Expr, rest: Tail) -> Expr {
     if rest.is_empty() {
         return first;
     }
     // The loosest binding operators split the row; what lies between them is grouped on its own.
     let loosest = rest.iter().map(|(op, _)| op.precedence()).min().unwrap_or(0);
-    let mut groups: Vec<(Operator, Expr, Vec<(Operator, Expr)>)> = vec![];
-    let (mut head, mut head_rest) = (Some(first), vec![]);
+    let (mut head, mut groups): (Tail, Vec<(Operator, Expr, Tail)>) = (vec![], vec![]);
     for (op, term) in rest {
-        if op.precedence() == loosest {
-            groups.push((op, term, vec![]));
-        } else {
-            match groups.last_mut() {
-                Some((_, _, inner)) => inner.push((op, term)),
-                None => head_rest.push((op, term)),
-            }
+        match groups.last_mut() {
+            _ if op.precedence() == loosest => groups.push((op, term, vec![])),
+            Some((_, _, inner)) => inner.push((op, term)),
+            None => head.push((op, term)),
         }
     }
-    let first =
-        head.take().map(|h| climb(h, head_rest)).unwrap_or(Expr { span: Span::NONE, kind: ExprKind::Number(0.0) });
+    let first = climb(first, head);
     let rest: Box<[(Operator, Expr)]> = groups.into_iter().map(|(op, term, inner)| (op, climb(term, inner))).collect();
     let span = rest.iter().fold(first.span, |span, (_, e)| span.to(e.span));
     Expr { span, kind: ExprKind::Chain(Box::new(Chain { first, rest })) }
