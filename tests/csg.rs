@@ -1,4 +1,5 @@
 //! What CSG makes of shapes, against closed forms and against what POV-Ray was seen to do.
+#![allow(clippy::unwrap_used)]
 
 use durer::math::{DVec2, DVec3, Range, Ray, Transform};
 use durer::shape::*;
@@ -129,7 +130,7 @@ fn transformed_object() {
     assert!(surface.point.distance(DVec3::new(1.0 + x, 0.5, 0.0)) < 1e-14);
     assert!(surface.object_point.distance(DVec3::new(x / 3.0, 0.5, 0.0)) < 1e-14);
     assert!(surface.normal.distance(DVec3::new(x / 9.0, 0.5, 0.0).normalize()) < 1e-14);
-    assert!(surface.uv.distance(DVec2::new(0.0, 0.5 + 0.5_f64.asin() / std::f64::consts::PI)) < 1e-14);
+    assert!(found.uv(surface.object_point).distance(DVec2::new(0.0, 0.5 + 0.5_f64.asin() / std::f64::consts::PI)) < 1e-14);
     assert!((node.bounds().max.x - 4.0).abs() < 1e-7 && node.bounds().max.x >= 4.0);
 }
 
@@ -148,5 +149,5 @@ fn a_point_knows_what_it_is_in() {
     };
     assert_eq!(at(DVec3::new(0.3, -0.1, 0.0)), [1, 2, 4, 9]);
     assert_eq!(at(DVec3::new(5.0, 0.1, 0.0)), [3, 4]);
-    assert_eq!(at(DVec3::new(40.0, 0.1, 0.0)), []);
+    assert!(at(DVec3::new(40.0, 0.1, 0.0)).is_empty());
 }

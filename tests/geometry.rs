@@ -1,4 +1,5 @@
 //! Properties of shapes, of what CSG makes of them, and of the hierarchy, over random scenes.
+#![allow(clippy::unwrap_used)]
 
 use durer::math::{DVec3, Range, Ray, Transform, rng};
 use durer::shape::*;
@@ -191,7 +192,7 @@ proptest! {
         for _ in 0..20 {
             let ray = dice.ray();
             let all = hits(&shape, &ray, Range::ALL);
-            prop_assert!(all.len() % 2 == 0, "{shape:?} {ray:?} {all:?}");
+            prop_assert!(all.len().is_multiple_of(2), "{shape:?} {ray:?} {all:?}");
             let size = ray.dir.length();
             let middle = -ray.origin.dot(ray.dir) / (size * size);
             for k in -30..30 {
@@ -261,6 +262,34 @@ proptest! {
             }
             for found in &all {
                 prop_assert!(tree.bounds().contains(ray.at(found.t())), "{tree:?} {ray:?} {found:?}");
+            }
+        }
+    }
+
+    /// A node with many children has a hierarchy of its own; a chain of pairs has none.
+    #[test]
+    fn many_children_are_like_few(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let parts: Vec<Node> = (0..40).map(|_| dice.tree_of(dice.seed as usize % 2, 6, Dice::solid)).collect();
+        let big = |dice: &mut Dice| Shape::Sphere(Sphere { center: dice.vector(1.0), radius: dice.between(2.0, 3.0) });
+        let leaf = |shape| Node::leaf(Leaf::new(Arc::new(shape), &Transform::IDENTITY, 7), 7);
+        let balls: Vec<Node> = (0..12).map(|_| leaf(big(&mut dice))).collect();
+        let one_by_one = |make: fn(Vec<Node>, u32) -> Node, parts: &[Node]| {
+            let (first, rest) = parts.split_first().unwrap();
+            rest.iter().fold(first.clone(), |node, part| make(vec![node, part.clone()], 0))
+        };
+        let carved: Vec<Node> = balls[..1].iter().chain(&parts).cloned().collect();
+        let makers: [(fn(Vec<Node>, u32) -> Node, &Vec<Node>); 4] =
+            [(Node::union, &parts), (Node::merge, &parts), (Node::intersection, &balls), (Node::difference, &carved)];
+        let pairs = makers.map(|(make, parts)| (make(parts.clone(), 0), one_by_one(make, parts)));
+        for (many, few) in &pairs {
+            for _ in 0..20 {
+                let (ray, range) = (dice.ray(), dice.range());
+                let list = |node| node_hits(node, &ray, range).iter().map(|f| (f.t(), f.leaf.id)).collect::<Vec<_>>();
+                prop_assert_eq!(list(many), list(few), "{:?}", ray);
+                prop_assert_eq!(many.closest(&ray, range).map(|f| f.t()), few.closest(&ray, range).map(|f| f.t()));
+                let p = dice.vector(3.0);
+                prop_assert_eq!(many.inside(p), few.inside(p), "{}", p);
             }
         }
     }

@@ -64,6 +64,8 @@ impl Perspective {
                 let angle = r.float()?;
                 self.angle = (angle != 0.0).then_some(angle);
                 self.angle_span = at;
+                // The vertical angle of other kinds of cameras, which are not drawn yet.
+                r.optional_float()?;
             }
             _ => {}
         }

@@ -58,6 +58,8 @@ pub struct Outcome {
 
 /// A run ends after so many errors.
 const MAX_ERRORS: usize = 20;
+/// And after so many faults, though they be the same again and again.
+const MAX_FAULTS: usize = 200;
 
 /// Runs a file that [`Sources`] already holds. `debug` receives what `#debug`, `#render` and `#statistics` print.
 ///
@@ -96,6 +98,8 @@ pub(crate) struct Interpreter<'a> {
     scene: Scene,
     diagnostics: Vec<Diagnostic>,
     limit_reached: bool,
+    /// Faults met, also those that were told before.
+    faults: usize,
 }
 
 impl<'a> Interpreter<'a> {
@@ -130,6 +134,7 @@ impl<'a> Interpreter<'a> {
             scene: Scene::default(),
             diagnostics: vec![],
             limit_reached: false,
+            faults: 0,
         }
     }
 
@@ -162,7 +167,9 @@ impl<'a> Interpreter<'a> {
                 let ends = self.limit_reached || fault.code == codes::ENDS_RUN;
                 let fault = self.with_trace(*fault);
                 self.report_fault(fault);
-                if ends || self.error_count() >= MAX_ERRORS {
+                self.faults += 1;
+                // A fault in a loop's body is told once, but met in every pass.
+                if ends || self.error_count() >= MAX_ERRORS || self.faults >= MAX_FAULTS {
                     return;
                 }
             }

@@ -508,7 +508,9 @@ impl Reader for Interpreter<'_> {
                 return self.unexpected_token(block);
             }
             Ok(_) => {
-                return self.unexpected_token(&format!("a word of `{block}`")).help(format!("it takes {}", list(takes)));
+                return self
+                    .unexpected_token(&format!("a word of `{block}`"))
+                    .help(format!("it takes {}", list(takes)));
             }
         };
         let near = did_you_mean(&word, takes.iter().copied());

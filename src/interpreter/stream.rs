@@ -70,6 +70,18 @@ impl Frame<'_> {
     }
 }
 
+impl Frame<'_> {
+    /// After a declared texture that failed: over its other layers.
+    pub(super) fn skip_layers(&mut self, from: usize) {
+        let is_texture = |e: Option<&Element>| matches!(e, Some(Element { kind: ElementKind::Block(b), .. }) if b.name.word == Some("texture"));
+        if is_texture(self.elements.get(from)) {
+            while is_texture(self.elements.get(self.at)) {
+                self.at += 1;
+            }
+        }
+    }
+}
+
 impl<'a> Interpreter<'a> {
     /// What comes next; directives and macros before it have run. Nothing is consumed.
     pub(super) fn peek(&mut self) -> Result<Token<'a>> {

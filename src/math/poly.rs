@@ -219,7 +219,7 @@ mod tests {
             for x in &found {
                 prop_assert!(roots.iter().any(|r| (x - r).abs() < 3e-3), "{x} is not in {roots:?}");
             }
-            prop_assert!(found.len() % 2 == 0, "{found:?} for {roots:?}");
+            prop_assert!(found.len().is_multiple_of(2), "{found:?} for {roots:?}");
             prop_assert!(found.is_sorted());
         }
 

@@ -31,7 +31,8 @@ impl Cells for Checker {
     fn cell(&self, p: DVec3) -> usize {
         // the parity of ⌊x⌋ + ⌊y⌋ + ⌊z⌋
         let f = (p + EDGE).floor();
-        (f.x + f.y + f.z).rem_euclid(2.0) as usize
+        let sum = (f.x as i64).wrapping_add(f.y as i64).wrapping_add(f.z as i64);
+        (sum & 1) as usize
     }
 
     fn default_color(&self, cell: usize) -> Color {

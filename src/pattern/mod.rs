@@ -165,5 +165,46 @@ pub const NOT_DRAWN: &[&str] = &[
     "wrinkles",
 ];
 
+/// Words about patterns that are not drawn yet.
+pub const WORDS_NOT_DRAWN: &[&str] = &[
+    "accuracy",
+    "agate_turb",
+    "altitude",
+    "bump_size",
+    "control0",
+    "control1",
+    "coords",
+    "cube",
+    "exterior",
+    "form",
+    "image_map",
+    "interior",
+    "interpolate",
+    "lambda",
+    "map_type",
+    "metric",
+    "no_bump_scale",
+    "noise_generator",
+    "normal_map",
+    "octaves",
+    "offset",
+    "omega",
+    "once",
+    "orientation",
+    "pigment_map",
+    "size",
+    "slope_map",
+    "solid",
+    "texture_map",
+    "tile2",
+    "tiles",
+    "turbulence",
+    "use_alpha",
+    "use_color",
+    "use_index",
+    "uv_mapping",
+    "warp",
+];
+
 /// Added before `floor`, so that a surface at a whole number lies on one side (measured on POV-Ray 3.7).
 const EDGE: f64 = 1e-10;

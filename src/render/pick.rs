@@ -16,7 +16,7 @@ pub fn pick(world: &World, options: &Options, x: usize, y: usize) -> Option<Pick
         t: found.t(),
         point: surface.point.to_array(),
         normal: surface.normal.to_array(),
-        uv: surface.uv.to_array(),
+        uv: found.uv(surface.object_point).to_array(),
         source: part.source,
     })
 }

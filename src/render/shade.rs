@@ -1,6 +1,5 @@
 //! How surfaces answer to light: one function for each term of `finish` (manual, "Finish"; details measured on 3.7).
 
-use super::refract::reflect;
 use super::site::{Shown, Site};
 use super::trace::Tracer;
 use crate::color::Rgb;
@@ -10,12 +9,14 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Where the light comes from and where it is looked at from.
 struct Incidence {
+    /// The ray that looks.
+    dir: DVec3,
+    /// N, length 1.
+    normal: DVec3,
+    /// l, length 1, towards the lamp.
+    to_lamp: DVec3,
     /// N·l; negative from behind.
     cos: f64,
-    /// R·l, where R is the ray mirrored by the surface.
-    cos_mirrored: f64,
-    /// N·h, where h is half-way between the light and the eye.
-    cos_halfway: f64,
 }
 
 impl Tracer<'_> {
@@ -51,8 +52,7 @@ impl Tracer<'_> {
         if light == Rgb::ZERO {
             return Rgb::ZERO;
         }
-        let cos_halfway = site.normal.dot((l - dir).normalize_or_zero());
-        let at = Incidence { cos, cos_mirrored: reflect(dir, site.normal).dot(l), cos_halfway };
+        let at = Incidence { dir, normal: site.normal, to_lamp: l, cos };
         let mut sum = Rgb::ZERO;
         for shown in &site.layers {
             let grain = if shown.layer.crand == 0.0 { 0.0 } else { shown.layer.crand * self.random() };
@@ -96,7 +96,15 @@ fn scattered(shown: &Shown, at: &Incidence, grain: f64, double_illuminate: bool)
 /// `phong` and `specular`, coloured by `metallic`.
 fn highlight(shown: &Shown, at: &Incidence) -> Rgb {
     let layer = shown.layer;
-    let amount = lobe(&layer.phong, at.cos_mirrored) + lobe(&layer.specular, at.cos_halfway);
+    let mut amount = 0.0;
+    if layer.phong.strength != 0.0 {
+        // (R·l)ⁿ, where R is the mirrored ray
+        amount += lobe(&layer.phong, (at.dir - at.normal * (2.0 * at.dir.dot(at.normal))).dot(at.to_lamp));
+    }
+    if layer.specular.strength != 0.0 {
+        // (N·h)ⁿ, where h is half-way between lamp and eye
+        amount += lobe(&layer.specular, at.normal.dot((at.to_lamp - at.dir).normalize_or_zero()));
+    }
     if amount == 0.0 {
         return Rgb::ZERO;
     }
@@ -105,7 +113,7 @@ fn highlight(shown: &Shown, at: &Incidence) -> Rgb {
 
 /// strength · cosⁿ
 fn lobe(lobe: &Lobe, cos: f64) -> f64 {
-    if lobe.strength == 0.0 || cos <= 0.0 { 0.0 } else { lobe.strength * power(cos, lobe.exponent) }
+    if cos <= 0.0 { 0.0 } else { lobe.strength * power(cos, lobe.exponent) }
 }
 
 /// The colour of what metal mirrors: the pigment's, but white at a grazing angle, by F of Strauss, A realistic lighting

@@ -147,6 +147,7 @@ impl<'w> Tracer<'w> {
                     through *= site.pass * kept;
                     passed *= gray(site.pass);
                     path.weight *= gray(site.pass);
+                    // Straight on it stays on its level (measured on 3.7).
                     path.level += u32::from(border.bends());
                     path.ray = Ray::new(site.point, dir);
                     if self.setup.world.bends {
@@ -183,12 +184,11 @@ impl<'w> Tracer<'w> {
         (sky.rgb * (1.0 - sky.transmit), sky.filter * gray(sky.rgb) + sky.transmit)
     }
 
-    /// Does the ray go on behind the surface, and where to? Straight on it stays on its level.
+    /// Does the ray go on behind the surface, and where to?
     fn onward(&self, path: &Path, site: &Site, border: &Border) -> Onward {
         let world = self.setup.world;
         let weight = path.weight * gray(site.pass);
-        let level = path.level + u32::from(border.bends());
-        if site.pass == Rgb::ZERO || weight <= world.adc_bailout || level > world.max_trace_level {
+        if site.pass == Rgb::ZERO || weight <= world.adc_bailout || path.level >= world.max_trace_level {
             return Onward::Ends;
         }
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)

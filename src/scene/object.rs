@@ -211,6 +211,11 @@ impl Object {
             return Self::read_csg(op, word, source, r, defaults);
         }
         if word == "light_source" {
+            if matches!(r.next()?, Next::Thing(_)) {
+                let mut object = Self { source, ..Self::read(r, defaults)? };
+                object.read_modifiers(None, r, defaults)?;
+                return Ok(object);
+            }
             let light = Light::read(r, source)?;
             return Ok(Self::new(ObjectKind::Light(Arc::new(light)), word, source, defaults));
         }

@@ -181,6 +181,6 @@ mod tests {
     fn reading() {
         let shape = read::<Cuboid>("1 -1").0.unwrap();
         assert_eq!(shape, unit());
-        assert_eq!(read::<Cuboid>("<1,nan,0> 0").0.unwrap_err().code.0, "E0303");
+        assert_eq!(read::<Cuboid>("<1,nan,0> 0").0.unwrap_err().code.0, "E0210");
     }
 }

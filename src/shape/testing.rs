@@ -5,7 +5,7 @@ use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{Language, Next, Reader, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Reader, Thing, Value, VecN};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -88,6 +88,14 @@ impl Reader for Words {
 
     fn optional_float(&mut self) -> Result<Option<f64>> {
         if Reader::next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
+    }
+
+    fn continued(&mut self) -> Result<Next> {
+        Reader::next(self)
+    }
+
+    fn float_or_color(&mut self) -> Result<FloatOrColor> {
+        unreachable!()
     }
 
     fn at_color(&mut self) -> Result<bool> {

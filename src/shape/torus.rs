@@ -203,7 +203,7 @@ mod tests {
                 let (p, within) = (ray.at(hit.t), Torus { major: -major, minor });
                 prop_assert!(torus.implicit(p).abs().min(within.implicit(p).abs()) < 1e-10, "{hit:?}");
             }
-            prop_assert!(hits.len() % 2 == 0);
+            prop_assert!(hits.len().is_multiple_of(2));
             // Signs of the implicit function between samples tell the crossings that may not be missed.
             let value = |i: i32| torus.implicit(ray.at(f64::from(i) * 0.01));
             for i in -400..400 {

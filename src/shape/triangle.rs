@@ -32,7 +32,7 @@ impl Triangle {
     /// Has it no area, to rounding?
     pub fn is_degenerate(&self) -> bool {
         let (ab, ac) = (self.b - self.a, self.c - self.a);
-        !(self.face_normal().length() > f64::EPSILON * ab.length() * ac.length())
+        self.face_normal().length() <= f64::EPSILON * ab.length() * ac.length()
     }
 
     /// Where the ray meets it, by the plane a + u·(b - a) + v·(c - a) (lecture, "Ray and triangle intersection I"): Cramer's

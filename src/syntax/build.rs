@@ -1,21 +1,54 @@
 //! pest's pairs to the tree of [`super::ast`].
 
+use super::Names;
 use super::ast::*;
+use super::lex::{Lexed, Token};
 use super::parse::Rule;
 use super::word::{self, Category};
-use super::{Names, numbers};
 use crate::source::Span;
 use pest::iterators::{Pair, Pairs};
+use std::cell::RefCell;
 
-/// Builds the elements of one piece of text, whose first byte has the global offset `base`.
+/// Builds the elements of one piece of text. Places in pairs are numbers of tokens, counted from the piece's first.
 pub(super) struct Builder<'n> {
     names: &'n Names,
+    text: &'n str,
+    /// Global offset of the text's first byte.
     base: usize,
+    tokens: &'n [Token],
+    numbers: &'n [f64],
+    lists: RefCell<&'n mut [NumberList]>,
 }
 
 impl<'n> Builder<'n> {
-    pub(super) fn new(names: &'n Names, base: usize) -> Self {
-        Self { names, base }
+    /// For the piece whose first token has the number `first`.
+    pub(super) fn new(names: &'n Names, text: &'n str, base: usize, first: usize, lexed: &'n mut Lexed) -> Self {
+        let Lexed { tokens, numbers, lists, .. } = lexed;
+        Self { names, text, base, tokens: &tokens[first..], numbers, lists: RefCell::new(lists) }
+    }
+
+    /// The first token of a pair.
+    fn token(&self, pair: &Pair<Rule>) -> Token {
+        self.tokens[pair.as_span().start()]
+    }
+
+    /// The text that a token stands for.
+    fn token_text(&self, token: Token) -> &'n str {
+        &self.text[token.start as usize..token.end as usize]
+    }
+
+    /// The text of a pair's first token.
+    fn text_of(&self, pair: &Pair<Rule>) -> &'n str {
+        self.token_text(self.token(pair))
+    }
+
+    fn number(&self, pair: &Pair<Rule>) -> f64 {
+        self.numbers[self.token(pair).data as usize]
+    }
+
+    fn list(&self, pair: &Pair<Rule>) -> NumberList {
+        let nothing = NumberList { data: Box::new([]), widths: Widths::Uniform(1) };
+        std::mem::replace(&mut self.lists.borrow_mut()[self.token(pair).data as usize], nothing)
     }
 
     /// Appends elements; `block` is the word before the brace they stand in, for the words that mean something only there.
@@ -36,32 +69,22 @@ impl<'n> Builder<'n> {
 
     fn span(&self, pair: &Pair<Rule>) -> Span {
         let span = pair.as_span();
-        Span::new(self.base + span.start(), self.base + span.end())
+        let (first, last) = (self.tokens[span.start()], self.tokens[(span.end().max(1) - 1).max(span.start())]);
+        Span::new(self.base + first.start as usize, self.base + last.end as usize)
+    }
+
+    fn token_span(&self, token: Token) -> Span {
+        Span::new(self.base + token.start as usize, self.base + token.end as usize)
     }
 
     fn element(&self, pair: Pair<Rule>, block: &str) -> Element {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
-            Rule::plain => match word::lookup(pair.as_str()) {
-                Some((word, Category::Keyword | Category::Function)) => ElementKind::Word(word),
-                _ => ElementKind::Expr(Box::new(Expr { span, kind: ExprKind::Name(self.symbol(&pair)) })),
-            },
-            Rule::keyword => ElementKind::Word(keyword(pair.as_str())),
-            Rule::numbers => {
-                let list = numbers::scan_list(pair.as_str());
-                if list.len() > 1 {
-                    ElementKind::Numbers(Box::new(list))
-                } else {
-                    let kind = match list.width(0) {
-                        1 => ExprKind::Number(list.data[0]),
-                        _ => ExprKind::Literal(list.data),
-                    };
-                    ElementKind::Expr(Box::new(Expr { span, kind }))
-                }
-            }
+            Rule::keyword => ElementKind::Word(word::by_number(self.token(&pair).data)),
+            Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(&pair))),
             Rule::expr => ElementKind::Expr(Box::new(self.chain(pair))),
             Rule::block => ElementKind::Block(Box::new(self.block(pair))),
-            Rule::open => ElementKind::Open(Box::new(self.block_name(pair))),
+            Rule::open => ElementKind::Open(Box::new(self.name(&pair))),
             Rule::close => ElementKind::Close,
             Rule::group => ElementKind::Group(self.elements(pair.into_inner(), block)),
             Rule::entry => ElementKind::Entry(self.elements(pair.into_inner(), block)),
@@ -74,21 +97,18 @@ impl<'n> Builder<'n> {
     }
 
     fn block(&self, pair: Pair<Rule>) -> Block {
-        let mut inner = pair.into_inner();
-        let name = inner.next().map_or(Name { word: None, span: Span::NONE }, |word| self.name(&word));
-        Block { name, body: self.elements(inner, name.word.unwrap_or("")) }
+        let name = self.name(&pair);
+        Block { name, body: self.elements(pair.into_inner(), name.word.unwrap_or("")) }
     }
 
-    fn block_name(&self, pair: Pair<Rule>) -> Name {
-        pair.into_inner().next().map_or(Name { word: None, span: Span::NONE }, |word| self.name(&word))
-    }
-
+    /// The word that a pair starts with.
     fn name(&self, pair: &Pair<Rule>) -> Name {
-        Name { word: known_word(pair.as_str()), span: self.span(pair) }
+        let token = self.token(pair);
+        Name { word: known_word(self.token_text(token)), span: self.token_span(token) }
     }
 
     fn symbol(&self, pair: &Pair<Rule>) -> Symbol {
-        self.names.intern(pair.as_str())
+        self.names.intern(self.text_of(pair))
     }
 
     // ------------------------------------------------------------ expressions
@@ -101,7 +121,7 @@ impl<'n> Builder<'n> {
         let mut rest = vec![];
         while inner.peek().is_some_and(|p| matches!(p.as_rule(), Rule::arithmetic | Rule::operator)) {
             if let (Some(op), Some(term)) = (inner.next(), inner.next()) {
-                rest.push((operator(op.as_str()), self.term(term)));
+                rest.push((operator(self.text_of(&op)), self.term(term)));
             }
         }
         let value = climb(first, rest);
@@ -120,7 +140,7 @@ impl<'n> Builder<'n> {
         let mut value = None;
         for part in pair.into_inner() {
             match (part.as_rule(), value.take()) {
-                (Rule::prefix, _) => prefixes.push((part.as_span().start(), part.as_str().to_owned())),
+                (Rule::prefix, _) => prefixes.push(self.token(&part)),
                 (Rule::dot, Some(base)) => value = Some(self.dot(base, part)),
                 (Rule::index, Some(base)) => value = Some(self.index(base, part)),
                 (_, _) => value = Some(self.primary(part)),
@@ -129,13 +149,13 @@ impl<'n> Builder<'n> {
         let mut value = value.unwrap_or(Expr { span, kind: ExprKind::Number(0.0) });
         // A row of signs is folded to at most two, so that `- - - … 1` does not nest.
         let mut folded: Vec<(Span, Prefix)> = vec![];
-        for (at, text) in prefixes.into_iter().rev() {
-            let prefix = match text.as_str() {
+        for token in prefixes.into_iter().rev() {
+            let prefix = match self.token_text(token) {
                 "-" => Prefix::Minus,
                 "+" => Prefix::Plus,
                 _ => Prefix::Not,
             };
-            let span = Span::new(self.base + at, value.span.hi as usize);
+            let span = self.token_span(token).to(value.span);
             match folded.last() {
                 Some(&(_, last)) if last == prefix && prefix == Prefix::Minus => {
                     folded.pop();
@@ -163,13 +183,10 @@ impl<'n> Builder<'n> {
 
     fn dot(&self, base: Expr, pair: Pair<Rule>) -> Expr {
         let span = base.span.to(self.span(&pair));
-        match pair.into_inner().next() {
-            Some(word) => {
-                let (name, symbol) = (self.name(&word), self.symbol(&word));
-                Expr { span, kind: ExprKind::Dot(Box::new(base), name, symbol) }
-            }
-            None => base,
-        }
+        let token = self.tokens[pair.as_span().start() + 1];
+        let text = self.token_text(token);
+        let name = Name { word: known_word(text), span: self.token_span(token) };
+        Expr { span, kind: ExprKind::Dot(Box::new(base), name, self.names.intern(text)) }
     }
 
     fn index(&self, base: Expr, pair: Pair<Rule>) -> Expr {
@@ -187,15 +204,24 @@ impl<'n> Builder<'n> {
     fn primary(&self, pair: Pair<Rule>) -> Expr {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
-            Rule::number => ExprKind::Number(numbers::parse(pair.as_str())),
-            Rule::string => ExprKind::Text(unescape(pair.as_str())),
+            Rule::NUMBER => ExprKind::Number(self.number(&pair)),
+            Rule::LITERAL => ExprKind::Literal(self.list(&pair).data),
+            Rule::STRING => ExprKind::Text(unescape(self.text_of(&pair))),
             Rule::vector => self.vector(pair),
             Rule::paren | Rule::fparen => self.paren(pair),
             Rule::function => ExprKind::Function(Box::new(self.function(pair))),
-            Rule::block => ExprKind::Block(Box::new(self.block(pair))),
+            Rule::nested => match pair.into_inner().next() {
+                Some(block) => ExprKind::Block(Box::new(self.block(block))),
+                None => ExprKind::Number(0.0),
+            },
             Rule::spliced => ExprKind::Spliced(self.elements(pair.into_inner(), "")),
-            Rule::call | Rule::fcall => self.call(pair),
-            _ => match word::lookup(pair.as_str()) {
+            Rule::call => ExprKind::Call(self.symbol(&pair), self.elements(pair.into_inner(), "")),
+            Rule::builtin => {
+                let name = word::by_number(self.token(&pair).data);
+                ExprKind::Builtin(name, pair.into_inner().map(|argument| self.chain(argument)).collect())
+            }
+            Rule::fcall => ExprKind::Call(self.symbol(&pair), self.elements(pair.into_inner(), "")),
+            _ => match word::lookup(self.text_of(&pair)) {
                 Some((word, Category::Keyword | Category::Function)) => ExprKind::Keyword(word),
                 _ => ExprKind::Name(self.symbol(&pair)),
             },
@@ -242,23 +268,11 @@ impl<'n> Builder<'n> {
         }
     }
 
-    fn call(&self, pair: Pair<Rule>) -> ExprKind {
-        let mut inner = pair.into_inner();
-        let Some(name) = inner.next() else { return ExprKind::Number(0.0) };
-        match name.as_rule() {
-            Rule::builtin => {
-                ExprKind::Builtin(keyword(name.as_str()), inner.map(|argument| self.chain(argument)).collect())
-            }
-            _ => ExprKind::Call(self.symbol(&name), self.elements(inner, "")),
-        }
-    }
-
     fn function(&self, pair: Pair<Rule>) -> Function {
         let mut function = Function { parameters: Box::new([]), size: Box::new([]), body: Box::new([]) };
         let (mut size, mut body) = (vec![], vec![]);
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::function_word => {}
                 Rule::parameters => function.parameters = part.into_inner().map(|p| self.symbol(&p)).collect(),
                 Rule::expr => size.push(self.chain(part)),
                 _ => body.push(self.element(part, "")),
@@ -275,6 +289,7 @@ impl<'n> Builder<'n> {
         match pair.as_rule() {
             Rule::declare => self.declare(pair),
             Rule::conditional => self.conditional(pair, block),
+            Rule::loop_while => self.loop_while(pair, block),
             Rule::loop_for => self.loop_for(pair, block),
             Rule::switch => self.switch(pair, block),
             Rule::end_of_loop => Directive::Break,
@@ -292,7 +307,7 @@ impl<'n> Builder<'n> {
                 let name = match rule {
                     Rule::file_open => "fopen",
                     Rule::file_close => "fclose",
-                    _ if pair.as_str()[1..].trim_start().starts_with("read") => "read",
+                    _ if self.text_of(&pair).ends_with("read") => "read",
                     _ => "write",
                 };
                 Directive::File(name, self.file_arguments(pair))
@@ -304,9 +319,8 @@ impl<'n> Builder<'n> {
         let mut out = vec![];
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::call_arguments => self.elements_into(part.into_inner(), "", &mut out),
-                Rule::file_word => {}
-                Rule::word => {
+                Rule::arguments => self.elements_into(part.into_inner(), "", &mut out),
+                Rule::name => {
                     let span = self.span(&part);
                     let kind = ElementKind::Expr(Box::new(Expr { span, kind: ExprKind::Name(self.symbol(&part)) }));
                     out.push(Element { span, kind });
@@ -318,14 +332,15 @@ impl<'n> Builder<'n> {
     }
 
     fn declare(&self, pair: Pair<Rule>) -> Directive {
-        let local = pair.as_str()[1..].trim_start().to_ascii_lowercase().starts_with("local");
+        let local = self.text_of(&pair).ends_with("local");
         let mut deprecated = None;
         let mut target = None;
         for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::deprecated => {
-                    let once = part.as_str()["deprecated".len()..].trim_start().starts_with("once");
-                    let why = part.into_inner().next().map_or("".into(), |s| unescape(s.as_str()));
+                    let span = part.as_span();
+                    let once = self.tokens[span.start()..span.end()].iter().any(|t| self.token_text(*t) == "once");
+                    let why = part.into_inner().next().map_or("".into(), |s| unescape(self.text_of(&s)));
                     deprecated = Some((once, why));
                 }
                 _ => target = Some(self.declared(part)),
@@ -337,43 +352,24 @@ impl<'n> Builder<'n> {
     }
 
     fn declared(&self, pair: Pair<Rule>) -> Target {
-        let span = self.span(&pair);
-        let mut target = Target { symbol: Symbol(0), span, keyword: None, indices: Box::new([]) };
-        let mut indices = vec![];
-        for part in pair.into_inner() {
-            match part.as_rule() {
-                Rule::word => {
-                    target.symbol = self.symbol(&part);
-                    target.span = self.span(&part);
-                    target.keyword = word::lookup(part.as_str())
-                        .filter(|(_, category)| *category != Category::Contextual)
-                        .map(|(word, _)| word);
-                }
-                _ => indices.extend(part.into_inner().map(|p| self.chain(p))),
-            }
-        }
-        target.indices = indices.into_boxed_slice();
-        target
+        let name = self.name(&pair);
+        let category = word::lookup(self.text_of(&pair)).filter(|(_, category)| *category != Category::Contextual);
+        let keyword = category.map(|(word, _)| word);
+        let symbol = self.symbol(&pair);
+        let indices = pair.into_inner().flat_map(|part| part.into_inner()).map(|p| self.chain(p)).collect();
+        Target { symbol, span: name.span, keyword, indices }
     }
 
     fn conditional(&self, pair: Pair<Rule>, block: &str) -> Directive {
-        let mut inner = pair.into_inner();
-        let kind = inner.next().map_or("if", |p| match p.as_str() {
-            "ifdef" => "ifdef",
-            "ifndef" => "ifndef",
-            "while" => "while",
-            _ => "if",
-        });
-        let mut branches = vec![];
-        let mut condition = None;
-        for part in inner {
+        let (kind, mut branches, mut condition) = (self.text_of(&pair), vec![], None);
+        let kind = kind[1..].trim_start();
+        for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::condition => condition = Some(self.chain(part)),
                 _ => {
                     let body = self.elements(part.into_inner(), block);
                     let condition = match (condition.take(), kind, branches.is_empty()) {
                         (None, ..) => Condition::Always,
-                        (Some(e), "while", _) => return Directive::While(e, body),
                         (Some(e), "ifdef", true) => Condition::Declared(e),
                         (Some(e), "ifndef", true) => Condition::NotDeclared(e),
                         (Some(e), ..) => Condition::True(e),
@@ -385,11 +381,20 @@ impl<'n> Builder<'n> {
         Directive::If(branches.into_boxed_slice())
     }
 
+    fn loop_while(&self, pair: Pair<Rule>, block: &str) -> Directive {
+        let span = self.span(&pair);
+        let mut inner = pair.into_inner();
+        let nothing = Expr { span, kind: ExprKind::Number(0.0) };
+        let condition = inner.next().map_or(nothing, |p| self.chain(p));
+        let body = inner.next().map_or(Box::default(), |b| self.elements(b.into_inner(), block));
+        Directive::While(condition, body)
+    }
+
     fn loop_for(&self, pair: Pair<Rule>, block: &str) -> Directive {
         let (mut counter, mut range, mut body) = (Symbol(0), vec![], Box::default());
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::word => counter = self.symbol(&part),
+                Rule::name => counter = self.symbol(&part),
                 Rule::condition => range.push(self.chain(part)),
                 _ => body = self.elements(part.into_inner(), block),
             }
@@ -427,7 +432,7 @@ impl<'n> Builder<'n> {
         let mut parameters = vec![];
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::word => (out.name, out.span) = (self.symbol(&part), self.span(&part)),
+                Rule::name => (out.name, out.span) = (self.symbol(&part), self.span(&part)),
                 Rule::macro_parameter => {
                     let mut inner = part.into_inner().rev();
                     let name = inner.next().map(|p| self.symbol(&p));
@@ -441,27 +446,19 @@ impl<'n> Builder<'n> {
     }
 
     fn simple(&self, pair: Pair<Rule>) -> Directive {
-        let (mut name, mut value) = ("debug", Expr { span: self.span(&pair), kind: ExprKind::Number(0.0) });
-        for part in pair.into_inner() {
-            match part.as_rule() {
-                Rule::simple_word => {
-                    name = super::scan::DIRECTIVES.iter().find(|d| **d == part.as_str()).unwrap_or(&name)
-                }
-                Rule::expr => value = self.chain(part),
-                _ => {}
-            }
-        }
-        match name {
+        let (span, word) = (self.span(&pair), self.text_of(&pair));
+        let expr = pair.into_inner().find(|part| part.as_rule() == Rule::expr);
+        let value = expr.map_or(Expr { span, kind: ExprKind::Number(0.0) }, |e| self.chain(e));
+        match word[1..].trim_start() {
             "include" => Directive::Include(value),
             "version" => Directive::Version(value),
-            name => Directive::Message(name, value),
+            "warning" => Directive::Message("warning", value),
+            "error" => Directive::Message("error", value),
+            "render" => Directive::Message("render", value),
+            "statistics" => Directive::Message("statistics", value),
+            _ => Directive::Message("debug", value),
         }
     }
-}
-
-/// The static string of a word that the grammar took for a keyword.
-fn keyword(text: &str) -> &'static str {
-    known_word(text).unwrap_or("")
 }
 
 fn known_word(text: &str) -> Option<&'static str> {

@@ -3,10 +3,11 @@
 pub mod ast;
 mod build;
 mod fault;
+mod lex;
 mod names;
+mod nesting;
 mod numbers;
 mod parse;
-mod scan;
 pub mod word;
 
 pub use names::Names;

@@ -2,52 +2,186 @@
 
 use super::ast::{NumberList, Widths};
 
-/// Scans what the grammar's `numbers` rule matched: numbers and `< >` vectors with commas or blanks between.
-pub fn scan_list(text: &str) -> NumberList {
-    let bytes = text.as_bytes();
-    // A number takes at least two bytes with its separator; typical ones take eight.
-    let mut data = Vec::with_capacity(bytes.len() / 8 + 2);
-    let mut widths = WidthsBuilder::default();
-    let (mut at, mut vector_start) = (0, None);
-    while at < bytes.len() {
-        match bytes[at] {
-            b'<' => {
-                vector_start = Some(data.len());
-                at += 1;
+/// A number that starts at `at`, without a sign: its value and its end. None if there is none.
+pub(super) fn scan_number(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
+    let (mut i, mut mantissa, mut digits, mut scale) = (at, 0u64, 0, 0i32);
+    while let Some(d) = digit(bytes, i) {
+        mantissa = mantissa.wrapping_mul(10).wrapping_add(d);
+        digits += 1;
+        i += 1;
+    }
+    if bytes.get(i) == Some(&b'.') {
+        let point = i;
+        i += 1;
+        while let Some(d) = digit(bytes, i) {
+            mantissa = mantissa.wrapping_mul(10).wrapping_add(d);
+            digits += 1;
+            i += 1;
+        }
+        scale = -((i - point - 1) as i32);
+    }
+    if digits == 0 {
+        return None;
+    }
+    let (exponent, end) = scan_exponent(bytes, i);
+    scale = scale.saturating_add(exponent);
+    // Both factors are exact, so that their product or quotient is rounded once (Clinger 1990).
+    if digits <= 19 && mantissa < 1 << 53 && scale.unsigned_abs() <= 22 {
+        let power = POWERS[scale.unsigned_abs() as usize];
+        let value = if scale < 0 { mantissa as f64 / power } else { mantissa as f64 * power };
+        return Some((value, end));
+    }
+    let text = std::str::from_utf8(&bytes[at..end]).ok()?;
+    Some((text.parse().ok()?, end))
+}
+
+fn digit(bytes: &[u8], i: usize) -> Option<u64> {
+    bytes.get(i).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10).map(u64::from)
+}
+
+/// `e-5`: its value and end; 0 where there is none.
+fn scan_exponent(bytes: &[u8], at: usize) -> (i32, usize) {
+    let none = (0, at);
+    if !matches!(bytes.get(at), Some(b'e' | b'E')) {
+        return none;
+    }
+    let negative = bytes.get(at + 1) == Some(&b'-');
+    let mut i = at + 1 + usize::from(matches!(bytes.get(at + 1), Some(b'-' | b'+')));
+    if digit(bytes, i).is_none() {
+        return none;
+    }
+    let mut exponent = 0i32;
+    while let Some(d) = digit(bytes, i) {
+        exponent = exponent.saturating_mul(10).saturating_add(d as i32);
+        i += 1;
+    }
+    (if negative { -exponent } else { exponent }, i)
+}
+
+/// Exact powers of ten.
+const POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
+/// Blanks of the language.
+pub(super) fn is_blank(b: u8) -> bool {
+    b <= b' '
+}
+
+fn skip_blanks(bytes: &[u8], mut at: usize) -> usize {
+    while bytes.get(at).is_some_and(|b| is_blank(*b)) {
+        at += 1;
+    }
+    at
+}
+
+/// Scans literal vectors and lists of literals into [`NumberList`]s.
+#[derive(Default)]
+pub(super) struct ListScanner {
+    data: Vec<f64>,
+    widths: WidthsBuilder,
+}
+
+impl ListScanner {
+    /// The longest list of literals that starts at `at`: numbers (with a sign, if `sign` allows one first) and vectors with
+    /// commas between them. An item that an operator continues is not one of them. Returns how many items there are and
+    /// where they end; [`Self::take`] gives them.
+    pub(super) fn scan(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<(usize, usize)> {
+        self.data.clear();
+        self.widths = WidthsBuilder::default();
+        let (mut i, mut end) = (at, None);
+        loop {
+            let (start, first) = (self.data.len(), end.is_none());
+            let Some(after) = self.item(bytes, i, sign || !first) else { break };
+            let next = skip_blanks(bytes, after);
+            let comma = bytes.get(next) == Some(&b',');
+            if !comma && is_continued(bytes, next) {
+                self.data.truncate(start);
+                break;
             }
-            b'>' => {
-                let start = vector_start.take().unwrap_or(data.len());
-                widths.push((data.len() - start) as u16);
-                at += 1;
+            self.widths.push((self.data.len() - start) as u16);
+            end = Some(after);
+            if !comma {
+                break;
             }
-            b'0'..=b'9' | b'.' | b'-' | b'+' => {
-                let end = at + 1 + bytes[at + 1..].iter().take_while(|b| is_number_byte(**b)).count();
-                let end = split_sign(bytes, at, end);
-                data.push(parse(&text[at..end]));
-                if vector_start.is_none() {
-                    widths.push(1);
+            i = skip_blanks(bytes, next + 1);
+        }
+        end.map(|end| (self.widths.count, end))
+    }
+
+    /// How many numbers the first item has.
+    pub(super) fn first_width(&self) -> usize {
+        self.widths.first.map_or(0, usize::from)
+    }
+
+    /// What was scanned last.
+    pub(super) fn take(&mut self) -> NumberList {
+        let widths = std::mem::take(&mut self.widths).finish();
+        NumberList { data: self.data.as_slice().into(), widths }
+    }
+
+    /// One literal vector that starts at `at`; returns its end.
+    pub(super) fn scan_vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
+        self.data.clear();
+        self.widths = WidthsBuilder::default();
+        let end = self.vector(bytes, at)?;
+        self.widths.push(self.data.len() as u16);
+        Some(end)
+    }
+
+    fn item(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<usize> {
+        if bytes.get(at) == Some(&b'<') {
+            return self.vector(bytes, at);
+        }
+        self.signed(bytes, at, sign)
+    }
+
+    fn signed(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<usize> {
+        let negative = bytes.get(at) == Some(&b'-');
+        let signed = negative || bytes.get(at) == Some(&b'+');
+        if signed && !sign {
+            return None;
+        }
+        let (value, end) = scan_number(bytes, at + usize::from(signed))?;
+        self.data.push(if negative { -value } else { value });
+        Some(end)
+    }
+
+    /// `<1, -2 3>`: commas are optional, but a sign without one before it subtracts.
+    fn vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
+        let start = self.data.len();
+        let mut i = skip_blanks(bytes, at + 1);
+        let mut sign = true;
+        loop {
+            let Some(after) = self.signed(bytes, i, sign) else {
+                self.data.truncate(start);
+                return None;
+            };
+            i = skip_blanks(bytes, after);
+            match bytes.get(i) {
+                Some(b',') => {
+                    i = skip_blanks(bytes, i + 1);
+                    sign = true;
                 }
-                at = end;
+                Some(b'>') if self.data.len() - start > 1 => return Some(i + 1),
+                Some(b'0'..=b'9' | b'.') if i > after => sign = false,
+                _ => {
+                    self.data.truncate(start);
+                    return None;
+                }
             }
-            _ => at += 1,
         }
     }
-    NumberList { data: data.into_boxed_slice(), widths: widths.finish() }
 }
 
-/// The value of a literal; the grammar has seen that it is one.
-pub fn parse(text: &str) -> f64 {
-    text.parse().unwrap_or(f64::NAN)
-}
-
-fn is_number_byte(b: u8) -> bool {
-    matches!(b, b'0'..=b'9' | b'.' | b'e' | b'E' | b'-' | b'+')
-}
-
-/// A sign inside a number belongs to it only right after the exponent's letter.
-fn split_sign(bytes: &[u8], start: usize, end: usize) -> usize {
-    let sign = |i: &usize| matches!(bytes[*i], b'-' | b'+') && !matches!(bytes[i - 1], b'e' | b'E');
-    (start + 1..end).find(sign).unwrap_or(end)
+/// Does something at `at` go on with the literal before it: an operator, component or index? (A comment may: then the
+/// literal is left to the grammar.)
+fn is_continued(bytes: &[u8], at: usize) -> bool {
+    matches!(
+        bytes.get(at),
+        Some(b'+' | b'-' | b'*' | b'/' | b'.' | b'(' | b'[' | b'=' | b'!' | b'&' | b'|' | b'?' | b'<' | b'>' | b':')
+    )
 }
 
 #[derive(Default)]
@@ -103,12 +237,36 @@ impl NumberList {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    fn scan(text: &str) -> Option<(NumberList, usize)> {
+        let mut scanner = ListScanner::default();
+        let (_, end) = scanner.scan(text.as_bytes(), 0, true)?;
+        Some((scanner.take(), end))
+    }
 
     #[test]
     fn lists_of_every_kind() {
-        let list = scan_list("<1, -2.5e1 ,+.5>,\n<4 5 6>, 7, 1e-3,<1,2>");
+        let (list, _) = scan("<1, -2.5e1 ,+.5>,\n<4 5 6>, 7, 1e-3,<1,2>").unwrap();
         assert_eq!(&*list.data, &[1.0, -25.0, 0.5, 4.0, 5.0, 6.0, 7.0, 1e-3, 1.0, 2.0]);
         assert!(matches!(&list.widths, Widths::Mixed(w) if **w == [3, 3, 1, 1, 2]));
-        assert!(matches!(scan_list("1,2,3").widths, Widths::Uniform(1)));
+        assert!(matches!(scan("1,2,3").unwrap().0.widths, Widths::Uniform(1)));
+    }
+
+    #[test]
+    fn an_item_that_goes_on_is_not_part_of_the_list() {
+        assert_eq!(scan("<1,2,3>, 2*x").unwrap().1, 7);
+        assert!(scan("<1,2,3>*x").is_none());
+        assert!(scan("<1, a>").is_none());
+        assert!(scan("<1 -2>").is_none());
+    }
+
+    proptest! {
+        #[test]
+        fn numbers_are_read_as_the_standard_library_reads_them(text in "[0-9]{0,22}\\.?[0-9]{1,22}([eE][+-]?[0-9]{1,3})?") {
+            let (value, end) = scan_number(text.as_bytes(), 0).unwrap();
+            prop_assert_eq!(end, text.len());
+            prop_assert_eq!(value.to_bits(), text.parse::<f64>().unwrap().to_bits());
+        }
     }
 }

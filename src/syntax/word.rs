@@ -18,16 +18,34 @@ pub enum Category {
 
 /// The word as a static string and its category; `None` for names that authors may give.
 pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
-    static TABLE: LazyLock<FxHashMap<&'static str, Category>> = LazyLock::new(|| {
-        let of = |words: &'static [&'static str], category| words.iter().map(move |&w| (w, category));
-        of(KEYWORDS, Category::Keyword)
-            .chain(of(FUNCTIONS, Category::Function))
-            .chain(of(CONSTANTS, Category::Constant))
-            .chain(CONTEXTUAL.iter().flat_map(move |(_, words)| of(words, Category::Contextual)))
-            .collect()
-    });
-    TABLE.get_key_value(word).map(|(&word, &category)| (word, category))
+    lookup_number(word).map(|(number, category)| (by_number(number), category))
 }
+
+/// The same with the word's number, which [`by_number`] takes.
+pub(super) fn lookup_number(word: &str) -> Option<(u32, Category)> {
+    TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].1))
+}
+
+/// The word of this number.
+pub(super) fn by_number(number: u32) -> &'static str {
+    TABLE.words[number as usize].0
+}
+
+struct Table {
+    words: Vec<(&'static str, Category)>,
+    numbers: FxHashMap<&'static str, u32>,
+}
+
+static TABLE: LazyLock<Table> = LazyLock::new(|| {
+    let of = |words: &'static [&'static str], category| words.iter().map(move |&w| (w, category));
+    let words: Vec<_> = of(KEYWORDS, Category::Keyword)
+        .chain(of(FUNCTIONS, Category::Function))
+        .chain(of(CONSTANTS, Category::Constant))
+        .chain(CONTEXTUAL.iter().flat_map(move |(_, words)| of(words, Category::Contextual)))
+        .collect();
+    let numbers = words.iter().enumerate().map(|(i, (word, _))| (*word, i as u32)).collect();
+    Table { words, numbers }
+});
 
 /// durer's own words inside the block of this name.
 pub fn contextual(block: &str) -> &'static [&'static str] {

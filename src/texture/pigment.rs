@@ -4,7 +4,7 @@ use super::ColorMap;
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, Transform};
-use crate::pattern::{CellPattern, Cells, Field, FieldPattern, Modifiers, NOT_DRAWN};
+use crate::pattern::{CellPattern, Cells, Field, FieldPattern, Modifiers, NOT_DRAWN, WORDS_NOT_DRAWN};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -221,8 +221,12 @@ impl Draft {
                 self.map = Some(Arc::new(ColorMap::read(r)?));
                 r.leave()
             }
-            Next::Word(word) if NOT_DRAWN.contains(&word) || LATER.contains(&word) => r.skip_unsupported(word),
-            Next::Block(word) if NOT_DRAWN.contains(&word) || LATER.contains(&word) => r.skip_unsupported(word),
+            Next::Word(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
+                r.skip_unsupported(word)
+            }
+            Next::Block(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
+                r.skip_unsupported(word)
+            }
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", WORDS).into()),
             Next::Word(_) | Next::Value => {
                 self.color = Some(r.color()?);
@@ -275,36 +279,3 @@ impl Draft {
         }
     }
 }
-
-/// Words about patterns and images that are not drawn yet.
-const LATER: &[&str] = &[
-    "pigment_map",
-    "image_map",
-    "uv_mapping",
-    "turbulence",
-    "octaves",
-    "omega",
-    "lambda",
-    "warp",
-    "noise_generator",
-    "accuracy",
-    "control0",
-    "control1",
-    "agate_turb",
-    "metric",
-    "offset",
-    "solid",
-    "form",
-    "exterior",
-    "interior",
-    "interpolate",
-    "once",
-    "map_type",
-    "use_alpha",
-    "use_color",
-    "use_index",
-    "coords",
-    "size",
-    "altitude",
-    "cube",
-];

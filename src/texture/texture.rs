@@ -67,7 +67,10 @@ impl Texture {
                     }
                 }
                 Next::Word(word) | Next::Block(word)
-                    if WORDS.contains(&word) || crate::pattern::NOT_DRAWN.contains(&word) || LATER.contains(&word) =>
+                    if WORDS.contains(&word)
+                        || crate::pattern::NOT_DRAWN.contains(&word)
+                        || crate::pattern::WORDS_NOT_DRAWN.contains(&word)
+                        || LATER.contains(&word) =>
                 {
                     r.skip_unsupported(word)?
                 }
@@ -114,11 +117,8 @@ impl Texture {
     }
 }
 
+/// Words of a texture made by a pattern, which is not drawn yet.
 const LATER: &[&str] = &[
-    "turbulence",
-    "octaves",
-    "omega",
-    "lambda",
     "frequency",
     "phase",
     "ramp_wave",
@@ -127,15 +127,8 @@ const LATER: &[&str] = &[
     "scallop_wave",
     "cubic_wave",
     "poly_wave",
-    "warp",
     "color_map",
-    "pigment_map",
-    "normal_map",
-    "slope_map",
     "texture",
-    "bump_size",
-    "no_bump_scale",
-    "tile2",
 ];
 
 /// A texture and what is inside it.

@@ -13,7 +13,10 @@ use std::ops::ControlFlow;
 const REACH: f64 = 1e30;
 /// A node's child that holds no more items than this is not divided any further.
 const LEAF: usize = 3;
-const BINS: usize = 16;
+/// No hierarchy is deeper: below the level where only halving keeps this promise, it halves.
+const DEPTH: usize = 20;
+/// Each level leaves at most three entries behind.
+const STACK: usize = 3 * DEPTH + 4;
 /// Rounding of the slab test in single precision, relative: three operations, each off by 2⁻²⁴, and some reserve.
 const SLACK: f32 = 5e-7;
 
@@ -55,6 +58,7 @@ impl Bvh {
     fn build_node(&mut self, prims: &mut [Prim], first: usize, depth: usize) -> u32 {
         let number = self.nodes.len();
         self.nodes.push(Wide::EMPTY);
+        let halve = must_halve(prims.len(), depth);
         let mut cuts: SmallVec<[(usize, usize, f32); 4]> = SmallVec::new();
         cuts.push((0, prims.len(), f32::INFINITY));
         while cuts.len() < 4 {
@@ -63,8 +67,9 @@ impl Bvh {
                 (0..cuts.len()).filter(|&i| cuts[i].1 - cuts[i].0 > 1).max_by(|&a, &b| cuts[a].2.total_cmp(&cuts[b].2));
             let Some(piece) = costly else { break };
             let (lo, hi, _) = cuts[piece];
-            let mid = lo + divide(&mut prims[lo..hi], depth);
-            let cost = |lo: usize, hi: usize| half_area(&prims[lo..hi]) * (hi - lo) as f32;
+            let mid = lo + divide(&mut prims[lo..hi], halve);
+            let size = |piece: &[Prim]| if halve { 1.0 } else { half_area(piece) };
+            let cost = |lo: usize, hi: usize| size(&prims[lo..hi]) * (hi - lo) as f32;
             cuts[piece] = (lo, mid, cost(lo, mid));
             cuts.insert(piece + 1, (mid, hi, cost(mid, hi)));
         }
@@ -89,14 +94,16 @@ impl Bvh {
         }
         let flat = FlatRay::new(ray, range);
         let mut max = range.max;
-        let mut stack: SmallVec<[Entry; 64]> = SmallVec::new();
-        stack.push(Entry { near: f32::NEG_INFINITY, child: 0, count: 0 });
-        while let Some(Entry { near, child, count }) = stack.pop() {
+        let mut stack = [Entry { near: f32::NEG_INFINITY, child: 0, count: 0 }; STACK];
+        let mut height = 1;
+        while height > 0 {
+            height -= 1;
+            let Entry { near, child, count } = stack[height];
             if f64::from(near) > max {
                 continue;
             }
             if count == 0 {
-                flat.push_children(&self.nodes[child as usize], max, &mut stack);
+                height = flat.push_children(&self.nodes[child as usize], max, &mut stack, height);
                 continue;
             }
             for item in child..child + count {
@@ -177,24 +184,26 @@ impl FlatRay {
         }
     }
 
-    /// Slab test of four boxes; pushes those that are met, the nearest last.
-    fn push_children(&self, node: &Wide, max: f64, stack: &mut SmallVec<[Entry; 64]>) {
+    /// Slab test of four boxes; pushes those that are met, the nearest last, and returns the new height.
+    fn push_children(&self, node: &Wide, max: f64, stack: &mut [Entry; STACK], first: usize) -> usize {
         let (near, met) = self.slabs(node, max);
-        let first = stack.len();
+        let near = near.to_array();
+        let mut height = first;
         let mut mask = met.bitmask();
         while mask != 0 {
-            let slot = mask.trailing_zeros() as usize;
+            let slot = mask.trailing_zeros() as usize & 3;
             mask &= mask - 1;
             let entry = Entry { near: near[slot], child: node.child[slot], count: node.count[slot] };
             // Insertion sort: at most four.
-            let mut at = stack.len();
-            stack.push(entry);
+            let mut at = height;
             while at > first && stack[at - 1].near < entry.near {
                 stack[at] = stack[at - 1];
                 at -= 1;
             }
             stack[at] = entry;
+            height += 1;
         }
+        height
     }
 
     fn slabs(&self, node: &Wide, max: f64) -> (Vec4, BVec4A) {
@@ -270,12 +279,21 @@ impl Bin {
 }
 
 /// Orders the items in two groups, neither empty, at the cheapest place; returns where the second one starts.
-fn divide(prims: &mut [Prim], depth: usize) -> usize {
+fn divide(prims: &mut [Prim], halve: bool) -> usize {
+    match prims.len() {
+        n if halve => n / 2,
+        0..=32 => divide_by_bins::<6>(prims),
+        _ => divide_by_bins::<16>(prims),
+    }
+}
+
+/// The cheapest of the places between so many bins along each axis.
+fn divide_by_bins<const BINS: usize>(prims: &mut [Prim]) -> usize {
     let none = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
     let (lo, hi) = prims.iter().fold(none, |(lo, hi), p| (lo.min(p.center()), hi.max(p.center())));
     let extent = hi - lo;
-    // All in one place, or so uneven that the hierarchy gets too deep: any half is as good as the other.
-    if extent.max_element() <= 0.0 || !extent.is_finite() || depth > 60 {
+    // All in one place: any half is as good as the other.
+    if extent.max_element() <= 0.0 || !extent.is_finite() {
         return prims.len() / 2;
     }
     let scale = Vec3A::select(extent.cmpgt(Vec3A::ZERO), Vec3A::splat(BINS as f32 * 0.9999) / extent, Vec3A::ZERO);
@@ -297,8 +315,14 @@ fn divide(prims: &mut [Prim], depth: usize) -> usize {
     }
 }
 
+/// Are the levels that are left just enough for so many items, if each divides them by four?
+fn must_halve(count: usize, depth: usize) -> bool {
+    let levels = count.div_ceil(LEAF).max(1).ilog2() as usize / 2 + 2;
+    depth + levels >= DEPTH
+}
+
 /// The number of bins on the left of the best cut, and its cost; infinite where all items are in one bin.
-fn cheapest_cut(bins: &[Bin; BINS]) -> (usize, f32) {
+fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     // Cost of everything from bin i on.
     let mut right = [0.0; BINS];
     let mut sum = Bin::EMPTY;
@@ -380,6 +404,30 @@ mod tests {
                 assert!(found.len() < 60, "{} of 200 boxes by {ray:?}", found.len());
             }
         }
+    }
+
+    #[test]
+    fn never_too_deep() {
+        // Each box is half as far and half as large as the one before, so that the heuristic peels off one at a time.
+        let boxes: Vec<Aabb> =
+            (0..3000).map(|i| DVec3::splat(0.5_f64.powi(i % 90))).map(|p| Aabb::from_corners(p, p * 1.1)).collect();
+        let (bvh, _) = Bvh::build(&boxes);
+        let mut depth = vec![0; bvh.nodes.len()];
+        for (i, node) in bvh.nodes.iter().enumerate() {
+            for slot in (0..4).filter(|&s| node.count[s] == 0 && node.child[s] > 0) {
+                depth[node.child[slot] as usize] = depth[i] + 1;
+            }
+        }
+        assert!(*depth.iter().max().unwrap() < DEPTH, "{depth:?}");
+        assert_eq!(met(&boxes, &Ray::new(DVec3::splat(-1.0), DVec3::ONE), Range::ALL).len(), 3000);
+    }
+
+    #[test]
+    fn rounding_goes_outwards() {
+        for x in [0.1, -0.1, 1.0, 1e-50, -1e-50, 16_777_217.0, 1e29, -1e39, f64::INFINITY] {
+            assert!(f64::from(round_down(x)) <= x && f64::from(round_up(x)) >= x, "{x}");
+        }
+        assert_eq!((round_down(0.5), round_up(0.5)), (0.5, 0.5));
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Everything that a ray can hit.
 
 use super::bvh::{self, Bvh};
-use super::node::{Found, FoundList, Node, Parts};
+use super::leaf::{Found, FoundList};
+use super::node::{Node, Parts};
 use crate::math::{DVec3, Range, Ray};
 use serde::Serialize;
 use std::ops::ControlFlow;

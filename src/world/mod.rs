@@ -1,15 +1,18 @@
 //! What a ray needs: every object with M and M⁻¹; no names, versions, degrees or nested blocks.
 
 mod bvh;
+mod crowd;
 mod geometry;
+mod leaf;
 mod lower;
 mod material;
 mod node;
 
 pub use geometry::Geometry;
+pub use leaf::{Found, FoundList, Leaf, Surface};
 pub use lower::lower;
 pub use material::{Layer, Lobe, Material};
-pub use node::{Found, FoundList, Leaf, Node, NodeKind, Surface};
+pub use node::{Node, NodeKind};
 
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};

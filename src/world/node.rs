@@ -4,24 +4,13 @@
 //! inside the others: so open and infinite shapes take part like any other. `inverse` is never kept for a group: as in
 //! POV-Ray, it goes down to the leaves by De Morgan's laws, and clipping objects stay as they are.
 
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
-use crate::shape::{Hit, Hits, Kernel, Shape};
+use super::crowd::Crowd;
+use super::leaf::{Found, FoundList, Leaf};
+use crate::math::{Aabb, DVec3, Range, Ray};
+use crate::shape::{Hits, Kernel, Shape};
 use serde::Serialize;
 use smallvec::SmallVec;
-use std::sync::Arc;
-
-/// A shape and where it stands.
-#[derive(Clone, Debug, Serialize)]
-pub struct Leaf {
-    /// In its own space; shared between copies.
-    pub shape: Arc<Shape>,
-    /// World from object; `None` is the identity.
-    place: Option<Box<Transform>>,
-    /// Turned inside out.
-    pub inverse: bool,
-    /// The caller's number for its material and source.
-    pub id: u32,
-}
+use std::ops::ControlFlow;
 
 /// A leaf, or a solid made of others.
 #[derive(Clone, Debug, Serialize)]
@@ -35,6 +24,9 @@ pub struct Node {
     surface: Aabb,
     /// All points inside it are in here.
     solid: Aabb,
+    /// Over its children, if they are many.
+    #[serde(skip)]
+    crowd: Option<Box<Crowd>>,
 }
 
 /// What a node is.
@@ -54,98 +46,6 @@ pub enum NodeKind {
 pub(super) enum Parts {
     One(Node),
     Many(Vec<Node>),
-}
-
-/// A hit and whose it is.
-#[derive(Clone, Copy, Debug)]
-pub struct Found<'a> {
-    /// In the leaf's object space, except for `t`.
-    pub hit: Hit,
-    /// The shape that was hit.
-    pub leaf: &'a Leaf,
-    /// [`Node::object`] of the outermost node that was asked.
-    pub object: u32,
-}
-
-/// Hits of a tree.
-pub type FoundList<'a> = SmallVec<[Found<'a>; 8]>;
-
-/// The place of a hit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface {
-    /// In world space.
-    pub point: DVec3,
-    /// In world space, length 1, out of the solid.
-    pub normal: DVec3,
-    /// The shape's own coordinates on its surface.
-    pub uv: DVec2,
-    /// In object space.
-    pub object_point: DVec3,
-}
-
-impl Leaf {
-    /// The shape under `transform`, world from object.
-    pub fn new(shape: Arc<Shape>, transform: &Transform, id: u32) -> Self {
-        let place = (!transform.is_identity()).then(|| Box::new(*transform));
-        Self { shape, place, inverse: false, id }
-    }
-
-    /// World from object.
-    pub fn transform(&self) -> Transform {
-        self.place.as_deref().copied().unwrap_or(Transform::IDENTITY)
-    }
-
-    /// M⁻¹·ray.
-    fn local(&self, ray: &Ray) -> Ray {
-        self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray))
-    }
-
-    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        self.shape.closest(&self.local(ray), range)
-    }
-
-    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.shape.hits(&self.local(ray), range, out);
-    }
-
-    fn inside(&self, p: DVec3) -> bool {
-        let local = self.place.as_ref().map_or(p, |m| m.inverse_point(p));
-        !self.shape.is_patch() && self.shape.inside(local) != self.inverse
-    }
-
-    fn surface_bounds(&self) -> Aabb {
-        loosened(match &self.place {
-            Some(m) => self.shape.bounds_under(m),
-            None => self.shape.bounds(),
-        })
-    }
-}
-
-impl Found<'_> {
-    /// Distance along the ray.
-    pub fn t(&self) -> f64 {
-        self.hit.t
-    }
-
-    /// Was the leaf turned inside out on its way?
-    pub fn inverted(&self) -> bool {
-        self.leaf.inverse
-    }
-
-    /// Point, normal and coordinates of this hit of `ray`, in world space (lecture, "Ray – transformed object
-    /// intersection": points by M, normals by M⁻ᵀ).
-    pub fn surface(&self, ray: &Ray) -> Surface {
-        let Leaf { shape, place, inverse, .. } = self.leaf;
-        let object_point = self.leaf.local(ray).at(self.hit.t);
-        let normal = shape.normal(object_point, &self.hit);
-        let uv = shape.uv(object_point, &self.hit);
-        let (point, normal) = match place {
-            Some(m) => (m.point(object_point), m.normal(normal)),
-            None => (object_point, normal),
-        };
-        let normal = if *inverse { -normal } else { normal };
-        Surface { point, normal: normal.try_normalize().unwrap_or(-ray.dir), uv, object_point }
-    }
 }
 
 impl Node {
@@ -176,7 +76,8 @@ impl Node {
     }
 
     fn new(kind: NodeKind, object: u32) -> Self {
-        let mut node = Self { kind, clip: Box::default(), object, surface: Aabb::EMPTY, solid: Aabb::EMPTY };
+        let mut node =
+            Self { kind, clip: Box::default(), object, surface: Aabb::EMPTY, solid: Aabb::EMPTY, crowd: None };
         node.measure();
         node
     }
@@ -192,10 +93,7 @@ impl Node {
     pub fn inverted(mut self) -> Self {
         let turned = |children: Vec<Node>| children.into_iter().map(Node::inverted).collect();
         self.kind = match self.kind {
-            NodeKind::Leaf(leaf) => {
-                let inverse = leaf.inverse != !leaf.shape.is_patch();
-                NodeKind::Leaf(Leaf { inverse, ..leaf })
-            }
+            NodeKind::Leaf(leaf) => NodeKind::Leaf(leaf.inverted()),
             NodeKind::Union(children) | NodeKind::Merge(children) => NodeKind::Intersection(turned(children)),
             NodeKind::Intersection(children) => NodeKind::Merge(turned(children)),
         };
@@ -231,8 +129,8 @@ impl Node {
         let in_kind = match &self.kind {
             NodeKind::Leaf(leaf) => leaf.inside(p),
             _ if !self.solid.contains(p) => false,
-            NodeKind::Union(children) | NodeKind::Merge(children) => children.iter().any(|c| c.inside(p)),
-            NodeKind::Intersection(children) => children.iter().all(|c| c.inside(p)),
+            NodeKind::Union(_) | NodeKind::Merge(_) => !self.all_children(p, usize::MAX, |c| !c.inside(p)),
+            NodeKind::Intersection(_) => self.all_children(p, usize::MAX, |c| c.inside(p)),
         };
         in_kind && self.in_clip(p)
     }
@@ -246,13 +144,13 @@ impl Node {
                 leaf.hits(ray, range, &mut hits);
                 out.extend(hits.into_iter().map(|hit| Found { hit, leaf, object: self.object }));
             }
-            NodeKind::Union(children) | NodeKind::Intersection(children) | NodeKind::Merge(children) => {
-                let Some(range) = self.confine(ray, range) else { return };
-                for (i, child) in children.iter().enumerate() {
+            _ => {
+                self.each_child(ray, range, |i, child, range| {
                     let from = out.len();
                     child.hits(ray, range, out);
-                    keep(out, from, |found| self.survives(i, ray.at(found.hit.t)));
-                }
+                    keep(out, from, |found| self.survives(i, ray.at(found.t())));
+                    range.max
+                });
                 out[first..].iter_mut().for_each(|found| found.object = self.object);
             }
         }
@@ -273,50 +171,71 @@ impl Node {
                 self.hits(ray, range, &mut all);
                 all.into_iter().min_by(|a, b| a.t().total_cmp(&b.t()))
             }
-            NodeKind::Union(children) if !clipped => self.closest_of_all(children, ray, range),
-            NodeKind::Union(children) | NodeKind::Intersection(children) | NodeKind::Merge(children) => {
-                self.closest_survivor(children, ray, range)
-            }
+            NodeKind::Union(_) if !clipped => self.closest_of_all(ray, range),
+            _ => self.closest_survivor(ray, range),
         }
     }
 
-    fn closest_of_all<'a>(&'a self, children: &'a [Node], ray: &Ray, range: Range) -> Option<Found<'a>> {
-        let mut range = self.confine(ray, range)?;
+    fn closest_of_all<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
         let mut best = None;
-        for child in children {
-            if let Some(found) = child.closest(ray, range) {
-                range.max = found.t();
-                best = Some(Found { object: self.object, ..found });
-            }
-        }
-        best
+        self.each_child(ray, range, |_, child, range| {
+            let found = child.closest(ray, range);
+            best = found.or(best);
+            found.map_or(range.max, |f| f.t())
+        });
+        best.map(|found| Found { object: self.object, ..found })
     }
 
     /// Gathers the children's hits and asks about them in order, until one is kept.
-    fn closest_survivor<'a>(&'a self, children: &'a [Node], ray: &Ray, range: Range) -> Option<Found<'a>> {
-        let range = self.confine(ray, range)?;
+    fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
         let mut all = FoundList::new();
-        let mut owners: SmallVec<[(usize, usize); 8]> = SmallVec::new();
-        for (i, child) in children.iter().enumerate() {
+        // Each hit's place in the list, and whose it is.
+        let mut queue: SmallVec<[(usize, usize); 8]> = SmallVec::new();
+        self.each_child(ray, range, |i, child, range| {
             let from = all.len();
             child.hits(ray, range, &mut all);
-            owners.extend((from..all.len()).map(|hit| (hit, i)));
-        }
-        owners.sort_by(|a, b| all[a.0].t().total_cmp(&all[b.0].t()));
-        let kept = owners.into_iter().find(|&(hit, child)| {
+            queue.extend((from..all.len()).map(|hit| (hit, i)));
+            range.max
+        });
+        queue.sort_by(|a, b| all[a.0].t().total_cmp(&all[b.0].t()));
+        let kept = queue.into_iter().find(|&(hit, child)| {
             let p = ray.at(all[hit].t());
             self.survives(child, p) && self.in_clip(p)
         });
         kept.map(|(hit, _)| Found { object: self.object, ..all[hit] })
     }
 
+    /// Hands the children that the ray may meet to `visit`, which returns how far hits count from now on.
+    fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a Node, Range) -> f64) {
+        let children = self.children();
+        let Some((min, max)) = self.surface.slabs(ray, range) else { return };
+        let mut range = Range { min, max };
+        match &self.crowd {
+            Some(crowd) => crowd.along(ray, range, |i, range| visit(i, &children[i], range)),
+            None => children.iter().enumerate().for_each(|(i, child)| range.max = visit(i, child, range)),
+        }
+    }
+
+    /// Does the condition hold for all children but one? It must hold by itself for children far from the point.
+    fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(&Node) -> bool) -> bool {
+        let children = self.children();
+        let fine = |i: usize| i == but || condition(&children[i]);
+        match &self.crowd {
+            Some(crowd) => {
+                let flow =
+                    crowd.around(p, |i| if fine(i) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
+                flow.is_continue()
+            }
+            None => (0..children.len()).all(fine),
+        }
+    }
+
     /// Is a point of the surface of one child on the surface of the whole?
     fn survives(&self, child: usize, p: DVec3) -> bool {
-        let mut others = self.children().iter().enumerate().filter(|(i, _)| *i != child).map(|(_, c)| c);
         match &self.kind {
             NodeKind::Leaf(_) | NodeKind::Union(_) => true,
-            NodeKind::Intersection(_) => others.all(|c| c.inside(p)),
-            NodeKind::Merge(_) => !others.any(|c| c.inside(p)),
+            NodeKind::Intersection(_) => self.all_children(p, child, |c| c.inside(p)),
+            NodeKind::Merge(_) => self.all_children(p, child, |c| !c.inside(p)),
         }
     }
 
@@ -329,11 +248,6 @@ impl Node {
             NodeKind::Leaf(_) => &[],
             NodeKind::Union(c) | NodeKind::Intersection(c) | NodeKind::Merge(c) => c,
         }
-    }
-
-    /// The piece of the ray in the box around the surface.
-    fn confine(&self, ray: &Ray, range: Range) -> Option<Range> {
-        self.surface.slabs(ray, range).map(|(min, max)| Range { min, max })
     }
 
     /// Computes both boxes from the parts.
@@ -358,6 +272,28 @@ impl Node {
         let clip = self.clip.iter().map(|c| c.solid).fold(Aabb::INFINITE, Aabb::intersection);
         self.surface = surface.intersection(clip);
         self.solid = solid.intersection(clip);
+        // A child matters to a ray in its surface's box, and to a point where it could be the exception.
+        let reach = |c: &Node| match &self.kind {
+            NodeKind::Intersection(_) => c.surface.union(c.hole()),
+            _ => c.surface.union(c.solid),
+        };
+        self.crowd = Crowd::over(&self.children().iter().map(reach).collect::<Vec<_>>());
+    }
+
+    /// A box that holds every point which is not inside: finite for what was inverted.
+    fn hole(&self) -> Aabb {
+        match &self.kind {
+            _ if !self.clip.is_empty() => Aabb::INFINITE,
+            NodeKind::Leaf(leaf) => match *leaf.shape {
+                Shape::Disc(_) => Aabb::INFINITE,
+                _ if leaf.shape.is_patch() || !leaf.inverse => Aabb::INFINITE,
+                _ => self.surface,
+            },
+            NodeKind::Intersection(children) => children.iter().map(Node::hole).fold(Aabb::EMPTY, Aabb::union),
+            NodeKind::Union(children) | NodeKind::Merge(children) => {
+                children.iter().map(Node::hole).fold(Aabb::INFINITE, Aabb::intersection)
+            }
+        }
     }
 }
 
@@ -389,13 +325,4 @@ fn keep<'a>(list: &mut FoundList<'a>, first: usize, condition: impl Fn(&Found<'a
         }
     }
     list.truncate(end);
-}
-
-/// The box a little larger, so that rounding never puts a hit outside.
-fn loosened(b: Aabb) -> Aabb {
-    if b.is_empty() {
-        return Aabb::EMPTY;
-    }
-    let finite = |v: DVec3| v.map(|x| if x.is_finite() { x.abs() } else { 0.0 }).max_element();
-    b.grown(tolerance::BOUNDS * finite(b.min).max(finite(b.max)).max(1.0))
 }

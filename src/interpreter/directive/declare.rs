@@ -32,6 +32,7 @@ impl<'a> Interpreter<'a> {
                 self.unwind(depth);
                 if let Some(frame) = self.frames.last_mut() {
                     frame.skip_statement(at);
+                    frame.skip_layers(at);
                 }
                 let fault = self.with_trace(*fault);
                 let mut faults = self.diagnostics.split_off(mark);

@@ -1,0 +1,130 @@
+//! A shape in the world, and the hits that are found on it.
+
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
+use crate::shape::{Hit, Hits, Kernel, Shape};
+use serde::Serialize;
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// A shape and where it stands.
+#[derive(Clone, Debug, Serialize)]
+pub struct Leaf {
+    /// In its own space; shared between copies.
+    pub shape: Arc<Shape>,
+    /// World from object; `None` is the identity.
+    place: Option<Box<Transform>>,
+    /// Turned inside out.
+    pub inverse: bool,
+    /// The caller's number for its material and source.
+    pub id: u32,
+}
+
+/// A hit and whose it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Found<'a> {
+    /// In the leaf's object space, except for `t`.
+    pub hit: Hit,
+    /// The shape that was hit.
+    pub leaf: &'a Leaf,
+    /// [`super::Node::object`] of the outermost node that was asked.
+    pub object: u32,
+}
+
+/// Hits of a tree.
+pub type FoundList<'a> = SmallVec<[Found<'a>; 8]>;
+
+/// The place of a hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// In world space.
+    pub point: DVec3,
+    /// In world space, length 1, out of the solid.
+    pub normal: DVec3,
+    /// In object space.
+    pub object_point: DVec3,
+}
+
+impl Leaf {
+    /// The shape under `transform`, world from object.
+    pub fn new(shape: Arc<Shape>, transform: &Transform, id: u32) -> Self {
+        let place = (!transform.is_identity()).then(|| Box::new(*transform));
+        Self { shape, place, inverse: false, id }
+    }
+
+    /// World from object.
+    pub fn transform(&self) -> Transform {
+        self.place.as_deref().copied().unwrap_or(Transform::IDENTITY)
+    }
+
+    /// Turned inside out, unless it has no inside.
+    pub(super) fn inverted(self) -> Self {
+        let inverse = if self.shape.is_patch() { self.inverse } else { !self.inverse };
+        Self { inverse, ..self }
+    }
+
+    /// M⁻¹·ray.
+    fn local(&self, ray: &Ray) -> Ray {
+        self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray))
+    }
+
+    pub(super) fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        self.shape.closest(&self.local(ray), range)
+    }
+
+    pub(super) fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.shape.hits(&self.local(ray), range, out);
+    }
+
+    pub(super) fn inside(&self, p: DVec3) -> bool {
+        let local = self.place.as_ref().map_or(p, |m| m.inverse_point(p));
+        !self.shape.is_patch() && self.shape.inside(local) != self.inverse
+    }
+
+    /// All its hits are in here.
+    pub(super) fn surface_bounds(&self) -> Aabb {
+        loosened(match &self.place {
+            Some(m) => self.shape.bounds_under(m),
+            None => self.shape.bounds(),
+        })
+    }
+}
+
+impl Found<'_> {
+    /// Distance along the ray.
+    pub fn t(&self) -> f64 {
+        self.hit.t
+    }
+
+    /// Was the leaf turned inside out on its way?
+    pub fn inverted(&self) -> bool {
+        self.leaf.inverse
+    }
+
+    /// The shape's own coordinates on its surface, at `object_point` of [`Found::surface`].
+    pub fn uv(&self, object_point: DVec3) -> DVec2 {
+        self.leaf.shape.uv(object_point, &self.hit)
+    }
+
+    /// Point and normal of this hit of `ray`, in world space (lecture, "Ray – transformed object
+    /// intersection": points by M, normals by M⁻ᵀ).
+    pub fn surface(&self, ray: &Ray) -> Surface {
+        let Leaf { shape, place, inverse, .. } = self.leaf;
+        let object_point = self.leaf.local(ray).at(self.hit.t);
+        let normal = shape.normal(object_point, &self.hit);
+        let (point, normal) = match place {
+            Some(m) => (m.point(object_point), m.normal(normal)),
+            None => (object_point, normal),
+        };
+        let normal = if *inverse { -normal } else { normal };
+        Surface { point, normal: normal.try_normalize().unwrap_or(-ray.dir), object_point }
+    }
+}
+
+/// The box a little larger, so that rounding never puts a hit outside.
+fn loosened(b: Aabb) -> Aabb {
+    if b.is_empty() {
+        return Aabb::EMPTY;
+    }
+    let finite = |v: DVec3| v.map(|x| if x.is_finite() { x.abs() } else { 0.0 }).max_element();
+    b.grown(tolerance::BOUNDS * finite(b.min).max(finite(b.max)).max(1.0))
+}

@@ -1,0 +1,86 @@
+//! Whole scenes against POV-Ray 3.7: every pixel of `tests/light_cases/*.pov`, as linear light, beside what povray made of
+//! the same file (see the README there).
+
+#![allow(clippy::unwrap_used)]
+
+use durer::color::transfer::srgb_encode;
+use durer::interpreter;
+use durer::render::{Options, Unwatched, render};
+use durer::source::{SearchPath, Sources};
+use serde::Deserialize;
+use std::path::Path;
+
+#[derive(Deserialize)]
+struct Expected {
+    x: usize,
+    y: usize,
+    rgb: [f64; 3],
+}
+
+/// The values are rounded to 1/65535, and kept with six digits.
+const TOLERANCE: f64 = 1.0 / 65535.0;
+
+const SIZE: (usize, usize) = (16, 12);
+
+/// Those that still differ, and why.
+const DIFFERS: &[(&str, &str)] = &[("gamma_srgb", "`srgb` colours under `assumed_gamma srgb`")];
+
+#[test]
+fn all_cases() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/light_cases");
+    let mut names: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    names.retain(|path| path.extension().is_some_and(|e| e == "pov"));
+    names.sort();
+    assert!(names.len() >= 43);
+    let faults: Vec<String> = names.iter().filter_map(|path| durer::on_big_stack(|| compare(path))).collect();
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+/// What is wrong with one case.
+fn compare(path: &Path) -> Option<String> {
+    let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+    let expected: Vec<Expected> =
+        serde_json::from_str(&std::fs::read_to_string(path.with_extension("json")).unwrap()).unwrap();
+    let frame = match draw(path) {
+        Ok(frame) => frame,
+        Err(message) => return Some(format!("{name}: {message}")),
+    };
+    // Without gamma handling povray wrote the numbers of the scene themselves.
+    let raw = name == "no_version";
+    let differences = expected.iter().map(|e| {
+        let found = frame.pixels[e.y * SIZE.0 + e.x].map(|c| f64::from(c).clamp(0.0, 1.0));
+        let found = if raw { found.map(srgb_encode) } else { found };
+        let worst = (0..3).map(|c| (found[c] - e.rgb[c]).abs()).fold(0.0, f64::max);
+        (worst, e)
+    });
+    let (worst, e) = differences.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+    let found = frame.pixels[e.y * SIZE.0 + e.x];
+    let fine = worst <= TOLERANCE;
+    match DIFFERS.iter().find(|(case, _)| *case == name) {
+        Some(_) if fine => Some(format!("{name} is fine: take it off the list of those that differ")),
+        None if !fine => Some(format!("{name}: off by {worst:.6} at {}, {}: {found:?} is not {:?}", e.x, e.y, e.rgb)),
+        _ => None,
+    }
+}
+
+fn draw(path: &Path) -> Result<durer::image_io::Frame, String> {
+    let sources = Sources::default();
+    let reading = interpreter::Options {
+        search: SearchPath::new(path.parent().unwrap(), &[]),
+        declares: vec![],
+        clock: 0.0,
+        frame: 0,
+        size: SIZE,
+        max_steps: 1_000_000,
+        max_time: None,
+        max_memory: None,
+    };
+    let file = durer::load(&sources, path).map_err(|e| e.message.clone())?;
+    let built = durer::build(&sources, file, &reading, &mut |_| {});
+    let messages: Vec<_> = built.diagnostics.iter().map(|d| d.message.clone()).collect();
+    let world = built.world.ok_or_else(|| messages.join("; "))?;
+    let (width, height) = SIZE;
+    let options =
+        Options { width, height, antialias: None, quality: 9, threads: 1, region: None, frame: 0, alpha: false };
+    render(&world, &options, &Unwatched).map(|(frame, _)| frame).map_err(|_| "cancelled".into())
+}
