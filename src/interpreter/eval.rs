@@ -118,10 +118,10 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Tells the warnings that waited for the first use of a declared thing.
+    /// Tells the warnings that waited for the use of a declared thing.
     pub(super) fn first_use(&mut self, symbol: Symbol, span: Span) {
-        for warning in self.scopes.take_pending(symbol) {
-            self.diagnostics.push(warning);
+        for warning in self.scopes.pending(symbol).iter().flat_map(|p| p.iter()) {
+            self.report_fault(warning.clone());
         }
         if let Some(why) = self.deprecated.remove(&symbol) {
             let message = format!("`{}` is deprecated: {}", self.names.text(symbol), why.trim());

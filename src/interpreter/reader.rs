@@ -4,7 +4,7 @@ use super::eval::{SMALL, as_float};
 use super::scope::Slot;
 use super::stream::{FrameKind, Token};
 use super::{Interpreter, hints};
-use crate::color::{Color, Rgb, transfer};
+use crate::color::{Color, Gamma, Rgb, transfer};
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;
@@ -159,16 +159,17 @@ impl<'a> Interpreter<'a> {
         }
         let mut color = Color::from_array(c);
         if word.starts_with('s') {
-            color.rgb = self.from_srgb(color.rgb);
+            color.rgb = self.linear_of_srgb(color.rgb);
         }
         Ok(color)
     }
 
     /// An sRGB colour in the numbers that the scene computes with.
-    fn from_srgb(&self, c: Rgb) -> Rgb {
+    fn linear_of_srgb(&self, c: Rgb) -> Rgb {
         let linear = transfer::srgb_decode_rgb(c);
         match self.language.assumed_gamma {
-            Some(g) if g != 1.0 => {
+            Some(Gamma::Srgb) => c,
+            Some(Gamma::Power(g)) if g != 1.0 => {
                 let power = |x: f64| fp::pow(x.max(0.0), 1.0 / g);
                 Rgb::new(power(linear.x), power(linear.y), power(linear.z))
             }

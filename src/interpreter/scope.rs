@@ -21,8 +21,8 @@ pub(super) enum Slot<'a> {
 struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
-    /// Warnings about the declared thing, told at its first use.
-    pending: Vec<Diagnostic>,
+    /// Warnings about the declared thing, told where it is used.
+    pending: Rc<[Diagnostic]>,
 }
 
 #[derive(Default)]
@@ -73,12 +73,11 @@ impl<'a> Scopes<'a> {
         Some(&self.bindings[symbol.0 as usize][depth].slot)
     }
 
-    /// Takes the warnings that wait for the first use of a name.
-    pub(super) fn take_pending(&mut self, symbol: Symbol) -> Vec<Diagnostic> {
-        match self.resolve(symbol) {
-            Some((symbol, depth)) => std::mem::take(&mut self.bindings[symbol.0 as usize][depth].pending),
-            None => vec![],
-        }
+    /// The warnings that wait for the use of a name.
+    pub(super) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
+        let (symbol, depth) = self.resolve(symbol)?;
+        let pending = &self.bindings[symbol.0 as usize][depth].pending;
+        (!pending.is_empty()).then(|| pending.clone())
     }
 
     /// `#local`, and the parameters of a call: binds at the innermost level.
@@ -103,7 +102,7 @@ impl<'a> Scopes<'a> {
             }
             return;
         }
-        self.stack(symbol).push(Binding { level, slot, pending });
+        self.stack(symbol).push(Binding { level, slot, pending: pending.into() });
         if level > 0
             && let Some(names) = self.levels.last_mut()
         {
@@ -113,7 +112,7 @@ impl<'a> Scopes<'a> {
 
     fn replace(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let binding = &mut self.bindings[symbol.0 as usize][depth];
-        (binding.slot, binding.pending) = (slot, pending);
+        (binding.slot, binding.pending) = (slot, pending.into());
     }
 
     /// `#undef`: the innermost binding goes. (An alias goes, not what it stands for.)

@@ -4,7 +4,7 @@ use super::stream::Token;
 use super::{Interpreter, compat};
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::scene::{Gamma, Object, is_object};
+use crate::scene::{Object, is_object};
 use crate::source::Span;
 use crate::value::{Next, Reader};
 
@@ -50,9 +50,7 @@ impl Interpreter<'_> {
             Next::End => return Ok(false),
             Next::Block(word) => self.top_block(word)?,
             Next::Thing("object" | "light_source") => {
-                let defaults = self.defaults.clone();
-                let object = Object::read(self, &defaults)?;
-                self.scene.objects.push(object);
+                self.top_object()?;
             }
             Next::Thing(kind) => {
                 let span = self.here();
@@ -75,10 +73,7 @@ impl Interpreter<'_> {
 
     fn top_block(&mut self, word: &'static str) -> Result<()> {
         if is_object(word) {
-            let defaults = self.defaults.clone();
-            let object = Object::read(self, &defaults)?;
-            self.scene.objects.push(object);
-            return Ok(());
+            return self.top_object();
         }
         if LATER.contains(&word) {
             return self.skip_unsupported(word);
@@ -97,14 +92,20 @@ impl Interpreter<'_> {
             _ => {
                 let mut settings = self.scene.settings.clone();
                 settings.read(self)?;
-                self.language.assumed_gamma = match settings.gamma {
-                    Some(Gamma::Power(g)) => Some(g),
-                    _ => self.language.assumed_gamma,
-                };
+                self.language.assumed_gamma = settings.gamma;
                 self.scene.settings = settings;
             }
         }
         self.leave()
+    }
+
+    fn top_object(&mut self) -> Result<()> {
+        let defaults = self.defaults.clone();
+        let mut object = Object::read(self, &defaults)?;
+        // A declared object without a texture gets the default of the place where it is used.
+        object.default_texture = self.defaults.texture.clone();
+        self.scene.objects.push(object);
+        Ok(())
     }
 
     /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.

@@ -71,7 +71,7 @@ impl<'a> Interpreter<'a> {
     fn missing_include(&self, name: &str, span: Span) -> Diagnostic {
         let folders = &self.options.search.folders;
         let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
-        let there: Vec<String> = folders.iter().flat_map(|f| files_in(f)).collect();
+        let there: Vec<String> = folders.iter().flat_map(files_in).collect();
         if let Some(found) = nearest(name, there.iter().map(String::as_str)) {
             return d.help(format!("did you mean `{found}`?"));
         }
