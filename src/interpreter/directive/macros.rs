@@ -35,7 +35,7 @@ impl<'a> Interpreter<'a> {
         self.scopes.enter();
         for ((parameter, _), slot) in definition.parameters.iter().zip(slots) {
             if let Some(slot) = slot {
-                self.scopes.set_local(*parameter, slot, vec![]);
+                self.scopes.bind_parameter(*parameter, slot);
             }
         }
         self.depth += 1;
