@@ -80,7 +80,8 @@ impl<'a> Interpreter<'a> {
                 high if low == high => low.to_string(),
                 high => format!("{low} to {high}"),
             };
-            let message = format!("`{name}` takes {takes} arguments, {} are given", arguments.len());
+            let plural = if takes == "1" { "" } else { "s" };
+            let message = format!("`{name}` takes {takes} argument{plural}, found {}", arguments.len());
             return Diagnostic::err(codes::WRONG_COUNT, span, message);
         }
         let mut values = Vec::with_capacity(arguments.len());
