@@ -130,7 +130,9 @@ fn transformed_object() {
     assert!(surface.point.distance(DVec3::new(1.0 + x, 0.5, 0.0)) < 1e-14);
     assert!(surface.object_point.distance(DVec3::new(x / 3.0, 0.5, 0.0)) < 1e-14);
     assert!(surface.normal.distance(DVec3::new(x / 9.0, 0.5, 0.0).normalize()) < 1e-14);
-    assert!(found.uv(surface.object_point).distance(DVec2::new(0.0, 0.5 + 0.5_f64.asin() / std::f64::consts::PI)) < 1e-14);
+    assert!(
+        found.uv(surface.object_point).distance(DVec2::new(0.0, 0.5 + 0.5_f64.asin() / std::f64::consts::PI)) < 1e-14
+    );
     assert!((node.bounds().max.x - 4.0).abs() < 1e-7 && node.bounds().max.x >= 4.0);
 }
 

@@ -279,7 +279,8 @@ proptest! {
             rest.iter().fold(first.clone(), |node, part| make(vec![node, part.clone()], 0))
         };
         let carved: Vec<Node> = balls[..1].iter().chain(&parts).cloned().collect();
-        let makers: [(fn(Vec<Node>, u32) -> Node, &Vec<Node>); 4] =
+        type Make = fn(Vec<Node>, u32) -> Node;
+        let makers: [(Make, &Vec<Node>); 4] =
             [(Node::union, &parts), (Node::merge, &parts), (Node::intersection, &balls), (Node::difference, &carved)];
         let pairs = makers.map(|(make, parts)| (make(parts.clone(), 0), one_by_one(make, parts)));
         for (many, few) in &pairs {

@@ -5,9 +5,10 @@
 mod common;
 
 use common::*;
+use durer::color::Gamma;
 use durer::color::{Color, Rgb};
 use durer::math::DVec3;
-use durer::scene::{Gamma, Scene};
+use durer::scene::Scene;
 use durer::texture::{Finish, Pigment, Reflection};
 
 /// A wall at z = 0, seen straight on.
@@ -180,6 +181,17 @@ fn rays_that_count_for_little_are_dropped() {
         look(&scene)[0]
     };
     assert_near([seen(0.31, 0.3), seen(0.29, 0.3), seen(0.5, 0.5)], [0.31, 0.0, 0.0]);
+    // a mirror that depends on the angle counts by its larger number: nothing is mirrored here, but the ray is cast
+    let finish = |max: f64| {
+        let reflection = Reflection { max: Rgb::splat(max), ..Reflection::default() };
+        Finish { reflection, ..dull() }
+    };
+    let cast = |max: f64| {
+        let mut scene = wall(rgb(1.0, 1.0, 1.0), finish(max), vec![]);
+        scene.settings.adc_bailout = 0.3;
+        draw(&scene, &options(1, 1)).1.reflected
+    };
+    assert_eq!([cast(0.31), cast(0.29)], [1, 0]);
 }
 
 #[test]
@@ -265,7 +277,10 @@ fn layered_textures() {
     let behind = || plane(Z, -20.0).painted(rgb(1.0, 1.0, 1.0), glowing());
     let pane = Pigment::solid(rgbft([0.2, 0.4, 0.6, 0.0, 0.5]));
     let mirrors = [(Pigment::solid(rgb(0.5, 0.25, 0.1)), mirror(0.2)), (pane, mirror(0.1))];
-    assert_gray(&wall(mirrors, behind()), 0.3);
+    let mut both = wall(mirrors, behind());
+    assert_gray(&both, 0.3);
+    both.settings.adc_bailout = 0.15;
+    assert_gray(&both, 0.2);
     // both let light pass
     let panes = [rgbft([0.5, 0.25, 0.1, 0.0, 0.5]), rgbft([0.2, 0.4, 0.6, 0.5, 0.0])];
     let glass =

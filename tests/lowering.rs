@@ -95,11 +95,11 @@ fn what_a_group_says_holds_for_its_parts() {
     assert_gray(&scene(-5.0 * Z, Z, vec![group.painted(rgb(1.0, 1.0, 1.0), glowing())]), 0.0);
     // a part without texture beside one that has one gets the default
     let base = sphere(DVec3::ZERO, 2.0).painted(rgb(1.0, 0.0, 0.0), glowing());
-    let mut hole = sphere(-2.0 * Z, 1.0);
-    let mut white = Finish::default();
-    white.ambient = Rgb::ONE;
-    hole.default_texture = texture([(Pigment::solid(rgb(1.0, 1.0, 1.0)), white)]).texture;
+    let hole = sphere(-2.0 * Z, 1.0);
+    let white = Finish { ambient: Rgb::ONE, ..Finish::default() };
+    let default = texture([(Pigment::solid(rgb(1.0, 1.0, 1.0)), white)]).texture;
     let mut cut = csg(CsgOp::Difference, vec![base, hole]);
+    cut.default_texture = default;
     assert_near(look(&scene(-5.0 * Z, Z, vec![cut.clone()])), [1.0, 1.0, 1.0]);
     cut.flags.cutaway_textures = true;
     assert_near(look(&scene(-5.0 * Z, Z, vec![cut])), [1.0, 0.0, 0.0]);

@@ -2,6 +2,8 @@
 
 pub mod transfer;
 
+pub use transfer::Gamma;
+
 use crate::math::DVec3;
 use serde::Serialize;
 

@@ -2,6 +2,19 @@
 
 use super::Rgb;
 use crate::math::fp;
+use serde::Serialize;
+
+/// How numbers in the scene relate to light.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Gamma {
+    /// They are light to the power of one over this.
+    Power(f64),
+    /// They are encoded by the sRGB curve.
+    Srgb,
+    /// No such relation: they go to the file as they are. Scenes older than 3.7 that name no `assumed_gamma`.
+    Raw,
+}
 
 /// Linear light in [0, 1] to the sRGB curve (IEC 61966-2-1).
 pub fn srgb_encode(x: f64) -> f64 {

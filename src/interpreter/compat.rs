@@ -1,6 +1,6 @@
 //! Differences between versions of the language; nobody else compares versions.
 
-use crate::scene::Gamma;
+use crate::color::Gamma;
 
 /// The language of `#version 3.7`, and of a file that names none.
 pub const DEFAULT_VERSION: u32 = 370;

@@ -4,7 +4,7 @@ use super::eval::{SMALL, as_float};
 use super::scope::Slot;
 use super::stream::{FrameKind, Token};
 use super::{Interpreter, hints};
-use crate::color::{Color, Rgb, transfer};
+use crate::color::{Color, Gamma, Rgb, transfer};
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;
@@ -90,7 +90,7 @@ impl<'a> Interpreter<'a> {
             Ok(Token::Group(_)) => "`{`".to_string(),
             Ok(Token::Function) => "a function".to_string(),
             Ok(Token::End) => match self.blocks.last() {
-                Some(block) => format!("the end of `{block} {{…}}`"),
+                Some((block, _)) => format!("the end of `{block} {{…}}`"),
                 None => "the end".to_string(),
             },
         };
@@ -99,6 +99,16 @@ impl<'a> Interpreter<'a> {
 
     fn expected(&self, span: Span, expected: &str, found: &str) -> Diagnostic {
         Diagnostic::new(codes::EXPECTED, span, format!("expected {expected}, found {found}"))
+    }
+
+    /// Must a value come next? Says which one is missing.
+    fn at_value(&mut self, wanted: &str) -> Result<()> {
+        match self.peek()? {
+            Token::End | Token::Block(_) | Token::Entry(_) | Token::Group(_) => {
+                Err(self.unexpected_token(wanted).into())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// What a name in word position is: a thing, a value, or nothing.
@@ -159,16 +169,17 @@ impl<'a> Interpreter<'a> {
         }
         let mut color = Color::from_array(c);
         if word.starts_with('s') {
-            color.rgb = self.from_srgb(color.rgb);
+            color.rgb = self.linear_of_srgb(color.rgb);
         }
         Ok(color)
     }
 
     /// An sRGB colour in the numbers that the scene computes with.
-    fn from_srgb(&self, c: Rgb) -> Rgb {
+    fn linear_of_srgb(&self, c: Rgb) -> Rgb {
         let linear = transfer::srgb_decode_rgb(c);
         match self.language.assumed_gamma {
-            Some(g) if g != 1.0 => {
+            Some(Gamma::Srgb) => c,
+            Some(Gamma::Power(g)) if g != 1.0 => {
                 let power = |x: f64| fp::pow(x.max(0.0), 1.0 / g);
                 Rgb::new(power(linear.x), power(linear.y), power(linear.z))
             }
@@ -270,11 +281,11 @@ impl Reader for Interpreter<'_> {
         self.advance();
         match token {
             Token::Block(block) => {
-                self.blocks.extend(block.name.word);
+                self.blocks.extend(block.name.word.map(|word| (word, block.name.span)));
                 self.push_frame(&block.body, FrameKind::Enclosed, span);
                 return Ok(block.name.span);
             }
-            Token::Open(name) => self.blocks.extend(name.word),
+            Token::Open(name) => self.blocks.extend(name.word.map(|word| (word, name.span))),
             Token::Entry(elements) | Token::Group(elements) => self.push_frame(elements, FrameKind::Enclosed, span),
             _ => {}
         }
@@ -295,9 +306,10 @@ impl Reader for Interpreter<'_> {
         }
         let is_block = self.frames.last().is_some_and(|f| self.is_block(f.span));
         if self.frames.len() <= 1 {
-            let block = self.blocks.last().copied().unwrap_or("block");
+            let (block, opened) = self.blocks.last().copied().unwrap_or(("block", Span::NONE));
             let message = format!("this `{block} {{` has no end");
-            return Diagnostic::err(codes::UNCLOSED_BLOCK, self.here(), message);
+            let help = "its `}` must come in the same file, or from the macro that opens it";
+            return Diagnostic::new(codes::UNCLOSED_BLOCK, opened, message).help(help).into();
         }
         self.pop_frame();
         if is_block {
@@ -321,6 +333,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn float(&mut self) -> Result<f64> {
+        self.at_value("a number")?;
         let (value, span) = self.value_here()?;
         let x = as_float(&value, span)?;
         if x.is_finite() { Ok(x) } else { Diagnostic::err(codes::NOT_FINITE, span, format!("this number is {x}")) }
@@ -331,6 +344,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn vector(&mut self) -> Result<DVec3> {
+        self.at_value("a vector")?;
         let (value, span) = self.value_here()?;
         self.as_vector(&value, span)
     }

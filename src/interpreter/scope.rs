@@ -18,15 +18,14 @@ pub(super) enum Slot<'a> {
     Faulty(Rc<Vec<Diagnostic>>),
 }
 
-/// Aliases stand for bindings that were none when they were made, so chains are short; only what `#undef` leaves
-/// behind can make a ring of them.
-const MAX_ALIASES: usize = 16;
+/// Aliases of aliases that are followed.
+const MAX_ALIASES: usize = 100;
 
 struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
-    /// Warnings about the declared thing, told at its first use.
-    pending: Vec<Diagnostic>,
+    /// Warnings about the declared thing, told where it is used.
+    pending: Rc<[Diagnostic]>,
 }
 
 #[derive(Default)]
@@ -62,11 +61,11 @@ impl<'a> Scopes<'a> {
         &mut self.bindings[index]
     }
 
-    /// The place of the innermost binding, aliases followed; `None` also where an alias stands for what an `#undef`
-    /// took away.
+    /// The place of the innermost binding, aliases followed; `None` too where an `#undef` has taken what an alias stood for.
     pub(super) fn resolve(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
         let (mut symbol, mut depth) = (symbol, depth);
+        // An alias is made of a resolved place. Only what came there after an `#undef` can be another alias.
         for _ in 0..MAX_ALIASES {
             match self.bindings[symbol.0 as usize].get(depth)?.slot {
                 Slot::Alias(to, at) => (symbol, depth) = (to, at),
@@ -76,42 +75,17 @@ impl<'a> Scopes<'a> {
         None
     }
 
-    pub(super) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
-        let (symbol, depth) = self.resolve(symbol)?;
-        Some(&self.bindings[symbol.0 as usize][depth].slot)
-    }
-
-    /// Takes the warnings that wait for the first use of a name.
-    pub(super) fn take_pending(&mut self, symbol: Symbol) -> Vec<Diagnostic> {
-        match self.resolve(symbol) {
-            Some((symbol, depth)) => std::mem::take(&mut self.bindings[symbol.0 as usize][depth].pending),
-            None => vec![],
-        }
-    }
-
-    /// `#local`, and the parameters of a call: binds at the innermost level.
-    pub(super) fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    /// A parameter of the call whose level has just been entered. Of two with one name the last counts.
+    pub(super) fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
         let level = self.level();
-        self.set_at(symbol, level, slot, pending);
-    }
-
-    /// `#declare`: changes the innermost binding, or makes a global one.
-    pub(super) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        match self.resolve(symbol) {
-            Some((symbol, depth)) => self.replace(symbol, depth, slot, pending),
-            None => self.set_at(symbol, 0, slot, pending),
+        match self.stack(symbol).last_mut() {
+            Some(binding) if binding.level == level => binding.slot = slot,
+            _ => self.push(symbol, level, slot, vec![]),
         }
     }
 
-    fn set_at(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        let top = self.stack(symbol).last();
-        if top.is_some_and(|b| b.level == level) {
-            if let Some((symbol, depth)) = self.resolve(symbol) {
-                self.replace(symbol, depth, slot, pending);
-            }
-            return;
-        }
-        self.stack(symbol).push(Binding { level, slot, pending });
+    fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        self.stack(symbol).push(Binding { level, slot, pending: pending.into() });
         if level > 0
             && let Some(names) = self.levels.last_mut()
         {
@@ -119,9 +93,44 @@ impl<'a> Scopes<'a> {
         }
     }
 
+    pub(super) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
+        let (symbol, depth) = self.resolve(symbol)?;
+        Some(&self.bindings[symbol.0 as usize][depth].slot)
+    }
+
+    /// The warnings that wait for the use of a name.
+    pub(super) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
+        let (symbol, depth) = self.resolve(symbol)?;
+        let pending = &self.bindings[symbol.0 as usize][depth].pending;
+        (!pending.is_empty()).then(|| pending.clone())
+    }
+
+    /// `#local`, and the parameters of a call: binds at the innermost level.
+    pub(super) fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        let level = self.level();
+        if self.stack(symbol).last().is_none_or(|b| b.level != level) {
+            return self.push(symbol, level, slot, pending);
+        }
+        let own = self.stack(symbol).len() - 1;
+        // What a parameter stood for may be gone: then it stands for itself from now on.
+        let (symbol, depth) = self.resolve(symbol).unwrap_or((symbol, own));
+        self.replace(symbol, depth, slot, pending);
+    }
+
+    /// `#declare`: changes the innermost binding, or makes a global one.
+    pub(super) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        match self.resolve(symbol) {
+            Some((symbol, depth)) => self.replace(symbol, depth, slot, pending),
+            None => match self.stack(symbol).len() {
+                0 => self.push(symbol, 0, slot, pending),
+                n => self.replace(symbol, n - 1, slot, pending),
+            },
+        }
+    }
+
     fn replace(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let binding = &mut self.bindings[symbol.0 as usize][depth];
-        (binding.slot, binding.pending) = (slot, pending);
+        (binding.slot, binding.pending) = (slot, pending.into());
     }
 
     /// `#undef`: the innermost binding goes. (An alias goes, not what it stands for.)

@@ -1,10 +1,10 @@
 //! Statements at the outermost level: objects, lights, cameras, settings.
 
 use super::stream::Token;
-use super::{Interpreter, compat};
+use super::{Interpreter, compat, hints};
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::scene::{Gamma, Object, is_object};
+use crate::scene::{Object, is_object};
 use crate::source::Span;
 use crate::value::{Next, Reader};
 
@@ -50,9 +50,7 @@ impl Interpreter<'_> {
             Next::End => return Ok(false),
             Next::Block(word) => self.top_block(word)?,
             Next::Thing("object" | "light_source") => {
-                let defaults = self.defaults.clone();
-                let object = Object::read(self, &defaults)?;
-                self.scene.objects.push(object);
+                self.top_object()?;
             }
             Next::Thing(kind) => {
                 let span = self.here();
@@ -75,16 +73,13 @@ impl Interpreter<'_> {
 
     fn top_block(&mut self, word: &'static str) -> Result<()> {
         if is_object(word) {
-            let defaults = self.defaults.clone();
-            let object = Object::read(self, &defaults)?;
-            self.scene.objects.push(object);
-            return Ok(());
+            return self.top_object();
         }
         if LATER.contains(&word) {
             return self.skip_unsupported(word);
         }
         if !matches!(word, "camera" | "background" | "global_settings" | "default") {
-            return Err(self.unknown_word("scene", STATEMENTS).into());
+            return Err(self.stray_block(word).into());
         }
         let at = self.take()?;
         match word {
@@ -97,14 +92,33 @@ impl Interpreter<'_> {
             _ => {
                 let mut settings = self.scene.settings.clone();
                 settings.read(self)?;
-                self.language.assumed_gamma = match settings.gamma {
-                    Some(Gamma::Power(g)) => Some(g),
-                    _ => self.language.assumed_gamma,
-                };
+                self.language.assumed_gamma = settings.gamma;
                 self.scene.settings = settings;
             }
         }
         self.leave()
+    }
+
+    fn top_object(&mut self) -> Result<()> {
+        let defaults = self.defaults.clone();
+        let mut object = Object::read(self, &defaults)?;
+        // A declared object without a texture gets the default of the place where it is used.
+        object.default_texture = self.defaults.texture.clone();
+        self.scene.objects.push(object);
+        Ok(())
+    }
+
+    /// A block that does not stand by itself.
+    fn stray_block(&mut self, word: &'static str) -> Diagnostic {
+        let span = match self.peek() {
+            Ok(Token::Block(block)) => block.name.span,
+            _ => self.here(),
+        };
+        let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` can't stand by itself"));
+        match hints::other_tools(word) {
+            Some(hint) => d.help(hint),
+            None => d.help(format!("it belongs inside another block, or behind `#declare Name = {word} {{…}}`")),
+        }
     }
 
     /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.
@@ -124,7 +138,7 @@ impl Interpreter<'_> {
         self.scene.version = self.language.version;
         let version = self.version_stated.then_some(self.language.version);
         self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
-        if !self.camera_stated {
+        if !self.camera_stated && self.error_count() == 0 {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
             self.report_fault(
                 Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)

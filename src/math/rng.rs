@@ -3,15 +3,57 @@
 /// A number in [0, 1) that is a function of its key alone: (frame, pixel, sample, dimension) or the
 /// like. SplitMix64's finaliser (Steele, Lea and Flood 2014) folds the words in.
 pub fn unit(key: &[u64]) -> f64 {
-    let mut h = 0x9e37_79b9_7f4a_7c15_u64;
-    for &word in key {
-        h = mix(h ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15);
+    (mix(folded(key)) >> 11) as f64 / (1u64 << 53) as f64
+}
+
+/// The numbers that [`unit()`] gives for a key followed by 1, 2, 3 …
+#[derive(Clone, Copy, Debug)]
+pub struct Stream {
+    folded: u64,
+    dimension: u64,
+}
+
+impl Stream {
+    /// For this key.
+    pub fn new(key: &[u64]) -> Self {
+        Self { folded: folded(key), dimension: 0 }
     }
-    (mix(h) >> 11) as f64 / (1u64 << 53) as f64
+
+    /// The next number in [0, 1).
+    #[allow(clippy::should_implement_trait)]
+    pub fn next(&mut self) -> f64 {
+        self.dimension += 1;
+        (mix(fold(self.folded, self.dimension)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+fn folded(key: &[u64]) -> u64 {
+    key.iter().fold(0x9e37_79b9_7f4a_7c15, |h, &word| fold(h, word))
+}
+
+fn fold(h: u64, word: u64) -> u64 {
+    mix(h ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15)
 }
 
 fn mix(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stream_is_a_short_way_to_write_keys() {
+        let mut stream = Stream::new(&[3, 1, 4]);
+        assert_eq!([stream.next(), stream.next()], [unit(&[3, 1, 4, 1]), unit(&[3, 1, 4, 2])]);
+    }
+
+    #[test]
+    fn numbers_spread_evenly() {
+        let mean = (0..10_000).map(|i| unit(&[7, i])).sum::<f64>() / 10_000.0;
+        assert!((mean - 0.5).abs() < 0.01, "{mean}");
+    }
 }

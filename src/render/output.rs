@@ -1,10 +1,10 @@
 //! From the numbers of the scene to light (manual, "assumed_gamma", "Output_Alpha").
 
 use super::tiles::Pixel;
+use crate::color::Gamma;
 use crate::color::transfer::srgb_decode;
 use crate::color::{Rgb, gray};
 use crate::math::fp;
-use crate::scene::Gamma;
 
 /// Linear light and alpha of a pixel.
 pub(super) fn light(pixel: &Pixel, gamma: Gamma, keep_alpha: bool) -> [f32; 4] {

@@ -1,13 +1,12 @@
 //! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
 
+use super::mirror::{self, Count};
 use super::refract::{Border, Interiors, reflect};
-use super::shade::metal_tint;
-use super::site::{Shown, Site};
+use super::site::Site;
 use super::{Options, Rays};
 use crate::camera::Window;
 use crate::color::{Rgb, gray};
-use crate::math::{DVec3, Range, Ray, fp, rng, tolerance};
-use crate::texture::Reflection;
+use crate::math::{DVec3, Range, Ray, rng, tolerance};
 use crate::world::{Found, World};
 
 /// So many surfaces one ray passes at most; it ends what rounding would keep in one place for ever.
@@ -89,25 +88,22 @@ enum Onward {
 pub(super) struct Tracer<'w> {
     pub setup: &'w Setup<'w>,
     pub rays: Rays,
-    pixel: u64,
-    sample: u64,
-    dimension: u64,
+    random: rng::Stream,
 }
 
 impl<'w> Tracer<'w> {
     pub fn new(setup: &'w Setup<'w>) -> Self {
-        Self { setup, rays: Rays::default(), pixel: 0, sample: 0, dimension: 0 }
+        Self { setup, rays: Rays::default(), random: rng::Stream::new(&[]) }
     }
 
     /// All random numbers from here on belong to this sample of this pixel.
     pub fn begin(&mut self, pixel: u64, sample: u64) {
-        (self.pixel, self.sample, self.dimension) = (pixel, sample, 0);
+        self.random = rng::Stream::new(&[u64::from(self.setup.frame), pixel, sample]);
     }
 
     /// The next random number of this sample, in [0, 1).
     pub fn random(&mut self) -> f64 {
-        self.dimension += 1;
-        rng::unit(&[u64::from(self.setup.frame), self.pixel, self.sample, self.dimension])
+        self.random.next()
     }
 
     /// The light through a point of the picture, in pixels from its top left corner.
@@ -135,16 +131,14 @@ impl<'w> Tracer<'w> {
                 false => Border::NONE,
             };
             let onward = self.onward(&path, &site, &border);
-            let mirror = if self.setup.quality.mirrors { mirrors(&site, &border) } else { Rgb::ZERO };
-            if mirror != Rgb::ZERO && !matches!(onward, Onward::Total) {
-                rgb += through * self.mirrored(&path, &site, &border, mirror);
+            let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
+            if mirrors && !matches!(onward, Onward::Total) {
+                rgb += through * self.mirrored(&path, &site, &border);
             }
             match onward {
                 Onward::Ends => return Sample { rgb, passed: 0.0 },
                 Onward::Through(dir) => {
-                    let kept =
-                        if site.layers.iter().any(|s| s.layer.conserve_energy) { 1.0 - mirror } else { Rgb::ONE };
-                    through *= site.pass * kept;
+                    through *= site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
                     passed *= gray(site.pass);
                     path.weight *= gray(site.pass);
                     // Straight on it stays on its level (measured on 3.7).
@@ -194,52 +188,18 @@ impl<'w> Tracer<'w> {
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
-    /// The light that the place mirrors; `sum` is how much all its layers mirror together.
-    fn mirrored(&mut self, path: &Path, site: &Site, border: &Border, sum: Rgb) -> Rgb {
+    /// The light that the place mirrors.
+    fn mirrored(&mut self, path: &Path, site: &Site, border: &Border) -> Rgb {
         let world = self.setup.world;
-        let weight = path.weight * sum.max_element();
-        if weight <= world.adc_bailout || path.level >= world.max_trace_level {
+        let count = Count { weight: path.weight, bailout: world.adc_bailout };
+        let weight = mirror::weight(site, border, count);
+        if weight == 0.0 || path.level >= world.max_trace_level {
             return Rgb::ZERO;
         }
         self.rays.reflected += 1;
         let ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
-        let light =
-            self.follow(Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() }).rgb;
-        let mut out = Rgb::ZERO;
-        for shown in &site.layers {
-            if let Some(mirror) = &shown.layer.mirror {
-                let seen = match mirror.exponent {
-                    1.0 => light,
-                    exponent => light.max(Rgb::ZERO).map(|x| fp::pow(x, 1.0 / exponent)),
-                };
-                out += reflectivity(mirror, shown, site.cos, border) * seen;
-            }
-        }
-        out
+        let path = Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() };
+        let light = self.follow(path).rgb;
+        mirror::answer(site, border, count, light)
     }
-}
-
-/// How much all layers mirror. What lies above a layer takes nothing from its mirror (measured on 3.7).
-fn mirrors(site: &Site, border: &Border) -> Rgb {
-    let mut sum = Rgb::ZERO;
-    for shown in &site.layers {
-        if let Some(mirror) = &shown.layer.mirror {
-            sum += reflectivity(mirror, shown, site.cos, border);
-        }
-    }
-    sum
-}
-
-/// How much one layer mirrors at this angle.
-fn reflectivity(mirror: &Reflection, shown: &Shown, cos: f64, border: &Border) -> Rgb {
-    let part = if mirror.fresnel {
-        border.fresnel(cos)
-    } else if mirror.min == mirror.max {
-        0.0
-    } else {
-        fp::pow(1.0 - cos.min(1.0), mirror.falloff)
-    };
-    // min + (max - min)·part
-    let amount = mirror.min + (mirror.max - mirror.min) * part;
-    amount * metal_tint(mirror.metallic, cos, shown.color.rgb)
 }

@@ -4,7 +4,7 @@ mod object;
 mod settings;
 
 pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, Painted, is_object, read_layers, read_material};
-pub use settings::{Gamma, Settings};
+pub use settings::Settings;
 
 use crate::camera::Camera;
 use crate::color::Color;

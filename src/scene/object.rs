@@ -83,7 +83,8 @@ pub struct Object {
     pub word: &'static str,
     /// The text that made it.
     pub source: Span,
-    /// The default texture where it was written.
+    /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
+    /// only.
     pub default_texture: Arc<Texture>,
 }
 

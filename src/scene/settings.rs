@@ -1,21 +1,9 @@
 //! `global_settings` (manual, "Global Settings").
 
-use crate::color::Rgb;
+use crate::color::{Gamma, Rgb};
 use crate::diagnostic::Result;
 use crate::value::{Next, Reader};
 use serde::Serialize;
-
-/// How numbers in the scene relate to light.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Gamma {
-    /// They are light to the power of one over this.
-    Power(f64),
-    /// They are encoded by the sRGB curve.
-    Srgb,
-    /// No such relation: they go to the file as they are. Scenes older than 3.7 that name no `assumed_gamma`.
-    Raw,
-}
 
 /// All numbers of `global_settings`.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,16 +2,15 @@
 
 mod finish;
 mod interior;
+mod layers;
 mod map;
 mod pigment;
-#[allow(clippy::module_inception)]
-mod texture;
 
 pub use finish::{Finish, Reflection};
 pub use interior::Interior;
+pub use layers::{Layer, Material, Texture};
 pub use map::ColorMap;
 pub use pigment::{Paint, Pigment};
-pub use texture::{Layer, Material, Texture};
 
 use crate::value::Thing;
 

@@ -158,11 +158,6 @@ impl Pigment {
         }
     }
 
-    /// Is it the same everywhere?
-    pub fn is_solid(&self) -> bool {
-        matches!(self.paint, Paint::Solid(_))
-    }
-
     /// Does no light pass anywhere?
     pub fn is_opaque(&self) -> bool {
         let opaque = |c: &Color| c.filter == 0.0 && c.transmit == 0.0;

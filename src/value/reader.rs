@@ -2,7 +2,7 @@
 //! directives and macro calls have already run when a family sees what comes next.
 
 use super::{Thing, Value};
-use crate::color::Color;
+use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result};
 use crate::math::{DVec2, DVec3, Transform};
 use crate::source::Span;
@@ -33,7 +33,7 @@ pub struct Language {
     /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/compat.rs` compares it.
     pub version: u32,
     /// `global_settings { assumed_gamma … }`, once it has been read.
-    pub assumed_gamma: Option<f64>,
+    pub assumed_gamma: Option<Gamma>,
 }
 
 /// What [`Reader::float_or_color`] found.

@@ -2,11 +2,12 @@
 //! down to its parts, textures are lowered once however often they are used.
 
 use super::{Coat, Geometry, Lamp, Leaf, Material, Node, ObjectInfo, Part, World};
+use crate::color::Gamma;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::Transform;
-use crate::scene::{CsgOp, Flags, Gamma, Object, ObjectKind, Painted, Scene};
+use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Kernel, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Texture};
@@ -21,6 +22,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
     let mut lowering = Lowering { ambient_light: scene.settings.ambient_light, ..Lowering::default() };
     let mut roots = vec![];
     for object in &scene.objects {
+        lowering.default_texture = object.default_texture.clone();
         roots.extend(lowering.lower_object(object, &Around::default())?.map(|solid| solid.node));
     }
     let Lowering { parts, objects, materials, interiors, lights, .. } = lowering;
@@ -68,6 +70,8 @@ struct Solid {
 #[derive(Default)]
 struct Lowering {
     ambient_light: Rgb,
+    /// For shapes of the outermost object at hand that say nothing.
+    default_texture: Arc<Texture>,
     parts: Vec<Part>,
     objects: Vec<ObjectInfo>,
     materials: Vec<Material>,
@@ -151,7 +155,7 @@ impl Lowering {
         if bounds.min.is_nan() || bounds.max.is_nan() {
             return not_finite(object.source);
         }
-        let default = || Look { texture: object.default_texture.clone(), transform: Transform::IDENTITY };
+        let default = || Look { texture: self.default_texture.clone(), transform: Transform::IDENTITY };
         let outside = self.lower_look(&own.texture.clone().unwrap_or_else(default));
         let inside = own.inside.as_ref().map(|look| self.lower_look(look));
         let opaque = [Some(&outside), inside.as_ref()]

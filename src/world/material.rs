@@ -2,7 +2,7 @@
 
 use crate::color::{Color, Rgb};
 use crate::math::DVec3;
-use crate::texture::{Finish, Pigment, Reflection, Texture};
+use crate::texture::{Finish, Paint, Pigment, Reflection, Texture};
 use serde::Serialize;
 
 /// A lowered texture.
@@ -20,7 +20,9 @@ pub struct Material {
 #[derive(Clone, Debug, Serialize)]
 pub struct Layer {
     /// Its colour.
-    pub pigment: Pigment,
+    pub ink: Ink,
+    /// Its colour where quality is low (`quick_color`).
+    pub quick: Option<Color>,
     /// Light without a lamp: `ambient` times the scene's `ambient_light`, and `emission`.
     pub glow: Rgb,
     /// Scattered on the side of the lamp.
@@ -38,9 +40,19 @@ pub struct Layer {
     /// Grain of the diffuse light.
     pub crand: f64,
     /// What it mirrors, if anything.
-    pub mirror: Option<Reflection>,
+    pub mirror: Option<Box<Reflection>>,
     /// Takes from the light that passes what the mirror gives.
     pub conserve_energy: bool,
+}
+
+/// What gives a layer its colour. Most layers have but one.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Ink {
+    /// The same everywhere.
+    Solid(Color),
+    /// Another one at each point.
+    Pattern(Box<Pigment>),
 }
 
 /// strength · cosⁿ
@@ -58,8 +70,8 @@ impl Material {
         let lower = |l: &crate::texture::Layer| Layer::new(&l.pigment, &l.finish, ambient_light);
         let layers: Box<[Layer]> = texture.layers.iter().rev().map(lower).collect();
         // One layer that lets nothing pass is enough.
-        let opaque = layers.iter().any(|l| l.pigment.is_opaque());
-        let solid = layers.iter().all(|l| l.pigment.is_solid());
+        let opaque = texture.layers.iter().any(|l| l.pigment.is_opaque());
+        let solid = layers.iter().all(|l| matches!(l.ink, Ink::Solid(_)));
         Self { layers, opaque, solid }
     }
 }
@@ -73,7 +85,11 @@ impl Layer {
         let n = 1.0 / f.roughness;
         let specular = albedo(f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - (-n / 2.0).exp2())));
         Self {
-            pigment: pigment.clone(),
+            ink: match pigment.paint {
+                Paint::Solid(color) => Ink::Solid(color),
+                _ => Ink::Pattern(Box::new(pigment.clone())),
+            },
+            quick: pigment.quick_color,
             glow: f.ambient * ambient_light + f.emission,
             diffuse: f.diffuse * diffuse,
             diffuse_back: f.diffuse_back * diffuse,
@@ -82,16 +98,17 @@ impl Layer {
             specular: Lobe { strength: f.specular * specular, exponent: n },
             metallic: f.metallic,
             crand: f.crand,
-            mirror: (!f.reflection.is_none()).then(|| f.reflection.clone()),
+            mirror: (!f.reflection.is_none()).then(|| Box::new(f.reflection.clone())),
             conserve_energy: f.conserve_energy,
         }
     }
 
     /// Its colour at a point of the texture's space; `quick` as the lower qualities show it: nothing is see-through.
     pub fn color(&self, p: DVec3, quick: bool) -> Color {
-        if quick {
-            return Color::opaque(self.pigment.quick_color.unwrap_or_else(|| self.pigment.at(p)).rgb);
-        }
-        self.pigment.at(p)
+        let real = || match &self.ink {
+            Ink::Solid(color) => *color,
+            Ink::Pattern(pigment) => pigment.at(p),
+        };
+        if quick { Color::opaque(self.quick.unwrap_or_else(real).rgb) } else { real() }
     }
 }

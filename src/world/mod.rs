@@ -11,13 +11,13 @@ mod node;
 pub use geometry::Geometry;
 pub use leaf::{Found, FoundList, Leaf, Surface};
 pub use lower::lower;
-pub use material::{Layer, Lobe, Material};
+pub use material::{Ink, Layer, Lobe, Material};
 pub use node::{Node, NodeKind};
 
 use crate::camera::Camera;
+use crate::color::Gamma;
 use crate::color::{Color, Rgb};
 use crate::math::{DVec3, Transform};
-use crate::scene::Gamma;
 use crate::source::Span;
 use serde::Serialize;
 
