@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Must each code have a case? To be switched on when all layers tell their errors.
-const EVERY_CODE: bool = false;
+const EVERY_CODE: bool = true;
 
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");

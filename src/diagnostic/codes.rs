@@ -152,10 +152,6 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
 "POV-Ray's default camera is used: at the origin, looking along z."
     ZERO_SCALE "W0207" "a scale of 0"
 "It would flatten the object; POV-Ray uses 1 for that axis instead, and so does durer."
-    FOLLOWS "E0998" "follows from an error that was told before"
-"Never shown."
-    ENDS_RUN "E0999" "ends the run after an error that was told before"
-"Never shown."
     NO_DIRECTION "E0300" "a plane has no direction"
 "The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
 vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."
@@ -183,6 +179,11 @@ for you."
 "A `polygon` is flat: all its points lie in one plane, to 1e-10, and not all on one line. One that is not is left out, as
 POV-Ray does. Split it into triangles."
 }
+
+/// Follows from an error that was told before; never shown.
+pub const FOLLOWS: Code = Code("E0998");
+/// Ends the run after an error that was told before; never shown.
+pub const ENDS_RUN: Code = Code("E0999");
 
 /// The explanation of a code as the user typed it, in any letter case.
 pub fn find(code: &str) -> Option<&'static Explanation> {

@@ -46,7 +46,11 @@ impl Report {
     fn new(d: &Diagnostic, sources: &Sources) -> Self {
         let kind = if d.severity == Severity::Error { "error" } else { "warning" };
         let file = sources.locate(d.span()).map(|(id, _)| id);
-        let local = |span: Span| sources.locate(span).filter(|(id, _)| Some(*id) == file).map(|(_, range)| range);
+        let lines = file.map(|id| Lines::new(sources, id, d));
+        let local = |span: Span| {
+            let (id, range) = sources.locate(span).filter(|(id, _)| Some(*id) == file)?;
+            lines.as_ref().map(|lines| lines.shown(shortened(sources.text(id), range)))
+        };
         let label = |(i, l): (usize, &Label)| {
             let range = local(l.span)?;
             let text = (!l.text.is_empty()).then(|| l.text.clone());
@@ -57,12 +61,13 @@ impl Report {
                 LabeledSpan::new_with_span(text, (at, len))
             })
         };
+        let labels = d.labels.iter().enumerate().filter_map(label).collect();
         Self {
             head: format!("{kind}[{}]: {}", d.code, d.message),
             severity: d.severity,
             help: d.help.clone(),
-            source: file.map(|id| Lines::new(sources, id, d)),
-            labels: d.labels.iter().enumerate().filter_map(label).collect(),
+            source: lines,
+            labels,
         }
     }
 }
@@ -97,13 +102,22 @@ impl miette::Diagnostic for Report {
 #[derive(Debug)]
 struct Lines {
     name: String,
-    /// From the first to the last line that a label touches.
+    /// From the first to the last line that a label touches; of a very long line, what is around the label.
     text: String,
     /// Local offset of `text`.
     start: usize,
     /// Number of its first line, from 0.
     line: usize,
+    /// Characters of the first line that are left out before `text`.
+    column: usize,
 }
+
+/// Longer lines are cut to what is around the label.
+const MAX_LINE: usize = 300;
+/// So much of a cut line is shown before the label.
+const BEFORE: usize = 60;
+/// A label that runs over more lines is drawn on its first one alone.
+const MAX_LINES: usize = 8;
 
 impl Lines {
     fn new(sources: &Sources, file: FileId, d: &Diagnostic) -> Self {
@@ -113,17 +127,49 @@ impl Lines {
             .iter()
             .filter_map(|l| sources.locate(l.span))
             .filter(|(id, _)| *id == file)
-            .map(|(_, r)| r)
+            .map(|(_, range)| shortened(text, range))
             .collect();
         let first = ranges.iter().map(|r| r.start).min().unwrap_or(0);
         let last = ranges.iter().map(|r| r.end).max().unwrap_or(0);
-        let ends = ['\n', '\r'];
-        let start = text[..first].rfind(ends).map_or(0, |i| i + 1);
-        let end = text[last..].find(ends).map_or(text.len(), |i| last + i);
-        let base = sources.base(file);
-        let line = sources.place(Span::new(base + start, base + start)).map_or(1, |p| p.line) - 1;
-        Self { name: sources.name(file).into(), text: text[start..end].into(), start, line }
+        let line_start = text[..first].rfind(LINE_ENDS).map_or(0, |i| i + 1);
+        let line_end = text[last..].find(LINE_ENDS).map_or(text.len(), |i| last + i);
+        let (mut start, mut end) = (line_start, line_end);
+        if line_end - line_start > MAX_LINE * (1 + text[line_start..line_end].matches('\n').count()) {
+            // The first label is the fault's own.
+            let at = ranges.first().map_or(first, |r| r.start);
+            start = boundary(text, at.saturating_sub(BEFORE).max(line_start));
+            end = boundary(text, (start + MAX_LINE).min(line_end));
+        }
+        let line_span = |at: usize| Span::new(sources.base(file) + at, sources.base(file) + at);
+        let place = sources.place(line_span(start));
+        let (line, column) = place.map_or((0, 0), |p| (p.line - 1, p.column - 1));
+        Self { name: sources.name(file).into(), text: text[start..end].into(), start, line, column }
     }
+
+    /// The part of a range that is shown.
+    fn shown(&self, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
+        let (low, high) = (self.start, self.start + self.text.len());
+        range.start.clamp(low, high)..range.end.clamp(low, high)
+    }
+}
+
+const LINE_ENDS: [char; 2] = ['\n', '\r'];
+
+/// The range, or its first line if it has too many.
+fn shortened(text: &str, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
+    let covered = &text[range.clone()];
+    match covered.match_indices(LINE_ENDS).nth(MAX_LINES) {
+        Some(_) => range.start..range.start + covered.find(LINE_ENDS).unwrap_or(covered.len()),
+        None => range,
+    }
+}
+
+/// The nearest start of a character at or before an offset.
+fn boundary(text: &str, mut at: usize) -> usize {
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
 }
 
 impl SourceCode for Lines {
@@ -147,7 +193,8 @@ impl SourceCode for Lines {
         let place = SourceSpan::from((self.start + from, to - from));
         let count = self.text[from..to].matches('\n').count() + 1;
         // Without context it is asked where the span starts; with it, for the lines around the span.
-        let column = if before == 0 { self.text[from..lo].chars().count() } else { 0 };
+        let left_out = if from == 0 { self.column } else { 0 };
+        let column = if before == 0 { left_out + self.text[from..lo].chars().count() } else { 0 };
         let line = self.line + lines_before;
         let contents = MietteSpanContents::new_named(self.name.clone(), data, place, line, column, count);
         Ok(Box::new(contents))

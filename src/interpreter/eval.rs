@@ -139,7 +139,13 @@ impl<'a> Interpreter<'a> {
             return d.help(hint).into();
         }
         let declared: Vec<&str> = self.scopes.names().map(|s| self.names.text(s)).collect();
+        if let Some(include) = super::hints::include_of(name) {
+            return d.help(format!("`#include \"{include}\"` declares it")).into();
+        }
         let words = word::KEYWORDS.iter().chain(word::CONSTANTS).chain(word::FUNCTIONS).copied();
+        // Words of the language are in small letters: a name with a capital is a slip of one only if nothing else differs.
+        let capital = name.starts_with(char::is_uppercase);
+        let words = words.filter(|w| !capital || w.eq_ignore_ascii_case(name));
         let near = did_you_mean(name, declared.into_iter().chain(words));
         d.help(near.unwrap_or_else(|| format!("`#declare {name} = …;` gives it a value; is an `#include` missing?")))
             .into()

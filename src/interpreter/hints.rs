@@ -27,3 +27,45 @@ pub(super) fn other_tools(word: &str) -> Option<&'static str> {
         _ => return None,
     })
 }
+
+/// The standard include file that declares a name (manual, "Include files"), for the names that are forgotten most.
+pub(super) fn include_of(name: &str) -> Option<&'static str> {
+    INCLUDES.iter().find(|(_, names)| names.contains(&name)).map(|(file, _)| *file)
+}
+
+const INCLUDES: &[(&str, &[&str])] = &[
+    (
+        "colors.inc",
+        &[
+            "Red",
+            "Green",
+            "Blue",
+            "Yellow",
+            "Cyan",
+            "Magenta",
+            "Clear",
+            "White",
+            "Black",
+            "Gray25",
+            "Gray50",
+            "Gray75",
+            "Orange",
+            "Brown",
+            "Pink",
+            "Violet",
+            "Gold",
+            "Silver",
+            "SkyBlue",
+            "Navy",
+            "NavyBlue",
+            "ForestGreen",
+        ],
+    ),
+    ("textures.inc", &["Glass", "Glass3", "Chrome_Metal", "Chrome_Texture", "Cork", "Jade", "DMFWood1", "DMFWood4"]),
+    ("woods.inc", &["T_Wood1", "T_Wood2", "T_Wood3", "T_Wood10"]),
+    ("stones.inc", &["T_Stone1", "T_Stone2", "T_Stone10", "T_Grnt1"]),
+    ("metals.inc", &["T_Brass_1A", "T_Chrome_1A", "T_Copper_1A", "T_Silver_1A"]),
+    ("golds.inc", &["T_Gold_1A", "T_Gold_1B"]),
+    ("skies.inc", &["S_Cloud1", "S_Cloud2"]),
+    ("finish.inc", &["Dull", "Shiny", "Phong_Shiny", "Luminous", "Mirror", "Glossy", "Metal"]),
+];

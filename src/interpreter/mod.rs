@@ -86,8 +86,8 @@ pub(crate) struct Interpreter<'a> {
     peeked: Option<Token<'a>>,
     /// How many frames there were when the declaration that is being read began.
     floor: usize,
-    /// The words of the blocks around here, innermost last.
-    blocks: Vec<&'static str>,
+    /// The words of the blocks around here and their places, innermost last.
+    blocks: Vec<(&'static str, Span)>,
     depth: usize,
     steps: u64,
     started: Instant,
@@ -240,7 +240,7 @@ impl<'a> Interpreter<'a> {
     ) -> Result<T> {
         let depth = self.frames.len();
         self.push_frame(elements, FrameKind::Enclosed, span);
-        self.blocks.extend(block);
+        self.blocks.extend(block.map(|word| (word, span)));
         let result = read(self).map_err(|fault| Box::new(self.with_trace(*fault)));
         if block.is_some() {
             self.blocks.pop();

@@ -90,7 +90,7 @@ impl<'a> Interpreter<'a> {
             Ok(Token::Group(_)) => "`{`".to_string(),
             Ok(Token::Function) => "a function".to_string(),
             Ok(Token::End) => match self.blocks.last() {
-                Some(block) => format!("the end of `{block} {{…}}`"),
+                Some((block, _)) => format!("the end of `{block} {{…}}`"),
                 None => "the end".to_string(),
             },
         };
@@ -99,6 +99,16 @@ impl<'a> Interpreter<'a> {
 
     fn expected(&self, span: Span, expected: &str, found: &str) -> Diagnostic {
         Diagnostic::new(codes::EXPECTED, span, format!("expected {expected}, found {found}"))
+    }
+
+    /// Must a value come next? Says which one is missing.
+    fn at_value(&mut self, wanted: &str) -> Result<()> {
+        match self.peek()? {
+            Token::End | Token::Block(_) | Token::Entry(_) | Token::Group(_) => {
+                Err(self.unexpected_token(wanted).into())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// What a name in word position is: a thing, a value, or nothing.
@@ -271,11 +281,11 @@ impl Reader for Interpreter<'_> {
         self.advance();
         match token {
             Token::Block(block) => {
-                self.blocks.extend(block.name.word);
+                self.blocks.extend(block.name.word.map(|word| (word, block.name.span)));
                 self.push_frame(&block.body, FrameKind::Enclosed, span);
                 return Ok(block.name.span);
             }
-            Token::Open(name) => self.blocks.extend(name.word),
+            Token::Open(name) => self.blocks.extend(name.word.map(|word| (word, name.span))),
             Token::Entry(elements) | Token::Group(elements) => self.push_frame(elements, FrameKind::Enclosed, span),
             _ => {}
         }
@@ -296,9 +306,10 @@ impl Reader for Interpreter<'_> {
         }
         let is_block = self.frames.last().is_some_and(|f| self.is_block(f.span));
         if self.frames.len() <= 1 {
-            let block = self.blocks.last().copied().unwrap_or("block");
+            let (block, opened) = self.blocks.last().copied().unwrap_or(("block", Span::NONE));
             let message = format!("this `{block} {{` has no end");
-            return Diagnostic::err(codes::UNCLOSED_BLOCK, self.here(), message);
+            let help = "its `}` must come in the same file, or from the macro that opens it";
+            return Diagnostic::new(codes::UNCLOSED_BLOCK, opened, message).help(help).into();
         }
         self.pop_frame();
         if is_block {
@@ -322,6 +333,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn float(&mut self) -> Result<f64> {
+        self.at_value("a number")?;
         let (value, span) = self.value_here()?;
         let x = as_float(&value, span)?;
         if x.is_finite() { Ok(x) } else { Diagnostic::err(codes::NOT_FINITE, span, format!("this number is {x}")) }
@@ -332,6 +344,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn vector(&mut self) -> Result<DVec3> {
+        self.at_value("a vector")?;
         let (value, span) = self.value_here()?;
         self.as_vector(&value, span)
     }

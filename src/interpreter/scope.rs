@@ -18,6 +18,9 @@ pub(super) enum Slot<'a> {
     Faulty(Rc<Vec<Diagnostic>>),
 }
 
+/// Aliases of aliases that are followed.
+const MAX_ALIASES: usize = 100;
+
 struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
@@ -58,14 +61,36 @@ impl<'a> Scopes<'a> {
         &mut self.bindings[index]
     }
 
-    /// The place of the innermost binding, aliases followed.
+    /// The place of the innermost binding, aliases followed; `None` too where an `#undef` has taken what an alias stood for.
     pub(super) fn resolve(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
         let (mut symbol, mut depth) = (symbol, depth);
-        while let Slot::Alias(to, at) = self.bindings[symbol.0 as usize][depth].slot {
-            (symbol, depth) = (to, at);
+        // An alias is made of a resolved place. Only what came there after an `#undef` can be another alias.
+        for _ in 0..MAX_ALIASES {
+            match self.bindings[symbol.0 as usize].get(depth)?.slot {
+                Slot::Alias(to, at) => (symbol, depth) = (to, at),
+                _ => return Some((symbol, depth)),
+            }
         }
-        Some((symbol, depth))
+        None
+    }
+
+    /// A parameter of the call whose level has just been entered. Of two with one name the last counts.
+    pub(super) fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
+        let level = self.level();
+        match self.stack(symbol).last_mut() {
+            Some(binding) if binding.level == level => binding.slot = slot,
+            _ => self.push(symbol, level, slot, vec![]),
+        }
+    }
+
+    fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        self.stack(symbol).push(Binding { level, slot, pending: pending.into() });
+        if level > 0
+            && let Some(names) = self.levels.last_mut()
+        {
+            names.push(symbol);
+        }
     }
 
     pub(super) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
@@ -83,30 +108,23 @@ impl<'a> Scopes<'a> {
     /// `#local`, and the parameters of a call: binds at the innermost level.
     pub(super) fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let level = self.level();
-        self.set_at(symbol, level, slot, pending);
+        if self.stack(symbol).last().is_none_or(|b| b.level != level) {
+            return self.push(symbol, level, slot, pending);
+        }
+        let own = self.stack(symbol).len() - 1;
+        // What a parameter stood for may be gone: then it stands for itself from now on.
+        let (symbol, depth) = self.resolve(symbol).unwrap_or((symbol, own));
+        self.replace(symbol, depth, slot, pending);
     }
 
     /// `#declare`: changes the innermost binding, or makes a global one.
     pub(super) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match self.resolve(symbol) {
             Some((symbol, depth)) => self.replace(symbol, depth, slot, pending),
-            None => self.set_at(symbol, 0, slot, pending),
-        }
-    }
-
-    fn set_at(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        let top = self.stack(symbol).last();
-        if top.is_some_and(|b| b.level == level) {
-            if let Some((symbol, depth)) = self.resolve(symbol) {
-                self.replace(symbol, depth, slot, pending);
-            }
-            return;
-        }
-        self.stack(symbol).push(Binding { level, slot, pending: pending.into() });
-        if level > 0
-            && let Some(names) = self.levels.last_mut()
-        {
-            names.push(symbol);
+            None => match self.stack(symbol).len() {
+                0 => self.push(symbol, 0, slot, pending),
+                n => self.replace(symbol, n - 1, slot, pending),
+            },
         }
     }
 

@@ -1,7 +1,7 @@
 //! Statements at the outermost level: objects, lights, cameras, settings.
 
 use super::stream::Token;
-use super::{Interpreter, compat};
+use super::{Interpreter, compat, hints};
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::scene::{Object, is_object};
@@ -79,7 +79,7 @@ impl Interpreter<'_> {
             return self.skip_unsupported(word);
         }
         if !matches!(word, "camera" | "background" | "global_settings" | "default") {
-            return Err(self.unknown_word("scene", STATEMENTS).into());
+            return Err(self.stray_block(word).into());
         }
         let at = self.take()?;
         match word {
@@ -108,6 +108,19 @@ impl Interpreter<'_> {
         Ok(())
     }
 
+    /// A block that does not stand by itself.
+    fn stray_block(&mut self, word: &'static str) -> Diagnostic {
+        let span = match self.peek() {
+            Ok(Token::Block(block)) => block.name.span,
+            _ => self.here(),
+        };
+        let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` can't stand by itself"));
+        match hints::other_tools(word) {
+            Some(hint) => d.help(hint),
+            None => d.help(format!("it belongs inside another block, or behind `#declare Name = {word} {{…}}`")),
+        }
+    }
+
     /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.
     fn stray_value(&mut self) -> Diagnostic {
         if let Ok(Token::Expr(e)) = self.peek() {
@@ -125,7 +138,7 @@ impl Interpreter<'_> {
         self.scene.version = self.language.version;
         let version = self.version_stated.then_some(self.language.version);
         self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
-        if !self.camera_stated {
+        if !self.camera_stated && self.error_count() == 0 {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
             self.report_fault(
                 Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)

@@ -6,7 +6,7 @@ pub fn unit(key: &[u64]) -> f64 {
     (mix(folded(key)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// The numbers that [`unit`] gives for a key followed by 1, 2, 3 …
+/// The numbers that [`unit()`] gives for a key followed by 1, 2, 3 …
 #[derive(Clone, Copy, Debug)]
 pub struct Stream {
     folded: u64,

@@ -27,7 +27,7 @@ pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::{Reader, Spec};
@@ -137,10 +137,19 @@ macro_rules! shapes {
 
         /// Reads the positional arguments of the shape of this name; `None` if there is no such shape.
         pub fn read(name: &str, r: &mut dyn Reader) -> Option<Result<Shape>> {
-            $(if name == $name::SPEC.name { return Some($name::read(r).map(Shape::$name)); })*
+            $(if name == $name::SPEC.name { return Some($name::read(r).map(Shape::$name).map_err(|e| with_usage(e, &$name::SPEC))); })*
             None
         }
     };
+}
+
+/// A missing argument: says how the block is written.
+fn with_usage(mut fault: Fault, spec: &Spec) -> Fault {
+    if fault.code == codes::EXPECTED && fault.help.is_none() {
+        let names: Vec<&str> = spec.params.iter().map(|p| p.name).collect();
+        fault.help = Some(format!("it is written `{} {{ {} … }}`", spec.name, names.join(", ")));
+    }
+    fault
 }
 
 /// How a shape is read.

@@ -301,12 +301,14 @@ impl Lexer<'_> {
                 return false;
             };
             let star = at + step;
+            // A `/` that already closed a comment does not open another.
+            let opens = star > at && self.bytes[star - 1] == b'/';
             at = star + 1;
-            if self.bytes.get(at) == Some(&b'/') {
+            if opens {
+                depth += 1;
+            } else if self.bytes.get(at) == Some(&b'/') {
                 depth -= 1;
                 at += 1;
-            } else if star > start + 2 && self.bytes[star - 1] == b'/' {
-                depth += 1;
             }
         }
         self.at = at;

@@ -12,6 +12,9 @@ use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::value::Value;
 
+/// The longest string.
+const MAX_TEXT: usize = 16_000_000;
+
 /// A function of values: its name, how many arguments it takes, and what computes it.
 pub(super) struct Builtin {
     name: &'static str,
@@ -77,14 +80,22 @@ impl<'a> Interpreter<'a> {
                 high if low == high => low.to_string(),
                 high => format!("{low} to {high}"),
             };
-            let message = format!("`{name}` takes {takes} arguments, {} are given", arguments.len());
+            let plural = if takes == "1" { "" } else { "s" };
+            let message = format!("`{name}` takes {takes} argument{plural}, found {}", arguments.len());
             return Diagnostic::err(codes::WRONG_COUNT, span, message);
         }
         let mut values = Vec::with_capacity(arguments.len());
         for argument in arguments {
             values.push((self.eval(argument)?, argument.span));
         }
-        (function.run)(&Arguments { values })
+        let value = (function.run)(&Arguments { values })?;
+        match &value {
+            Value::Text(text) if text.len() > MAX_TEXT => {
+                let message = format!("this string is longer than {} million bytes", MAX_TEXT / 1_000_000);
+                self.limit(codes::MEMORY_LIMIT, span, message, "does a loop make it longer and longer?")
+            }
+            _ => Ok(value),
+        }
     }
 
     /// Functions that look at more than values.

@@ -5,6 +5,7 @@ use crate::interpreter::Interpreter;
 use crate::interpreter::scope::Slot;
 use crate::source::Span;
 use crate::syntax::ast::{Declare, Element, Expr, ExprKind};
+use crate::value::Value;
 use std::rc::Rc;
 
 impl<'a> Interpreter<'a> {
@@ -40,7 +41,9 @@ impl<'a> Interpreter<'a> {
                 Slot::Faulty(Rc::new(faults))
             }
         };
-        let pending = self.diagnostics.split_off(mark.min(self.diagnostics.len()));
+        // Warnings about a thing wait until it is used; those about a number are told here.
+        let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
+        let pending = if waits { self.diagnostics.split_off(mark.min(self.diagnostics.len())) } else { vec![] };
         if declare.local {
             self.scopes.set_local(target.symbol, slot, pending);
         } else {

@@ -1,10 +1,10 @@
 //! `#include "name"`.
 
-use crate::diagnostic::{Diagnostic, Result, codes, nearest};
+use crate::diagnostic::{Diagnostic, Result, codes, file, nearest};
 use crate::interpreter::Interpreter;
 use crate::interpreter::limits::MAX_INCLUDES;
 use crate::interpreter::stream::FrameKind;
-use crate::source::{FileId, Span, decode_text};
+use crate::source::{FileId, Span, read_text};
 use crate::syntax::ast::{Ast, Expr};
 use crate::syntax::parse;
 use std::path::{Path, PathBuf};
@@ -35,14 +35,11 @@ impl<'a> Interpreter<'a> {
         if let Some(&ast) = self.parsed.get(path) {
             return Ok(ast);
         }
-        let bytes = std::fs::read(path).map_err(|e| {
-            Box::new(Diagnostic::new(
-                codes::UNREADABLE_INCLUDE,
-                span,
-                format!("`{}` can't be read: {e}", path.display()),
-            ))
+        let text = read_text(path).map_err(|e| {
+            let message = file::unreadable(path, &e).message;
+            Box::new(Diagnostic::new(codes::UNREADABLE_INCLUDE, span, message))
         })?;
-        let Some(file) = self.sources.add(name, Some(path), decode_text(bytes)) else {
+        let Some(file) = self.sources.add(name, Some(path), text) else {
             return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
         };
         let ast = self.parse_file(file)?;

@@ -35,7 +35,7 @@ impl<'a> Interpreter<'a> {
         self.scopes.enter();
         for ((parameter, _), slot) in definition.parameters.iter().zip(slots) {
             if let Some(slot) = slot {
-                self.scopes.set_local(*parameter, slot, vec![]);
+                self.scopes.bind_parameter(*parameter, slot);
             }
         }
         self.depth += 1;
@@ -57,7 +57,7 @@ impl<'a> Interpreter<'a> {
                 return Diagnostic::new(
                     codes::WRONG_COUNT,
                     span,
-                    format!("macro `{name}` takes {wanted} arguments, but only {} are given", slots.len()),
+                    format!("macro `{name}` takes {}, but only {} given", counted(wanted), are(slots.len())),
                 )
                 .also(definition.span, "defined here")
                 .help(format!("the argument for `{parameter}` is missing"))
@@ -66,7 +66,7 @@ impl<'a> Interpreter<'a> {
             slots.push(Some(self.argument()?));
         }
         if !matches!(self.peek()?, Token::End) {
-            let message = format!("macro `{name}` takes {wanted} arguments, but more are given");
+            let message = format!("macro `{name}` takes {}, but more are given", counted(wanted));
             return Diagnostic::new(codes::WRONG_COUNT, self.here(), message)
                 .also(definition.span, "defined here")
                 .into();
@@ -84,4 +84,12 @@ impl<'a> Interpreter<'a> {
         }
         self.rvalue()
     }
+}
+
+fn counted(n: usize) -> String {
+    if n == 1 { "one argument".into() } else { format!("{n} arguments") }
+}
+
+fn are(n: usize) -> String {
+    if n == 1 { "one is".into() } else { format!("{n} are") }
 }

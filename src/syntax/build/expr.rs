@@ -33,11 +33,18 @@ impl Builder<'_> {
         let span = self.span(&pair);
         let mut prefixes = vec![];
         let mut value = None;
-        for part in pair.into_inner() {
+        let mut parts = pair.into_inner().peekable();
+        while let Some(part) = parts.next() {
             match (part.as_rule(), value.take()) {
                 (Rule::prefix, _) => prefixes.push(self.token(&part)),
                 (Rule::dot, Some(base)) => value = Some(self.dot(base, part)),
-                (Rule::index, Some(base)) => value = Some(self.index(base, part)),
+                (Rule::index, Some(base)) => {
+                    let mut all = vec![part];
+                    while let Some(next) = parts.next_if(|p| p.as_rule() == Rule::index) {
+                        all.push(next);
+                    }
+                    value = Some(self.index(base, all));
+                }
                 (_, _) => value = Some(self.primary(part)),
             }
         }
@@ -84,16 +91,11 @@ impl Builder<'_> {
         Expr { span, kind: ExprKind::Dot(Box::new(base), name, self.names.intern(text)) }
     }
 
-    fn index(&self, base: Expr, pair: Pair<Rule>) -> Expr {
-        let span = base.span.to(self.span(&pair));
-        let index = pair.into_inner().map(|p| self.chain(p));
-        let kind = match base.kind {
-            ExprKind::Index(array, indices) => {
-                ExprKind::Index(array, indices.into_vec().into_iter().chain(index).collect())
-            }
-            kind => ExprKind::Index(Box::new(Expr { span: base.span, kind }), index.collect()),
-        };
-        Expr { span, kind }
+    /// `[i]` after an array or after another index.
+    fn index(&self, array: Expr, pairs: Vec<Pair<Rule>>) -> Expr {
+        let span = pairs.last().map_or(array.span, |last| array.span.to(self.span(last)));
+        let indices = pairs.into_iter().flat_map(Pair::into_inner).map(|p| self.chain(p)).collect();
+        Expr { span, kind: ExprKind::Index(Box::new(array), indices) }
     }
 
     fn primary(&self, pair: Pair<Rule>) -> Expr {
