@@ -16,10 +16,14 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Sections in which durer is known to differ from POV-Ray, or in which a message could be better: a list to work off.
+const DIFFERS: &str = include_str!("lang/differs.txt");
+
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lang");
     let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
-    let mut files: Vec<PathBuf> = entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "scene")).collect();
+    let mut files: Vec<PathBuf> =
+        entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "scene")).collect();
     files.sort();
     let trials = files.iter().flat_map(|path| trials(path)).collect();
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
@@ -40,7 +44,13 @@ fn trials(path: &Path) -> Vec<Trial> {
     let trial = |(start, end): (usize, usize)| {
         let title = file.lines[start].0.trim_start_matches("//---").trim();
         let (file, preamble) = (file.clone(), starts[0]);
-        Trial::test(format!("{name}::{title}"), move || file.run(preamble, start..end))
+        let full = format!("{name}::{title}");
+        let known = DIFFERS.lines().any(|line| line == full);
+        Trial::test(full, move || match (file.run(preamble, start..end), known) {
+            (Ok(()), true) => Err("this is fine now: take it off tests/lang/differs.txt".into()),
+            (Err(_), true) => Ok(()),
+            (result, false) => result,
+        })
     };
     sections.map(trial).collect()
 }
@@ -70,14 +80,19 @@ impl TestFile {
     fn run(&self, preamble: usize, section: std::ops::Range<usize>) -> Result<(), Failed> {
         let kept = |i: usize| i < preamble || section.contains(&i);
         // The other lines are blank, so that places stay.
-        let text: String =
-            self.lines.iter().enumerate().map(|(i, (line, end))| if kept(i) { line.clone() + end } else { end.clone() }).collect();
+        let text: String = self
+            .lines
+            .iter()
+            .enumerate()
+            .map(|(i, (line, end))| if kept(i) { line.clone() + end } else { end.clone() })
+            .collect();
         let (printed, told) = run(&self.path, &self.name, text);
         let mut expected_lines = vec![];
         let mut expected_faults = vec![];
         for i in section {
             let (line, _) = &self.lines[i];
-            expected_lines.extend(line.split_once("//=").map(|(_, text)| text.strip_prefix(' ').unwrap_or(text).to_string()));
+            expected_lines
+                .extend(line.split_once("//=").map(|(_, text)| text.strip_prefix(' ').unwrap_or(text).to_string()));
             let fault = line.split_once("//!").map(|(_, text)| text.trim());
             expected_faults.extend(fault.into_iter().flat_map(|t| t.split(';')).map(|fault| whole_place(fault, i + 1)));
         }

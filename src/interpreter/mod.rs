@@ -180,7 +180,8 @@ impl<'a> Interpreter<'a> {
     fn outcome(mut self) -> Outcome {
         let unused: Vec<Diagnostic> = self.scopes.unused_faults().cloned().collect();
         for mut fault in unused {
-            if !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS) {
+            let told = |d: &Diagnostic| d.code == fault.code && d.span() == fault.span() && d.message == fault.message;
+            if !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS) && !self.diagnostics.iter().any(told) {
                 fault.severity = Severity::Warning;
                 self.diagnostics.push(fault);
             }
@@ -217,7 +218,7 @@ impl<'a> Interpreter<'a> {
     /// The macro calls and includes around here, innermost first; of a deep recursion both ends.
     fn trace(&self) -> Vec<Label> {
         let label = |frame: &Frame| match frame.kind {
-            FrameKind::Macro(name) => {
+            FrameKind::Macro(name) | FrameKind::Call(name) => {
                 Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.names.text(name)) })
             }
             FrameKind::Include => Some(Label { span: frame.span, text: "included".into() }),
