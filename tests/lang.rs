@@ -19,7 +19,8 @@ use std::sync::Arc;
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lang");
     let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
-    let mut files: Vec<PathBuf> = entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "scene")).collect();
+    let mut files: Vec<PathBuf> =
+        entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "scene")).collect();
     files.sort();
     let trials = files.iter().flat_map(|path| trials(path)).collect();
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
@@ -70,14 +71,19 @@ impl TestFile {
     fn run(&self, preamble: usize, section: std::ops::Range<usize>) -> Result<(), Failed> {
         let kept = |i: usize| i < preamble || section.contains(&i);
         // The other lines are blank, so that places stay.
-        let text: String =
-            self.lines.iter().enumerate().map(|(i, (line, end))| if kept(i) { line.clone() + end } else { end.clone() }).collect();
+        let text: String = self
+            .lines
+            .iter()
+            .enumerate()
+            .map(|(i, (line, end))| if kept(i) { line.clone() + end } else { end.clone() })
+            .collect();
         let (printed, told) = run(&self.path, &self.name, text);
         let mut expected_lines = vec![];
         let mut expected_faults = vec![];
         for i in section {
             let (line, _) = &self.lines[i];
-            expected_lines.extend(line.split_once("//=").map(|(_, text)| text.strip_prefix(' ').unwrap_or(text).to_string()));
+            expected_lines
+                .extend(line.split_once("//=").map(|(_, text)| text.strip_prefix(' ').unwrap_or(text).to_string()));
             let fault = line.split_once("//!").map(|(_, text)| text.trim());
             expected_faults.extend(fault.into_iter().flat_map(|t| t.split(';')).map(|fault| whole_place(fault, i + 1)));
         }

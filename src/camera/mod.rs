@@ -119,7 +119,7 @@ impl Camera {
                     let at = r.take()?;
                     lecture.get_or_insert_with(LectureCamera::default).read_word("up", at, r)?;
                 }
-                Next::Word("translate" | "rotate" | "scale" | "matrix")
+                Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
                 | Next::Block("transform")
                 | Next::Thing("transform") => {
                     if let Some(step) = r.transform()? {

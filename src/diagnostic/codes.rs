@@ -121,7 +121,7 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
     UNREADABLE_INCLUDE "E0231" "an included file can't be read"
 "The file exists, but the system refuses to open it, or it is a folder."
     BREAK_OUTSIDE "E0232" "`#break` outside of a loop"
-"It leaves the innermost `#while`, `#for` or `#switch` around it, within the same macro."
+"It leaves the innermost `#while`, `#for` or `#switch` around it or, where a macro's body has none of them, the macro."
     ZERO_STEP "E0233" "a loop that never advances"
 "The step of a `#for` is 0, so that its counter would never reach the last value."
     USER_ERROR "E0234" "the scene's own `#error`"

@@ -13,8 +13,9 @@ use crate::value::{Value, VecN};
 /// Numbers nearer to each other than this are equal to `=`, and nearer to 0 are false (measured on POV-Ray 3.7).
 pub(super) const SMALL: f64 = 1e-10;
 
-/// A value, and before it the left part of a sum that nobody has finished.
-type Parts = (Option<(Value, Operator)>, Value);
+/// A value and, where a bare sum comes out of a macro, the rest of its terms: what is multiplied with it binds to the
+/// first or last of them.
+type Parts = (Value, Vec<(Operator, Value)>);
 
 impl<'a> Interpreter<'a> {
     /// The value of an expression.
@@ -68,7 +69,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Number(x) => Ok(*x),
             ExprKind::Paren(inner) => self.number(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Slot::Value(Value::Float(x))) => Ok(*x),
+                Some(Slot::Value(Value::Float(x))) if self.deprecated.is_empty() => Ok(*x),
                 _ => {
                     let value = self.name_value(*symbol, e.span)?;
                     as_float(&value, e.span)
@@ -100,7 +101,13 @@ impl<'a> Interpreter<'a> {
                 self.first_use(symbol, span);
                 Ok(Value::Thing(thing))
             }
-            Some(Slot::Value(value)) => Ok(value.clone()),
+            Some(Slot::Value(value)) => {
+                let value = value.clone();
+                if !self.deprecated.is_empty() {
+                    self.first_use(symbol, span);
+                }
+                Ok(value)
+            }
             Some(Slot::Faulty(faults)) => {
                 let faults = faults.clone();
                 for fault in faults.iter() {
@@ -155,31 +162,38 @@ impl<'a> Interpreter<'a> {
         self.constant_value(self.names.text(symbol)).is_some()
     }
 
-    /// Operands of one precedence from left to right. A macro whose body is a bare sum is spliced as tokens
-    /// would be: with `#macro F(a) a+1 #end`, `F(2)*3` is 2+1*3.
+    /// Operands of one precedence from left to right.
     fn chain(&mut self, chain: &'a Chain) -> Result<Value> {
+        let span = chain.first.span;
+        let parts = self.chain_parts(chain)?;
+        self.join(parts, span)
+    }
+
+    /// The same with the last operand's sum unfinished. A macro whose body is a bare sum is spliced as tokens would be:
+    /// with `#macro F(a) a+1 #end`, `F(2)*3` is 2+1*3.
+    fn chain_parts(&mut self, chain: &'a Chain) -> Result<Parts> {
         let mut span = chain.first.span;
-        // What was read so far is `waiting`, to which `value` is added or from which it is taken in the end.
-        let (mut waiting, mut value) = self.operand_parts(&chain.first)?;
+        let (mut first, mut rest) = self.operand_parts(&chain.first)?;
         for (op, operand) in &chain.rest {
-            if op.precedence() < Operator::Mul.precedence() {
-                value = self.join((waiting.take(), value), span)?;
-            }
-            let (sum, right) = self.operand_parts(operand)?;
-            match sum {
-                None => value = apply(*op, value, right, span, operand.span, self)?,
-                Some((left, sum_op)) => {
-                    let first = apply(*op, value, left, span, operand.span, self)?;
-                    let first = self.join((waiting.take(), first), span)?;
-                    (waiting, value) = (Some((first, sum_op)), right);
-                }
+            let (head, tail) = self.operand_parts(operand)?;
+            if op.multiplies() {
+                let last = rest.last_mut().map_or(&mut first, |(_, last)| last);
+                let left = std::mem::replace(last, Value::Float(0.0));
+                *last = apply(*op, left, head, span, operand.span, self)?;
+                rest.extend(tail);
+            } else {
+                first = self.join((first, rest), span)?;
+                let (right, after) =
+                    if op.adds() { (head, tail) } else { (self.join((head, tail), operand.span)?, vec![]) };
+                first = apply(*op, first, right, span, operand.span, self)?;
+                rest = after;
             }
             span = span.to(operand.span);
         }
-        self.join((waiting, value), span)
+        Ok((first, rest))
     }
 
-    /// An operand's value; the left part of a sum stands apart if it comes bare out of a macro.
+    /// An operand's value; a sum that comes bare out of a macro stays in parts.
     fn operand_parts(&mut self, e: &'a Expr) -> Result<Parts> {
         match &e.kind {
             ExprKind::Call(name, arguments) if self.is_macro(*name) => {
@@ -191,73 +205,74 @@ impl<'a> Interpreter<'a> {
                 let text = self.names.text(*name);
                 Diagnostic::err(codes::NOT_CALLABLE, e.span, format!("`{text}` is neither a macro nor a function"))
             }
-            ExprKind::Prefix(prefix, inner) => match self.operand_parts(inner)? {
-                (None, value) => Ok((None, apply_prefix(*prefix, value, inner.span)?)),
-                (Some((left, op)), value) => Ok((Some((apply_prefix(*prefix, left, inner.span)?, op)), value)),
-            },
-            _ => Ok((None, self.eval(e)?)),
+            ExprKind::Prefix(prefix, inner) => {
+                let (first, rest) = self.operand_parts(inner)?;
+                Ok((apply_prefix(*prefix, first, inner.span)?, rest))
+            }
+            ExprKind::Chain(chain) if chain.rest.iter().all(|(op, _)| op.multiplies()) => self.chain_parts(chain),
+            _ => Ok((self.eval(e)?, vec![])),
         }
     }
 
     /// Finishes a sum.
-    fn join(&mut self, (left, right): Parts, span: Span) -> Result<Value> {
-        match left {
-            Some((left, op)) => apply(op, left, right, span, span, self),
-            None => Ok(right),
-        }
+    fn join(&mut self, (first, rest): Parts, span: Span) -> Result<Value> {
+        rest.into_iter().try_fold(first, |sum, (op, term)| apply(op, sum, term, span, span, self))
     }
 
     /// Runs the macro's body, whose frame lies on top, up to its end; it must give one value.
     fn macro_result(&mut self, name: Symbol, span: Span) -> Result<Parts> {
-        let depth = self.frames.len();
-        if let Some(frame) = self.frames.last_mut() {
-            // The body's end must stop the reading, not pass over into what follows the call.
-            frame.kind = FrameKind::Enclosed;
+        let (parts, more) = self.macro_body(name, |me| Ok((me.bare_value()?, !matches!(me.peek()?, Token::End))))?;
+        if more {
+            let name = self.names.text(name);
+            let message = format!("macro `{name}` gives more than the one value that is needed here");
+            return Diagnostic::err(codes::WRONG_COUNT, span, message);
         }
-        let result = self.bare_value();
-        let more = match &result {
-            Ok(_) => self.peek().map(|token| !matches!(token, Token::End)),
-            Err(_) => Ok(false),
-        };
-        self.unwind(depth);
-        if let Some(frame) = self.frames.last_mut() {
-            frame.kind = FrameKind::Macro(name);
-        }
-        let trace = if result.is_err() || more.is_err() { self.trace() } else { vec![] };
-        self.pop_frame();
-        match (result, more) {
-            (Ok(_), Ok(true)) => {
-                let name = self.names.text(name);
-                let message = format!("macro `{name}` gives more than the one value that is needed here");
-                Diagnostic::err(codes::WRONG_COUNT, span, message)
-            }
-            (Ok(parts), Ok(false)) => Ok(parts),
-            (Err(mut fault), _) | (_, Err(mut fault)) => {
-                if fault.trace.is_empty() {
-                    fault.trace = trace;
-                }
-                Err(fault)
-            }
-        }
+        Ok(parts)
     }
 
-    /// The next value; a bare sum in two parts.
-    fn bare_value(&mut self) -> Result<Parts> {
-        if let Token::Expr(Expr { kind: ExprKind::Chain(chain), .. }) = self.peek()?
-            && let Some(((op @ (Operator::Add | Operator::Sub), last), before)) = chain.rest.split_last()
-        {
-            let mut span = chain.first.span;
-            self.advance();
-            let mut left = self.eval(&chain.first)?;
-            for (op, operand) in before {
-                let right = self.eval(operand)?;
-                left = apply(*op, left, right, span, operand.span, self)?;
-                span = span.to(operand.span);
+    /// All values that a macro gives.
+    pub(super) fn macro_values(&mut self, name: Symbol, arguments: &'a [Element], span: Span) -> Result<Vec<Value>> {
+        self.call_macro(name, arguments, span)?;
+        self.macro_body(name, |me| {
+            let mut values = vec![];
+            while values.is_empty() || !matches!(me.peek()?, Token::End) {
+                values.push(me.value_here()?.0);
             }
-            let right = self.eval(last)?;
-            return Ok((Some((left, *op)), right));
+            Ok(values)
+        })
+    }
+
+    /// Reads the body of the macro whose frame lies on top, whose end must stop the reading, not pass over into what
+    /// follows the call.
+    fn macro_body<T>(&mut self, name: Symbol, read: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+        let depth = self.frames.len();
+        if let Some(frame) = self.frames.last_mut() {
+            frame.kind = FrameKind::Call(name);
         }
-        Ok((None, self.value_here()?.0))
+        let result = read(self).map_err(|fault| Box::new(self.with_trace(*fault)));
+        self.unwind(depth - 1);
+        result
+    }
+
+    /// The next value; a bare sum in its parts.
+    fn bare_value(&mut self) -> Result<Parts> {
+        match self.peek()? {
+            Token::Expr(Expr { kind: ExprKind::Chain(chain), .. }) if chain.rest.iter().all(|(op, _)| op.adds()) => {
+                self.advance();
+                let (first, mut rest) = self.operand_parts(&chain.first)?;
+                for (op, operand) in &chain.rest {
+                    let (head, tail) = self.operand_parts(operand)?;
+                    rest.push((*op, head));
+                    rest.extend(tail);
+                }
+                Ok((first, rest))
+            }
+            Token::Expr(e @ Expr { kind: ExprKind::Chain(_) | ExprKind::Prefix(..), .. }) => {
+                self.advance();
+                self.operand_parts(e)
+            }
+            _ => Ok((self.value_here()?.0, vec![])),
+        }
     }
 
     /// Directives that give one value.
@@ -289,7 +304,11 @@ impl<'a> Interpreter<'a> {
 
     fn is_plain(&self, part: &Element) -> bool {
         match &part.kind {
-            ElementKind::Expr(e) => !matches!(&e.kind, ExprKind::Call(name, _) if self.is_macro(*name)),
+            ElementKind::Expr(e) => match &e.kind {
+                ExprKind::Call(name, _) => !self.is_macro(*name),
+                ExprKind::Spliced(_) => false,
+                _ => true,
+            },
             _ => false,
         }
     }
@@ -298,11 +317,20 @@ impl<'a> Interpreter<'a> {
     pub(super) fn numbers_in(&mut self, parts: &'a [Element], span: Span) -> Result<Vec<f64>> {
         self.enclosed(None, parts, span, |me| {
             let mut all = vec![];
-            while !matches!(me.peek()?, Token::End) {
-                let (value, span) = me.value_here()?;
-                all.push(as_float(&value, span)?);
+            loop {
+                match me.peek()? {
+                    Token::End => return Ok(all),
+                    // Directives may give several numbers.
+                    Token::Expr(Expr { kind: ExprKind::Spliced(inner), span }) => {
+                        me.advance();
+                        all.extend(me.numbers_in(inner, *span)?);
+                    }
+                    _ => {
+                        let (value, span) = me.value_here()?;
+                        all.push(as_float(&value, span)?);
+                    }
+                }
             }
-            Ok(all)
         })
     }
 }
@@ -378,8 +406,8 @@ pub(super) fn apply(
             }
             Ok(Value::Float(on_floats(op, *a, *b)))
         }
-        (Value::Text(a), Value::Text(b)) if matches!(op, Equal | NotEqual) => {
-            Ok(Value::Float(f64::from((a == b) == (op == Equal))))
+        (Value::Text(a), Value::Text(b)) if op.compares() => {
+            Ok(Value::Float(on_floats(op, f64::from(a.cmp(b) as i8), 0.0)))
         }
         _ if matches!(op, Add | Sub | Mul | Div) => {
             let wrong = |value: &Value, span| {
@@ -421,6 +449,8 @@ fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
         Add => a + b,
         Sub => a - b,
         Mul => a * b,
+        // POV-Ray's infinity has no sign: -1/0 and 0/0 are the same.
+        Div if b == 0.0 => f64::INFINITY,
         Div => a / b,
         Less => f64::from(a < b),
         LessEqual => f64::from(a <= b + SMALL),
@@ -435,9 +465,13 @@ fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
 
 /// `.x`, `.red`, `.gray` and the like.
 fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
-    let Some((v, color)) = five_numbers(value) else {
-        let message = format!("{} has no components", value.describe());
-        return Diagnostic::err(codes::WRONG_TYPE, span, message);
+    let (v, color) = match value {
+        // A number is a vector of one component.
+        Value::Float(x) => (VecN { c: [*x, 0.0, 0.0, 0.0, 0.0], len: 1 }, false),
+        value => five_numbers(value).ok_or_else(|| {
+            let message = format!("{} has no components", value.describe());
+            Box::new(Diagnostic::new(codes::WRONG_TYPE, span, message))
+        })?,
     };
     let index = match name.word {
         Some("x" | "u" | "red") => 0,
@@ -452,7 +486,7 @@ fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
         }
     };
     if index >= v.len as usize && !color {
-        let message = format!("a vector of {} numbers has no `.{}`", v.len, name.word.unwrap_or(""));
+        let message = format!("{} has no `.{}`", value.describe(), name.word.unwrap_or(""));
         return Diagnostic::err(codes::NO_COMPONENT, name.span, message);
     }
     Ok(Value::Float(v.c[index]))

@@ -82,6 +82,8 @@ pub(crate) struct Interpreter<'a> {
     including: Vec<PathBuf>,
     scopes: Scopes<'a>,
     deprecated: FxHashMap<Symbol, &'a str>,
+    /// States of the streams that `seed()` opened.
+    random: Vec<u32>,
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
     /// How many frames there were when the declaration that is being read began.
@@ -120,6 +122,7 @@ impl<'a> Interpreter<'a> {
             including: vec![],
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
+            random: vec![],
             frames: vec![],
             peeked: None,
             floor: 0,
@@ -180,7 +183,8 @@ impl<'a> Interpreter<'a> {
     fn outcome(mut self) -> Outcome {
         let unused: Vec<Diagnostic> = self.scopes.unused_faults().cloned().collect();
         for mut fault in unused {
-            if !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS) {
+            let told = |d: &Diagnostic| d.code == fault.code && d.span() == fault.span() && d.message == fault.message;
+            if !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS) && !self.diagnostics.iter().any(told) {
                 fault.severity = Severity::Warning;
                 self.diagnostics.push(fault);
             }
@@ -217,7 +221,7 @@ impl<'a> Interpreter<'a> {
     /// The macro calls and includes around here, innermost first; of a deep recursion both ends.
     fn trace(&self) -> Vec<Label> {
         let label = |frame: &Frame| match frame.kind {
-            FrameKind::Macro(name) => {
+            FrameKind::Macro(name) | FrameKind::Call(name) => {
                 Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.names.text(name)) })
             }
             FrameKind::Include => Some(Label { span: frame.span, text: "included".into() }),

@@ -50,7 +50,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span }) => {
-                if let Some(slot @ (Slot::Macro(_) | Slot::Faulty(_))) = self.scopes.get(*symbol) {
+                if let Some(slot @ Slot::Faulty(_)) = self.scopes.get(*symbol) {
                     let slot = slot.clone();
                     self.advance();
                     return Ok(slot);
@@ -157,12 +157,12 @@ impl<'a> Interpreter<'a> {
             "true" | "on" | "yes" => flag(true),
             "false" | "off" | "no" => flag(false),
             "clock" => float(self.options.clock),
-            "clock_delta" => float(1.0),
+            "clock_delta" => flag(self.options.frame > 0),
             "clock_on" => flag(self.options.frame > 0),
             "frame_number" => float(f64::from(self.options.frame)),
             "initial_frame" | "final_frame" => float(f64::from(self.options.frame)),
             "initial_clock" => float(0.0),
-            "final_clock" => float(1.0),
+            "final_clock" => flag(self.options.frame > 0),
             "image_width" => float(self.options.size.0 as f64),
             "image_height" => float(self.options.size.1 as f64),
             "version" => float(f64::from(self.language.version) / 100.0),

@@ -47,6 +47,8 @@ pub(super) enum FrameKind<'a> {
         step: f64,
     },
     Macro(Symbol),
+    /// A macro's body whose value is wanted: its end stops the reading.
+    Call(Symbol),
     Include,
 }
 
@@ -56,6 +58,11 @@ impl Frame<'_> {
         self.item = (0, 0);
         if self.at == from {
             self.at += 1;
+        }
+        // A block or a function ends a statement.
+        let last = self.elements.get(self.at - 1).map(|e| &e.kind);
+        if matches!(last, Some(ElementKind::Block(_) | ElementKind::Function(_))) {
+            return;
         }
         while let Some(element) = self.elements.get(self.at) {
             match element.kind {
@@ -91,7 +98,7 @@ impl<'a> Interpreter<'a> {
         loop {
             let Some(frame) = self.frames.last_mut() else { return Ok(Token::End) };
             let Some(element) = frame.elements.get(frame.at) else {
-                if matches!(frame.kind, FrameKind::Enclosed) {
+                if matches!(frame.kind, FrameKind::Enclosed | FrameKind::Call(_)) {
                     return Ok(self.announce(Token::End));
                 }
                 self.end_of_frame()?;
@@ -175,6 +182,12 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
+    /// The place of a `;` that comes next.
+    pub(super) fn at_semicolon(&self) -> Option<Span> {
+        let element = self.frames.last().and_then(|frame| frame.elements.get(frame.at))?;
+        matches!(element.kind, ElementKind::Semicolon).then_some(element.span)
+    }
+
     fn announce(&mut self, token: Token<'a>) -> Token<'a> {
         self.peeked = Some(token);
         token
@@ -236,7 +249,7 @@ impl<'a> Interpreter<'a> {
         self.peeked = None;
         let Some(frame) = self.frames.pop() else { return };
         match frame.kind {
-            FrameKind::Macro(_) => {
+            FrameKind::Macro(_) | FrameKind::Call(_) => {
                 self.scopes.leave();
                 self.depth -= 1;
             }
@@ -283,20 +296,28 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// `#break`: leaves the innermost loop or `#switch`.
+    /// `#break`: leaves the innermost loop, `#switch` or macro.
     pub(super) fn break_out(&mut self, span: Span) -> Result<()> {
-        let is_breakable =
-            |f: &Frame| matches!(f.kind, FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch);
+        let is_breakable = |f: &Frame| {
+            matches!(f.kind, FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch | FrameKind::Macro(_))
+        };
         let is_branch = |f: &Frame| matches!(f.kind, FrameKind::Branch);
         let inner = self.frames.iter().rev().take_while(|f| is_branch(f)).count();
         let target = self.frames.len().checked_sub(inner + 1);
         match target {
+            Some(depth) if matches!(self.frames[depth].kind, FrameKind::Call(_)) => {
+                self.unwind(depth + 1);
+                if let Some(frame) = self.frames.last_mut() {
+                    frame.at = frame.elements.len();
+                }
+                Ok(())
+            }
             Some(depth) if is_breakable(&self.frames[depth]) => {
                 self.unwind(depth);
                 Ok(())
             }
-            _ => Diagnostic::new(codes::BREAK_OUTSIDE, span, "`#break` stands in no loop and no `#switch`")
-                .help("it leaves the innermost `#while`, `#for` or `#switch` of the same macro")
+            _ => Diagnostic::new(codes::BREAK_OUTSIDE, span, "`#break` stands in no loop, no `#switch` and no macro")
+                .help("it leaves the innermost `#while`, `#for`, `#switch` or `#macro`")
                 .into(),
         }
     }

@@ -74,7 +74,7 @@ impl Light {
                 }
                 Next::Word("fade_distance") => light.fade_distance = number(r)?,
                 Next::Word("fade_power") => light.fade_power = number(r)?,
-                Next::Word("translate" | "rotate" | "scale" | "matrix")
+                Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
                 | Next::Block("transform")
                 | Next::Thing("transform") => {
                     if let Some(step) = r.transform()? {

@@ -273,7 +273,7 @@ impl Object {
     /// Reads one modifier; false if it is none.
     fn read_modifier(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
         match next {
-            Next::Word("translate" | "rotate" | "scale" | "matrix")
+            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
             | Next::Block("transform")
             | Next::Thing("transform") => {
                 if let Some(step) = r.transform()? {
@@ -463,7 +463,7 @@ pub fn read_material(r: &mut dyn Reader, defaults: &Defaults) -> Result<Material
                 r.leave()?;
             }
             Next::Thing("interior") => out.interior = r.thing::<Interior>()?,
-            Next::Word("translate" | "rotate" | "scale" | "matrix")
+            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
             | Next::Block("transform")
             | Next::Thing("transform") => {
                 if let Some(step) = r.transform()? {

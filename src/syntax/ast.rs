@@ -189,6 +189,21 @@ impl Operator {
         }
     }
 
+    /// Is it `*` or `/`?
+    pub fn multiplies(self) -> bool {
+        matches!(self, Operator::Mul | Operator::Div)
+    }
+
+    /// Is it `+` or `-`?
+    pub fn adds(self) -> bool {
+        matches!(self, Operator::Add | Operator::Sub)
+    }
+
+    /// Is it `<`, `=` or the like?
+    pub fn compares(self) -> bool {
+        self.precedence() == Operator::Equal.precedence()
+    }
+
     /// As it is typed.
     pub fn text(self) -> &'static str {
         use Operator::*;

@@ -51,15 +51,13 @@ const WORDS: &[&str] = &[
 impl Texture {
     /// Reads what stands between the braces, on top of `base` (the default texture).
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
-        let mut out = match r.thing::<Texture>()? {
-            Some(declared) => (*declared).clone(),
-            None => base.clone(),
-        };
+        let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
+        let mut out = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
         loop {
             match r.next()? {
                 Next::End => return Ok(out),
                 next if out.read_part(r, next, base)? => {}
-                Next::Word("translate" | "rotate" | "scale" | "matrix")
+                Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
                 | Next::Block("transform")
                 | Next::Thing("transform") => {
                     if let Some(step) = r.transform()? {

@@ -122,7 +122,7 @@ impl Pigment {
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word("translate" | "rotate" | "scale" | "matrix")
+                Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
                 | Next::Block("transform")
                 | Next::Thing("transform") => {
                     if let Some(step) = r.transform()? {

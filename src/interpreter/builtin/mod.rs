@@ -1,6 +1,7 @@
 //! Built-in functions of the language: one table a group.
 
 mod numeric;
+mod random;
 mod text;
 mod vector;
 
@@ -35,9 +36,8 @@ impl Arguments {
     fn vector(&self, i: usize) -> Result<DVec3> {
         match &self.values[i].0 {
             Value::Float(x) => Ok(DVec3::splat(*x)),
-            Value::Vector(v) => Ok(v.xyz()),
-            Value::Color(c) => Ok(c.rgb),
-            other => self.wrong(i, "a vector", other),
+            Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
+            other => self.wrong(i, "a vector of three numbers", other),
         }
     }
 
@@ -73,7 +73,11 @@ impl<'a> Interpreter<'a> {
         let Some(function) = tables.iter().flat_map(|t| t.iter()).find(|f| f.name == name) else {
             return Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet"));
         };
-        if !function.arity.contains(&arguments.len()) {
+        let mut values = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            self.argument_values(argument, &mut values)?;
+        }
+        if !function.arity.contains(&values.len()) {
             let (low, high) = (function.arity.start(), function.arity.end());
             let takes = match high {
                 &usize::MAX => format!("at least {low}"),
@@ -81,12 +85,11 @@ impl<'a> Interpreter<'a> {
                 high => format!("{low} to {high}"),
             };
             let plural = if takes == "1" { "" } else { "s" };
-            let message = format!("`{name}` takes {takes} argument{plural}, found {}", arguments.len());
+            let message = format!("`{name}` takes {takes} argument{plural}, found {}", values.len());
             return Diagnostic::err(codes::WRONG_COUNT, span, message);
         }
-        let mut values = Vec::with_capacity(arguments.len());
-        for argument in arguments {
-            values.push((self.eval(argument)?, argument.span));
+        if let ("div" | "mod", Some((Value::Float(0.0), at))) = (name, values.last()) {
+            self.division_by_zero(*at);
         }
         let value = (function.run)(&Arguments { values })?;
         match &value {
@@ -98,11 +101,23 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// One argument; a macro may give several.
+    fn argument_values(&mut self, argument: &'a Expr, out: &mut Vec<(Value, Span)>) -> Result<()> {
+        let values = match &argument.kind {
+            ExprKind::Call(name, arguments) if self.is_macro(*name) => {
+                self.macro_values(*name, arguments, argument.span)?
+            }
+            _ => vec![self.eval(argument)?],
+        };
+        out.extend(values.into_iter().map(|value| (value, argument.span)));
+        Ok(())
+    }
+
     /// Functions that look at more than values.
     fn special(&mut self, name: &str, arguments: &'a [Expr], span: Span) -> Option<Result<Value>> {
         match (name, arguments) {
             ("defined", [Expr { kind: ExprKind::Name(symbol), .. }]) => {
-                Some(Ok(Value::Float(f64::from(self.scopes.get(*symbol).is_some() || self.is_constant(*symbol)))))
+                Some(Ok(Value::Float(f64::from(self.scopes.get(*symbol).is_some()))))
             }
             ("select", [condition, rest @ ..]) if rest.len() == 2 || rest.len() == 3 => {
                 Some(self.select(condition, rest))
@@ -110,6 +125,8 @@ impl<'a> Interpreter<'a> {
             ("file_exists", [path]) => Some(
                 self.text_value(path).map(|name| Value::Float(f64::from(self.options.search.find(&name).is_some()))),
             ),
+            ("seed", [start]) => Some(self.seed(start)),
+            ("rand", [stream]) => Some(self.rand(stream)),
             ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),
             _ => None,
         }

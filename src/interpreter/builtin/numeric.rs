@@ -24,7 +24,13 @@ pub(super) const TABLE: &[Builtin] = &[
     one("asin", |a| float(fp::asin(a.float(0)?))),
     one("asinh", |a| float(a.float(0)?.asinh())),
     one("atan", |a| float(a.float(0)?.atan())),
-    two("atan2", |a| float(fp::atan2(a.float(0)?, a.float(1)?))),
+    two("atan2", |a| {
+        let (y, x) = (a.float(0)?, a.float(1)?);
+        if x == 0.0 && y == 0.0 {
+            return a.bad(0, "<0, 0> has no direction".into());
+        }
+        float(fp::atan2(y, x))
+    }),
     one("atanh", |a| float(a.float(0)?.atanh())),
     many("bitwise_and", |a| bits(a, |x, y| x & y)),
     many("bitwise_or", |a| bits(a, |x, y| x | y)),
@@ -33,10 +39,7 @@ pub(super) const TABLE: &[Builtin] = &[
     one("cos", |a| float(fp::cos(a.float(0)?))),
     one("cosh", |a| float(a.float(0)?.cosh())),
     one("degrees", |a| float(a.float(0)?.to_degrees())),
-    two("div", |a| {
-        let b = divisor(a)?;
-        float((a.float(0)? / b).trunc())
-    }),
+    two("div", |a| float((a.float(0)? / a.float(1)?).trunc())),
     one("exp", |a| float(fp::exp(a.float(0)?))),
     one("floor", |a| float(a.float(0)?.floor())),
     one("int", |a| float(a.float(0)?.trunc())),
@@ -44,14 +47,11 @@ pub(super) const TABLE: &[Builtin] = &[
     one("log", |a| logarithm(a, "log").map(|x| Value::Float(x.log10()))),
     many("max", |a| fold(a, f64::max)),
     many("min", |a| fold(a, f64::min)),
-    two("mod", |a| {
-        let b = divisor(a)?;
-        float(a.float(0)? % b)
-    }),
+    two("mod", |a| float(a.float(0)? % a.float(1)?)),
     two("pow", |a| {
         let (x, y) = (a.float(0)?, a.float(1)?);
-        if x == 0.0 && y < 0.0 {
-            return a.bad(0, "0 to a negative power is infinite".into());
+        if x == 0.0 && y == 0.0 {
+            return a.bad(0, "0 to the power of 0 is not defined".into());
         }
         float(fp::pow(x, y))
     }),
@@ -68,11 +68,6 @@ pub(super) const TABLE: &[Builtin] = &[
     one("tan", |a| float(fp::tan(a.float(0)?))),
     one("tanh", |a| float(a.float(0)?.tanh())),
 ];
-
-fn divisor(a: &Arguments) -> Result<f64> {
-    let b = a.float(1)?;
-    if b == 0.0 { a.bad(1, "division by zero".into()) } else { Ok(b) }
-}
 
 fn logarithm(a: &Arguments, name: &str) -> Result<f64> {
     let x = a.float(0)?;

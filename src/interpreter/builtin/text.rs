@@ -28,19 +28,12 @@ pub(super) const TABLE: &[Builtin] = &[
         arity: 3..=3,
         run: |a| text(format_number(a.float(0)?, a.float(1)? as i64, a.float(2)? as i64)),
     },
-    Builtin { name: "strcmp", arity: 2..=2, run: |a| float(f64::from(a.text(0)?.cmp(a.text(1)?) as i8)) },
+    Builtin { name: "strcmp", arity: 2..=2, run: |a| float(compare(a.text(0)?, a.text(1)?)) },
     Builtin { name: "strlen", arity: 1..=1, run: |a| float(a.text(0)?.chars().count() as f64) },
     Builtin { name: "strlwr", arity: 1..=1, run: |a| text(a.text(0)?.to_lowercase()) },
     Builtin { name: "strupr", arity: 1..=1, run: |a| text(a.text(0)?.to_uppercase()) },
     Builtin { name: "substr", arity: 3..=3, run: substr },
-    Builtin {
-        name: "val",
-        arity: 1..=1,
-        run: |a| match a.text(0)?.trim().parse::<f64>() {
-            Ok(x) => float(x),
-            Err(_) => a.bad(0, format!("`{}` is not a number", a.text(0)?)),
-        },
-    },
+    Builtin { name: "val", arity: 1..=1, run: |a| float(leading_number(a.text(0)?)) },
     Builtin { name: "vstr", arity: 5..=5, run: vstr },
 ];
 
@@ -48,11 +41,30 @@ fn text(s: String) -> Result<Value> {
     Ok(Value::Text(s.into()))
 }
 
+/// Less than, equal to or greater than 0: by how much the first different characters differ.
+fn compare(a: &str, b: &str) -> f64 {
+    let codes = |s: &str| s.chars().map(|c| f64::from(u32::from(c))).chain([0.0]).collect::<Vec<_>>();
+    codes(a).iter().zip(&codes(b)).map(|(a, b)| a - b).find(|d| *d != 0.0).unwrap_or(0.0)
+}
+
+/// The number that a string begins with; 0 if there is none.
+fn leading_number(s: &str) -> f64 {
+    let s = s.trim_start();
+    let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-');
+    let end = s.find(|c| !digits(c)).unwrap_or(s.len()).min(400);
+    (1..=end).rev().find_map(|end| s[..end].parse().ok()).unwrap_or(0.0)
+}
+
 /// A number as C's printf writes it: a negative width fills with zeros, a negative precision means six digits.
 fn format_number(x: f64, width: i64, precision: i64) -> String {
     let precision = if precision < 0 { 6 } else { precision.min(300) as usize };
     let wide = width.unsigned_abs().min(10_000) as usize;
-    if width < 0 { format!("{x:0wide$.precision$}") } else { format!("{x:wide$.precision$}") }
+    match x {
+        _ if x.is_nan() => format!("{:>wide$}", "nan"),
+        _ if x.is_infinite() => format!("{:>wide$}", if x > 0.0 { "inf" } else { "-inf" }),
+        _ if width < 0 => format!("{x:0wide$.precision$}"),
+        _ => format!("{x:wide$.precision$}"),
+    }
 }
 
 /// `substr(S, P, L)`: L characters from the P-th on, counted from 1.
@@ -69,7 +81,8 @@ fn substr(a: &Arguments) -> Result<Value> {
 fn vstr(a: &Arguments) -> Result<Value> {
     let n = a.float(0)?.clamp(2.0, 5.0) as usize;
     let c = match &a.values[1].0 {
-        Value::Float(x) => [*x; 5],
+        // A number is a vector of one component.
+        Value::Float(x) => [*x, 0.0, 0.0, 0.0, 0.0],
         Value::Vector(v) => v.c,
         Value::Color(c) => c.to_array(),
         other => return a.wrong(1, "a vector", other),

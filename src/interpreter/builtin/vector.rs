@@ -23,10 +23,8 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "vnormalize",
         arity: 1..=1,
-        run: |a| match a.vector(0)?.try_normalize() {
-            Some(unit) => vector(unit),
-            None => a.bad(0, "a vector of length 0 has no direction".into()),
-        },
+        // A vector of length 0 stays what it is.
+        run: |a| vector(a.vector(0)?.normalize_or_zero()),
     },
     Builtin { name: "vrotate", arity: 2..=2, run: |a| vector(Transform::rotate(a.vector(1)?).vector(a.vector(0)?)) },
 ];

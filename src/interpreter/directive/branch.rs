@@ -32,7 +32,8 @@ impl<'a> Interpreter<'a> {
 
     fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
         match &e.kind {
-            ExprKind::Name(symbol) => Ok(self.scopes.get(*symbol).is_some() || self.is_constant(*symbol)),
+            // The language's own constants are not declared.
+            ExprKind::Name(symbol) => Ok(self.scopes.get(*symbol).is_some()),
             ExprKind::Index(array, _) => self.is_declared(array),
             ExprKind::Paren(inner) => self.is_declared(inner),
             _ => Diagnostic::err(codes::WRONG_TYPE, e.span, "`#ifdef` takes a name"),
@@ -58,8 +59,9 @@ impl<'a> Interpreter<'a> {
         };
         let last = self.number(last)?;
         let step = f.range.get(2).map_or(Ok(1.0), |e| self.number(e))?;
-        if step.abs() < SMALL {
-            return Diagnostic::err(codes::ZERO_STEP, span, "a step of 0 would never reach the last value");
+        if step.is_nan() || step.abs() < SMALL {
+            let at = f.range.get(2).map_or(span, |e| e.span);
+            return Diagnostic::err(codes::ZERO_STEP, at, format!("a step of {step} would never reach the last value"));
         }
         self.scopes.set_local(f.counter, Slot::Value(Value::Float(first)), vec![]);
         if within(first, last, step) {
@@ -98,11 +100,9 @@ impl<'a> Interpreter<'a> {
                 When::Otherwise => true,
             };
             if fits {
-                // Fall-through: later arms lie below on the stack; an `#else` ends the arms before it.
-                let until = arms[i..].iter().skip(1).position(|a| matches!(a.when, When::Otherwise));
-                let run = &arms[i..until.map_or(arms.len(), |n| i + 1 + n)];
+                // Fall-through, also into `#else`: later arms lie below on the stack.
                 self.push_frame(&[], FrameKind::Switch, span);
-                for arm in run.iter().rev() {
+                for arm in arms[i..].iter().rev() {
                     self.push_frame(&arm.body, FrameKind::Branch, span);
                 }
                 break;

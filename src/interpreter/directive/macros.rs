@@ -78,6 +78,7 @@ impl<'a> Interpreter<'a> {
     fn argument(&mut self, depth: usize) -> Result<Slot<'a>> {
         if let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
             && self.frames[depth..].iter().all(|f| !matches!(f.kind, FrameKind::Macro(_) | FrameKind::Include))
+            && !self.is_macro(*symbol)
             && let Some((symbol, depth)) = self.scopes.resolve(*symbol)
         {
             self.advance();
