@@ -16,9 +16,6 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Sections in which durer is known to differ from POV-Ray, or in which a message could be better: a list to work off.
-const DIFFERS: &str = include_str!("lang/differs.txt");
-
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lang");
     let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
@@ -45,12 +42,7 @@ fn trials(path: &Path) -> Vec<Trial> {
         let title = file.lines[start].0.trim_start_matches("//---").trim();
         let (file, preamble) = (file.clone(), starts[0]);
         let full = format!("{name}::{title}");
-        let known = DIFFERS.lines().any(|line| line == full);
-        Trial::test(full, move || match (file.run(preamble, start..end), known) {
-            (Ok(()), true) => Err("this is fine now: take it off tests/lang/differs.txt".into()),
-            (Err(_), true) => Ok(()),
-            (result, false) => result,
-        })
+        Trial::test(full, move || file.run(preamble, start..end))
     };
     sections.map(trial).collect()
 }

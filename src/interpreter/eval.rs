@@ -304,7 +304,11 @@ impl<'a> Interpreter<'a> {
 
     fn is_plain(&self, part: &Element) -> bool {
         match &part.kind {
-            ElementKind::Expr(e) => !matches!(&e.kind, ExprKind::Call(name, _) if self.is_macro(*name)),
+            ElementKind::Expr(e) => match &e.kind {
+                ExprKind::Call(name, _) => !self.is_macro(*name),
+                ExprKind::Spliced(_) => false,
+                _ => true,
+            },
             _ => false,
         }
     }
@@ -313,11 +317,20 @@ impl<'a> Interpreter<'a> {
     pub(super) fn numbers_in(&mut self, parts: &'a [Element], span: Span) -> Result<Vec<f64>> {
         self.enclosed(None, parts, span, |me| {
             let mut all = vec![];
-            while !matches!(me.peek()?, Token::End) {
-                let (value, span) = me.value_here()?;
-                all.push(as_float(&value, span)?);
+            loop {
+                match me.peek()? {
+                    Token::End => return Ok(all),
+                    // Directives may give several numbers.
+                    Token::Expr(Expr { kind: ExprKind::Spliced(inner), span }) => {
+                        me.advance();
+                        all.extend(me.numbers_in(inner, *span)?);
+                    }
+                    _ => {
+                        let (value, span) = me.value_here()?;
+                        all.push(as_float(&value, span)?);
+                    }
+                }
             }
-            Ok(all)
         })
     }
 }

@@ -82,6 +82,8 @@ pub(crate) struct Interpreter<'a> {
     including: Vec<PathBuf>,
     scopes: Scopes<'a>,
     deprecated: FxHashMap<Symbol, &'a str>,
+    /// States of the streams that `seed()` opened.
+    random: Vec<u32>,
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
     /// How many frames there were when the declaration that is being read began.
@@ -120,6 +122,7 @@ impl<'a> Interpreter<'a> {
             including: vec![],
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
+            random: vec![],
             frames: vec![],
             peeked: None,
             floor: 0,

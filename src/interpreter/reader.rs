@@ -122,10 +122,9 @@ impl<'a> Interpreter<'a> {
     fn as_vector(&self, value: &Value, span: Span) -> Result<DVec3> {
         let vector = match value {
             Value::Float(x) => DVec3::splat(*x),
-            Value::Vector(v) => v.xyz(),
-            Value::Color(c) => c.rgb,
+            Value::Vector(v) if v.len <= 3 => v.xyz(),
             other => {
-                let message = format!("expected a vector, found {}", other.describe());
+                let message = format!("expected a vector of three numbers, found {}", other.describe());
                 return Diagnostic::err(codes::WRONG_TYPE, span, message);
             }
         };
@@ -160,9 +159,9 @@ impl<'a> Interpreter<'a> {
                 return Diagnostic::err(codes::WRONG_TYPE, span, message);
             }
         };
-        if word.ends_with("bt") {
-            c.swap(3, 4);
-            // `rgbt <r, g, b, t>` alone: a fifth number would be the filter
+        if matches!(word, "rgbt" | "srgbt") {
+            // The fourth number is the transmit; a fifth has no meaning.
+            (c[4], c[3]) = (c[3], 0.0);
         }
         if !c.iter().all(|x| x.is_finite()) {
             return Diagnostic::err(codes::NOT_FINITE, span, "this colour holds a number that is not finite");
@@ -606,8 +605,9 @@ fn set_component(color: &mut Color, word: &str, x: f64) {
         "red" => color.rgb.x = x,
         "green" => color.rgb.y = x,
         "blue" => color.rgb.z = x,
-        "filter" => color.filter = x,
-        _ => color.transmit = x,
+        "transmit" => color.transmit = x,
+        // `alpha` is its old name.
+        _ => color.filter = x,
     }
 }
 

@@ -59,8 +59,9 @@ impl Frame<'_> {
         if self.at == from {
             self.at += 1;
         }
-        // A block ends a statement.
-        if matches!(self.elements.get(self.at - 1), Some(Element { kind: ElementKind::Block(_), .. })) {
+        // A block or a function ends a statement.
+        let last = self.elements.get(self.at - 1).map(|e| &e.kind);
+        if matches!(last, Some(ElementKind::Block(_) | ElementKind::Function(_))) {
             return;
         }
         while let Some(element) = self.elements.get(self.at) {
@@ -179,6 +180,12 @@ impl<'a> Interpreter<'a> {
             }
         }
         Ok(())
+    }
+
+    /// The place of a `;` that comes next.
+    pub(super) fn at_semicolon(&self) -> Option<Span> {
+        let element = self.frames.last().and_then(|frame| frame.elements.get(frame.at))?;
+        matches!(element.kind, ElementKind::Semicolon).then_some(element.span)
     }
 
     fn announce(&mut self, token: Token<'a>) -> Token<'a> {

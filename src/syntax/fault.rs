@@ -6,19 +6,91 @@ use crate::source::Span;
 
 /// The message for text that fits no rule from `at` on.
 pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
-    let token = token_at(text, at);
-    let span = Span::new(base + at, base + at + token.len());
-    let found = if token.is_empty() { "the end of the text".to_string() } else { format!("`{token}`") };
-    let d = Diagnostic::new(codes::SYNTAX, span, format!("{found} can't stand here"));
-    if let Some(help) = help_for(text, at, token) {
+    if let Some(d) = missing_condition(text, at, base) {
+        return d;
+    }
+    if let Some(d) = missing_name_or_sign(text, at, base) {
+        return d;
+    }
+    let d = Diagnostic::new(codes::SYNTAX, token_span(text, at, base), format!("{} can't stand here", found(text, at)));
+    if let Some(help) = help_for(text, at, token_at(text, at)) {
         return d.help(help);
     }
     match open_vector(text, at) {
+        Some(opener) if follows_operand(text, opener) => {
+            let message = "`<` opens a vector here, and it has no end";
+            Diagnostic::new(codes::SYNTAX, Span::new(base + opener, base + opener + 1), message)
+                .help("comparisons need parentheses around them: `(A < B)`")
+        }
         Some(opener) => d
             .also(Span::new(base + opener, base + opener + 1), "the vector that begins here is not closed")
             .help("a vector ends with `>`; comparisons need parentheses around them"),
         None => d,
     }
+}
+
+/// What stands at `at`, for a message.
+fn found(text: &str, at: usize) -> String {
+    match token_at(text, at) {
+        "" => "the end of the text".into(),
+        token => format!("`{token}`"),
+    }
+}
+
+fn token_span(text: &str, at: usize, base: usize) -> Span {
+    Span::new(base + at, base + at + token_at(text, at).len())
+}
+
+/// Would what stands before `at` be the left side of a comparison?
+fn follows_operand(text: &str, at: usize) -> bool {
+    let before = text[..at].trim_end();
+    match last_word(before) {
+        Some(word) => word::lookup(word).is_none(),
+        None => before.ends_with(|c: char| c.is_ascii_digit() || c == ')' || c == ']'),
+    }
+}
+
+/// `#declare A 5`, `#declare = 5`, `#macro (A)`.
+fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
+    let before = text[..at].trim_end();
+    let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
+    let found = found(text, at);
+    if let Some(directive @ ("declare" | "local" | "macro" | "undef")) = directive_at_end(before) {
+        let d = fault(format!("expected a name behind `#{directive}`, found {found}"));
+        return Some(d.help("names are made of the letters a to z, digits and `_`"));
+    }
+    let name = last_word(before)?;
+    let directive = directive_at_end(before[..before.len() - name.len()].trim_end())?;
+    let d = fault(format!("expected `=` behind `#{directive} {name}`, found {found}"));
+    matches!(directive, "declare" | "local").then(|| d.help(format!("`#{directive} {name} = …;`")))
+}
+
+/// The directive that a text ends with.
+fn directive_at_end(text: &str) -> Option<&str> {
+    let word = last_word(text)?;
+    text[..text.len() - word.len()].trim_end_matches([' ', '\t']).ends_with('#').then_some(word)
+}
+
+/// `#if A = 1` instead of `#if (A = 1)`.
+fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
+    let directive = text[at..].strip_prefix('#')?.trim_start_matches([' ', '\t']);
+    let word = token_at(directive, 0);
+    let form = match word {
+        "if" | "elseif" | "while" => "condition",
+        "ifdef" | "ifndef" => "Name",
+        "for" => "Name, 1, 10",
+        "switch" | "case" => "value",
+        "range" => "first, last",
+        _ => return None,
+    };
+    let rest = &directive[word.len()..];
+    let next = text.len() - rest.trim_start().len();
+    if text[next..].starts_with('(') {
+        return None;
+    }
+    let message = format!("expected `(` behind `#{word}`, found {}", found(text, next));
+    let span = token_span(text, next, base);
+    Some(Diagnostic::new(codes::SYNTAX, span, message).help(format!("`#{word} ({form}) …`")))
 }
 
 fn help_for(text: &str, at: usize, token: &str) -> Option<String> {

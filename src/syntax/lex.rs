@@ -3,7 +3,7 @@
 
 use super::Names;
 use super::ast::NumberList;
-use super::nesting::{Nesting, Opener};
+use super::nesting::{Closing, Nesting, Opener};
 use super::numbers::{ListScanner, is_blank, scan_number};
 use super::word::{self, Category};
 use crate::diagnostic::{Code, Diagnostic, codes, did_you_mean};
@@ -211,12 +211,19 @@ impl Lexer<'_> {
             b'>' if self.bytes.get(self.at + 1) == Some(&b'=') => return self.push(b'5', 2, 0),
             b'>' => self.nesting.close_angle(),
             closer => match self.nesting.close(closer) {
-                Ok(true) => {}
-                Ok(false) => {
+                Closing::Closes => {}
+                Closing::Loose => {
                     self.push(b'^', 1, 0);
                     return self.cut();
                 }
-                Err(opener) => return self.mismatch(opener, closer),
+                // The closer is tried again, for a bracket further out.
+                Closing::Unclosed(opener, token) => return self.mismatch(opener, token, closer),
+                Closing::Swapped(opener, token) => {
+                    self.mismatch(opener, token, closer);
+                    self.at += 1;
+                    return;
+                }
+                Closing::Stray(open) => return self.stray(open, closer),
             },
         }
         self.push(b, 1, 0);
@@ -238,27 +245,29 @@ impl Lexer<'_> {
         i > 0 && (classes[i - 1] == b'@' || i > 3 && classes[i - 4] == b'@')
     }
 
-    fn mismatch(&mut self, opener: Option<(Opener, usize)>, closer: u8) {
+    fn mismatch(&mut self, opener: Opener, token: usize, closer: u8) {
         let (at, found) = (self.at, closer as char);
-        match opener {
-            Some((opener, token)) => {
-                let start = self.out.tokens[token].start as usize;
-                let open = self.bytes[start] as char;
-                let wanted = opener.closer();
-                let message = format!("this `{open}` is not closed: found `{found}` where `{wanted}` was expected");
-                let d = Diagnostic::new(codes::UNCLOSED, self.span(start, start + 1), message)
-                    .label("opened here")
-                    .also(self.span(at, at + 1), format!("`{found}` found here"));
-                // The closer is tried again, for a bracket further out.
-                self.out.faults.push(d);
-            }
-            None => {
-                let message = format!("`{found}` closes nothing");
-                let help = "remove it, or look for its opener above";
-                self.fault(codes::UNMATCHED_CLOSER, at, at + 1, message, Some(help));
-                self.at += 1;
-            }
-        }
+        let start = self.out.tokens[token].start as usize;
+        let open = self.bytes[start] as char;
+        let wanted = opener.closer();
+        let message = format!("this `{open}` is not closed: found `{found}` where `{wanted}` was expected");
+        let d = Diagnostic::new(codes::UNCLOSED, self.span(start, start + 1), message)
+            .label("opened here")
+            .also(self.span(at, at + 1), format!("`{found}` found here"));
+        self.out.faults.push(d);
+    }
+
+    fn stray(&mut self, open: Option<usize>, closer: u8) {
+        let (at, found) = (self.at, closer as char);
+        let help = "remove it, or look for its opener above";
+        let d = Diagnostic::new(codes::UNMATCHED_CLOSER, self.span(at, at + 1), format!("`{found}` closes nothing"));
+        let open = open.map(|token| self.out.tokens[token].start as usize);
+        let d = match open {
+            Some(start) => d.also(self.span(start, start + 1), "this is open, and closes with `}`"),
+            None => d,
+        };
+        self.out.faults.push(d.help(help));
+        self.at += 1;
     }
 
     fn string(&mut self) {
@@ -373,7 +382,13 @@ impl Lexer<'_> {
     /// A character that stands for nothing in the language.
     fn other(&mut self) {
         let c = self.text[self.at..].chars().next().unwrap_or(' ');
-        let len = c.len_utf8();
+        let mut len = c.len_utf8();
+        // Text in single quotes is one fault.
+        if matches!(c, '\'' | '“' | '‘') {
+            let line = self.text[self.at..].lines().next().unwrap_or_default();
+            let end = line[len..].find(['\'', '”', '’']).map(|i| len + i);
+            len = end.map_or(len, |i| i + line[i..].chars().next().map_or(0, char::len_utf8));
+        }
         if !matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}') {
             let help = match c {
                 '\'' | '“' | '”' | '‘' | '’' => "strings stand in double quotes: `\"`",

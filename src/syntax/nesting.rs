@@ -43,10 +43,35 @@ impl Opener {
     }
 }
 
+/// What a closing bracket does.
+pub(super) enum Closing {
+    /// Closes the innermost bracket.
+    Closes,
+    /// Closes one that another directive's body opened, or one around this directive.
+    Loose,
+    /// An error: this one should have been closed before, and the closer is for one further out.
+    Unclosed(Opener, usize),
+    /// An error: closes this one, which is of another kind.
+    Swapped(Opener, usize),
+    /// An error: closes nothing; the brace that is open, if any.
+    Stray(Option<usize>),
+}
+
+/// Braces around a directive that its bodies close.
+#[derive(Default)]
+struct Closed {
+    /// In this body.
+    here: usize,
+    /// In one of those before.
+    most: usize,
+}
+
 /// The openers around a place, each with the number of its token.
 #[derive(Default)]
 pub(super) struct Nesting {
     stack: Vec<(Opener, usize)>,
+    /// For each directive on the stack.
+    closed: Vec<Closed>,
     functions: usize,
     /// Braces that a directive's body left open.
     loose: usize,
@@ -55,6 +80,9 @@ pub(super) struct Nesting {
 impl Nesting {
     pub(super) fn open(&mut self, opener: Opener, token: usize) {
         self.functions += usize::from(opener == Opener::FunctionBrace);
+        if opener == Opener::Directive {
+            self.closed.push(Closed::default());
+        }
         self.stack.push((opener, token));
     }
 
@@ -76,8 +104,10 @@ impl Nesting {
     }
 
     fn pop(&mut self) {
-        if let Some((Opener::FunctionBrace, _)) = self.stack.pop() {
-            self.functions -= 1;
+        match self.stack.pop() {
+            Some((Opener::FunctionBrace, _)) => self.functions -= 1,
+            Some((Opener::Directive, _)) => drop(self.closed.pop()),
+            _ => {}
         }
     }
 
@@ -88,40 +118,105 @@ impl Nesting {
         }
     }
 
-    /// A closing bracket: true where it closes the innermost bracket, false where it closes one that another directive's body
-    /// left open, and an error with the bracket that is open instead, if any.
-    pub(super) fn close(&mut self, closer: u8) -> Result<bool, Option<(Opener, usize)>> {
-        while matches!(self.stack.last(), Some((Opener::Angle | Opener::Choice, _))) {
-            self.pop();
+    /// A closing bracket.
+    pub(super) fn close(&mut self, closer: u8) -> Closing {
+        let is_bracket = |o: &(Opener, usize)| !matches!(o.0, Opener::Angle | Opener::Choice);
+        let innermost = self.stack.last().copied();
+        let Some(depth) = self.stack.iter().rposition(is_bracket) else {
+            return self.close_without_bracket(innermost, closer);
+        };
+        let (top, token) = self.stack[depth];
+        let matches_further_out = || {
+            let rest = self.stack[..depth].iter().rev().take_while(|o| o.0 != Opener::Directive);
+            rest.into_iter().any(|o| o.0.is_closed_by(closer))
+        };
+        if top.is_closed_by(closer) {
+            self.pop_to(depth);
+            return Closing::Closes;
         }
-        match self.stack.last() {
-            Some((top, _)) if top.is_closed_by(closer) => {
+        match (innermost, top) {
+            (Some((Opener::Angle, vector)), _) => {
                 self.pop();
-                Ok(true)
+                Closing::Swapped(Opener::Angle, vector)
             }
-            Some((Opener::Directive, _)) => Ok(false),
-            None if closer == b'}' && self.loose > 0 => {
-                self.loose -= 1;
-                Ok(false)
+            (_, Opener::Directive) => {
+                self.pop_to(depth + 1);
+                self.close_in_branch(closer);
+                Closing::Loose
             }
-            other => {
-                let opener = other.copied();
-                self.pop();
-                Err(opener)
+            _ if matches_further_out() => {
+                self.pop_to(depth);
+                Closing::Unclosed(top, token)
+            }
+            (_, Opener::Brace | Opener::FunctionBrace) => Closing::Stray(Some(token)),
+            _ => {
+                self.pop_to(depth);
+                Closing::Swapped(top, token)
             }
         }
     }
 
-    /// `#else`, `#end` and their kin: the tokens that its directive's body leaves open; `None` if there is no directive.
+    fn close_without_bracket(&mut self, innermost: Option<(Opener, usize)>, closer: u8) -> Closing {
+        match innermost {
+            Some((Opener::Angle, vector)) => {
+                self.pop();
+                Closing::Swapped(Opener::Angle, vector)
+            }
+            _ if closer == b'}' && self.loose > 0 => {
+                self.loose -= 1;
+                Closing::Loose
+            }
+            _ => Closing::Stray(None),
+        }
+    }
+
+    /// A closer in a directive's body that nothing in there opened.
+    fn close_in_branch(&mut self, closer: u8) {
+        if closer == b'}'
+            && self.loose == 0
+            && let Some(closed) = self.closed.last_mut()
+        {
+            closed.here += 1;
+        }
+    }
+
+    fn pop_to(&mut self, depth: usize) {
+        while self.stack.len() > depth {
+            self.pop();
+        }
+    }
+
+    /// `#else`, `#end` and their kin: the tokens that its directive's body leaves open, and those around it that it
+    /// closes; `None` if there is no directive.
     pub(super) fn back_to_directive(&mut self, end: bool) -> Option<Vec<usize>> {
         let depth = self.stack.iter().rposition(|(opener, _)| *opener == Opener::Directive)?;
         let is_loose = |o: &(Opener, usize)| matches!(o.0, Opener::Brace | Opener::Paren);
-        let loose: Vec<usize> = self.stack[depth + 1..].iter().filter(|o| is_loose(o)).map(|o| o.1).collect();
+        let mut loose: Vec<usize> = self.stack[depth + 1..].iter().filter(|o| is_loose(o)).map(|o| o.1).collect();
         self.loose += loose.len();
-        while self.stack.len() > depth + usize::from(!end) {
+        self.pop_to(depth + 1);
+        let Some(closed) = self.closed.last_mut() else { return Some(loose) };
+        closed.most = closed.most.max(closed.here);
+        closed.here = 0;
+        if end {
+            let most = closed.most;
             self.pop();
+            self.close_around(most, &mut loose);
         }
         Some(loose)
+    }
+
+    /// Braces around a directive that its body closes: they end here.
+    fn close_around(&mut self, count: usize, loose: &mut Vec<usize>) {
+        for _ in 0..count {
+            match (self.stack.last(), self.closed.last_mut()) {
+                (Some((Opener::Brace, token)), _) => {
+                    loose.push(*token);
+                    self.pop();
+                }
+                (Some((Opener::Directive, _)), Some(closed)) => closed.here += 1,
+                _ => {}
+            }
+        }
     }
 
     /// What the end of the text leaves open.

@@ -1,6 +1,7 @@
 //! Built-in functions of the language: one table a group.
 
 mod numeric;
+mod random;
 mod text;
 mod vector;
 
@@ -124,6 +125,8 @@ impl<'a> Interpreter<'a> {
             ("file_exists", [path]) => Some(
                 self.text_value(path).map(|name| Value::Float(f64::from(self.options.search.find(&name).is_some()))),
             ),
+            ("seed", [start]) => Some(self.seed(start)),
+            ("rand", [stream]) => Some(self.rand(stream)),
             ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),
             _ => None,
         }

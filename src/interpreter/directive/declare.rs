@@ -14,9 +14,15 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn declare(&mut self, declare: &'a Declare) -> Result<()> {
         let target = &declare.target;
         if let Some(word) = target.keyword {
+            // Its value is read all the same, so that what follows is no second fault.
+            self.rvalue().ok();
             return Diagnostic::new(codes::RESERVED_NAME, target.span, format!("`{word}` is a word of the language"))
                 .help("names with a capital letter can never collide with one")
                 .into();
+        }
+        if let Some(at) = self.at_semicolon() {
+            let message = format!("expected a value for `{}`, found `;`", self.names.text(target.symbol));
+            return Diagnostic::err(codes::EXPECTED, at, message);
         }
         if let Some(index) = target.indices.first() {
             return Diagnostic::err(codes::NOT_YET, index.span, "arrays are not supported yet");

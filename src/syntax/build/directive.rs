@@ -158,9 +158,10 @@ impl Builder<'_> {
             match part.as_rule() {
                 Rule::name => (out.name, out.span) = (self.symbol(&part), self.span(&part)),
                 Rule::macro_parameter => {
-                    let mut inner = part.into_inner().rev();
-                    let name = inner.next().map(|p| self.symbol(&p));
-                    parameters.extend(name.map(|name| (name, inner.next().is_some())));
+                    let names: Vec<_> = part.into_inner().collect();
+                    let optional = names.len() > 1 && self.text_of(&names[0]) == "optional";
+                    let names = names.iter().skip(usize::from(optional));
+                    parameters.extend(names.map(|name| (self.symbol(name), optional)));
                 }
                 _ => out.body = self.elements(part.into_inner(), ""),
             }

@@ -212,12 +212,18 @@ fn climb(first: Expr, rest: Tail) -> Expr {
 pub(super) fn unescape(quoted: &str) -> Box<str> {
     let inner = quoted.strip_prefix('"').unwrap_or(quoted);
     let inner = inner.strip_suffix('"').unwrap_or(inner);
-    if !inner.contains('\\') {
+    if !inner.contains(['\\', '\r']) {
         return inner.into();
     }
     let mut out = String::with_capacity(inner.len());
     let mut chars = inner.chars();
     while let Some(c) = chars.next() {
+        if c == '\r' {
+            // However a file's lines end, in a string it is one character.
+            out.push('\n');
+            chars = chars.as_str().strip_prefix('\n').unwrap_or(chars.as_str()).chars();
+            continue;
+        }
         if c != '\\' {
             out.push(c);
             continue;

@@ -1,0 +1,33 @@
+//! `seed(A)` and `rand(Stream)` (manual, "Float Functions"): streams of numbers that look random and are the same in
+//! every run.
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::interpreter::Interpreter;
+use crate::syntax::ast::Expr;
+use crate::value::Value;
+
+impl<'a> Interpreter<'a> {
+    /// Opens a stream and gives its number: the first is 0.
+    pub(super) fn seed(&mut self, start: &'a Expr) -> Result<Value> {
+        let start = self.number(start)?;
+        // What 32 bits can't hold was seen to count as their smallest number.
+        let holds = start > -2_147_483_649.0 && start < 2_147_483_648.0;
+        self.random.push(if holds { start as i32 as u32 } else { 1 << 31 });
+        Ok(Value::Float((self.random.len() - 1) as f64))
+    }
+
+    /// The next number of a stream, from 0 to 1: a linear congruence, found from the numbers that POV-Ray prints. The
+    /// stream of seed 0 begins with the increment, that of seed 1 differs from it by the factor.
+    pub(super) fn rand(&mut self, stream: &'a Expr) -> Result<Value> {
+        let number = self.number(stream)?;
+        match self.random.get_mut(number as usize).filter(|_| number >= 0.0) {
+            Some(state) => {
+                *state = state.wrapping_mul(1_812_433_253).wrapping_add(12_345);
+                Ok(Value::Float(f64::from(*state) / f64::from(u32::MAX)))
+            }
+            None => Diagnostic::new(codes::BAD_ARGUMENT, stream.span, format!("there is no random stream {number}"))
+                .help("`#declare R = seed(1);` makes one, and `rand(R)` takes numbers from it")
+                .into(),
+        }
+    }
+}
