@@ -1,0 +1,125 @@
+//! Colours and all the ways to write one.
+
+use super::super::Interpreter;
+use super::super::stream::Token;
+use crate::color::{Color, Gamma, Rgb, transfer};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::fp;
+use crate::source::Span;
+use crate::value::{FloatOrColor, Reader, Value, VecN};
+
+/// The words that begin a colour.
+pub(super) const COLOR_WORDS: &[&str] = &[
+    "color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft", "red", "green", "blue",
+    "filter", "transmit", "alpha",
+];
+
+impl Interpreter<'_> {
+    /// The colour that an expression gives after one of the words `rgb`, `rgbt` …: a number stands for as many components
+    /// as the word has letters, and the two last of `rgbt` are swapped into place.
+    fn color_after(&mut self, word: &str) -> Result<Color> {
+        let (value, span) = self.value_here()?;
+        self.as_color(value, word, span)
+    }
+
+    /// `filter 0.5` and its kin after a colour.
+    fn color_components(&mut self, color: &mut Color) -> Result<()> {
+        while let Token::Word(word @ ("red" | "green" | "blue" | "filter" | "transmit" | "alpha")) = self.peek_on()? {
+            self.advance();
+            let x = self.float()?;
+            set_component(color, word, x);
+        }
+        Ok(())
+    }
+
+    fn as_color(&self, value: Value, word: &str, span: Span) -> Result<Color> {
+        let letters = word.trim_start_matches('s').len();
+        let mut c = match value {
+            Value::Float(x) => VecN::splat(x, if word.starts_with("col") { 5 } else { letters as u8 }).c,
+            Value::Vector(v) => v.c,
+            Value::Color(color) => color.to_array(),
+            other => {
+                let message = format!("expected a colour, found {}", other.describe());
+                return Diagnostic::err(codes::WRONG_TYPE, span, message);
+            }
+        };
+        if matches!(word, "rgbt" | "srgbt") {
+            // The fourth number is the transmit; a fifth has no meaning.
+            (c[4], c[3]) = (c[3], 0.0);
+        }
+        if !c.iter().all(|x| x.is_finite()) {
+            return Diagnostic::err(codes::NOT_FINITE, span, "this colour holds a number that is not finite");
+        }
+        let mut color = Color::from_array(c);
+        if word.starts_with('s') {
+            color.rgb = self.linear_of_srgb(color.rgb);
+        }
+        Ok(color)
+    }
+
+    /// An sRGB colour in the numbers that the scene computes with.
+    fn linear_of_srgb(&self, c: Rgb) -> Rgb {
+        let linear = transfer::srgb_decode_rgb(c);
+        match self.language.assumed_gamma {
+            Some(Gamma::Srgb) => c,
+            Some(Gamma::Power(g)) if g != 1.0 => {
+                let power = |x: f64| fp::pow(x.max(0.0), 1.0 / g);
+                Rgb::new(power(linear.x), power(linear.y), power(linear.z))
+            }
+            _ => linear,
+        }
+    }
+
+    /// `color` alone, `color rgb <…>`, `rgb <…>`, `<…>`, `color red 1 green 0.5`, `color Red filter 0.5`.
+    pub(super) fn read_color(&mut self) -> Result<Color> {
+        let mut word = match self.peek()? {
+            Token::Word(word) if COLOR_WORDS.contains(&word) => {
+                self.advance();
+                word
+            }
+            _ => "color",
+        };
+        if matches!(word, "color" | "colour")
+            && let Token::Word(next) = self.peek()?
+            && COLOR_WORDS.contains(&next)
+        {
+            self.advance();
+            word = next;
+        }
+        let mut color = Color::BLACK;
+        match word {
+            "red" | "green" | "blue" | "filter" | "transmit" | "alpha" => {
+                let x = self.float()?;
+                set_component(&mut color, word, x);
+            }
+            word => color = self.color_after(word)?,
+        }
+        self.color_components(&mut color)?;
+        Ok(color)
+    }
+
+    /// A number, or else a colour.
+    pub(super) fn read_float_or_color(&mut self) -> Result<FloatOrColor> {
+        if matches!(self.peek()?, Token::Word(_)) {
+            return self.color().map(FloatOrColor::Color);
+        }
+        let (value, span) = self.value_here()?;
+        if let Value::Float(x) = value {
+            return Ok(FloatOrColor::Float(x));
+        }
+        let mut color = self.as_color(value, "color", span)?;
+        self.color_components(&mut color)?;
+        Ok(FloatOrColor::Color(color))
+    }
+}
+
+fn set_component(color: &mut Color, word: &str, x: f64) {
+    match word {
+        "red" => color.rgb.x = x,
+        "green" => color.rgb.y = x,
+        "blue" => color.rgb.z = x,
+        "transmit" => color.transmit = x,
+        // `alpha` is its old name.
+        _ => color.filter = x,
+    }
+}

@@ -1,0 +1,94 @@
+//! `translate`, `rotate`, `scale`, `matrix` and `transform { … }`.
+
+use super::super::Interpreter;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{DVec3, Transform};
+use crate::value::{Next, Reader, ReaderExt, Thing};
+
+/// A declared transform.
+#[derive(Debug)]
+pub(in crate::interpreter) struct TransformThing(pub(in crate::interpreter) Transform);
+
+impl Thing for TransformThing {
+    fn kind(&self) -> &'static str {
+        "transform"
+    }
+}
+
+impl Interpreter<'_> {
+    /// One `translate`, `rotate` … after its word was consumed.
+    fn transform_step(&mut self, word: &str) -> Result<Transform> {
+        let span = {
+            self.peek()?;
+            self.here()
+        };
+        let singular = |_| {
+            let d = Diagnostic::new(codes::SINGULAR, span, format!("this `{word}` flattens space"));
+            Box::new(d.help("a factor of 0 has no inverse; use a small number instead"))
+        };
+        Ok(match word {
+            "translate" => Transform::translate(self.vector()?),
+            "rotate" => Transform::rotate(self.vector()?),
+            "scale" => {
+                let factors = self.vector()?;
+                // POV-Ray takes a factor of 0 for 1, with a warning.
+                let mended = DVec3::select(factors.cmpeq(DVec3::ZERO), DVec3::ONE, factors);
+                if mended != factors {
+                    let message = "a factor of 0 would flatten the object; 1 is used instead";
+                    self.report_fault(Diagnostic::new(codes::ZERO_SCALE, span, message));
+                }
+                Transform::scale(mended).map_err(singular)?
+            }
+            _ => {
+                let m = self.numbers(12)?;
+                let row = |i: usize| DVec3::new(m[3 * i], m[3 * i + 1], m[3 * i + 2]);
+                Transform::from_rows([row(0), row(1), row(2), row(3)]).map_err(singular)?
+            }
+        })
+    }
+
+    /// What stands between the braces of a `transform`.
+    pub(in crate::interpreter) fn transform_block(&mut self) -> Result<Transform> {
+        let mut all = Transform::IDENTITY;
+        loop {
+            match Reader::next(self)? {
+                Next::End => return Ok(all),
+                Next::Word("inverse") => {
+                    self.advance();
+                    all = all.inverse();
+                }
+                _ => match self.transform()? {
+                    Some(step) => all = all.then(&step),
+                    None => {
+                        let words = ["translate", "rotate", "scale", "matrix", "transform", "inverse"];
+                        return Err(self.unknown_word("transform", &words).into());
+                    }
+                },
+            }
+        }
+    }
+
+    /// One step, if one comes next.
+    pub(super) fn read_transform(&mut self) -> Result<Option<Transform>> {
+        match Reader::next(self)? {
+            Next::Word(word @ ("translate" | "rotate" | "scale" | "matrix")) => {
+                self.advance();
+                self.transform_step(word).map(Some)
+            }
+            Next::Word("transform") => {
+                // `transform T`, as in old scenes
+                self.advance();
+                let declared = ReaderExt::thing::<TransformThing>(self)?;
+                declared.map(|t| Some(t.0)).ok_or_else(|| Box::new(self.unexpected_token("a transform")))
+            }
+            Next::Block("transform") => {
+                self.take()?;
+                let all = self.transform_block()?;
+                self.leave()?;
+                Ok(Some(all))
+            }
+            Next::Thing("transform") => Ok(ReaderExt::thing::<TransformThing>(self)?.map(|t| t.0)),
+            _ => Ok(None),
+        }
+    }
+}
