@@ -16,7 +16,7 @@ use crate::diagnostic::{Diagnostic, Label, Result, Severity, codes};
 use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, SearchPath, Sources, Span};
 use crate::syntax::Names;
-use crate::syntax::ast::{Ast, Element, Symbol};
+use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::Language;
 use rustc_hash::FxHashMap;
 use scope::Scopes;
@@ -80,6 +80,8 @@ pub(crate) struct Interpreter<'a> {
     debug: &'a mut dyn FnMut(&str),
     parsed: FxHashMap<PathBuf, &'a Ast>,
     including: Vec<PathBuf>,
+    /// Sums behind a macro that gives a block: see [`Interpreter::call_before_sign`].
+    split_sums: FxHashMap<*const Chain, &'a [Element]>,
     scopes: Scopes<'a>,
     deprecated: FxHashMap<Symbol, &'a str>,
     /// States of the streams that `seed()` opened.
@@ -120,6 +122,7 @@ impl<'a> Interpreter<'a> {
             debug,
             parsed: FxHashMap::default(),
             including: vec![],
+            split_sums: FxHashMap::default(),
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
             random: vec![],

@@ -123,6 +123,13 @@ impl<'a> Interpreter<'a> {
                         self.call_macro(*name, arguments, element.span)?;
                         continue;
                     }
+                    ExprKind::Chain(chain) if self.leads_with_block(chain) => {
+                        if let Some(frame) = self.frames.last_mut() {
+                            frame.at += 1;
+                        }
+                        self.call_before_sign(chain, element.span)?;
+                        continue;
+                    }
                     ExprKind::Keyword(word) => Token::Word(word),
                     _ => Token::Expr(expr),
                 },

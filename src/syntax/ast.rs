@@ -17,7 +17,7 @@ pub struct Ast {
 }
 
 /// Something in a file, block, entry, group, directive's body, or macro's argument list.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Element {
     /// All of it.
     pub span: Span,
@@ -26,7 +26,7 @@ pub struct Element {
 }
 
 /// See the variants.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum ElementKind {
     /// A keyword that opens no block.
     Word(&'static str),
@@ -53,7 +53,7 @@ pub enum ElementKind {
 }
 
 /// A name and its elements.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Block {
     /// The word before the brace.
     pub name: Name,
@@ -71,7 +71,7 @@ pub struct Name {
 }
 
 /// Literal numbers and vectors.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct NumberList {
     /// All numbers of all items.
     pub data: Box<[f64]>,
@@ -80,7 +80,7 @@ pub struct NumberList {
 }
 
 /// How many numbers each item of a list has; 1 is a plain number.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Widths {
     /// All the same.
     Uniform(u16),
@@ -89,7 +89,7 @@ pub enum Widths {
 }
 
 /// An expression.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Expr {
     /// All of it.
     pub span: Span,
@@ -98,7 +98,7 @@ pub struct Expr {
 }
 
 /// See the variants. Chains of operators are flat, so that no tree is deeper than the text's brackets.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum ExprKind {
     /// A literal.
     Number(f64),
@@ -139,7 +139,7 @@ pub enum ExprKind {
 }
 
 /// Operands and the operators between them.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Chain {
     /// The first operand.
     pub first: Expr,
@@ -225,7 +225,7 @@ impl Operator {
 }
 
 /// `function { … }`: only its syntax so far.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Function {
     /// The names in parentheses; empty means `x, y, z`.
     pub parameters: Box<[Symbol]>,
@@ -236,7 +236,7 @@ pub struct Function {
 }
 
 /// What a `#` begins.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Directive {
     /// `#declare`, `#local`; the value is what the following elements give.
     Declare(Declare),
@@ -267,7 +267,7 @@ pub enum Directive {
 }
 
 /// `#declare A[i] =`
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Declare {
     /// `#local`.
     pub local: bool,
@@ -278,7 +278,7 @@ pub struct Declare {
 }
 
 /// What a `#declare` gives a value.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Target {
     /// The name.
     pub symbol: Symbol,
@@ -291,7 +291,7 @@ pub struct Target {
 }
 
 /// A condition and what happens where it holds.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Branch {
     /// See the variants.
     pub condition: Condition,
@@ -300,7 +300,7 @@ pub struct Branch {
 }
 
 /// When a branch is taken.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Condition {
     /// The value is not 0.
     True(Expr),
@@ -313,7 +313,7 @@ pub enum Condition {
 }
 
 /// `#for (I, 0, 10, 1)`
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct For {
     /// The counter.
     pub counter: Symbol,
@@ -324,7 +324,7 @@ pub struct For {
 }
 
 /// One arm of a `#switch`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Arm {
     /// See the variants.
     pub when: When,
@@ -333,7 +333,7 @@ pub struct Arm {
 }
 
 /// When an arm is taken.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum When {
     /// `#case`.
     Case(Expr),
@@ -344,7 +344,7 @@ pub enum When {
 }
 
 /// `#macro Name(A, B)`
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Macro {
     /// Its name.
     pub name: Symbol,

@@ -114,6 +114,11 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
         "\\" | "@" | "$" | "~" | "`" => "no such character stands in a scene outside of strings and comments".into(),
         "+" | "*" | "/" | "-" => "an operator needs a value on both sides".into(),
         "" => "something is missing at the end".into(),
+        _ if matches!(last_word(before), Some("rgb" | "rgbf" | "rgbt" | "rgbft" | "color" | "colour"))
+            && in_parentheses(before) =>
+        {
+            "in parentheses, a colour is written as a vector: `<1, 0, 0>`".into()
+        }
         _ => return None,
     })
 }
@@ -138,6 +143,8 @@ fn open_vector(text: &str, at: usize) -> Option<usize> {
     for (i, c) in text[..at].char_indices().rev() {
         match c {
             '>' => depth += 1,
+            // In parentheses it compares.
+            '<' if depth == 0 && follows_operand(text, i) && in_parentheses(&text[..i]) => {}
             '<' if depth == 0 => return Some(i),
             '<' => depth -= 1,
             '{' | '}' | ';' | '#' | '"' => return None,
@@ -145,4 +152,19 @@ fn open_vector(text: &str, at: usize) -> Option<usize> {
         }
     }
     None
+}
+
+/// Does this text end inside `( … )` where `<` would compare: in grouping parentheses, a condition or a function's?
+fn in_parentheses(text: &str) -> bool {
+    let mut depth = 0;
+    for (i, c) in text.char_indices().rev() {
+        match c {
+            ')' => depth += 1,
+            '(' if depth == 0 => return last_word(text[..i].trim_end()).is_none_or(|w| word::lookup(w).is_some()),
+            '(' => depth -= 1,
+            '{' | '}' | ';' | '#' | '"' => return false,
+            _ => {}
+        }
+    }
+    false
 }

@@ -53,9 +53,14 @@ impl Texture {
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
         let mut out = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
+        // Textures stand inside a texture only behind the pattern that chooses among them.
+        let mut chooses = false;
         loop {
             match r.next()? {
                 Next::End => return Ok(out),
+                Next::Block("texture") | Next::Thing("texture") if !chooses => {
+                    return Err(r.unknown_word("texture", WORDS).into());
+                }
                 next if out.read_part(r, next, base)? => {}
                 Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
                 | Next::Block("transform")
@@ -70,7 +75,8 @@ impl Texture {
                         || crate::pattern::WORDS_NOT_DRAWN.contains(&word)
                         || LATER.contains(&word) =>
                 {
-                    r.skip_unsupported(word)?
+                    r.skip_unsupported(word)?;
+                    chooses = true;
                 }
                 _ => return Err(r.unknown_word("texture", WORDS).into()),
             }

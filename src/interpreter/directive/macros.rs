@@ -8,6 +8,9 @@ use crate::interpreter::stream::{FrameKind, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
 
+/// Macros that call macros are followed so deep to see what they begin with.
+const LOOK_DEPTH: usize = 8;
+
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn define_macro(&mut self, definition: &'a Macro) -> Result<()> {
         self.scopes.set_global(definition.name, Slot::Macro(definition), vec![]);
@@ -41,6 +44,59 @@ impl<'a> Interpreter<'a> {
         self.depth += 1;
         self.push_frame(&definition.body, FrameKind::Macro(name), span);
         Ok(())
+    }
+
+    /// Is this a sum whose first term is a macro that gives a block, not a number? In `Boxed(A) -y` the sign then begins
+    /// a value of its own, as it would if the macro's text stood there.
+    pub(in crate::interpreter) fn leads_with_block(&self, chain: &Chain) -> bool {
+        matches!(&chain.first.kind, ExprKind::Call(name, _) if self.gives_block(*name, 0))
+            && chain.rest.first().is_some_and(|(op, _)| op.adds())
+    }
+
+    fn gives_block(&self, name: Symbol, depth: usize) -> bool {
+        let Some(Slot::Macro(definition)) = self.scopes.get(name) else { return false };
+        depth < LOOK_DEPTH && self.begins_with_block(&definition.body, depth).unwrap_or(false)
+    }
+
+    /// Is the first thing that these elements give a block? `None` if they give nothing.
+    fn begins_with_block(&self, elements: &[Element], depth: usize) -> Option<bool> {
+        // Between `#declare A =` and its `;` stands what A gets.
+        let mut declares = false;
+        elements.iter().find_map(|element| match &element.kind {
+            ElementKind::Directive(directive) => {
+                declares = matches!(**directive, Directive::Declare(_));
+                match &**directive {
+                    Directive::If(branches) => branches.iter().find_map(|b| self.begins_with_block(&b.body, depth)),
+                    _ => None,
+                }
+            }
+            ElementKind::Semicolon => {
+                declares = false;
+                None
+            }
+            _ if declares => None,
+            ElementKind::Block(_) | ElementKind::Open(_) => Some(true),
+            ElementKind::Expr(e) => match e.kind {
+                ExprKind::Call(name, _) => Some(self.gives_block(name, depth + 1)),
+                _ => Some(false),
+            },
+            _ => Some(false),
+        })
+    }
+
+    /// Puts the macro that a sum begins with next in the stream, and behind it the rest of the sum.
+    pub(in crate::interpreter) fn call_before_sign(&mut self, chain: &'a Chain, span: Span) -> Result<()> {
+        let ExprKind::Call(name, arguments) = &chain.first.kind else { return Ok(()) };
+        let key: *const Chain = chain;
+        let rest = match self.split_sums.get(&key) {
+            Some(rest) => *rest,
+            None => {
+                let rest = &self.asts.push_get(Box::new(rest_of_sum(chain))).elements;
+                *self.split_sums.entry(key).or_insert(rest)
+            }
+        };
+        self.push_frame(rest, FrameKind::Branch, span);
+        self.call_macro(*name, arguments, chain.first.span)
     }
 
     fn arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
@@ -86,6 +142,20 @@ impl<'a> Interpreter<'a> {
         }
         self.rvalue()
     }
+}
+
+/// `-b + c` of `a - b + c`.
+fn rest_of_sum(chain: &Chain) -> Ast {
+    let Some(((sign, term), rest)) = chain.rest.split_first() else { return Ast::default() };
+    let prefix = if *sign == Operator::Sub { Prefix::Minus } else { Prefix::Plus };
+    let first = Expr { span: term.span, kind: ExprKind::Prefix(prefix, Box::new(term.clone())) };
+    let span = rest.iter().fold(term.span, |span, (_, e)| span.to(e.span));
+    let kind = match rest {
+        [] => first.kind,
+        rest => ExprKind::Chain(Box::new(Chain { first, rest: rest.into() })),
+    };
+    let element = Element { span, kind: ElementKind::Expr(Box::new(Expr { span, kind })) };
+    Ast { elements: vec![element], comments: vec![] }
 }
 
 fn counted(n: usize) -> String {
