@@ -114,6 +114,8 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
 "A map needs at least one entry such as `[0.5 color rgb 1]`."
     UNCLOSED_BLOCK "E0215" "a block that never ends"
 "The text ended, or a macro's body did, before the block's `}`."
+    BAD_INDEX "E0216" "an index outside of an array"
+"The elements of `array[3]` are 0, 1 and 2. A size is at least 1."
     NOT_YET "E0220" "not supported yet"
 "This part of the language is read but can't be run yet. See the manual for what durer does so far."
     MISSING_INCLUDE "E0230" "an included file was not found"

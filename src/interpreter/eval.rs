@@ -42,11 +42,9 @@ impl<'a> Interpreter<'a> {
                 component(&value, name, base.span)
             }
             ExprKind::Spliced(elements) | ExprKind::ParenSpliced(elements) => self.operand(elements, e.span),
-            ExprKind::Index(array, _) => {
-                if let ExprKind::Name(symbol) = array.kind {
-                    self.name_value(symbol, array.span)?;
-                }
-                Diagnostic::err(codes::NOT_YET, e.span, "arrays are not supported yet")
+            ExprKind::Index(array, indices) => {
+                let slot = self.indexed(array, indices, e.span)?;
+                self.slot_value(slot, e.span)
             }
             ExprKind::Function(_) => Diagnostic::err(codes::NOT_YET, e.span, "functions are not supported yet"),
             ExprKind::Keyword(word) => {
@@ -74,6 +72,10 @@ impl<'a> Interpreter<'a> {
                     let value = self.name_value(*symbol, e.span)?;
                     as_float(&value, e.span)
                 }
+            },
+            ExprKind::Index(array, indices) if indices.len() == 1 => match self.indexed_number(array, &indices[0])? {
+                Some(x) => Ok(x),
+                None => self.eval(e).and_then(|value| as_float(&value, e.span)),
             },
             _ => {
                 let value = self.eval(e)?;
@@ -108,20 +110,36 @@ impl<'a> Interpreter<'a> {
                 }
                 Ok(value)
             }
-            Some(Slot::Faulty(faults)) => {
-                let faults = faults.clone();
+            Some(slot @ (Slot::Faulty(_) | Slot::Macro(_) | Slot::Array(_))) => {
+                let slot = slot.clone();
+                self.slot_value(slot, span)
+            }
+            Some(Slot::Alias(_)) | None => self.constant(symbol, span),
+        }
+    }
+
+    /// What a name or an array's element holds, where a value is needed.
+    pub(super) fn slot_value(&mut self, slot: Slot<'a>, span: Span) -> Result<Value> {
+        match slot {
+            Slot::Value(value) => Ok(value),
+            Slot::Faulty(faults) => {
                 for fault in faults.iter() {
                     self.report_fault(fault.clone());
                 }
                 Diagnostic::err(codes::FOLLOWS, span, "")
             }
-            Some(Slot::Macro(_)) => {
-                let name = self.names.text(symbol);
+            Slot::Macro(definition) => {
+                let name = self.names.text(definition.name);
                 Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"))
                     .help(format!("a call needs parentheses: `{name}()`"))
                     .into()
             }
-            Some(Slot::Alias(..)) | None => self.constant(symbol, span),
+            Slot::Array(_) | Slot::Alias(_) => {
+                let name = self.sources.snippet(span);
+                Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is an array"))
+                    .help(format!("`{name}[0]` is its first element"))
+                    .into()
+            }
         }
     }
 

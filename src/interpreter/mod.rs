@@ -1,5 +1,6 @@
 //! Runs the AST: scopes, macros, directives, built-in functions.
 
+mod array;
 mod builtin;
 mod compat;
 mod directive;
@@ -19,7 +20,7 @@ use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::Language;
 use rustc_hash::FxHashMap;
-use scope::Scopes;
+use scope::{Place, Scopes};
 use std::path::PathBuf;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
@@ -88,6 +89,8 @@ pub(crate) struct Interpreter<'a> {
     random: Vec<u32>,
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
+    /// The element of an array that [`Token::Element`] announces.
+    element: Option<Place>,
     /// How many frames there were when the declaration that is being read began.
     floor: usize,
     /// The words of the blocks around here and their places, innermost last.
@@ -128,6 +131,7 @@ impl<'a> Interpreter<'a> {
             random: vec![],
             frames: vec![],
             peeked: None,
+            element: None,
             floor: 0,
             blocks: vec![],
             depth: 0,

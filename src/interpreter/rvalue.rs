@@ -7,7 +7,7 @@ use super::stream::Token;
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::scene::{Object, is_object, read_layers, read_material};
-use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::ast::{Block, Expr, ExprKind, Name};
 use crate::texture::{ColorMap, Finish, Interior, Pigment};
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
@@ -50,7 +50,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span }) => {
-                if let Some(slot @ Slot::Faulty(_)) = self.scopes.get(*symbol) {
+                if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.scopes.get(*symbol) {
                     let slot = slot.clone();
                     self.advance();
                     return Ok(slot);
@@ -59,16 +59,15 @@ impl<'a> Interpreter<'a> {
                 self.advance();
                 Ok(Slot::Value(value))
             }
-            Token::Function | Token::Expr(Expr { kind: ExprKind::Function(_), .. }) => {
+            Token::Function(_) | Token::Expr(Expr { kind: ExprKind::Function(_), .. }) => {
                 let span = self.here();
                 self.advance();
                 Diagnostic::err(codes::NOT_YET, span, "functions are not supported yet")
             }
             Token::Expr(_) | Token::Numbers(_) => self.value_here().map(|(value, _)| Slot::Value(value)),
-            Token::Word(word @ ("array" | "spline")) => {
-                let span = self.here();
-                Diagnostic::err(codes::NOT_YET, span, format!("`{word}` is not supported yet"))
-            }
+            Token::Element(_) => self.take_element(),
+            Token::Word("array") => self.array(),
+            Token::Block(Block { name: Name { word: Some("array"), .. }, .. }) => self.array_of_braces(self.here()),
             Token::Word(_) if self.at_color()? => Ok(Slot::Value(Value::Color(self.color()?))),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),

@@ -11,11 +11,54 @@ use std::rc::Rc;
 #[derive(Clone, Debug)]
 pub(super) enum Slot<'a> {
     Value(Value),
+    Array(Rc<Array<'a>>),
     Macro(&'a Macro),
-    /// A macro's parameter that was given a name: reads and writes go to that binding.
-    Alias(Symbol, usize),
+    /// A macro's parameter that was given a name or an array's element: reads and writes go there.
+    Alias(Place),
     /// What was declared could not be built; told when it is used.
     Faulty(Rc<Vec<Diagnostic>>),
+}
+
+/// Where a value is kept.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    /// Whose binding it is.
+    pub(super) symbol: Symbol,
+    /// Which of the symbol's bindings, the outermost first.
+    depth: usize,
+    /// The element, and the element of that array and so on: indices into [`Array::items`].
+    path: Option<Rc<[usize]>>,
+}
+
+impl Place {
+    fn path(&self) -> &[usize] {
+        self.path.as_deref().unwrap_or_default()
+    }
+
+    /// An element of the array that is here, or of an array in it.
+    pub(super) fn element(&self, indices: &[usize]) -> Place {
+        let path = self.path().iter().chain(indices).copied().collect();
+        Place { path: Some(path), ..self.clone() }
+    }
+}
+
+/// `array[2][3]`: anything that can have a name, or nothing yet, in each place.
+#[derive(Clone, Debug)]
+pub(super) struct Array<'a> {
+    /// How many elements each dimension has.
+    pub(super) sizes: Box<[usize]>,
+    /// In rows: the last index counts fastest.
+    pub(super) items: Vec<Option<Slot<'a>>>,
+}
+
+impl<'a> Slot<'a> {
+    /// The element at the end of a path.
+    pub(super) fn element(&self, path: &[usize]) -> Option<&Slot<'a>> {
+        path.iter().try_fold(self, |slot, &i| match slot {
+            Slot::Array(array) => array.items.get(i)?.as_ref(),
+            _ => None,
+        })
+    }
 }
 
 /// Aliases of aliases that are followed.
@@ -62,14 +105,20 @@ impl<'a> Scopes<'a> {
     }
 
     /// The place of the innermost binding, aliases followed; `None` too where an `#undef` has taken what an alias stood for.
-    pub(super) fn resolve(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
+    pub(super) fn resolve(&self, symbol: Symbol) -> Option<Place> {
+        let (symbol, depth, path) = self.find(symbol)?;
+        Some(Place { symbol, depth, path: path.cloned() })
+    }
+
+    /// The same without a copy of the path.
+    fn find(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Rc<[usize]>>)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
-        let (mut symbol, mut depth) = (symbol, depth);
+        let (mut symbol, mut depth, mut path) = (symbol, depth, None);
         // An alias is made of a resolved place. Only what came there after an `#undef` can be another alias.
         for _ in 0..MAX_ALIASES {
-            match self.bindings[symbol.0 as usize].get(depth)?.slot {
-                Slot::Alias(to, at) => (symbol, depth) = (to, at),
-                _ => return Some((symbol, depth)),
+            match &self.bindings[symbol.0 as usize].get(depth)?.slot {
+                Slot::Alias(place) => (symbol, depth, path) = (place.symbol, place.depth, place.path.as_ref()),
+                _ => return Some((symbol, depth, path)),
             }
         }
         None
@@ -94,13 +143,36 @@ impl<'a> Scopes<'a> {
     }
 
     pub(super) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
-        let (symbol, depth) = self.resolve(symbol)?;
-        Some(&self.bindings[symbol.0 as usize][depth].slot)
+        let (symbol, depth, path) = self.find(symbol)?;
+        let slot = &self.bindings[symbol.0 as usize][depth].slot;
+        path.map_or(Some(slot), |path| slot.element(path))
+    }
+
+    /// What is at a place now.
+    pub(super) fn at(&self, place: &Place) -> Option<&Slot<'a>> {
+        self.bindings.get(place.symbol.0 as usize)?.get(place.depth)?.slot.element(place.path())
+    }
+
+    /// Puts something into an array's element, or takes it out.
+    pub(super) fn set_element(&mut self, place: &Place, slot: Option<Slot<'a>>) {
+        let binding = self.bindings.get_mut(place.symbol.0 as usize).and_then(|b| b.get_mut(place.depth));
+        let Some((binding, (last, path))) = binding.zip(place.path().split_last()) else { return };
+        let mut target = &mut binding.slot;
+        for &i in path {
+            let Slot::Array(array) = target else { return };
+            let Some(Some(inner)) = Rc::make_mut(array).items.get_mut(i) else { return };
+            target = inner;
+        }
+        if let Slot::Array(array) = target
+            && let Some(item) = Rc::make_mut(array).items.get_mut(*last)
+        {
+            *item = slot;
+        }
     }
 
     /// The warnings that wait for the use of a name.
     pub(super) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
-        let (symbol, depth) = self.resolve(symbol)?;
+        let (symbol, depth, _) = self.find(symbol)?;
         let pending = &self.bindings[symbol.0 as usize][depth].pending;
         (!pending.is_empty()).then(|| pending.clone())
     }
@@ -113,22 +185,32 @@ impl<'a> Scopes<'a> {
         }
         let own = self.stack(symbol).len() - 1;
         // What a parameter stood for may be gone: then it stands for itself from now on.
-        let (symbol, depth) = self.resolve(symbol).unwrap_or((symbol, own));
-        self.replace(symbol, depth, slot, pending);
+        match self.resolve(symbol) {
+            Some(place) => self.replace(&place, slot, pending),
+            None => self.rebind(symbol, own, slot, pending),
+        }
     }
 
     /// `#declare`: changes the innermost binding, or makes a global one.
     pub(super) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match self.resolve(symbol) {
-            Some((symbol, depth)) => self.replace(symbol, depth, slot, pending),
+            Some(place) => self.replace(&place, slot, pending),
             None => match self.stack(symbol).len() {
                 0 => self.push(symbol, 0, slot, pending),
-                n => self.replace(symbol, n - 1, slot, pending),
+                n => self.rebind(symbol, n - 1, slot, pending),
             },
         }
     }
 
-    fn replace(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    fn replace(&mut self, place: &Place, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        if place.path.is_none() {
+            self.rebind(place.symbol, place.depth, slot, pending);
+        } else {
+            self.set_element(place, Some(slot));
+        }
+    }
+
+    fn rebind(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let binding = &mut self.bindings[symbol.0 as usize][depth];
         (binding.slot, binding.pending) = (slot, pending.into());
     }
@@ -153,9 +235,15 @@ impl<'a> Scopes<'a> {
 
     /// Errors in declared things that nobody used.
     pub(super) fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
-        self.bindings.iter().flatten().flat_map(|b| match &b.slot {
-            Slot::Faulty(faults) => faults.iter(),
-            _ => [].iter(),
-        })
+        self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
+    }
+}
+
+/// The faults of what could not be built, also in an array.
+fn faults_of<'s>(slot: &'s Slot) -> Box<dyn Iterator<Item = &'s Diagnostic> + 's> {
+    match slot {
+        Slot::Faulty(faults) => Box::new(faults.iter()),
+        Slot::Array(array) => Box::new(array.items.iter().flatten().flat_map(faults_of)),
+        _ => Box::new(std::iter::empty()),
     }
 }

@@ -17,7 +17,9 @@ pub(super) enum Token<'a> {
     Numbers(&'a [f64]),
     Entry(&'a [Element]),
     Group(&'a [Element]),
-    Function,
+    Function(&'a Function),
+    /// An element of an array alone; its indices are evaluated, and where it is kept stands in `Interpreter::element`.
+    Element(&'a Expr),
     /// The end of the block, entry, group, argument list or file that is being read.
     End,
 }
@@ -131,6 +133,10 @@ impl<'a> Interpreter<'a> {
                         continue;
                     }
                     ExprKind::Keyword(word) => Token::Word(word),
+                    ExprKind::Index(base, indices) => {
+                        self.element = Some(self.element_place(base, indices)?);
+                        Token::Element(expr)
+                    }
                     _ => Token::Expr(expr),
                 },
                 ElementKind::Numbers(list) => {
@@ -142,7 +148,7 @@ impl<'a> Interpreter<'a> {
                 ElementKind::Open(name) => Token::Open(name),
                 ElementKind::Entry(elements) => Token::Entry(elements),
                 ElementKind::Group(elements) => Token::Group(elements),
-                ElementKind::Function(_) => Token::Function,
+                ElementKind::Function(function) => Token::Function(function),
                 ElementKind::Close => Token::End,
             };
             return Ok(self.announce(token));

@@ -125,6 +125,8 @@ impl<'a> Interpreter<'a> {
             ("file_exists", [path]) => Some(
                 self.text_value(path).map(|name| Value::Float(f64::from(self.options.search.find(&name).is_some()))),
             ),
+            ("dimensions", [array]) => Some(self.array_argument(array).map(|a| Value::Float(a.sizes.len() as f64))),
+            ("dimension_size", [array, dimension]) => Some(self.dimension_size(array, dimension)),
             ("seed", [start]) => Some(self.seed(start)),
             ("rand", [stream]) => Some(self.rand(stream)),
             ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),

@@ -34,7 +34,13 @@ impl<'a> Interpreter<'a> {
         match &e.kind {
             // The language's own constants are not declared.
             ExprKind::Name(symbol) => Ok(self.scopes.get(*symbol).is_some()),
-            ExprKind::Index(array, _) => self.is_declared(array),
+            ExprKind::Index(array, indices) => {
+                if !self.is_declared(array)? {
+                    return Ok(false);
+                }
+                let place = self.element_place(array, indices)?;
+                Ok(self.scopes.at(&place).is_some())
+            }
             ExprKind::Paren(inner) => self.is_declared(inner),
             _ => Diagnostic::err(codes::WRONG_TYPE, e.span, "`#ifdef` takes a name"),
         }

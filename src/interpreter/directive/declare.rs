@@ -24,9 +24,10 @@ impl<'a> Interpreter<'a> {
             let message = format!("expected a value for `{}`, found `;`", self.names.text(target.symbol));
             return Diagnostic::err(codes::EXPECTED, at, message);
         }
-        if let Some(index) = target.indices.first() {
-            return Diagnostic::err(codes::NOT_YET, index.span, "arrays are not supported yet");
-        }
+        let place = match target.indices.first() {
+            Some(_) => Some(self.place_of(target.symbol, target.span, &target.indices)?),
+            None => None,
+        };
         let mark = self.diagnostics.len();
         let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
         let outer = std::mem::replace(&mut self.floor, depth);
@@ -50,7 +51,10 @@ impl<'a> Interpreter<'a> {
         // Warnings about a thing wait until it is used; those about a number are told here.
         let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
         let pending = if waits { self.diagnostics.split_off(mark.min(self.diagnostics.len())) } else { vec![] };
-        if declare.local {
+        if let Some(place) = place {
+            self.scopes.set_element(&place, Some(slot));
+            pending.into_iter().for_each(|d| self.report_fault(d));
+        } else if declare.local {
             self.scopes.set_local(target.symbol, slot, pending);
         } else {
             self.scopes.set_global(target.symbol, slot, pending);
@@ -62,8 +66,13 @@ impl<'a> Interpreter<'a> {
     }
 
     pub(in crate::interpreter) fn undef(&mut self, name: &'a Expr) -> Result<()> {
-        if let ExprKind::Name(symbol) = name.kind {
-            self.scopes.remove(symbol);
+        match &name.kind {
+            ExprKind::Name(symbol) => drop(self.scopes.remove(*symbol)),
+            ExprKind::Index(array, indices) => {
+                let place = self.element_place(array, indices)?;
+                self.scopes.set_element(&place, None);
+            }
+            _ => {}
         }
         Ok(())
     }

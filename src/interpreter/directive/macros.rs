@@ -135,10 +135,14 @@ impl<'a> Interpreter<'a> {
         if let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
             && self.frames[depth..].iter().all(|f| !matches!(f.kind, FrameKind::Macro(_) | FrameKind::Include))
             && !self.is_macro(*symbol)
-            && let Some((symbol, depth)) = self.scopes.resolve(*symbol)
+            && let Some(place) = self.scopes.resolve(*symbol)
         {
             self.advance();
-            return Ok(Slot::Alias(symbol, depth));
+            return Ok(Slot::Alias(place));
+        }
+        if let (Token::Element(_), Some(place)) = (self.peek()?, self.element.clone()) {
+            self.take_element()?;
+            return Ok(Slot::Alias(place));
         }
         self.rvalue()
     }

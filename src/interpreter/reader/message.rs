@@ -30,7 +30,8 @@ impl Interpreter<'_> {
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Entry(_)) => "`[`".to_string(),
             Ok(Token::Group(_)) => "`{`".to_string(),
-            Ok(Token::Function) => "a function".to_string(),
+            Ok(Token::Element(e)) => format!("`{}`", self.sources.snippet(e.span)),
+            Ok(Token::Function(_)) => "a function".to_string(),
             Ok(Token::End) => match self.blocks.last() {
                 Some((block, _)) => format!("the end of `{block} {{…}}`"),
                 None => "the end".to_string(),

@@ -30,6 +30,10 @@ impl<'a> Interpreter<'a> {
                 self.advance();
                 Ok((self.eval(e)?, e.span))
             }
+            Token::Element(e) => {
+                let slot = self.take_element()?;
+                Ok((self.slot_value(slot, e.span)?, e.span))
+            }
             Token::Numbers(data) => {
                 self.advance();
                 let value = match data {
@@ -100,7 +104,11 @@ impl Reader for Interpreter<'_> {
                 }
             },
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.next_of_name(*symbol),
-            Token::Expr(_) | Token::Numbers(_) | Token::Function => Next::Value,
+            Token::Element(_) => match self.element.as_ref().and_then(|place| self.scopes.at(place)) {
+                Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
+                _ => Next::Value,
+            },
+            Token::Expr(_) | Token::Numbers(_) | Token::Function(_) => Next::Value,
             Token::Entry(_) => Next::Entry,
             Token::Group(_) => Next::Group,
             Token::End => Next::End,
@@ -166,6 +174,12 @@ impl Reader for Interpreter<'_> {
             self.advance();
             if let Value::Thing(thing) = self.name_value(*symbol, *span)? {
                 return Ok((thing, *span));
+            }
+        }
+        if let Token::Element(e) = self.peek()? {
+            let slot = self.take_element()?;
+            if let Value::Thing(thing) = self.slot_value(slot, e.span)? {
+                return Ok((thing, e.span));
             }
         }
         Err(self.unexpected_token("a declared thing").into())
@@ -251,6 +265,10 @@ impl Reader for Interpreter<'_> {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 matches!(self.next_of_name(*symbol), Next::Value)
                     && !matches!(self.scopes.get(*symbol), Some(Slot::Value(Value::Text(_))))
+            }
+            Token::Element(_) => {
+                let slot = self.element.as_ref().and_then(|place| self.scopes.at(place));
+                matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) => true,
             _ => false,

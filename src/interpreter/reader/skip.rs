@@ -37,7 +37,7 @@ impl Interpreter<'_> {
             match Reader::next(self)? {
                 Next::Value => {
                     // What can't be evaluated yet (functions, arrays) is passed over too.
-                    if matches!(self.peek()?, Token::Function) {
+                    if matches!(self.peek()?, Token::Function(_)) {
                         self.advance();
                     } else {
                         drop(self.value_here());

@@ -19,9 +19,13 @@ impl Builder<'_> {
             Rule::end_of_loop => Directive::Break,
             Rule::undef => {
                 let target = pair.into_inner().next().map(|p| self.declared(p));
-                Directive::Undef(target.map_or(Expr { span: Span::NONE, kind: ExprKind::Number(0.0) }, |t| Expr {
-                    span: t.span,
-                    kind: ExprKind::Name(t.symbol),
+                let nothing = || Expr { span: Span::NONE, kind: ExprKind::Number(0.0) };
+                Directive::Undef(target.map_or_else(nothing, |t| {
+                    let name = Expr { span: t.span, kind: ExprKind::Name(t.symbol) };
+                    match t.indices.len() {
+                        0 => name,
+                        _ => Expr { span: t.span, kind: ExprKind::Index(Box::new(name), t.indices) },
+                    }
                 }))
             }
             Rule::simple => self.simple(pair),

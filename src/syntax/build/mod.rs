@@ -60,9 +60,16 @@ impl<'n> Builder<'n> {
     pub(super) fn elements_into(&self, pairs: Pairs<Rule>, block: &str, out: &mut Vec<Element>) {
         let context = word::contextual(block);
         for pair in pairs.filter(|p| p.as_rule() != Rule::EOI) {
+            let end = pair.as_span().end();
             let (element, rest) = split_contextual(self.element(pair, block), context, self.names);
+            // Textures in a row are layers of one, unless a comma stands between them.
+            let ends = is_texture(&element) && self.tokens.get(end).is_some_and(|t| self.token_text(*t) == ",");
             out.push(element);
             out.extend(rest);
+            if ends {
+                let at = self.token_span(self.tokens[end]);
+                out.push(Element { span: at, kind: ElementKind::Semicolon });
+            }
         }
     }
 
@@ -130,6 +137,10 @@ impl<'n> Builder<'n> {
         function.body = body.into_boxed_slice();
         function
     }
+}
+
+fn is_texture(element: &Element) -> bool {
+    matches!(&element.kind, ElementKind::Block(block) if block.name.word == Some("texture"))
 }
 
 fn known_word(text: &str) -> Option<&'static str> {
