@@ -26,6 +26,7 @@ pub mod camera;
 pub mod cli;
 pub mod color;
 pub mod diagnostic;
+pub mod function;
 pub mod image_io;
 pub mod interpreter;
 pub mod light;

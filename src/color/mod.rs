@@ -57,7 +57,10 @@ impl Color {
     }
 }
 
+/// How much red, green and blue add to brightness (manual, "Color Operators").
+pub const GRAY_WEIGHTS: [f64; 3] = [0.297, 0.589, 0.114];
+
 /// Brightness as POV-Ray's `.gray` weighs it (manual, "Color Operators").
 pub fn gray(c: Rgb) -> f64 {
-    0.297 * c.x + 0.589 * c.y + 0.114 * c.z
+    GRAY_WEIGHTS[0] * c.x + GRAY_WEIGHTS[1] * c.y + GRAY_WEIGHTS[2] * c.z
 }

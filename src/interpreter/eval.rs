@@ -46,7 +46,13 @@ impl<'a> Interpreter<'a> {
                 let slot = self.indexed(array, indices, e.span)?;
                 self.slot_value(slot, e.span)
             }
-            ExprKind::Function(_) => Diagnostic::err(codes::NOT_YET, e.span, "functions are not supported yet"),
+            ExprKind::Apply(function, arguments) => {
+                let function = self.eval(function)?;
+                self.call_thing(&function, arguments, e.span)
+            }
+            ExprKind::Function(_) => {
+                Diagnostic::err(codes::EXPECTED_VALUE, e.span, "expected a number or text, found a function")
+            }
             ExprKind::Keyword(word) => {
                 Diagnostic::err(codes::EXPECTED_VALUE, e.span, format!("expected a value, found the word `{word}`"))
             }
@@ -218,11 +224,7 @@ impl<'a> Interpreter<'a> {
                 self.call_macro(*name, arguments, e.span)?;
                 self.macro_result(*name, e.span)
             }
-            ExprKind::Call(name, _) => {
-                self.name_value(*name, e.span)?;
-                let text = self.names.text(*name);
-                Diagnostic::err(codes::NOT_CALLABLE, e.span, format!("`{text}` is neither a macro nor a function"))
-            }
+            ExprKind::Call(name, arguments) => Ok((self.call_value(*name, arguments, e.span)?, vec![])),
             ExprKind::Prefix(prefix, inner) => {
                 let (first, rest) = self.operand_parts(inner)?;
                 Ok((apply_prefix(*prefix, first, inner.span)?, rest))
@@ -262,7 +264,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the body of the macro whose frame lies on top, whose end must stop the reading, not pass over into what
     /// follows the call.
-    fn macro_body<T>(&mut self, name: Symbol, read: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+    pub(super) fn macro_body<T>(&mut self, name: Symbol, read: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         let depth = self.frames.len();
         if let Some(frame) = self.frames.last_mut() {
             frame.kind = FrameKind::Call(name);
@@ -320,7 +322,7 @@ impl<'a> Interpreter<'a> {
         vector_value(&all, span)
     }
 
-    fn is_plain(&self, part: &Element) -> bool {
+    pub(super) fn is_plain(&self, part: &Element) -> bool {
         match &part.kind {
             ElementKind::Expr(e) => match &e.kind {
                 ExprKind::Call(name, _) => !self.is_macro(*name),

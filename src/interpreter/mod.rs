@@ -5,6 +5,7 @@ mod builtin;
 mod compat;
 mod directive;
 mod eval;
+mod function;
 mod hints;
 mod limits;
 mod reader;

@@ -5,7 +5,7 @@ use super::reader::TransformThing;
 use super::scope::Slot;
 use super::stream::Token;
 use crate::camera::Camera;
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_layers, read_material};
 use crate::syntax::ast::{Block, Expr, ExprKind, Name};
 use crate::texture::{ColorMap, Finish, Interior, Pigment};
@@ -20,7 +20,6 @@ const LATER: &[&str] = &[
     "fog",
     "rainbow",
     "sky_sphere",
-    "spline",
     "pigment_map",
     "normal_map",
     "slope_map",
@@ -59,10 +58,14 @@ impl<'a> Interpreter<'a> {
                 self.advance();
                 Ok(Slot::Value(value))
             }
-            Token::Function(_) | Token::Expr(Expr { kind: ExprKind::Function(_), .. }) => {
+            Token::Function(function) => {
                 let span = self.here();
                 self.advance();
-                Diagnostic::err(codes::NOT_YET, span, "functions are not supported yet")
+                Ok(Slot::Value(Value::Thing(self.read_function(function, span)?)))
+            }
+            Token::Expr(Expr { kind: ExprKind::Function(function), span }) => {
+                self.advance();
+                Ok(Slot::Value(Value::Thing(self.read_function(function, *span)?)))
             }
             Token::Expr(_) | Token::Numbers(_) => self.value_here().map(|(value, _)| Slot::Value(value)),
             Token::Element(_) => self.take_element(),
@@ -79,6 +82,9 @@ impl<'a> Interpreter<'a> {
     /// A block that has a kind of value.
     fn thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
         let defaults = self.defaults.clone();
+        if word == "spline" {
+            return Ok(self.spline()?);
+        }
         if word == "texture" {
             return Ok(Arc::new(read_layers(self, &defaults)?));
         }

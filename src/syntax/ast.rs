@@ -130,6 +130,8 @@ pub enum ExprKind {
     Call(Symbol, Box<[Element]>),
     /// `A[i][j]`
     Index(Box<Expr>, Box<[Expr]>),
+    /// `A[i](x)`
+    Apply(Box<Expr>, Box<[Element]>),
     /// `A.x`
     Dot(Box<Expr>, Name, Symbol),
     /// A function as a value.

@@ -158,6 +158,16 @@ impl Pigment {
         }
     }
 
+    /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
+    pub fn number_at(&self, p: DVec3) -> f64 {
+        let inner = || self.transform.inverse_point(p);
+        match &self.paint {
+            Paint::Solid(_) => 0.0,
+            Paint::Cells { pattern, .. } => pattern.cell(inner()) as f64,
+            Paint::Mapped { pattern, modifiers, .. } => modifiers.apply(pattern.value(inner())),
+        }
+    }
+
     /// Does no light pass anywhere?
     pub fn is_opaque(&self) -> bool {
         let opaque = |c: &Color| c.filter == 0.0 && c.transmit == 0.0;

@@ -1,0 +1,283 @@
+//! What a function computes: operations that refer to their operands by number. Equal ones exist once, and those of
+//! constants are computed at once.
+
+use super::numeric::{self, Kernel};
+use super::{Function, Interval, Program, Sampler, internal::Internal};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// An operation in its [`Graph`]; operands have smaller numbers.
+pub type Id = u32;
+
+/// An operator of two numbers. Inside functions comparisons are exact, and all but 0 is true (measured on POV-Ray 3.7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Binary {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+}
+
+/// One operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A number, by its bits.
+    Constant(u64),
+    /// A parameter.
+    Parameter(u16),
+    /// A row of [`numeric::TABLE`] for one number.
+    One(u8, Id),
+    /// A row of it for two.
+    Two(u8, Id, Id),
+    /// An operator.
+    Binary(Binary, Id, Id),
+    /// The second if the first is not 0, else the third; only that one is computed.
+    Choice(Id, Id, Id),
+    /// A component of what [`Graph::callees`] gives.
+    Call(u32, u8, Box<[Id]>),
+}
+
+/// What a [`Node::Call`] asks.
+#[derive(Clone, Debug)]
+pub enum Callee {
+    /// One of the functions behind `functions.inc`.
+    Internal(&'static Internal),
+    /// A function that is too large to be copied into this one.
+    Function(Arc<Function>),
+    /// A pigment, pattern, transform or spline.
+    Sampler(Arc<dyn Sampler>),
+    /// `sum(I, A, B, …)` and `prod`: the body's parameters are those of this function and the counter.
+    Series {
+        /// `prod`.
+        product: bool,
+        /// What is added or multiplied.
+        body: Arc<Program>,
+    },
+}
+
+/// All operations of a function, operands first.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    /// In order.
+    pub nodes: Vec<Node>,
+    /// What calls refer to.
+    pub callees: Vec<Callee>,
+    /// The result.
+    pub result: Id,
+    known: FxHashMap<Node, Id>,
+}
+
+impl Binary {
+    /// The operator for two numbers.
+    pub fn apply(self, a: f64, b: f64) -> f64 {
+        use Binary::*;
+        match self {
+            Add => a + b,
+            Sub => a - b,
+            Mul => a * b,
+            Div => a / b,
+            Less => f64::from(a < b),
+            LessEqual => f64::from(a <= b),
+            Greater => f64::from(a > b),
+            GreaterEqual => f64::from(a >= b),
+            Equal => f64::from(a == b),
+            NotEqual => f64::from(a != b),
+            And => f64::from(a != 0.0 && b != 0.0),
+            Or => f64::from(a != 0.0 || b != 0.0),
+        }
+    }
+
+    fn bounds(self, a: Interval, b: Interval, same: bool) -> Interval {
+        use Binary::*;
+        let sure = |yes: bool, no: bool| match (yes, no) {
+            (true, _) => Interval::point(1.0),
+            (_, true) => Interval::point(0.0),
+            _ => Interval::TRUTH,
+        };
+        match self {
+            Add => a.add(b),
+            Sub if same => Interval::point(0.0),
+            Sub => a.add(b.neg()),
+            Mul if same => a.square(),
+            Mul => a.mul(b),
+            Div => a.mul(b.recip()),
+            Less => sure(a.hi < b.lo, a.lo >= b.hi),
+            LessEqual => sure(a.hi <= b.lo, a.lo > b.hi),
+            Greater => sure(a.lo > b.hi, a.hi <= b.lo),
+            GreaterEqual => sure(a.lo >= b.hi, a.hi < b.lo),
+            Equal => sure(false, a.hi < b.lo || a.lo > b.hi),
+            NotEqual => sure(a.hi < b.lo || a.lo > b.hi, false),
+            And | Or => Interval::TRUTH,
+        }
+    }
+}
+
+impl Callee {
+    /// A component of the answer.
+    pub fn call(&self, component: usize, arguments: &[f64]) -> f64 {
+        match self {
+            Callee::Internal(internal) => (internal.compute)(arguments),
+            Callee::Function(function) => function.call(arguments)[component],
+            Callee::Sampler(sampler) => sampler.sample(arguments)[component],
+            Callee::Series { product, body } => series(*product, body, arguments),
+        }
+    }
+
+    fn is(&self, other: &Callee) -> bool {
+        match (self, other) {
+            (Callee::Internal(a), Callee::Internal(b)) => std::ptr::eq(*a, *b),
+            (Callee::Function(a), Callee::Function(b)) => Arc::ptr_eq(a, b),
+            (Callee::Sampler(a), Callee::Sampler(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+
+    fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {
+        match self {
+            Callee::Sampler(sampler) => sampler.bounds(component, arguments),
+            Callee::Function(function) => match &function.body {
+                super::Body::Numeric(program) => program.graph().bounds(arguments),
+                super::Body::Sampled(sampler) => sampler.bounds(component, arguments),
+            },
+            Callee::Internal(_) | Callee::Series { .. } => Interval::ALL,
+        }
+    }
+}
+
+/// The arguments are the first and last value of the counter, and then those of the function around.
+fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
+    let [first, last, outer @ ..] = arguments else { return f64::NAN };
+    let mut inner = outer.to_vec();
+    inner.push(0.0);
+    let (mut total, mut counter) = (f64::from(product), *first);
+    while counter <= *last {
+        inner[outer.len()] = counter;
+        let term = body.run(&inner);
+        total = if product { total * term } else { total + term };
+        counter += 1.0;
+    }
+    total
+}
+
+impl Graph {
+    /// A number.
+    pub fn constant(&mut self, x: f64) -> Id {
+        self.add(Node::Constant(x.to_bits()))
+    }
+
+    /// The number that an operation is known to give.
+    pub fn known(&self, id: Id) -> Option<f64> {
+        match self.nodes[id as usize] {
+            Node::Constant(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// Finds or makes an operation.
+    pub fn add(&mut self, node: Node) -> Id {
+        let node = self.folded(&node).map_or(node, |x| Node::Constant(x.to_bits()));
+        if let Node::Choice(condition, yes, no) = node
+            && let Some(x) = self.known(condition)
+        {
+            return if x != 0.0 { yes } else { no };
+        }
+        if let Some(&id) = self.known.get(&node) {
+            return id;
+        }
+        let id = self.nodes.len() as Id;
+        self.nodes.push(node.clone());
+        self.known.insert(node, id);
+        id
+    }
+
+    fn folded(&self, node: &Node) -> Option<f64> {
+        Some(match node {
+            Node::One(row, a) => one(*row, self.known(*a)?),
+            Node::Two(row, a, b) => two(*row, self.known(*a)?, self.known(*b)?),
+            Node::Binary(op, a, b) => op.apply(self.known(*a)?, self.known(*b)?),
+            _ => return None,
+        })
+    }
+
+    /// A call of something.
+    pub fn call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
+        let index = self.callees.iter().position(|c| c.is(&callee)).unwrap_or_else(|| {
+            self.callees.push(callee);
+            self.callees.len() - 1
+        });
+        self.add(Node::Call(index as u32, component, arguments))
+    }
+
+    /// Copies what another function computes, with these arguments for its parameters.
+    pub fn inline(&mut self, other: &Graph, arguments: &[Id]) -> Id {
+        let mut ids: Vec<Id> = Vec::with_capacity(other.nodes.len());
+        for node in &other.nodes {
+            let at = |id: &Id| ids[*id as usize];
+            let id = match node {
+                Node::Parameter(i) => arguments[*i as usize],
+                Node::Constant(_) => self.add(node.clone()),
+                Node::One(row, a) => self.add(Node::One(*row, at(a))),
+                Node::Two(row, a, b) => self.add(Node::Two(*row, at(a), at(b))),
+                Node::Binary(op, a, b) => self.add(Node::Binary(*op, at(a), at(b))),
+                Node::Choice(c, a, b) => self.add(Node::Choice(at(c), at(a), at(b))),
+                Node::Call(callee, component, list) => {
+                    let list = list.iter().map(at).collect();
+                    self.call(other.callees[*callee as usize].clone(), *component, list)
+                }
+            };
+            ids.push(id);
+        }
+        ids[other.result as usize]
+    }
+
+    /// Between which numbers the result lies while the parameters lie in these intervals.
+    pub fn bounds(&self, parameters: &[Interval]) -> Interval {
+        let mut all: Vec<Interval> = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let at = |id: &Id| all[*id as usize];
+            let bounds = match node {
+                Node::Constant(bits) => Interval::point(f64::from_bits(*bits)),
+                Node::Parameter(i) => parameters[*i as usize],
+                Node::One(row, a) => (numeric::TABLE[*row as usize].bounds)(at(a), at(a)),
+                Node::Two(row, a, b) => (numeric::TABLE[*row as usize].bounds)(at(a), at(b)),
+                Node::Binary(op, a, b) => op.bounds(at(a), at(b), a == b),
+                Node::Choice(condition, yes, no) => match at(condition) {
+                    c if !c.contains(0.0) => at(yes),
+                    c if c.lo == 0.0 && c.hi == 0.0 => at(no),
+                    _ => at(yes).hull(at(no)),
+                },
+                Node::Call(callee, component, list) => {
+                    let list: Vec<Interval> = list.iter().map(at).collect();
+                    self.callees[*callee as usize].bounds(*component as usize, &list)
+                }
+            };
+            all.push(bounds);
+        }
+        all.get(self.result as usize).copied().unwrap_or(Interval::ALL)
+    }
+}
+
+/// A row of the table for one number.
+pub(super) fn one(row: u8, a: f64) -> f64 {
+    match numeric::TABLE[row as usize].kernel {
+        Kernel::One(f) => f(a),
+        _ => a,
+    }
+}
+
+/// A row of the table for two numbers.
+pub(super) fn two(row: u8, a: f64, b: f64) -> f64 {
+    match numeric::TABLE[row as usize].kernel {
+        Kernel::Two(f) | Kernel::Many(f) => f(a, b),
+        Kernel::One(f) => f(a),
+    }
+}

@@ -1,0 +1,151 @@
+//! Interval arithmetic: between which numbers a function lies over a box (Moore, "Interval Analysis", 1966). Results
+//! are widened by a few units in the last place, so that rounding never makes one too narrow.
+
+/// All numbers from `lo` to `hi`; a function that is not defined everywhere in a box has [`Interval::ALL`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// The smallest.
+    pub lo: f64,
+    /// The largest.
+    pub hi: f64,
+}
+
+impl Interval {
+    /// Any number.
+    pub const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    /// What a comparison gives: 0 or 1.
+    pub const TRUTH: Interval = Interval { lo: 0.0, hi: 1.0 };
+
+    /// From the smaller to the larger.
+    pub fn new(a: f64, b: f64) -> Self {
+        if a.is_nan() || b.is_nan() { Self::ALL } else { Self { lo: a.min(b), hi: a.max(b) } }
+    }
+
+    /// One number.
+    pub fn point(x: f64) -> Self {
+        Self::new(x, x)
+    }
+
+    /// Is the number in it?
+    pub fn contains(&self, x: f64) -> bool {
+        self.lo <= x && x <= self.hi
+    }
+
+    /// The smallest interval that holds both.
+    pub fn hull(self, other: Self) -> Self {
+        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
+    }
+
+    /// A little wider, for functions that are not rounded exactly.
+    pub fn widened(self) -> Self {
+        let margin = |x: f64| x.abs() * 4.0 * f64::EPSILON + f64::MIN_POSITIVE;
+        let (lo, hi) = (self.lo - margin(self.lo), self.hi + margin(self.hi));
+        if lo.is_nan() || hi.is_nan() { Self::ALL } else { Self { lo, hi } }
+    }
+
+    /// By a function that grows everywhere.
+    pub fn growing(self, f: impl Fn(f64) -> f64) -> Self {
+        Self::new(f(self.lo), f(self.hi)).widened()
+    }
+
+    /// The numbers of both, added.
+    pub fn add(self, other: Self) -> Self {
+        Self::new(self.lo + other.lo, self.hi + other.hi).widened()
+    }
+
+    /// With the other sign.
+    pub fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+
+    /// The products of the ends.
+    pub fn mul(self, other: Self) -> Self {
+        let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
+        let ends = [
+            product(self.lo, other.lo),
+            product(self.lo, other.hi),
+            product(self.hi, other.lo),
+            product(self.hi, other.hi),
+        ];
+        let (lo, hi) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| (lo.min(x), hi.max(x)));
+        if ends.iter().any(|x| x.is_nan()) { Self::ALL } else { Self { lo, hi }.widened() }
+    }
+
+    /// 1 / x: any number where 0 lies inside.
+    pub fn recip(self) -> Self {
+        if self.contains(0.0) { Self::ALL } else { Self::new(1.0 / self.lo, 1.0 / self.hi).widened() }
+    }
+
+    /// The square, which is never negative.
+    pub fn square(self) -> Self {
+        let (a, b) = (self.lo * self.lo, self.hi * self.hi);
+        let lo = if self.contains(0.0) { 0.0 } else { a.min(b) };
+        let wide = Self::new(lo, a.max(b)).widened();
+        Self { lo: wide.lo.max(0.0), hi: wide.hi }
+    }
+
+    /// The distance from 0.
+    pub fn abs(self) -> Self {
+        let lo = if self.contains(0.0) { 0.0 } else { self.lo.abs().min(self.hi.abs()) };
+        Self { lo, hi: self.lo.abs().max(self.hi.abs()) }
+    }
+
+    /// cos, whose ends lie where the interval's ends or the multiples of π inside it do.
+    pub fn cos(self) -> Self {
+        use std::f64::consts::PI;
+        if !(self.hi - self.lo < 2.0 * PI) || self.lo.abs().max(self.hi.abs()) > 1e9 {
+            return Self { lo: -1.0, hi: 1.0 };
+        }
+        let mut out = Self::new(self.lo.cos(), self.hi.cos()).widened();
+        let first = (self.lo / PI).ceil() as i64;
+        let last = (self.hi / PI).floor() as i64;
+        for k in first..=last {
+            out = out.hull(Self::point(if k % 2 == 0 { 1.0 } else { -1.0 }));
+        }
+        Self { lo: out.lo.max(-1.0), hi: out.hi.min(1.0) }
+    }
+
+    /// sin(x) = cos(x - π/2).
+    pub fn sin(self) -> Self {
+        self.add(Self::point(-std::f64::consts::FRAC_PI_2)).cos()
+    }
+
+    /// x to the power of y, for powers that are one number and bases that are not negative, or whole powers.
+    pub fn pow(self, power: Self) -> Self {
+        let p = power.lo;
+        if power.lo != power.hi || !p.is_finite() {
+            return Self::ALL;
+        }
+        if self.lo >= 0.0 {
+            return match p {
+                _ if p > 0.0 => self.growing(|x| x.powf(p)),
+                _ if self.lo > 0.0 => Self::new(self.lo.powf(p), self.hi.powf(p)).widened(),
+                _ => Self::ALL,
+            };
+        }
+        match p {
+            _ if p.fract() != 0.0 || p < 0.0 || p > 64.0 => Self::ALL,
+            _ if p % 2.0 == 0.0 => self.abs().growing(|x| x.powf(p)),
+            _ => self.growing(|x| x.powf(p)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cosine_finds_its_extremes() {
+        let i = Interval::new(-1.0, 4.0).cos();
+        assert_eq!((i.lo, i.hi), (-1.0, 1.0));
+        let i = Interval::new(0.5, 1.0).cos();
+        assert!(i.contains(0.7_f64.cos()) && i.hi < 0.9 && i.lo > 0.5);
+    }
+
+    #[test]
+    fn zero_times_anything_is_zero() {
+        assert!(Interval::point(0.0).mul(Interval::ALL).hi < 1e-300);
+        assert_eq!(Interval::new(-1.0, 1.0).recip(), Interval::ALL);
+    }
+}

@@ -1,0 +1,109 @@
+//! Functions of numbers, for scripts and `function { … }` alike (manual, "Float Functions").
+
+use super::Interval;
+use crate::math::fp;
+
+/// How a function is computed.
+#[derive(Clone, Copy, Debug)]
+pub enum Kernel {
+    /// Of one number.
+    One(fn(f64) -> f64),
+    /// Of two.
+    Two(fn(f64, f64) -> f64),
+    /// Of one or more, two at a time from the left.
+    Many(fn(f64, f64) -> f64),
+}
+
+/// A row of the table.
+#[derive(Debug)]
+pub struct Numeric {
+    /// As it is typed.
+    pub name: &'static str,
+    /// What computes it.
+    pub kernel: Kernel,
+    /// Its bounds; the second is that of the first where it takes but one.
+    pub bounds: fn(Interval, Interval) -> Interval,
+    /// One line for the manual.
+    pub summary: &'static str,
+}
+
+const fn one(
+    name: &'static str,
+    f: fn(f64) -> f64,
+    bounds: fn(Interval, Interval) -> Interval,
+    summary: &'static str,
+) -> Numeric {
+    Numeric { name, kernel: Kernel::One(f), bounds, summary }
+}
+
+const fn two(
+    name: &'static str,
+    f: fn(f64, f64) -> f64,
+    bounds: fn(Interval, Interval) -> Interval,
+    summary: &'static str,
+) -> Numeric {
+    Numeric { name, kernel: Kernel::Two(f), bounds, summary }
+}
+
+const fn many(
+    name: &'static str,
+    f: fn(f64, f64) -> f64,
+    bounds: fn(Interval, Interval) -> Interval,
+    summary: &'static str,
+) -> Numeric {
+    Numeric { name, kernel: Kernel::Many(f), bounds, summary }
+}
+
+/// Bounds that say nothing.
+fn any(_: Interval, _: Interval) -> Interval {
+    Interval::ALL
+}
+
+/// All of them. The arcs are not clamped here: outside of [-1, 1] they are not a number.
+pub const TABLE: &[Numeric] = &[
+    one("abs", f64::abs, |a, _| a.abs(), "the distance from 0"),
+    one("acos", f64::acos, any, "the angle in radians whose cosine it is"),
+    one("acosh", f64::acosh, any, "the inverse of cosh"),
+    one("asin", f64::asin, any, "the angle in radians whose sine it is"),
+    one("asinh", f64::asinh, |a, _| a.growing(f64::asinh), "the inverse of sinh"),
+    one("atan", f64::atan, |a, _| a.growing(f64::atan), "the angle in radians whose tangent it is"),
+    two("atan2", fp::atan2, |_, _| Interval::new(-3.2, 3.2), "the angle in radians of the point (B, A)"),
+    one("atanh", f64::atanh, any, "the inverse of tanh"),
+    many("bitwise_and", |a, b| bits(a, b, |a, b| a & b), any, "bits that are in all of the whole numbers"),
+    many("bitwise_or", |a, b| bits(a, b, |a, b| a | b), any, "bits that are in any of the whole numbers"),
+    many("bitwise_xor", |a, b| bits(a, b, |a, b| a ^ b), any, "bits that are in an odd number of them"),
+    one("ceil", f64::ceil, |a, _| Interval { lo: a.lo.ceil(), hi: a.hi.ceil() }, "the next whole number above"),
+    one("cos", fp::cos, |a, _| a.cos(), "the cosine of an angle in radians"),
+    one("cosh", f64::cosh, |a, _| a.abs().growing(f64::cosh), "the hyperbolic cosine"),
+    one("degrees", f64::to_degrees, |a, _| a.growing(f64::to_degrees), "radians to degrees"),
+    two("div", |a, b| (a / b).trunc(), any, "the whole part of A/B"),
+    one("exp", fp::exp, |a, _| a.growing(fp::exp), "e to the power of A"),
+    one("floor", f64::floor, |a, _| Interval { lo: a.lo.floor(), hi: a.hi.floor() }, "the next whole number below"),
+    one("int", f64::trunc, |a, _| Interval { lo: a.lo.trunc(), hi: a.hi.trunc() }, "the number without its fraction"),
+    one("ln", fp::ln, |a, _| if a.lo > 0.0 { a.growing(fp::ln) } else { Interval::ALL }, "the natural logarithm"),
+    one(
+        "log",
+        f64::log10,
+        |a, _| if a.lo > 0.0 { a.growing(f64::log10) } else { Interval::ALL },
+        "the logarithm of base 10",
+    ),
+    many("max", f64::max, |a, b| Interval { lo: a.lo.max(b.lo), hi: a.hi.max(b.hi) }, "the largest"),
+    many("min", f64::min, |a, b| Interval { lo: a.lo.min(b.lo), hi: a.hi.min(b.hi) }, "the smallest"),
+    two("mod", |a, b| a % b, any, "what A/B leaves over, with the sign of A"),
+    two("pow", fp::pow, Interval::pow, "A to the power of B"),
+    one("radians", f64::to_radians, |a, _| a.growing(f64::to_radians), "degrees to radians"),
+    one("sin", fp::sin, |a, _| a.sin(), "the sine of an angle in radians"),
+    one("sinh", f64::sinh, |a, _| a.growing(f64::sinh), "the hyperbolic sine"),
+    one("sqrt", f64::sqrt, |a, _| if a.lo >= 0.0 { a.growing(f64::sqrt) } else { Interval::ALL }, "the square root"),
+    one("tan", fp::tan, any, "the tangent of an angle in radians"),
+    one("tanh", f64::tanh, |a, _| a.growing(f64::tanh), "the hyperbolic tangent"),
+];
+
+fn bits(a: f64, b: f64, f: fn(i64, i64) -> i64) -> f64 {
+    f(a as i64, b as i64) as f64
+}
+
+/// The number of the row with this name.
+pub fn find(name: &str) -> Option<u8> {
+    TABLE.iter().position(|row| row.name == name).map(|i| i as u8)
+}

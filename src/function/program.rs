@@ -1,0 +1,240 @@
+//! Bytecode: the operations of a [`Graph`] in an order in which they can be computed, each into a register of its own.
+
+#[cfg(test)]
+use super::graph;
+use super::graph::{Binary, Graph, Id, Node};
+use super::numeric::{self, Kernel};
+
+/// The number of a register: first the parameters, then the constants, then results.
+type Register = u16;
+
+/// One step.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    Add(Register, Register, Register),
+    Sub(Register, Register, Register),
+    Mul(Register, Register, Register),
+    Div(Register, Register, Register),
+    /// Any other operator.
+    Binary(Binary, Register, Register, Register),
+    One(fn(f64) -> f64, Register, Register),
+    Two(fn(f64, f64) -> f64, Register, Register, Register),
+    Copy(Register, Register),
+    /// Goes on behind this step if the register is 0.
+    SkipIfZero(Register, u32),
+    Skip(u32),
+    /// Callee, component, and where its arguments' registers stand in [`Program::arguments`].
+    Call(u32, u8, u32, u16, Register),
+}
+
+/// A function that can be run.
+#[derive(Clone, Debug)]
+pub struct Program {
+    graph: Graph,
+    steps: Vec<Step>,
+    constants: Vec<f64>,
+    arguments: Vec<Register>,
+    parameters: usize,
+    registers: usize,
+    result: Register,
+}
+
+/// Most programs need no more registers than this.
+const FEW: usize = 32;
+/// The most arguments of a call that need no memory of their own.
+const FEW_ARGUMENTS: usize = 12;
+/// Registers are numbered by 16 bits.
+const MAX_OPERATIONS: usize = 60_000;
+
+/// Makes the steps.
+struct Writer<'g> {
+    graph: &'g Graph,
+    steps: Vec<Step>,
+    constants: Vec<f64>,
+    arguments: Vec<Register>,
+    /// Where a result lies, if it has been computed on the way to here.
+    places: Vec<Option<Register>>,
+    next: usize,
+}
+
+impl Program {
+    /// Orders the operations; `None` if there are more than 60 000.
+    pub fn new(graph: Graph, parameters: usize) -> Option<Self> {
+        if graph.nodes.len() + parameters > MAX_OPERATIONS {
+            return None;
+        }
+        let mut places = vec![None; graph.nodes.len()];
+        let mut constants = vec![];
+        for (place, node) in places.iter_mut().zip(&graph.nodes) {
+            if let Node::Constant(bits) = node {
+                *place = Some((parameters + constants.len()) as Register);
+                constants.push(f64::from_bits(*bits));
+            }
+        }
+        let next = parameters + constants.len();
+        let mut writer = Writer { graph: &graph, steps: vec![], constants, arguments: vec![], places, next };
+        let result = writer.write(graph.result);
+        let Writer { steps, constants, arguments, next, .. } = writer;
+        Some(Self { steps, constants, arguments, parameters, registers: next, result, graph })
+    }
+
+    /// What it computes.
+    pub fn graph(&self) -> &Graph {
+        &self.graph
+    }
+
+    /// The result for these parameters.
+    pub fn run(&self, parameters: &[f64]) -> f64 {
+        if self.registers <= FEW {
+            self.run_in(&mut [0.0; FEW], parameters)
+        } else if self.registers <= 8 * FEW {
+            self.run_in(&mut [0.0; 8 * FEW], parameters)
+        } else {
+            self.run_in(&mut vec![0.0; self.registers], parameters)
+        }
+    }
+
+    fn run_in(&self, r: &mut [f64], parameters: &[f64]) -> f64 {
+        r[..self.parameters].copy_from_slice(&parameters[..self.parameters]);
+        r[self.parameters..self.parameters + self.constants.len()].copy_from_slice(&self.constants);
+        let mut at = 0;
+        while let Some(step) = self.steps.get(at) {
+            at += 1;
+            match *step {
+                Step::Add(to, a, b) => r[to as usize] = r[a as usize] + r[b as usize],
+                Step::Sub(to, a, b) => r[to as usize] = r[a as usize] - r[b as usize],
+                Step::Mul(to, a, b) => r[to as usize] = r[a as usize] * r[b as usize],
+                Step::Div(to, a, b) => r[to as usize] = r[a as usize] / r[b as usize],
+                Step::Binary(op, to, a, b) => r[to as usize] = op.apply(r[a as usize], r[b as usize]),
+                Step::One(f, to, a) => r[to as usize] = f(r[a as usize]),
+                Step::Two(f, to, a, b) => r[to as usize] = f(r[a as usize], r[b as usize]),
+                Step::Copy(to, a) => r[to as usize] = r[a as usize],
+                Step::SkipIfZero(a, target) if r[a as usize] == 0.0 => at = target as usize,
+                Step::SkipIfZero(..) => {}
+                Step::Skip(target) => at = target as usize,
+                Step::Call(callee, component, list, to, count) => {
+                    let list = &self.arguments[list as usize..][..count as usize];
+                    r[to as usize] = self.call(callee, component, list, r);
+                }
+            }
+        }
+        r[self.result as usize]
+    }
+
+    fn call(&self, callee: u32, component: u8, list: &[Register], r: &[f64]) -> f64 {
+        let callee = &self.graph.callees[callee as usize];
+        if list.len() > FEW_ARGUMENTS {
+            let all: Vec<f64> = list.iter().map(|&i| r[i as usize]).collect();
+            return callee.call(component as usize, &all);
+        }
+        let mut few = [0.0; FEW_ARGUMENTS];
+        for (to, &i) in few.iter_mut().zip(list) {
+            *to = r[i as usize];
+        }
+        callee.call(component as usize, &few[..list.len()])
+    }
+}
+
+impl Writer<'_> {
+    /// Makes sure that a result is computed at this point; gives its register.
+    fn write(&mut self, id: Id) -> Register {
+        if let Some(place) = self.places[id as usize] {
+            return place;
+        }
+        let graph = self.graph;
+        let place = match &graph.nodes[id as usize] {
+            Node::Parameter(i) => *i,
+            Node::Constant(_) => 0,
+            Node::One(row, a) => {
+                let a = self.write(*a);
+                let to = self.register();
+                let f = match numeric::TABLE[*row as usize].kernel {
+                    Kernel::One(f) => f,
+                    _ => |x| x,
+                };
+                self.steps.push(Step::One(f, to, a));
+                to
+            }
+            Node::Two(row, a, b) => {
+                let (a, b) = (self.write(*a), self.write(*b));
+                let to = self.register();
+                let f = match numeric::TABLE[*row as usize].kernel {
+                    Kernel::Two(f) | Kernel::Many(f) => f,
+                    Kernel::One(_) => |x, _| x,
+                };
+                self.steps.push(Step::Two(f, to, a, b));
+                to
+            }
+            Node::Binary(op, a, b) => {
+                let (a, b) = (self.write(*a), self.write(*b));
+                let to = self.register();
+                self.steps.push(match op {
+                    Binary::Add => Step::Add(to, a, b),
+                    Binary::Sub => Step::Sub(to, a, b),
+                    Binary::Mul => Step::Mul(to, a, b),
+                    Binary::Div => Step::Div(to, a, b),
+                    op => Step::Binary(*op, to, a, b),
+                });
+                to
+            }
+            Node::Choice(condition, yes, no) => self.choice(*condition, *yes, *no),
+            Node::Call(callee, component, list) => {
+                let registers: Vec<Register> = list.iter().map(|id| self.write(*id)).collect();
+                let start = self.arguments.len() as u32;
+                let count = registers.len() as u16;
+                self.arguments.extend(registers);
+                let to = self.register();
+                self.steps.push(Step::Call(*callee, *component, start, to, count));
+                to
+            }
+        };
+        self.places[id as usize] = Some(place);
+        place
+    }
+
+    /// What only one branch needs is computed in it, and is not known behind it.
+    fn choice(&mut self, condition: Id, yes: Id, no: Id) -> Register {
+        let condition = self.write(condition);
+        let to = self.register();
+        let before = self.places.clone();
+        let branch = self.steps.len();
+        self.steps.push(Step::SkipIfZero(condition, 0));
+        let value = self.write(yes);
+        self.steps.push(Step::Copy(to, value));
+        let end = self.steps.len();
+        self.steps.push(Step::Skip(0));
+        self.steps[branch] = Step::SkipIfZero(condition, self.steps.len() as u32);
+        self.places.clone_from(&before);
+        let value = self.write(no);
+        self.steps.push(Step::Copy(to, value));
+        self.steps[end] = Step::Skip(self.steps.len() as u32);
+        self.places = before;
+        to
+    }
+
+    fn register(&mut self) -> Register {
+        self.next += 1;
+        (self.next - 1) as Register
+    }
+}
+
+/// The graph of an expression, step by step, without bytecode: what the fast way is tested against.
+#[cfg(test)]
+pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
+    fn value(graph: &Graph, id: Id, p: &[f64]) -> f64 {
+        let at = |id: &Id| value(graph, *id, p);
+        match &graph.nodes[id as usize] {
+            Node::Constant(bits) => f64::from_bits(*bits),
+            Node::Parameter(i) => p[*i as usize],
+            Node::One(row, a) => graph::one(*row, at(a)),
+            Node::Two(row, a, b) => graph::two(*row, at(a), at(b)),
+            Node::Binary(op, a, b) => op.apply(at(a), at(b)),
+            Node::Choice(c, yes, no) => at(if at(c) != 0.0 { yes } else { no }),
+            Node::Call(callee, component, list) => {
+                let list: Vec<f64> = list.iter().map(at).collect();
+                graph.callees[*callee as usize].call(*component as usize, &list)
+            }
+        }
+    }
+    value(graph, graph.result, parameters)
+}

@@ -1,0 +1,170 @@
+//! `spline { … }` (manual, "Splines"): a curve of two to five numbers through points that stand at values of a
+//! parameter.
+
+use super::{Gives, Sampler};
+use crate::value::{Thing, VecN};
+
+/// How the points are joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SplineKind {
+    /// Straight lines.
+    Linear,
+    /// A parabola through three points at a time.
+    Quadratic,
+    /// Bends like a thin strip of wood: two continuous derivatives, none bent at the ends.
+    Natural,
+    /// Through all points but the first and last, which only give the direction at their neighbours.
+    Cubic,
+}
+
+/// Points in the order of their parameters.
+#[derive(Clone, Debug)]
+pub struct Spline {
+    /// Used unless a call names another.
+    pub kind: SplineKind,
+    /// Parameter and point, ascending.
+    points: Vec<(f64, [f64; 5])>,
+    /// How many numbers a point has.
+    pub len: u8,
+    /// Second derivatives of the natural spline.
+    bends: Vec<[f64; 5]>,
+}
+
+impl SplineKind {
+    /// The kind of this word.
+    pub fn of(word: &str) -> Option<Self> {
+        Some(match word {
+            "linear_spline" => Self::Linear,
+            "quadratic_spline" => Self::Quadratic,
+            "natural_spline" => Self::Natural,
+            "cubic_spline" => Self::Cubic,
+            _ => return None,
+        })
+    }
+}
+
+impl Spline {
+    /// Of points in any order; of two at one parameter the last counts. There must be one at least.
+    pub fn new(kind: SplineKind, given: &[(f64, VecN)]) -> Self {
+        let mut points: Vec<(f64, [f64; 5])> = vec![];
+        for (t, point) in given {
+            match points.binary_search_by(|(known, _)| known.total_cmp(t)) {
+                Ok(i) => points[i].1 = point.c,
+                Err(i) => points.insert(i, (*t, point.c)),
+            }
+        }
+        let len = given.iter().map(|(_, p)| p.len).max().unwrap_or(2);
+        let bends = bends(&points);
+        Self { kind, points, len, bends }
+    }
+
+    /// The points, ascending, for a spline that adds some.
+    pub fn points(&self) -> impl Iterator<Item = (f64, VecN)> + '_ {
+        self.points.iter().map(|(t, c)| (*t, VecN { c: *c, len: self.len }))
+    }
+
+    /// The point at a parameter; before the first and behind the last it stays where it is.
+    pub fn at(&self, t: f64, kind: SplineKind) -> [f64; 5] {
+        let (p, n) = (&self.points, self.points.len());
+        // The cubic runs from the second point to the last but one.
+        let (first, last) = if kind == SplineKind::Cubic && n > 1 { (1, n.max(3) - 2) } else { (0, n - 1) };
+        let (first, last) = (first.min(last), last);
+        if n == 1 || !(t > p[first].0) {
+            return p[first].1;
+        }
+        if t >= p[last].0 {
+            return p[last].1;
+        }
+        // t lies between the points i and i+1.
+        let i = p.partition_point(|(known, _)| *known <= t) - 1;
+        let mut out = [0.0; 5];
+        for (c, out) in out.iter_mut().enumerate().take(self.len as usize) {
+            *out = match kind {
+                SplineKind::Linear => line(p[i], p[i + 1], t, c),
+                SplineKind::Quadratic if n > 2 => parabola(&p[i.max(1) - 1..][..3], t, c),
+                SplineKind::Quadratic => line(p[i], p[i + 1], t, c),
+                SplineKind::Cubic => self.cubic(i, t, c),
+                SplineKind::Natural => self.natural(i, t, c),
+            };
+        }
+        out
+    }
+
+    /// Hermite's cubic; the slope at a point is the mean of those of the lines to its neighbours, as was measured.
+    fn cubic(&self, i: usize, t: f64, c: usize) -> f64 {
+        let p = &self.points;
+        let slope = |i: usize| (p[i + 1].1[c] - p[i].1[c]) / (p[i + 1].0 - p[i].0);
+        let h = p[i + 1].0 - p[i].0;
+        let s = (t - p[i].0) / h;
+        let (m0, m1) = ((slope(i - 1) + slope(i)) / 2.0, (slope(i) + slope(i + 1)) / 2.0);
+        let (s2, s3) = (s * s, s * s * s);
+        (2.0 * s3 - 3.0 * s2 + 1.0) * p[i].1[c]
+            + (s3 - 2.0 * s2 + s) * h * m0
+            + (3.0 * s2 - 2.0 * s3) * p[i + 1].1[c]
+            + (s3 - s2) * h * m1
+    }
+
+    /// From the values and second derivatives at both ends (Press et al., "Numerical Recipes", 1992, section 3.3).
+    fn natural(&self, i: usize, t: f64, c: usize) -> f64 {
+        let p = &self.points;
+        let h = p[i + 1].0 - p[i].0;
+        let (a, b) = ((p[i + 1].0 - t) / h, (t - p[i].0) / h);
+        let bend = (a * a * a - a) * self.bends[i][c] + (b * b * b - b) * self.bends[i + 1][c];
+        a * p[i].1[c] + b * p[i + 1].1[c] + bend * h * h / 6.0
+    }
+}
+
+fn line(a: (f64, [f64; 5]), b: (f64, [f64; 5]), t: f64, c: usize) -> f64 {
+    a.1[c] + (b.1[c] - a.1[c]) * (t - a.0) / (b.0 - a.0)
+}
+
+/// Lagrange's parabola through three points.
+fn parabola(p: &[(f64, [f64; 5])], t: f64, c: usize) -> f64 {
+    let [t0, t1, t2] = [p[0].0, p[1].0, p[2].0];
+    p[0].1[c] * (t - t1) * (t - t2) / ((t0 - t1) * (t0 - t2))
+        + p[1].1[c] * (t - t0) * (t - t2) / ((t1 - t0) * (t1 - t2))
+        + p[2].1[c] * (t - t0) * (t - t1) / ((t2 - t0) * (t2 - t1))
+}
+
+/// Second derivatives at the points, 0 at both ends: a tridiagonal system, solved from both sides.
+fn bends(p: &[(f64, [f64; 5])]) -> Vec<[f64; 5]> {
+    let n = p.len();
+    let mut out = vec![[0.0; 5]; n];
+    if n < 3 {
+        return out;
+    }
+    for c in 0..5 {
+        let (mut upper, mut right) = (vec![0.0; n], vec![0.0; n]);
+        for i in 1..n - 1 {
+            let (h0, h1) = (p[i].0 - p[i - 1].0, p[i + 1].0 - p[i].0);
+            let jump = (p[i + 1].1[c] - p[i].1[c]) / h1 - (p[i].1[c] - p[i - 1].1[c]) / h0;
+            let pivot = 2.0 * (h0 + h1) - h0 * upper[i - 1];
+            upper[i] = h1 / pivot;
+            right[i] = (6.0 * jump - h0 * right[i - 1]) / pivot;
+        }
+        for i in (1..n - 1).rev() {
+            out[i][c] = right[i] - upper[i] * out[i + 1][c];
+        }
+    }
+    out
+}
+
+impl Thing for Spline {
+    fn kind(&self) -> &'static str {
+        "spline"
+    }
+}
+
+impl Sampler for Spline {
+    fn arity(&self) -> usize {
+        1
+    }
+
+    fn gives(&self) -> Gives {
+        Gives::Vector(self.len)
+    }
+
+    fn sample(&self, arguments: &[f64]) -> [f64; 5] {
+        self.at(arguments[0], self.kind)
+    }
+}

@@ -1,0 +1,620 @@
+//! `function { … }` and its calls: names are looked up where the function is declared, and what is left is arithmetic.
+
+use super::Interpreter;
+use super::scope::Slot;
+use super::stream::Token;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::{
+    self, Binary, Body, Callee, Function, Gives, Graph, Id, Node, Program, Sampler, Spline, SplineKind, internal,
+    numeric,
+};
+use crate::math::{DVec3, Transform};
+use crate::source::Span;
+use crate::syntax::ast::{self, *};
+use crate::texture::Pigment;
+use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN};
+use std::any::Any;
+use std::sync::Arc;
+
+/// Functions with more operations than this are called, not copied into those that use them.
+const MAX_COPIED: usize = 500;
+
+/// `function { pigment { … } }`
+#[derive(Debug)]
+struct PigmentSampler(Pigment);
+
+impl Sampler for PigmentSampler {
+    fn arity(&self) -> usize {
+        3
+    }
+
+    fn gives(&self) -> Gives {
+        Gives::Color
+    }
+
+    fn sample(&self, p: &[f64]) -> [f64; 5] {
+        self.0.at(DVec3::new(p[0], p[1], p[2])).to_array()
+    }
+}
+
+/// `function { pattern { … } }`: a pigment without colours.
+#[derive(Debug)]
+struct PatternSampler(Pigment);
+
+impl Sampler for PatternSampler {
+    fn arity(&self) -> usize {
+        3
+    }
+
+    fn gives(&self) -> Gives {
+        Gives::Number
+    }
+
+    fn sample(&self, p: &[f64]) -> [f64; 5] {
+        [self.0.number_at(DVec3::new(p[0], p[1], p[2])), 0.0, 0.0, 0.0, 0.0]
+    }
+}
+
+/// `function { transform { … } }`
+#[derive(Debug)]
+struct TransformSampler(Transform);
+
+impl Sampler for TransformSampler {
+    fn arity(&self) -> usize {
+        3
+    }
+
+    fn gives(&self) -> Gives {
+        Gives::Vector(3)
+    }
+
+    fn sample(&self, p: &[f64]) -> [f64; 5] {
+        let v = self.0.point(DVec3::new(p[0], p[1], p[2]));
+        [v.x, v.y, v.z, 0.0, 0.0]
+    }
+}
+
+/// The function under construction.
+struct Compiler {
+    graph: Graph,
+    parameters: Vec<Symbol>,
+}
+
+impl<'a> Interpreter<'a> {
+    /// The function that comes next in the stream.
+    pub(super) fn read_function(&mut self, f: &'a ast::Function, span: Span) -> Result<Arc<dyn Thing>> {
+        self.enclosed(None, &f.body, span, |me| {
+            if let Token::Block(block) = me.peek()? {
+                return me.sampled_function(f, block.name.word.unwrap_or(""), span);
+            }
+            if let Some(internal) = me.internal_function(f)? {
+                return Ok(internal);
+            }
+            let mut compiler = Compiler::new(me, &f.parameters);
+            let mut sum = None;
+            me.compile_pieces(&mut compiler, &mut sum)?;
+            match sum {
+                Some(sum) => compiler.graph.result = sum,
+                None => return Err(me.unexpected_token("an expression").into()),
+            }
+            compiler.finish(me, span)
+        })
+    }
+
+    /// `internal(61)` alone: one of the functions behind functions.inc.
+    fn internal_function(&mut self, f: &'a ast::Function) -> Result<Option<Arc<dyn Thing>>> {
+        let Token::Expr(Expr { kind: ExprKind::Builtin("internal", arguments), span }) = self.peek()? else {
+            return Ok(None);
+        };
+        let [number] = &**arguments else {
+            return Diagnostic::err(codes::WRONG_COUNT, *span, "`internal` takes one number");
+        };
+        self.advance();
+        let number = self.number(number)?;
+        match internal_function(number) {
+            Some(function) if f.body.len() == 1 => Ok(Some(Arc::new(function))),
+            Some(_) => Err(self.unexpected_token("the end of the function").into()),
+            None => Diagnostic::err(codes::NOT_YET, *span, format!("`internal({number})` is not supported yet")),
+        }
+    }
+
+    /// An expression, mostly in one piece; `sin(x) #if (Steep) * 2 #end` is a sum in several, each with its sign.
+    fn compile_pieces(&mut self, c: &mut Compiler, sum: &mut Option<Id>) -> Result<()> {
+        loop {
+            let token = self.peek()?;
+            let piece = match token {
+                Token::End => return Ok(()),
+                Token::Expr(Expr { kind: ExprKind::Spliced(elements), span }) => {
+                    self.advance();
+                    self.enclosed(None, elements, *span, |me| me.compile_pieces(c, sum))?;
+                    continue;
+                }
+                Token::Expr(e) if sum.is_none() || self.sources.snippet(e.span).starts_with(['+', '-']) => {
+                    self.advance();
+                    self.compile(c, e)?
+                }
+                Token::Numbers([x]) if sum.is_none() => {
+                    self.advance();
+                    c.graph.constant(*x)
+                }
+                _ => return Err(self.unexpected_token("an operator or the end of the function").into()),
+            };
+            *sum = Some(match *sum {
+                Some(before) => c.graph.add(Node::Binary(Binary::Add, before, piece)),
+                None => piece,
+            });
+        }
+    }
+
+    fn sampled_function(&mut self, f: &'a ast::Function, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
+        if !f.parameters.is_empty() {
+            let message = format!("a function made of a `{word}` has no parameters of its own");
+            return Diagnostic::new(codes::WRONG_COUNT, span, message)
+                .help(format!("`function {{ {word} {{ … }} }}`"))
+                .into();
+        }
+        let sampler: Arc<dyn Sampler> = match word {
+            "pigment" => {
+                self.take()?;
+                let base = self.defaults.texture.layers[0].pigment.clone();
+                let pigment = Pigment::read(self, &base)?;
+                self.leave()?;
+                Arc::new(PigmentSampler(pigment))
+            }
+            "pattern" => {
+                self.take()?;
+                let pattern = Pigment::read(self, &Pigment::default())?;
+                self.leave()?;
+                Arc::new(PatternSampler(pattern))
+            }
+            "transform" => {
+                self.take()?;
+                let transform = self.transform_block()?;
+                self.leave()?;
+                Arc::new(TransformSampler(transform))
+            }
+            "spline" => self.spline()?,
+            _ => {
+                return Err(self
+                    .unexpected_token("an expression, `pigment`, `pattern`, `transform` or `spline`")
+                    .into());
+            }
+        };
+        match self.peek()? {
+            Token::End => Ok(Arc::new(Function { parameters: default_names(), body: Body::Sampled(sampler) })),
+            _ => Err(self.unexpected_token("the end of the function").into()),
+        }
+    }
+
+    /// `spline { linear_spline 0, <1, 2, 3> 1, <2, 3, 4> }`
+    pub(super) fn spline(&mut self) -> Result<Arc<Spline>> {
+        let at = self.take()?;
+        let mut kind = SplineKind::Linear;
+        let mut points: Vec<(f64, VecN)> = vec![];
+        if let Some(declared) = ReaderExt::thing::<Spline>(self)? {
+            kind = declared.kind;
+            points = declared.points().collect();
+        }
+        if let Next::Word(word) = Reader::next(self)?
+            && let Some(named) = SplineKind::of(word)
+        {
+            self.advance();
+            kind = named;
+        }
+        while Reader::next(self)? != Next::End {
+            let t = self.float()?;
+            let (value, span) = self.value_here()?;
+            let point = match value {
+                Value::Vector(v) => v,
+                // A number is a point of two equal numbers.
+                Value::Float(x) => VecN::splat(x, 2),
+                other => {
+                    let message = format!("expected a vector, found {}", other.describe());
+                    return Diagnostic::err(codes::WRONG_TYPE, span, message);
+                }
+            };
+            points.push((t, point));
+        }
+        self.leave()?;
+        if points.is_empty() {
+            return Diagnostic::new(codes::EMPTY_MAP, at, "this spline has no points")
+                .help("`spline { linear_spline 0, <0, 0, 0> 1, <1, 2, 3> }`")
+                .into();
+        }
+        Ok(Arc::new(Spline::new(kind, &points)))
+    }
+
+    /// The operations of an expression.
+    fn compile(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
+        match &e.kind {
+            ExprKind::Number(x) => Ok(c.graph.constant(*x)),
+            ExprKind::Name(symbol) => self.compile_name(c, *symbol, e),
+            ExprKind::Paren(inner) => self.compile(c, inner),
+            ExprKind::Prefix(prefix, inner) => {
+                let a = self.compile(c, inner)?;
+                let zero = c.graph.constant(0.0);
+                Ok(match prefix {
+                    Prefix::Plus => a,
+                    Prefix::Minus => {
+                        let minus = c.graph.constant(-1.0);
+                        c.graph.add(Node::Binary(Binary::Mul, a, minus))
+                    }
+                    Prefix::Not => c.graph.add(Node::Binary(Binary::Equal, a, zero)),
+                })
+            }
+            ExprKind::Chain(chain) => {
+                let mut left = self.compile(c, &chain.first)?;
+                for (op, operand) in &chain.rest {
+                    let right = self.compile(c, operand)?;
+                    left = c.graph.add(Node::Binary(binary(*op), left, right));
+                }
+                Ok(left)
+            }
+            ExprKind::Choice(parts) => {
+                let [condition, yes, no] = &**parts;
+                let condition = self.compile(c, condition)?;
+                let (yes, no) = (self.compile(c, yes)?, self.compile(c, no)?);
+                Ok(c.graph.add(Node::Choice(condition, yes, no)))
+            }
+            ExprKind::Builtin(name, arguments) => self.compile_builtin(c, name, arguments, e.span),
+            ExprKind::Call(name, arguments) => self.compile_call(c, *name, arguments, None, e.span),
+            ExprKind::Dot(base, component, _) => match &base.kind {
+                ExprKind::Call(name, arguments) if !self.is_macro(*name) => {
+                    self.compile_call(c, *name, arguments, Some(component), e.span)
+                }
+                _ => self.constant_number(c, e),
+            },
+            _ => self.constant_number(c, e),
+        }
+    }
+
+    /// A number that does not depend on the parameters: it is what it is now.
+    fn constant_number(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
+        let x = self.number(e)?;
+        Ok(c.graph.constant(x))
+    }
+
+    fn compile_name(&mut self, c: &mut Compiler, symbol: Symbol, e: &'a Expr) -> Result<Id> {
+        if let Some(i) = c.parameters.iter().position(|p| *p == symbol) {
+            return Ok(c.graph.add(Node::Parameter(i as u16)));
+        }
+        // u and v are other names of x and y.
+        let other = match self.names.text(symbol) {
+            "u" => "x",
+            "v" => "y",
+            _ => return self.constant_number(c, e),
+        };
+        match c.parameters.iter().position(|p| self.names.text(*p) == other) {
+            Some(i) => Ok(c.graph.add(Node::Parameter(i as u16))),
+            None => self.constant_number(c, e),
+        }
+    }
+
+    fn compile_builtin(&mut self, c: &mut Compiler, name: &str, arguments: &'a [Expr], span: Span) -> Result<Id> {
+        if name == "sum" || name == "prod" {
+            return self.compile_series(c, name == "prod", arguments, span);
+        }
+        let mut ids = Vec::with_capacity(arguments.len());
+        if name == "select" && (3..=4).contains(&arguments.len()) {
+            for argument in arguments {
+                ids.push(self.compile(c, argument)?);
+            }
+            return Ok(c.select(&ids));
+        }
+        let Some(row) = numeric::find(name) else {
+            let message = format!("`{name}` does not give a number of numbers: a function can't call it");
+            return Diagnostic::err(codes::NOT_CALLABLE, span, message);
+        };
+        for argument in arguments {
+            ids.push(self.compile(c, argument)?);
+        }
+        let (wanted, node): (&str, Option<Id>) = match (numeric::TABLE[row as usize].kernel, &ids[..]) {
+            (numeric::Kernel::One(_), [a]) => ("", Some(c.graph.add(Node::One(row, *a)))),
+            (numeric::Kernel::Two(_), [a, b]) => ("", Some(c.graph.add(Node::Two(row, *a, *b)))),
+            (numeric::Kernel::Many(_), [first, rest @ ..]) => {
+                ("", Some(rest.iter().fold(*first, |a, b| c.graph.add(Node::Two(row, a, *b)))))
+            }
+            (numeric::Kernel::One(_), _) => ("one argument", None),
+            (numeric::Kernel::Two(_), _) => ("two arguments", None),
+            (numeric::Kernel::Many(_), _) => ("one or more arguments", None),
+        };
+        let found = ids.len();
+        node.ok_or_else(|| {
+            Box::new(Diagnostic::new(codes::WRONG_COUNT, span, format!("`{name}` takes {wanted}, found {found}")))
+        })
+    }
+
+    /// `sum(I, 1, 10, x/I)`: the counter is a parameter of what is added.
+    fn compile_series(&mut self, c: &mut Compiler, product: bool, arguments: &'a [Expr], span: Span) -> Result<Id> {
+        let [Expr { kind: ExprKind::Name(counter), .. }, first, last, term] = arguments else {
+            let name = if product { "prod" } else { "sum" };
+            return Diagnostic::new(
+                codes::WRONG_COUNT,
+                span,
+                format!("`{name}` takes a counter, a first and a last value, and a term"),
+            )
+            .help(format!("`{name}(I, 1, 10, x/I)`"))
+            .into();
+        };
+        let mut ids = vec![self.compile(c, first)?, self.compile(c, last)?];
+        let parameters = c.parameters.iter().copied().chain([*counter]).collect();
+        let mut inner = Compiler { graph: Graph::default(), parameters };
+        inner.graph.result = self.compile(&mut inner, term)?;
+        let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large(span) };
+        ids.extend((0..c.parameters.len()).map(|i| c.graph.add(Node::Parameter(i as u16))).collect::<Vec<_>>());
+        Ok(c.graph.call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
+    }
+
+    /// A call inside a function.
+    fn compile_call(
+        &mut self,
+        c: &mut Compiler,
+        name: Symbol,
+        arguments: &'a [Element],
+        component: Option<&Name>,
+        span: Span,
+    ) -> Result<Id> {
+        if self.is_macro(name) {
+            self.call_macro(name, arguments, span)?;
+            return self.macro_body(name, |me| match me.peek()? {
+                Token::Expr(e) => {
+                    me.advance();
+                    me.compile(c, e)
+                }
+                _ => {
+                    let x = me.float()?;
+                    Ok(c.graph.constant(x))
+                }
+            });
+        }
+        let (callee, gives, arity) = self.callee(name, span)?;
+        let mut ids = vec![];
+        for element in arguments {
+            match &element.kind {
+                ElementKind::Expr(e) => ids.push(self.compile(c, e)?),
+                ElementKind::Numbers(list) => ids.extend(list.data.iter().map(|x| c.graph.constant(*x))),
+                _ => return Diagnostic::err(codes::EXPECTED_VALUE, element.span, "expected a number"),
+            }
+        }
+        self.check_count(name, ids.len(), arity, span)?;
+        let component = self.component_number(gives, component, name, span)?;
+        if let Callee::Function(f) = &callee
+            && let Body::Numeric(program) = &f.body
+            && program.graph().nodes.len() <= MAX_COPIED
+        {
+            return Ok(c.graph.inline(program.graph(), &ids));
+        }
+        let one = |c: &mut Compiler, i: u8| c.graph.call(callee.clone(), i, ids.clone().into());
+        Ok(match component {
+            Component::Of(i) => one(c, i),
+            Component::Weighted(weights) => {
+                let mut sum = c.graph.constant(0.0);
+                for (i, weight) in weights.iter().enumerate() {
+                    let (value, weight) = (one(c, i as u8), c.graph.constant(*weight));
+                    let term = c.graph.add(Node::Binary(Binary::Mul, value, weight));
+                    sum = c.graph.add(Node::Binary(Binary::Add, sum, term));
+                }
+                sum
+            }
+        })
+    }
+
+    /// What a name that is called stands for.
+    fn callee(&mut self, name: Symbol, span: Span) -> Result<(Callee, Gives, usize)> {
+        if let Some(f) = self.thing_of::<Function>(name) {
+            let (gives, arity) = (f.gives(), f.arity());
+            let callee = match &f.body {
+                Body::Sampled(sampler) => Callee::Sampler(sampler.clone()),
+                Body::Numeric(_) => Callee::Function(f.clone()),
+            };
+            return Ok((callee, gives, arity));
+        }
+        if let Some(spline) = self.thing_of::<Spline>(name) {
+            let gives = Gives::Vector(spline.len);
+            return Ok((Callee::Sampler(spline), gives, 1));
+        }
+        self.name_value(name, span)?;
+        let text = self.names.text(name);
+        Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"))
+    }
+
+    fn thing_of<T: Thing>(&self, name: Symbol) -> Option<Arc<T>> {
+        match self.scopes.get(name) {
+            Some(Slot::Value(Value::Thing(thing))) => downcast(thing),
+            _ => None,
+        }
+    }
+
+    fn check_count(&self, name: Symbol, found: usize, wanted: usize, span: Span) -> Result<()> {
+        if found == wanted {
+            return Ok(());
+        }
+        let name = self.names.text(name);
+        let plural = if wanted == 1 { "" } else { "s" };
+        let message = format!("function `{name}` takes {wanted} argument{plural}, found {found}");
+        Diagnostic::err(codes::WRONG_COUNT, span, message)
+    }
+
+    fn component_number(&self, gives: Gives, component: Option<&Name>, name: Symbol, span: Span) -> Result<Component> {
+        let text = self.names.text(name);
+        let Some(component) = component else {
+            return match gives {
+                Gives::Number => Ok(Component::Of(0)),
+                Gives::Vector(_) => {
+                    Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a vector"))
+                        .help("`.x`, `.y` or `.z` behind the call takes one of its numbers")
+                        .into()
+                }
+                Gives::Color => Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a colour"))
+                    .help("`.red`, `.green`, `.blue` or `.gray` behind the call takes one number of it")
+                    .into(),
+            };
+        };
+        let weights = crate::color::GRAY_WEIGHTS;
+        match (component.word, gives) {
+            (Some("x" | "u" | "red"), _) => Ok(Component::Of(0)),
+            (Some("y" | "v" | "green"), _) => Ok(Component::Of(1)),
+            (Some("z" | "blue"), _) => Ok(Component::Of(2)),
+            (Some("t" | "filter"), _) => Ok(Component::Of(3)),
+            (Some("transmit"), _) => Ok(Component::Of(4)),
+            (Some("gray" | "grey"), Gives::Color) => Ok(Component::Weighted(weights)),
+            // A height field's 16 bits: red is the upper byte, green the lower one (weights as measured).
+            (_, Gives::Color) if self.sources.snippet(component.span) == "hf" => {
+                Ok(Component::Weighted([0.996093, 0.003906, 0.0]))
+            }
+            _ => {
+                let message = format!("`.{}` is no component of this", self.sources.snippet(component.span));
+                Diagnostic::err(codes::NO_COMPONENT, component.span, message)
+            }
+        }
+    }
+
+    /// A call of a function or spline in a script.
+    pub(super) fn call_value(&mut self, name: Symbol, arguments: &'a [Element], span: Span) -> Result<Value> {
+        if let Some(spline) = self.thing_of::<Spline>(name) {
+            return self.call_spline(&spline, arguments, span);
+        }
+        let Some(function) = self.thing_of::<Function>(name) else {
+            self.name_value(name, span)?;
+            let text = self.names.text(name);
+            return Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"));
+        };
+        let numbers = self.call_numbers(arguments, span)?;
+        self.check_count(name, numbers.len(), function.arity(), span)?;
+        Ok(answer(&function, &numbers))
+    }
+
+    /// A call of an array's element.
+    pub(super) fn call_thing(&mut self, thing: &Value, arguments: &'a [Element], span: Span) -> Result<Value> {
+        if let Value::Thing(thing) = thing {
+            if let Some(spline) = downcast::<Spline>(thing) {
+                return self.call_spline(&spline, arguments, span);
+            }
+            if let Some(function) = downcast::<Function>(thing) {
+                let numbers = self.call_numbers(arguments, span)?;
+                if numbers.len() == function.arity() {
+                    return Ok(answer(&function, &numbers));
+                }
+                let message = format!("this function takes {} arguments, found {}", function.arity(), numbers.len());
+                return Diagnostic::err(codes::WRONG_COUNT, span, message);
+            }
+        }
+        Diagnostic::err(codes::NOT_CALLABLE, span, format!("{} can't be called", thing.describe()))
+    }
+
+    fn call_numbers(&mut self, arguments: &'a [Element], span: Span) -> Result<Vec<f64>> {
+        // The common case, without a frame.
+        if arguments.iter().all(|a| self.is_plain(a)) {
+            let number = |a: &'a Element| match &a.kind {
+                ElementKind::Expr(e) => self.number(e),
+                _ => Ok(0.0),
+            };
+            return arguments.iter().map(number).collect();
+        }
+        self.numbers_in(arguments, span)
+    }
+
+    /// `S(0.5)`, `S(0.5, cubic_spline)`
+    fn call_spline(&mut self, spline: &Spline, arguments: &'a [Element], span: Span) -> Result<Value> {
+        self.enclosed(None, arguments, span, |me| {
+            let t = me.float()?;
+            let kind = match me.peek()? {
+                Token::Word(word) if SplineKind::of(word).is_some() => {
+                    me.advance();
+                    SplineKind::of(word).unwrap_or(spline.kind)
+                }
+                _ => spline.kind,
+            };
+            match me.peek()? {
+                Token::End => Ok(Value::Vector(VecN { c: spline.at(t, kind), len: spline.len })),
+                _ => Err(me.unexpected_token("one number and, at most, the kind of spline").into()),
+            }
+        })
+    }
+}
+
+/// Which numbers of an answer are meant.
+enum Component {
+    Of(u8),
+    Weighted([f64; 3]),
+}
+
+impl Compiler {
+    fn new(me: &Interpreter, parameters: &[Symbol]) -> Self {
+        let parameters = match parameters {
+            [] => ["x", "y", "z"].map(|name| me.names.intern(name)).to_vec(),
+            some => some.to_vec(),
+        };
+        Self { graph: Graph::default(), parameters }
+    }
+
+    /// `select(a, below, zero, above)`, or `select(a, below, from zero on)`.
+    fn select(&mut self, ids: &[Id]) -> Id {
+        let zero = self.graph.constant(0.0);
+        let below = self.graph.add(Node::Binary(Binary::Less, ids[0], zero));
+        let rest = match ids {
+            [a, _, at, above] => self.graph.add(Node::Choice(*a, *above, *at)),
+            ids => ids[2],
+        };
+        self.graph.add(Node::Choice(below, ids[1], rest))
+    }
+
+    fn finish(self, me: &Interpreter, span: Span) -> Result<Arc<dyn Thing>> {
+        let parameters: Box<[Box<str>]> = self.parameters.iter().map(|p| me.names.text(*p).into()).collect();
+        match Program::new(self.graph, parameters.len()) {
+            Some(program) => Ok(Arc::new(Function { parameters, body: Body::Numeric(program) })),
+            None => too_large(span),
+        }
+    }
+}
+
+fn too_large<T>(span: Span) -> Result<T> {
+    Diagnostic::err(codes::TOO_DEEP, span, "this function has more than 60000 operations")
+}
+
+fn answer(function: &Function, numbers: &[f64]) -> Value {
+    let c = function.call(numbers);
+    match function.gives() {
+        Gives::Number => Value::Float(c[0]),
+        Gives::Vector(len) => Value::Vector(VecN { c, len }),
+        Gives::Color => Value::Color(crate::color::Color::from_array(c)),
+    }
+}
+
+fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
+    let any: Arc<dyn Any + Send + Sync> = thing.clone();
+    any.downcast::<T>().ok()
+}
+
+fn default_names() -> Box<[Box<str>]> {
+    ["x", "y", "z"].map(Box::from).into()
+}
+
+fn binary(op: Operator) -> Binary {
+    match op {
+        Operator::Add => Binary::Add,
+        Operator::Sub => Binary::Sub,
+        Operator::Mul => Binary::Mul,
+        Operator::Div => Binary::Div,
+        Operator::Less => Binary::Less,
+        Operator::LessEqual => Binary::LessEqual,
+        Operator::Greater => Binary::Greater,
+        Operator::GreaterEqual => Binary::GreaterEqual,
+        Operator::Equal => Binary::Equal,
+        Operator::NotEqual => Binary::NotEqual,
+        Operator::And => Binary::And,
+        Operator::Or => Binary::Or,
+    }
+}
+
+/// The functions of `functions.inc` by their numbers: `function { internal(61) }`.
+pub(super) fn internal_function(number: f64) -> Option<Function> {
+    let row = internal::find(number as u32).filter(|_| number >= 0.0)?;
+    let mut graph = function::Graph::default();
+    let count = 3 + row.parameters;
+    let ids: Box<[Id]> = (0..count).map(|i| graph.add(Node::Parameter(i as u16))).collect();
+    graph.result = graph.call(Callee::Internal(row), 0, ids);
+    let names = ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters).map(|i| format!("P{i}").into()));
+    let program = Program::new(graph, count)?;
+    Some(Function { parameters: names.collect(), body: Body::Numeric(program) })
+}
