@@ -19,10 +19,13 @@ use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, SearchPath, Sources, Span};
 use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
-use crate::value::Language;
+use crate::value::{Language, Thing};
+use crate::world::Probe;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
 use std::path::PathBuf;
+use std::rc::Rc;
+use std::sync::Arc;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
 
@@ -88,6 +91,8 @@ pub(crate) struct Interpreter<'a> {
     deprecated: FxHashMap<Symbol, &'a str>,
     /// States of the streams that `seed()` opened.
     random: Vec<u32>,
+    /// Declared objects that were asked by rays, by their addresses.
+    probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
     /// The element of an array that [`Token::Element`] announces.
@@ -130,6 +135,7 @@ impl<'a> Interpreter<'a> {
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
             random: vec![],
+            probes: FxHashMap::default(),
             frames: vec![],
             peeked: None,
             element: None,

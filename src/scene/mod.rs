@@ -1,5 +1,6 @@
 //! What the author said, after all macros and loops ran: plain data.
 
+mod extent;
 mod object;
 mod settings;
 

@@ -1,9 +1,10 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
 use super::Defaults;
+use super::extent::transform_box;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
-use crate::math::Transform;
+use crate::math::{Aabb, Transform};
 use crate::shape::{self, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
@@ -86,6 +87,9 @@ pub struct Object {
     /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
     /// only.
     pub default_texture: Arc<Texture>,
+    /// The box that [`Object::extent`] tells of a CSG object.
+    #[serde(skip)]
+    pub(super) group_box: Option<Aabb>,
 }
 
 impl Thing for Object {
@@ -203,6 +207,7 @@ impl Object {
             word,
             source,
             default_texture: defaults.texture.clone(),
+            group_box: None,
         }
     }
 
@@ -243,7 +248,8 @@ impl Object {
                 _ => break,
             }
         }
-        let mut object = Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults);
+        let group_box = Some(Self::parts_box(op, &parts));
+        let mut object = Self { group_box, ..Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults) };
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
     }
@@ -397,6 +403,7 @@ impl Object {
     /// Moves the object with its textures and what clips it.
     pub fn transform_by(&mut self, step: &Transform) {
         self.transform = self.transform.then(step);
+        self.group_box = self.group_box.map(|b| transform_box(step, &b));
         for painted in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
             painted.transform = painted.transform.then(step);
         }

@@ -43,6 +43,13 @@ pub fn lower(scene: &Scene) -> Result<World> {
     })
 }
 
+/// The surfaces of one object by itself.
+pub(super) fn lower_alone(object: &Object) -> Result<Vec<Node>> {
+    let mut lowering = Lowering { default_texture: object.default_texture.clone(), ..Lowering::default() };
+    let solid = lowering.lower_object(object, &Around::default())?;
+    Ok(solid.into_iter().map(|solid| solid.node).collect())
+}
+
 /// What the blocks around an object say.
 #[derive(Clone, Default)]
 struct Around {

@@ -7,12 +7,14 @@ mod leaf;
 mod lower;
 mod material;
 mod node;
+mod probe;
 
 pub use geometry::Geometry;
 pub use leaf::{Found, FoundList, Leaf, Surface};
 pub use lower::lower;
 pub use material::{Ink, Layer, Lobe, Material};
 pub use node::{Node, NodeKind};
+pub use probe::Probe;
 
 use crate::camera::Camera;
 use crate::color::Gamma;

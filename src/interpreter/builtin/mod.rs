@@ -1,5 +1,6 @@
 //! Built-in functions of the language: one table a group.
 
+mod geometry;
 mod numeric;
 mod random;
 mod text;
@@ -127,6 +128,10 @@ impl<'a> Interpreter<'a> {
             ),
             ("dimensions", [array]) => Some(self.array_argument(array).map(|a| Value::Float(a.sizes.len() as f64))),
             ("dimension_size", [array, dimension]) => Some(self.dimension_size(array, dimension)),
+            ("trace", arguments) => Some(self.trace_object(arguments, span)),
+            ("inside", [object, point]) => Some(self.inside_object(object, point)),
+            ("min_extent", [object]) => Some(self.extent(object, false)),
+            ("max_extent", [object]) => Some(self.extent(object, true)),
             ("seed", [start]) => Some(self.seed(start)),
             ("rand", [stream]) => Some(self.rand(stream)),
             ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),

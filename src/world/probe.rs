@@ -1,0 +1,37 @@
+//! Questions that scripts ask of objects while the text is still running: `trace` and `inside`.
+
+use super::Geometry;
+use super::lower::lower_alone;
+use crate::diagnostic::Result;
+use crate::math::{DVec3, Range, Ray, tolerance};
+use crate::scene::Object;
+
+/// One declared object, ready for rays.
+#[derive(Debug)]
+pub struct Probe(Geometry);
+
+impl Probe {
+    /// Lowers an object by itself.
+    ///
+    /// # Errors
+    /// As for a whole scene: numbers that are not finite, transforms that flatten space.
+    pub fn new(object: &Object) -> Result<Self> {
+        Ok(Self(Geometry::new(lower_alone(object)?)))
+    }
+
+    /// Where a ray first meets the object, and the normal there, of length 1 and out of the object.
+    pub fn trace(&self, from: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
+        let direction = direction.try_normalize()?;
+        let ray = Ray { origin: from, dir: direction };
+        let found = self.0.closest(&ray, Range { min: tolerance::SURFACE, max: f64::INFINITY }, |_| true)?;
+        let surface = found.surface(&ray);
+        Some((surface.point, surface.normal))
+    }
+
+    /// Is the point in the object?
+    pub fn inside(&self, p: DVec3) -> bool {
+        let mut inside = false;
+        self.0.containing(p, &mut |_| inside = true);
+        inside
+    }
+}
