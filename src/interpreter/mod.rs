@@ -58,6 +58,8 @@ pub struct Outcome {
 
 /// A run ends after so many errors.
 const MAX_ERRORS: usize = 20;
+/// So many messages are kept before warnings are left out.
+const MAX_WARNINGS: usize = 500;
 /// And after so many faults, though they be the same again and again.
 const MAX_FAULTS: usize = 200;
 
@@ -92,6 +94,8 @@ pub(crate) struct Interpreter<'a> {
     blocks: Vec<(&'static str, Span)>,
     depth: usize,
     steps: u64,
+    /// Bytes of strings made since memory was looked at.
+    text_made: usize,
     started: Instant,
     language: Language,
     version_stated: bool,
@@ -129,6 +133,7 @@ impl<'a> Interpreter<'a> {
             blocks: vec![],
             depth: 0,
             steps: 0,
+            text_made: 0,
             started: Instant::now(),
             language: Language { version: compat::DEFAULT_VERSION, assumed_gamma: None },
             version_stated: false,
@@ -144,7 +149,9 @@ impl<'a> Interpreter<'a> {
     fn run(&mut self, file: FileId) {
         self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
-        self.push_frame(&ast.elements, FrameKind::Enclosed, Span::NONE);
+        // What is missing at the end of the text is told there.
+        let end = self.sources.base(file) + self.sources.text(file).len();
+        self.push_frame(&ast.elements, FrameKind::Enclosed, Span::new(end, end));
         loop {
             // Directives and macros run while the next statement is looked for: their faults are met here.
             let failed = match self.peek() {
@@ -206,9 +213,17 @@ impl<'a> Interpreter<'a> {
     fn report_fault(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
         let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && k.message == d.message;
-        if !silent && !self.diagnostics.iter().rev().take(100).any(known) {
-            self.diagnostics.push(d);
+        if silent || self.diagnostics.iter().rev().take(100).any(known) {
+            return;
         }
+        if d.severity == Severity::Warning && self.diagnostics.len() >= MAX_WARNINGS {
+            // A loop that warns in every pass would fill the memory.
+            if let Some(last) = self.diagnostics.last_mut() {
+                last.help = Some("there are more warnings, which are not told".into());
+            }
+            return;
+        }
+        self.diagnostics.push(d);
     }
 
     fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {

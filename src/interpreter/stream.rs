@@ -215,7 +215,7 @@ impl<'a> Interpreter<'a> {
         match frame.elements.get(frame.at) {
             Some(Element { span, kind: ElementKind::Numbers(_) }) => self.item_span(*span, frame.item.0),
             Some(element) => element.span,
-            None => Span { lo: frame.span.hi.saturating_sub(1), hi: frame.span.hi },
+            None => Span { lo: frame.span.hi.saturating_sub(1).max(frame.span.lo), hi: frame.span.hi },
         }
     }
 
