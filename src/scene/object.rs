@@ -1,6 +1,6 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
-use super::Defaults;
+use super::{Defaults, Weight};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::Transform;
@@ -86,6 +86,9 @@ pub struct Object {
     /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
     /// only.
     pub default_texture: Arc<Texture>,
+    /// How large it is.
+    #[serde(skip)]
+    pub weight: Weight,
 }
 
 impl Thing for Object {
@@ -192,6 +195,7 @@ impl Object {
 
     fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
+            weight: Weight::of(&kind),
             kind,
             transform: Transform::IDENTITY,
             texture: None,
@@ -244,6 +248,7 @@ impl Object {
             }
         }
         let mut object = Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults);
+        object.weight.check(source)?;
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
     }
@@ -381,6 +386,9 @@ impl Object {
             r.report(Diagnostic::new(codes::EMPTY_BLOCK, at, format!("this `{word}` holds no object")));
             return Ok(());
         }
+        Weight::check_clipping(&parts, at)?;
+        self.weight = self.weight.around(&parts);
+        self.weight.check(at)?;
         let field = if word == "clipped_by" { &mut self.clipped_by } else { &mut self.bounded_by };
         let before = field.take().into_iter().flat_map(|b| b.to_vec());
         *field = Some(before.chain(parts).collect());

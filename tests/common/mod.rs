@@ -34,6 +34,7 @@ pub fn rgbft(c: [f64; 5]) -> Color {
 
 pub fn object(kind: ObjectKind, word: &'static str) -> Object {
     Object {
+        weight: durer::scene::Weight::of(&kind),
         kind,
         transform: Transform::IDENTITY,
         texture: None,

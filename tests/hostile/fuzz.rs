@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 /// Mutants in an ordinary run, and for how long at most.
 const MODEST: usize = 3000;
-const MODEST_TIME: Duration = Duration::from_secs(12);
+const MODEST_TIME: Duration = Duration::from_secs(8);
 /// A single mutant that takes longer hangs.
 const HANGS: Duration = Duration::from_secs(20);
 

@@ -15,7 +15,7 @@ pub fn cases() -> Vec<Case> {
         ball("size_beyond_png", "render a.scene -o out.png --size 99999999999x1", 4, &["E0006"]),
         ball("size_overflow", "render a.scene -o out.png --size 99999999999999999999x1", 2, &["--size"]),
         ball("size_zero", "render a.scene -o out.png --size 0x0", 2, &["--size"]),
-        ball("size_negative", "render a.scene -o out.png --size -1x5", 2, &["--size"]),
+        ball("size_negative", "render a.scene -o out.png --size -1x5", 2, &["-1"]),
         ball("size_words", "render a.scene -o out.png --size wide", 2, &["--size"]),
         ball("size_thin", "render a.scene -o out.png --size 1x2000", 0, &[]),
         ball("threads_many", "render a.scene -o out.png --size 8x6 --threads 99999", 2, &["--threads"]),

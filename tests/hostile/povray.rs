@@ -14,7 +14,7 @@ const FOLDERS: &[&str] = &[
     "/usr/local/share/povray-3.7",
 ];
 /// No longer than this, spread over all of them.
-const TIME: Duration = Duration::from_secs(15);
+const TIME: Duration = Duration::from_secs(7);
 
 pub fn trials() -> Vec<Trial> {
     vec![Trial::test("povrays_own_files", own_files)]
