@@ -60,7 +60,8 @@ impl Frame<'_> {
             self.at += 1;
         }
         // A block or a function ends a statement.
-        let last = self.elements.get(self.at - 1).map(|e| &e.kind);
+        // (A loop's next pass stands at its start.)
+        let last = self.at.checked_sub(1).and_then(|last| self.elements.get(last)).map(|e| &e.kind);
         if matches!(last, Some(ElementKind::Block(_) | ElementKind::Function(_))) {
             return;
         }
