@@ -1,6 +1,6 @@
 //! Runs texts through the library, and judges what it tells.
 
-use durer::diagnostic::{Diagnostic, Severity, draw};
+use durer::diagnostic::{Diagnostic, Severity, codes, draw};
 use durer::interpreter::Options;
 use durer::render::{self, Watch};
 use durer::source::{SearchPath, Sources, Span};
@@ -89,10 +89,12 @@ fn fault_of(d: &Diagnostic, sources: &Sources) -> Option<String> {
     let drawn = draw::render(d, sources, draw::Style { fancy: false, width: 100 });
     let labels = d.labels.iter().chain(&d.trace);
     let outside = labels.map(|l| l.span).find(|span| !is_inside(*span, sources));
+    // `#warning ""` is as empty as its author wants it.
+    let own_words = matches!(d.code, codes::USER_WARNING | codes::USER_ERROR);
     let complaint = match outside {
         Some(span) => format!("a place outside of its file: {span:?}"),
-        None if d.message.is_empty() => "no words".into(),
-        None if d.labels.is_empty() && d.code != durer::diagnostic::codes::NO_CAMERA => "no place".into(),
+        None if d.message.is_empty() && !own_words => "no words".into(),
+        None if d.labels.is_empty() && d.code != codes::NO_CAMERA => "no place".into(),
         None if !drawn.contains(d.code.0) => "its drawing lacks the code".into(),
         None => return None,
     };
