@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, mpsc};
 use std::time::{Duration, Instant};
 
 /// Mutants in an ordinary run, and for how long at most.
-const MODEST: usize = 3000;
+const MODEST: usize = 10_000;
 const MODEST_TIME: Duration = Duration::from_secs(8);
 /// A single mutant that takes longer hangs.
 const HANGS: Duration = Duration::from_secs(20);

@@ -109,6 +109,8 @@ fn cameras() -> Vec<Case> {
         camera("camera_looks_at_itself", "location -5 * z look_at -5 * z", 1, bad),
         camera("camera_looks_along_sky", "location 5 * y look_at 0", 0, &[]),
         camera("camera_no_sky", "location -5 * z sky 0 look_at 0", 1, &["a.scene:1:"]),
+        camera("camera_angle_denormal", "location -5 * z look_at 0 angle 1e-308", 0, &[]),
+        camera("camera_denormally_near", "location <0, 0, -1e-308> look_at 0", 0, &[]),
         camera("camera_angle_zero", "location -5 * z angle 0", 0, &[]),
         camera("camera_angle_negative", "location -5 * z angle -60", 1, &["a.scene:1:"]),
         camera("camera_angle_straight", "location -5 * z angle 180", 1, &["a.scene:1:"]),

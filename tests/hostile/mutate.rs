@@ -73,10 +73,10 @@ fn token(rng: &mut Rng) -> &'static str {
     }
 }
 
-/// A text after one to six mutations; `other` is a second one, to be spliced.
+/// A text after one to three mutations; `other` is a second one, to be spliced.
 pub fn mutate(text: &str, other: &str, rng: &mut Rng) -> String {
     let mut text = text.to_string();
-    for _ in 0..1 + rng.below(6) {
+    for _ in 0..1 + rng.below(3) {
         text = step(&text, other, rng);
     }
     text

@@ -34,6 +34,8 @@ fn bytes() -> Vec<Case> {
         case("blank", "\n\r\n\t \r", 0, &["W0206"]),
         case("only_a_comment", "// nothing", 0, &["W0206"]),
         case("half_utf8", b"sphere { 0, 1 } \xc3".to_vec(), 1, &["E0100", "a.scene:1:17"]),
+        case("mark_inside", "camera { location <0, 2, - hollow  \u{feff} \u{feff}", 1, &["a.scene:1:"]),
+        case("mark_before_fault", "sphere { 0, -\u{feff}}", 1, &["a.scene:1:"]),
         case("emoji", "sphere { 0, 1 } 🎨", 1, &["E0100", "a.scene:1:17"]),
         case("carriage_returns", "sphere { 0, 1 }\r\rbox { }\r", 1, &["a.scene:3:"]),
     ]
