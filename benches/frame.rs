@@ -38,6 +38,7 @@ fn world(text: &str) -> World {
     let file = durer::load_bytes(&sources, "bench", text.as_bytes().to_vec()).unwrap();
     let reading = interpreter::Options {
         search: SearchPath::new(Path::new("."), &[]),
+        sandbox: Default::default(),
         declares: vec![],
         clock: 0.0,
         frame: 0,

@@ -47,6 +47,7 @@ fn running(c: &mut Criterion) {
     let Some(file) = sources.add("loops", None, loops.into()) else { return };
     let options = interpreter::Options {
         search: SearchPath::default(),
+        sandbox: Default::default(),
         declares: vec![],
         clock: 0.0,
         frame: 0,

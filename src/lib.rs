@@ -104,11 +104,20 @@ pub struct Built {
 /// Text → Scene → World. `debug` receives what the scene prints. Scenes may be nested deeply: call this inside [`on_big_stack`].
 pub fn build(sources: &Sources, file: FileId, options: &interpreter::Options, debug: &mut dyn FnMut(&str)) -> Built {
     let start = Instant::now();
-    let interpreter::Outcome { scene, mut diagnostics, limit_reached } =
+    let interpreter::Outcome { scene, mut diagnostics, mut limit_reached } =
         interpreter::interpret(sources, file, options, debug);
     let parse_time = start.elapsed();
     let start = Instant::now();
-    let world = scene.as_ref().and_then(|scene| world::lower(scene).map_err(|e| diagnostics.push(*e)).ok());
+    let light = |scene: &&scene::Scene| match scene.check_weight(options.max_memory) {
+        Ok(()) => true,
+        Err(fault) => {
+            diagnostics.push(*fault);
+            limit_reached = true;
+            false
+        }
+    };
+    let weighed = scene.as_ref().filter(light);
+    let world = weighed.and_then(|scene| world::lower(scene).map_err(|e| diagnostics.push(*e)).ok());
     Built { scene, world, diagnostics, limit_reached, parse_time, build_time: start.elapsed() }
 }
 

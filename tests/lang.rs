@@ -11,7 +11,7 @@
 //! `tests/lang/regenerate.py` asks the real POV-Ray for the printed lines.
 
 use durer::interpreter::Options;
-use durer::source::{SearchPath, Sources, text_of};
+use durer::source::{Sandbox, SearchPath, Sources, text_of};
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -112,6 +112,7 @@ fn whole_place(fault: &str, line: usize) -> String {
 fn run(path: &Path, name: &str, text: String) -> (String, Vec<String>) {
     let folder = path.parent().unwrap_or(Path::new("."));
     let options = Options {
+        sandbox: Sandbox::around(&SearchPath::new(folder, &[])),
         search: SearchPath::new(folder, &[]),
         declares: vec![],
         clock: 0.0,

@@ -67,6 +67,7 @@ fn draw(path: &Path) -> Result<durer::image_io::Frame, String> {
     let sources = Sources::default();
     let reading = interpreter::Options {
         search: SearchPath::new(path.parent().unwrap(), &[]),
+        sandbox: Default::default(),
         declares: vec![],
         clock: 0.0,
         frame: 0,

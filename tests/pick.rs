@@ -22,6 +22,7 @@ fn pick_in(text: String, x: usize, y: usize) -> Option<Picked> {
     let file = durer::load_bytes(&sources, "test.scene", text.into_bytes()).unwrap();
     let reading = durer::interpreter::Options {
         search: SearchPath::default(),
+        sandbox: Default::default(),
         declares: vec![],
         clock: 0.0,
         frame: 0,

@@ -68,6 +68,12 @@ pub struct SceneArgs {
     /// Look for included files here too
     #[arg(short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,
+    /// Let the scene read files below this folder too
+    #[arg(long, value_name = "DIR")]
+    pub allow_read: Vec<PathBuf>,
+    /// Let the scene write files below this folder too
+    #[arg(long, value_name = "DIR")]
+    pub allow_write: Vec<PathBuf>,
     /// Declare an identifier: a number, or text in quotes
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub declare: Vec<Declare>,

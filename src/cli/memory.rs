@@ -30,7 +30,18 @@ pub fn check(size: Size, limit: Option<u64>) -> Result<()> {
 /// What a scene may use if nothing else is said: most of what is free, so that a run-away scene ends in a message before the
 /// system ends it.
 pub fn default_limit() -> Option<u64> {
-    available().map(|free| free / 10 * 9)
+    let most = available().map(|free| free / 10 * 9);
+    // A list that grows needs new room beside the old; in a rationed address space both count.
+    let rationed = address_space().map(|free| free / 3);
+    most.into_iter().chain(rationed).min()
+}
+
+/// What is left in bytes where `ulimit -v` rations addresses.
+fn address_space() -> Option<u64> {
+    let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
+    let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
+    let limit: u64 = line.split_whitespace().next()?.parse().ok()?;
+    Some(limit.saturating_sub(kilobytes("/proc/self/status", "VmSize:")?))
 }
 
 /// Free memory in bytes, where the system tells.

@@ -6,7 +6,7 @@ use super::exit::{Exit, Failure, Result, usage};
 use super::memory;
 use super::values::Size;
 use crate::diagnostic::{Diagnostic, Severity, file};
-use crate::source::{FileId, ReadError, SearchPath, Sources};
+use crate::source::{FileId, ReadError, Sandbox, SearchPath, Sources};
 use crate::world::World;
 use crate::{Built, interpreter, render};
 use std::io::Read;
@@ -70,8 +70,13 @@ impl Moment {
 pub fn reading_options(args: &SceneArgs, input: &Path, moment: Moment) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
+    let search = SearchPath::new(folder, &args.include);
+    let mut sandbox = Sandbox::around(&search);
+    sandbox.read.extend(args.allow_read.iter().cloned());
+    sandbox.write.extend(args.allow_write.iter().cloned());
     interpreter::Options {
-        search: SearchPath::new(folder, &args.include),
+        search,
+        sandbox,
         declares: args.declare.iter().map(|d| (d.name.clone(), d.value.clone())).collect(),
         clock: moment.clock,
         frame: moment.frame,

@@ -128,6 +128,11 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
 "The step of a `#for` is 0, so that its counter would never reach the last value."
     USER_ERROR "E0234" "the scene's own `#error`"
 "The scene itself, or a file it includes, found a reason to stop."
+    FORBIDDEN_FILE "E0235" "a file that the scene may not touch"
+"A scene reads below its own folder and the include paths, and writes below the current folder; links and `..` are followed
+first. `--allow-read DIR` and `--allow-write DIR` allow more. No scene can start a program."
+    BAD_DATA "E0236" "a data file holds something else"
+"`#read` takes numbers, vectors such as `<1, 2, 3>` and strings in double quotes, with commas or blanks between them."
     STEP_LIMIT "E0240" "too many steps"
 "Every directive, macro call and pass through a loop is a step. The limit ends loops that never end; `--max-steps N` moves it. Exit code 4."
     TIME_LIMIT "E0241" "too much time"

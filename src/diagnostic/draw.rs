@@ -63,9 +63,9 @@ impl Report {
         };
         let labels = d.labels.iter().enumerate().filter_map(label).collect();
         Self {
-            head: format!("{kind}[{}]: {}", d.code, d.message),
+            head: format!("{kind}[{}]: {}", d.code, abridged(&d.message)),
             severity: d.severity,
-            help: d.help.clone(),
+            help: d.help.as_deref().map(abridged),
             source: lines,
             labels,
         }
@@ -96,6 +96,17 @@ impl miette::Diagnostic for Report {
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         Some(Box::new(self.labels.iter().cloned()))
     }
+}
+
+/// Longer messages, which quote a name or string of the scene, are cut in their middle.
+const MAX_MESSAGE: usize = 2000;
+
+fn abridged(text: &str) -> String {
+    if text.len() <= MAX_MESSAGE {
+        return text.into();
+    }
+    let (head, tail) = (boundary(text, MAX_MESSAGE / 2), boundary(text, text.len() - MAX_MESSAGE / 2));
+    format!("{} … {}", &text[..head], &text[tail..])
 }
 
 /// The lines that a message shows, and where they stand in the file.

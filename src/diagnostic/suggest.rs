@@ -1,8 +1,14 @@
 //! "Did you mean …?"
 
+/// Nobody types longer names by hand, and comparing two takes the product of their lengths.
+const LONGEST: usize = 200;
+
 /// The nearest of some words, if it is near enough to be a slip of the fingers: at most a third of
 /// the letters differ. Letter case counts little.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    if word.len() > LONGEST {
+        return None;
+    }
     let lower = word.to_lowercase();
     let limit = (word.chars().count().max(3) / 3).min(3);
     let score = |candidate: &str| match distance(&lower, &candidate.to_lowercase()) {

@@ -238,3 +238,89 @@ pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
     }
     value(graph, graph.result, parameters)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::function::Interval;
+    use proptest::prelude::*;
+
+    /// A recipe for one operation: which kind, and which operands.
+    type Recipe = Vec<(u8, u32, u32, u32, f64)>;
+
+    /// Operations that give finite numbers mostly, in any order.
+    fn graph(recipe: &Recipe) -> Graph {
+        let mut graph = Graph::default();
+        let mut ids: Vec<Id> = (0..3).map(|i| graph.add(Node::Parameter(i))).collect();
+        let rows = ["abs", "sin", "cos", "exp", "sqrt", "floor", "max", "min", "pow", "tanh"];
+        for &(kind, a, b, c, x) in recipe {
+            let pick = |i: u32| ids[i as usize % ids.len()];
+            let (a, b, c) = (pick(a), pick(b), pick(c));
+            use Binary::*;
+            let id = match kind % 24 {
+                0 => graph.constant(x),
+                1 => graph.add(Node::Choice(a, b, c)),
+                k @ 2..=13 => {
+                    let op = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
+                    graph.add(Node::Binary(op[k as usize - 2], a, b))
+                }
+                k => {
+                    let row = numeric::find(rows[k as usize - 14]).unwrap();
+                    match numeric::TABLE[row as usize].kernel {
+                        Kernel::One(_) => graph.add(Node::One(row, a)),
+                        _ => graph.add(Node::Two(row, a, b)),
+                    }
+                }
+            };
+            ids.push(id);
+        }
+        graph.result = ids[ids.len() - 1];
+        graph
+    }
+
+    fn recipe() -> impl Strategy<Value = Recipe> {
+        prop::collection::vec((any::<u8>(), any::<u32>(), any::<u32>(), any::<u32>(), -3.0..3.0), 1..30)
+    }
+
+    proptest! {
+        #[test]
+        fn bytecode_gives_what_the_graph_says(recipe in recipe(), p in prop::array::uniform3(-2.0..2.0)) {
+            let graph = graph(&recipe);
+            let wanted = slow(&graph, &p);
+            let found = Program::new(graph, 3).unwrap().run(&p);
+            prop_assert!(wanted.to_bits() == found.to_bits() || wanted.is_nan() && found.is_nan());
+        }
+
+        #[test]
+        fn values_lie_in_bounds(
+            recipe in recipe(),
+            corner in prop::array::uniform3(-2.0..2.0),
+            size in prop::array::uniform3(0.0..1.0),
+            inner in prop::array::uniform3(0.0..1.0),
+        ) {
+            let graph = graph(&recipe);
+            let boxes = [0, 1, 2].map(|i| Interval::new(corner[i], corner[i] + size[i]));
+            let p = [0, 1, 2].map(|i: usize| f64::min(corner[i] + inner[i] * size[i], boxes[i].hi));
+            let value = slow(&graph, &p);
+            let bounds = graph.bounds(&boxes);
+            prop_assert!(value.is_nan() || bounds.contains(value), "{value} is not in {bounds:?}");
+        }
+    }
+
+    #[test]
+    fn only_the_chosen_branch_is_computed_and_shared_results_stay_known() {
+        // x < 0 ? x·y : (x·y)² − x·y, and then + x·y
+        let mut g = Graph::default();
+        let (x, y) = (g.add(Node::Parameter(0)), g.add(Node::Parameter(1)));
+        let zero = g.constant(0.0);
+        let below = g.add(Node::Binary(Binary::Less, x, zero));
+        let product = g.add(Node::Binary(Binary::Mul, x, y));
+        let square = g.add(Node::Binary(Binary::Mul, product, product));
+        let rest = g.add(Node::Binary(Binary::Sub, square, product));
+        let choice = g.add(Node::Choice(below, product, rest));
+        g.result = g.add(Node::Binary(Binary::Add, choice, product));
+        let program = Program::new(g, 2).unwrap();
+        assert_eq!(program.run(&[-2.0, 3.0]), -12.0);
+        assert_eq!(program.run(&[2.0, 3.0]), 36.0);
+    }
+}

@@ -116,7 +116,7 @@ impl<'a> Interpreter<'a> {
                 }
                 Ok(value)
             }
-            Some(slot @ (Slot::Faulty(_) | Slot::Macro(_) | Slot::Array(_))) => {
+            Some(slot @ (Slot::Faulty(_) | Slot::Macro(_) | Slot::Array(_) | Slot::File(_))) => {
                 let slot = slot.clone();
                 self.slot_value(slot, span)
             }
@@ -139,6 +139,10 @@ impl<'a> Interpreter<'a> {
                 Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"))
                     .help(format!("a call needs parentheses: `{name}()`"))
                     .into()
+            }
+            Slot::File(_) => {
+                let name = self.sources.snippet(span);
+                Diagnostic::err(codes::EXPECTED_VALUE, span, format!("`{name}` is a file"))
             }
             Slot::Array(_) | Slot::Alias(_) => {
                 let name = self.sources.snippet(span);

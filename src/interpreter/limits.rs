@@ -10,6 +10,8 @@ pub(super) const MAX_CALLS: usize = 5_000;
 pub(super) const MAX_INCLUDES: usize = 100;
 /// Looking at the clock costs more than a step: once in so many.
 const CLOCK_EVERY: u64 = 4096;
+/// And once in so many bytes of text.
+const TEXT_EVERY: usize = 64 << 20;
 
 impl<'a> Interpreter<'a> {
     /// Counts one step (a directive, a loop's pass, a macro call).
@@ -23,6 +25,16 @@ impl<'a> Interpreter<'a> {
             return self.look_at_clock(span);
         }
         Ok(())
+    }
+
+    /// Counts bytes of text that were made: a few large strings take as much as many steps.
+    pub(super) fn made(&mut self, bytes: usize, span: Span) -> Result<()> {
+        self.text_made += bytes;
+        if self.text_made < TEXT_EVERY {
+            return Ok(());
+        }
+        self.text_made = 0;
+        self.look_at_clock(span)
     }
 
     fn look_at_clock(&mut self, span: Span) -> Result<()> {

@@ -16,7 +16,7 @@ mod top;
 
 use crate::diagnostic::{Diagnostic, Label, Result, Severity, codes};
 use crate::scene::{Defaults, Scene};
-use crate::source::{FileId, SearchPath, Sources, Span};
+use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::{Language, Thing};
@@ -34,6 +34,8 @@ use stream::{Frame, FrameKind, Token};
 pub struct Options {
     /// Where includes are looked for.
     pub search: SearchPath,
+    /// What the scene may read and write.
+    pub sandbox: Sandbox,
     /// `--declare NAME=VALUE`: numbers, or text in quotes.
     pub declares: Vec<(String, String)>,
     /// `clock`, `frame_number` and their kin.
@@ -63,6 +65,8 @@ pub struct Outcome {
 
 /// A run ends after so many errors.
 const MAX_ERRORS: usize = 20;
+/// So many messages are kept before warnings are left out.
+const MAX_WARNINGS: usize = 500;
 /// And after so many faults, though they be the same again and again.
 const MAX_FAULTS: usize = 200;
 
@@ -93,6 +97,10 @@ pub(crate) struct Interpreter<'a> {
     random: Vec<u32>,
     /// Declared objects that were asked by rays, by their addresses.
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
+    /// Files by the numbers in [`scope::Slot::File`].
+    files: Vec<directive::OpenFile>,
+    /// Bytes that `#write` has written.
+    written: u64,
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
     /// The element of an array that [`Token::Element`] announces.
@@ -103,6 +111,8 @@ pub(crate) struct Interpreter<'a> {
     blocks: Vec<(&'static str, Span)>,
     depth: usize,
     steps: u64,
+    /// Bytes of strings made since memory was looked at.
+    text_made: usize,
     started: Instant,
     language: Language,
     version_stated: bool,
@@ -136,6 +146,8 @@ impl<'a> Interpreter<'a> {
             deprecated: FxHashMap::default(),
             random: vec![],
             probes: FxHashMap::default(),
+            files: vec![],
+            written: 0,
             frames: vec![],
             peeked: None,
             element: None,
@@ -143,6 +155,7 @@ impl<'a> Interpreter<'a> {
             blocks: vec![],
             depth: 0,
             steps: 0,
+            text_made: 0,
             started: Instant::now(),
             language: Language { version: compat::DEFAULT_VERSION, assumed_gamma: None },
             version_stated: false,
@@ -158,7 +171,9 @@ impl<'a> Interpreter<'a> {
     fn run(&mut self, file: FileId) {
         self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
-        self.push_frame(&ast.elements, FrameKind::Enclosed, Span::NONE);
+        // What is missing at the end of the text is told there.
+        let end = self.sources.base(file) + self.sources.text(file).len();
+        self.push_frame(&ast.elements, FrameKind::Enclosed, Span::new(end, end));
         loop {
             // Directives and macros run while the next statement is looked for: their faults are met here.
             let failed = match self.peek() {
@@ -220,9 +235,17 @@ impl<'a> Interpreter<'a> {
     fn report_fault(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
         let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && k.message == d.message;
-        if !silent && !self.diagnostics.iter().rev().take(100).any(known) {
-            self.diagnostics.push(d);
+        if silent || self.diagnostics.iter().rev().take(100).any(known) {
+            return;
         }
+        if d.severity == Severity::Warning && self.diagnostics.len() >= MAX_WARNINGS {
+            // A loop that warns in every pass would fill the memory.
+            if let Some(last) = self.diagnostics.last_mut() {
+                last.help = Some("there are more warnings, which are not told".into());
+            }
+            return;
+        }
+        self.diagnostics.push(d);
     }
 
     fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {

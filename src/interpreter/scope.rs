@@ -13,6 +13,8 @@ pub(super) enum Slot<'a> {
     Value(Value),
     Array(Rc<Array<'a>>),
     Macro(&'a Macro),
+    /// A file that `#fopen` opened, by its number.
+    File(usize),
     /// A macro's parameter that was given a name or an array's element: reads and writes go there.
     Alias(Place),
     /// What was declared could not be built; told when it is used.
@@ -225,6 +227,23 @@ impl<'a> Scopes<'a> {
             names.remove(i);
         }
         true
+    }
+
+    /// What is at a place goes.
+    pub(super) fn unbind(&mut self, place: &Place) {
+        if place.path.is_some() {
+            return self.set_element(place, None);
+        }
+        let Some(stack) = self.bindings.get_mut(place.symbol.0 as usize) else { return };
+        if place.depth < stack.len() {
+            let binding = stack.remove(place.depth);
+            if binding.level > 0
+                && let Some(names) = self.levels.get_mut(binding.level as usize - 1)
+                && let Some(i) = names.iter().rposition(|s| *s == place.symbol)
+            {
+                names.remove(i);
+            }
+        }
     }
 
     /// All names that are bound now.

@@ -62,7 +62,8 @@ impl Frame<'_> {
             self.at += 1;
         }
         // A block or a function ends a statement.
-        let last = self.elements.get(self.at - 1).map(|e| &e.kind);
+        // (A loop's next pass stands at its start.)
+        let last = self.at.checked_sub(1).and_then(|last| self.elements.get(last)).map(|e| &e.kind);
         if matches!(last, Some(ElementKind::Block(_) | ElementKind::Function(_))) {
             return;
         }
@@ -228,7 +229,7 @@ impl<'a> Interpreter<'a> {
         match frame.elements.get(frame.at) {
             Some(Element { span, kind: ElementKind::Numbers(_) }) => self.item_span(*span, frame.item.0),
             Some(element) => element.span,
-            None => Span { lo: frame.span.hi.saturating_sub(1), hi: frame.span.hi },
+            None => Span { lo: frame.span.hi.saturating_sub(1).max(frame.span.lo), hi: frame.span.hi },
         }
     }
 

@@ -175,6 +175,8 @@ pub const WORDS_NOT_DRAWN: &[&str] = &[
     "control1",
     "coords",
     "cube",
+    "df3",
+    "exponent",
     "exterior",
     "form",
     "image_map",

@@ -42,10 +42,13 @@ impl<'a> Workers<'a> {
             if self.watch.cancelled() {
                 return Err(Cancelled);
             }
-            let mut tracer = Tracer::new(setup);
+            let mut tracer = Tracer::new(setup, Some(self.watch));
             let mut pixels = Vec::with_capacity(tile.width * tile.height);
             for y in tile.y..tile.y + tile.height {
                 pixels.extend((tile.x..tile.x + tile.width).map(|x| pixel(&mut tracer, x, y)));
+                if tracer.stopped() {
+                    return Err(Cancelled);
+                }
             }
             let done = self.done.fetch_add(pixels.len(), Ordering::Relaxed) + pixels.len();
             self.watch.progress(done, self.total);

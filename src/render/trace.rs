@@ -3,7 +3,7 @@
 use super::mirror::{self, Count};
 use super::refract::{Border, Interiors, reflect};
 use super::site::Site;
-use super::{Options, Rays};
+use super::{Options, Rays, Watch};
 use crate::camera::Window;
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Range, Ray, rng, tolerance};
@@ -11,6 +11,9 @@ use crate::world::{Found, World};
 
 /// So many surfaces one ray passes at most; it ends what rounding would keep in one place for ever.
 const CROSSINGS: usize = 20_000;
+
+/// The watcher is asked once in so many surfaces.
+const ASK_EVERY: u32 = 64;
 
 /// What `+Q` switches.
 #[derive(Clone, Copy, Debug)]
@@ -89,11 +92,31 @@ pub(super) struct Tracer<'w> {
     pub setup: &'w Setup<'w>,
     pub rays: Rays,
     random: rng::Stream,
+    /// Who may want it to stop.
+    watch: Option<&'w dyn Watch>,
+    stopped: bool,
+    crossings: u32,
 }
 
 impl<'w> Tracer<'w> {
-    pub fn new(setup: &'w Setup<'w>) -> Self {
-        Self { setup, rays: Rays::default(), random: rng::Stream::new(&[]) }
+    pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>) -> Self {
+        let random = rng::Stream::new(&[]);
+        Self { setup, rays: Rays::default(), random, watch, stopped: false, crossings: 0 }
+    }
+
+    /// Has the watcher asked to stop? What was traced since is worth nothing.
+    pub fn stopped(&self) -> bool {
+        self.stopped
+    }
+
+    /// Counts a surface; asks the watcher once in a while, because mirrors that face each other can keep a single ray for
+    /// hours.
+    fn cross(&mut self) {
+        self.crossings += 1;
+        if self.crossings == ASK_EVERY {
+            self.crossings = 0;
+            self.stopped |= self.watch.is_some_and(|watch| watch.cancelled());
+        }
     }
 
     /// All random numbers from here on belong to this sample of this pixel.
@@ -120,6 +143,10 @@ impl<'w> Tracer<'w> {
         let mut through = Rgb::ONE;
         let mut passed = 1.0;
         for _ in 0..CROSSINGS {
+            self.cross();
+            if self.stopped {
+                break;
+            }
             let Some(found) = self.closest(&path) else {
                 let (sky, open) = self.background(path.mirrored);
                 return Sample { rgb: rgb + through * sky, passed: passed * open };

@@ -3,9 +3,11 @@
 mod extent;
 mod object;
 mod settings;
+mod weight;
 
 pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, Painted, is_object, read_layers, read_material};
 pub use settings::Settings;
+pub use weight::Weight;
 
 use crate::camera::Camera;
 use crate::color::Color;

@@ -1,7 +1,7 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
-use super::Defaults;
 use super::extent::transform_box;
+use super::{Defaults, Weight};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::{Aabb, Transform};
@@ -89,7 +89,10 @@ pub struct Object {
     pub default_texture: Arc<Texture>,
     /// The box that [`Object::extent`] tells of a CSG object.
     #[serde(skip)]
-    pub(super) group_box: Option<Aabb>,
+    pub group_box: Option<Aabb>,
+    /// How large it is.
+    #[serde(skip)]
+    pub weight: Weight,
 }
 
 impl Thing for Object {
@@ -196,6 +199,7 @@ impl Object {
 
     fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
+            weight: Weight::of(&kind),
             kind,
             transform: Transform::IDENTITY,
             texture: None,
@@ -250,6 +254,7 @@ impl Object {
         }
         let group_box = Some(Self::parts_box(op, &parts));
         let mut object = Self { group_box, ..Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults) };
+        object.weight.check(source)?;
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
     }
@@ -387,6 +392,9 @@ impl Object {
             r.report(Diagnostic::new(codes::EMPTY_BLOCK, at, format!("this `{word}` holds no object")));
             return Ok(());
         }
+        Weight::check_clipping(&parts, at)?;
+        self.weight = self.weight.around(&parts);
+        self.weight.check(at)?;
         let field = if word == "clipped_by" { &mut self.clipped_by } else { &mut self.bounded_by };
         let before = field.take().into_iter().flat_map(|b| b.to_vec());
         *field = Some(before.chain(parts).collect());

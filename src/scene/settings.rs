@@ -1,7 +1,7 @@
 //! `global_settings` (manual, "Global Settings").
 
 use crate::color::{Gamma, Rgb};
-use crate::diagnostic::Result;
+use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::value::{Next, Reader};
 use serde::Serialize;
 
@@ -58,7 +58,7 @@ impl Settings {
                             r.take()?;
                             Gamma::Srgb
                         }
-                        _ => Gamma::Power(r.float()?),
+                        _ => Gamma::Power(positive(r)?),
                     });
                 }
                 Next::Word("max_trace_level") => {
@@ -87,4 +87,14 @@ impl Settings {
             }
         }
     }
+}
+
+/// A gamma of 0 or less has no curve.
+fn positive(r: &mut dyn Reader) -> Result<f64> {
+    let (at, gamma) = (r.span(), r.float()?);
+    if gamma > 0.0 {
+        return Ok(gamma);
+    }
+    let message = format!("`assumed_gamma` has to be more than 0, found {gamma}");
+    Diagnostic::new(codes::BAD_ARGUMENT, at, message).help("`assumed_gamma 1` computes in linear light").into()
 }

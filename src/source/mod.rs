@@ -2,12 +2,14 @@
 
 mod files;
 mod read;
+mod sandbox;
 mod search;
 mod span;
 mod write;
 
 pub use files::{FileId, Place, Sources, decode_text};
 pub use read::{ReadError, read_text, text_of};
+pub use sandbox::Sandbox;
 pub use search::SearchPath;
 pub use span::Span;
 pub use write::{check_writable, write_whole};

@@ -132,8 +132,7 @@ fn token_at(text: &str, at: usize) -> &str {
 }
 
 fn last_word(text: &str) -> Option<&str> {
-    let start = text.rfind(|c: char| !c.is_alphanumeric() && c != '_').map_or(0, |i| i + 1);
-    let word = &text[start..];
+    let word = text.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next()?;
     word.starts_with(|c: char| c.is_alphabetic() || c == '_').then_some(word)
 }
 

@@ -10,5 +10,6 @@ mod numbers;
 mod parse;
 pub mod word;
 
+pub use build::unescape;
 pub use names::Names;
 pub use parse::parse;

@@ -226,6 +226,7 @@ impl Draft {
                 self.map = Some(Arc::new(ColorMap::read(r)?));
                 r.leave()
             }
+            Next::Function => r.skip_unsupported("function"),
             Next::Word(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
                 r.skip_unsupported(word)
             }

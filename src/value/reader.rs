@@ -19,6 +19,8 @@ pub enum Next {
     Thing(&'static str),
     /// An expression: number, vector, colour or text.
     Value,
+    /// `function { … }`
+    Function,
     /// `[`, as in a map's entry.
     Entry,
     /// A `{` without a word in front.

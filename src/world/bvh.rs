@@ -126,7 +126,7 @@ impl Bvh {
             let [lo, hi] = &node.planes;
             let within = |i: usize| lo[i].cmple(above[i]) & hi[i].cmpge(below[i]);
             let mask = (within(0) & within(1) & within(2)).bitmask();
-            for slot in (0..4).filter(|slot| mask >> slot & 1 == 1) {
+            for slot in (0..4).filter(|&slot| mask >> slot & 1 == 1 && !node.is_unused(slot)) {
                 let (child, count) = (node.child[slot], node.count[slot]);
                 if count == 0 {
                     stack.push(child);
@@ -148,6 +148,11 @@ struct Entry {
 
 impl Wide {
     const EMPTY: Wide = Wide { planes: [[Vec4::INFINITY; 3], [Vec4::NEG_INFINITY; 3]], child: [0; 4], count: [0; 4] };
+
+    /// Its empty box keeps all rays out but those with directions that are infinite or no numbers. The root is nobody's child.
+    fn is_unused(&self, slot: usize) -> bool {
+        self.child[slot] | self.count[slot] == 0
+    }
 
     fn set_box(&mut self, slot: usize, (lo, hi): (Vec3A, Vec3A)) {
         for axis in 0..3 {
@@ -193,6 +198,9 @@ impl FlatRay {
         while mask != 0 {
             let slot = mask.trailing_zeros() as usize & 3;
             mask &= mask - 1;
+            if node.is_unused(slot) {
+                continue;
+            }
             let entry = Entry { near: near[slot], child: node.child[slot], count: node.count[slot] };
             // Insertion sort: at most four.
             let mut at = height;

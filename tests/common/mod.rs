@@ -34,6 +34,8 @@ pub fn rgbft(c: [f64; 5]) -> Color {
 
 pub fn object(kind: ObjectKind, word: &'static str) -> Object {
     Object {
+        weight: durer::scene::Weight::of(&kind),
+        group_box: None,
         kind,
         transform: Transform::IDENTITY,
         texture: None,

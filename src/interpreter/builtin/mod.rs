@@ -98,6 +98,10 @@ impl<'a> Interpreter<'a> {
                 let message = format!("this string is longer than {} million bytes", MAX_TEXT / 1_000_000);
                 self.limit(codes::MEMORY_LIMIT, span, message, "does a loop make it longer and longer?")
             }
+            Value::Text(text) => {
+                self.made(text.len(), span)?;
+                Ok(value)
+            }
             _ => Ok(value),
         }
     }

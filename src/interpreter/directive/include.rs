@@ -16,7 +16,7 @@ impl<'a> Interpreter<'a> {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
             return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
-        let Some(path) = self.options.search.find(&text) else {
+        let Some(path) = self.find_file(&text, name.span)? else {
             return Err(self.missing_include(&text, name.span).into());
         };
         let ast = self.load(&path, &text, name.span)?;
@@ -24,6 +24,19 @@ impl<'a> Interpreter<'a> {
         self.including.push(path);
         self.push_frame(&ast.elements, FrameKind::Include, span);
         Ok(())
+    }
+
+    /// A file that the scene names, if it is there and may be read.
+    pub(in crate::interpreter) fn find_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
+        match self.options.search.find(name) {
+            Some(path) if !self.options.sandbox.may_read(&path) => {
+                let folder = path.parent().unwrap_or(Path::new(".")).display().to_string();
+                Diagnostic::new(codes::FORBIDDEN_FILE, span, format!("the scene may not read `{name}`"))
+                    .help(format!("scenes read below their own folder and the include paths; `--allow-read {folder}` allows this one"))
+                    .into()
+            }
+            found => Ok(found),
+        }
     }
 
     pub(in crate::interpreter) fn leave_include(&mut self) {

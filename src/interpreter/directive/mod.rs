@@ -2,13 +2,16 @@
 
 mod branch;
 mod declare;
+mod file;
 mod include;
 mod macros;
 mod message;
 mod version;
 
+pub(super) use file::OpenFile;
+
 use super::Interpreter;
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::Result;
 use crate::source::Span;
 use crate::syntax::ast::Directive;
 
@@ -28,9 +31,7 @@ impl<'a> Interpreter<'a> {
             Directive::Version(value) => self.version(value),
             Directive::Message(kind, text) => self.message(kind, text),
             Directive::Default(body) => self.default_block(body, span),
-            Directive::File(name, _) => {
-                Diagnostic::err(codes::NOT_YET, span, format!("`#{name}` is not supported yet"))
-            }
+            Directive::File(kind, elements) => self.file(kind, elements, span),
         }
     }
 }

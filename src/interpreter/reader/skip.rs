@@ -23,6 +23,7 @@ impl Interpreter<'_> {
                 self.skip_to_end()?;
                 self.leave()?;
             }
+            Token::Function(_) | Token::Expr(_) => drop(self.rvalue()?),
             _ => {
                 self.advance();
                 self.skip_arguments()?;
@@ -35,14 +36,8 @@ impl Interpreter<'_> {
     fn skip_arguments(&mut self) -> Result<()> {
         loop {
             match Reader::next(self)? {
-                Next::Value => {
-                    // What can't be evaluated yet (functions, arrays) is passed over too.
-                    if matches!(self.peek()?, Token::Function(_)) {
-                        self.advance();
-                    } else {
-                        drop(self.value_here());
-                    }
-                }
+                Next::Value => drop(self.value_here()),
+                Next::Function => drop(self.rvalue()?),
                 Next::Entry | Next::Group => self.advance(),
                 Next::Thing("color_map" | "pigment" | "texture" | "normal") => drop(self.take_thing()?),
                 _ => return Ok(()),

@@ -226,7 +226,7 @@ fn climb(first: Expr, rest: Tail, precedence: fn(Operator) -> u8) -> Expr {
 }
 
 /// Resolves the escapes of a string in its quotes (manual, "String Literals").
-pub(super) fn unescape(quoted: &str) -> Box<str> {
+pub fn unescape(quoted: &str) -> Box<str> {
     let inner = quoted.strip_prefix('"').unwrap_or(quoted);
     let inner = inner.strip_suffix('"').unwrap_or(inner);
     if !inner.contains(['\\', '\r']) {

@@ -11,6 +11,7 @@ use crate::syntax::lex::{Lexed, Token};
 use crate::syntax::parse::Rule;
 use crate::syntax::word;
 use contextual::split_contextual;
+pub use expr::unescape;
 use pest::iterators::{Pair, Pairs};
 use std::cell::RefCell;
 
