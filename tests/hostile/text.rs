@@ -131,6 +131,7 @@ fn includes() -> Vec<Case> {
     vec![
         case("include_missing", "\n#include \"nowhere.inc\"\n", 1, &["E0230", "a.scene:2:10"]),
         case("include_empty_name", "#include \"\"\n", 1, &["a.scene:1:10"]),
+        case("include_missing_in_block", "plane {\n#include \"nowhere.inc\"\ny, 0 }\n", 1, &["E0230", "a.scene:2:10"]),
         case("include_number", "#include 5\n", 1, &["E0200", "a.scene:1:10"]),
         case("include_itself", "#include \"a.scene\"\n", 4, &["E0244", "a.scene:1:1"]),
         case("include_mutual", to_b, 4, &["E0244", "b.inc:1:1"])

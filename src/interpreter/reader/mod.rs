@@ -117,8 +117,10 @@ impl Reader for Interpreter<'_> {
     }
 
     fn span(&mut self) -> Span {
-        if self.peek().is_err() {
-            return Span::NONE;
+        // Whoever asks for a place can't fail: a fault in a directive on the way is told here, or nobody would tell it.
+        if let Err(fault) = self.peek() {
+            let fault = self.with_trace(*fault);
+            self.report_fault(fault);
         }
         self.here()
     }
