@@ -266,6 +266,62 @@ proptest! {
         }
     }
 
+    /// Intersections of slanted planes and walls: all that is hit lies in their box, and so does all that is inside.
+    #[test]
+    fn what_planes_share_lies_in_its_box(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let m = dice.transform();
+        let count = 1 + dice.below(9);
+        let plane = |dice: &mut Dice| {
+            // Outwards from near the middle, mostly; sometimes through it, or along an axis.
+            let normal = if dice.below(6) == 0 { DVec3::AXES[dice.below(3)] } else { dice.vector(1.0) };
+            Shape::Plane(Plane::new(normal, dice.between(-0.2, 1.0).max(0.0)).unwrap())
+        };
+        let mut part = |i: usize| {
+            let shape = if i > 3 && dice.below(5) == 0 { dice.solid() } else { plane(&mut dice) };
+            let m = if dice.below(3) == 0 { m.then(&dice.transform()) } else { m };
+            let leaf = Node::leaf(Leaf::new(Arc::new(shape), &m, i as u32), 0);
+            if dice.below(9) == 0 { leaf.inverted() } else { leaf }
+        };
+        let parts: Vec<Node> = (0..count).map(&mut part).collect();
+        let more: Vec<Node> = (0..2).map(&mut part).collect();
+        let tree = match dice.below(3) {
+            0 => Node::intersection(parts, 0),
+            1 => Node::intersection(vec![Node::intersection(parts, 0), Node::difference(more, 0)], 0),
+            _ => Node::union(more, 0).clipped(parts),
+        };
+        // The same without its box: asked child by child.
+        fn inside(node: &Node, p: DVec3) -> bool {
+            use durer::world::NodeKind;
+            match node.kind() {
+                NodeKind::Leaf(_) => node.inside(p),
+                NodeKind::Intersection(children) => children.iter().all(|c| inside(c, p)),
+                NodeKind::Union(children) | NodeKind::Merge(children) => children.iter().any(|c| inside(c, p)),
+            }
+        }
+        fn surviving(node: &Node, ray: &Ray) -> Vec<f64> {
+            let durer::world::NodeKind::Intersection(children) = node.kind() else {
+                return node_hits(node, ray, Range::ALL).iter().map(|f| f.t()).collect();
+            };
+            let others = |i: usize, p: DVec3| children.iter().enumerate().all(|(j, c)| j == i || inside(c, p));
+            let each = children.iter().enumerate().map(|(i, c)| (i, surviving(c, ray)));
+            each.flat_map(|(i, hits)| hits.into_iter().filter(move |t| others(i, ray.at(*t)))).collect()
+        }
+        let is_clipped = matches!(tree.kind(), durer::world::NodeKind::Union(_));
+        for _ in 0..30 {
+            let ray = Ray { origin: m.point(dice.vector(2.0)), ..dice.ray() };
+            let kept = surviving(&tree, &ray);
+            for t in &kept {
+                prop_assert!(tree.bounds().contains(ray.at(*t)), "{tree:?} {ray:?} {t}");
+            }
+            prop_assert!(is_clipped || node_hits(&tree, &ray, Range::ALL).len() == kept.len(), "{tree:?} {ray:?}");
+            for k in -20..20 {
+                let p = ray.at(f64::from(k) * 0.1);
+                prop_assert!(is_clipped || tree.inside(p) == inside(&tree, p), "{tree:?} {p}");
+            }
+        }
+    }
+
     /// A node with many children has a hierarchy of its own; a chain of pairs has none.
     #[test]
     fn many_children_are_like_few(seed: u64) {

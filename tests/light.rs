@@ -337,3 +337,33 @@ fn qualities() {
     let at = |q| look_with(&dark, |o| o.quality = q)[0];
     assert_near([at(3), at(4)], [0.7, 0.1]);
 }
+
+#[test]
+fn what_passes_counts_by_its_largest_channel_and_each_surface_by_its_gray() {
+    let seen = |panes: &[[f64; 3]], bailout: f64| {
+        let pane = |(i, c): (usize, &[f64; 3])| {
+            disc(-(2.0 + i as f64) * Z, Z, 1.0).painted(rgbft([c[0], c[1], c[2], 1.0, 0.0]), dull())
+        };
+        let mut scene = wall(rgb(1.0, 1.0, 1.0), glowing(), panes.iter().enumerate().map(pane).collect());
+        scene.settings.adc_bailout = bailout;
+        look(&scene)
+    };
+    let (a, b) = ([0.5, 0.1, 0.1], [0.1, 0.5, 0.1]);
+    // the gray of the first is 0.2188
+    assert_near(seen(&[a], 0.218), a);
+    assert_near(seen(&[a], 0.22), [0.0; 3]);
+    // 0.5³, though no channel of the whole is more than 0.025
+    assert_near(seen(&[a, b, a], 0.124), [0.025, 0.005, 0.001]);
+    assert_near(seen(&[a, b, a], 0.126), [0.0; 3]);
+    assert_near(seen(&[[1.0, 0.0, 0.0]; 4], 0.29), [1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn grain_darkens_what_else_shines() {
+    // POV-Ray's mean over many pixels is 0.5488, its darkest 0.1
+    let finish = Finish { ambient: Rgb::splat(0.5), diffuse: 0.5, crand: 0.9, ..dull() };
+    let (picture, _) = draw(&wall(rgb(1.0, 1.0, 1.0), finish, vec![lamp(-5.0 * Z, 1.0)]), &options(40, 40));
+    let mean = picture.pixels.iter().map(|p| f64::from(p[0])).sum::<f64>() / 1600.0;
+    let darkest = picture.pixels.iter().map(|p| p[0]).fold(f32::INFINITY, f32::min);
+    assert!((mean - 0.54).abs() < 0.03 && (0.05..0.15).contains(&darkest), "{mean} {darkest}");
+}

@@ -13,23 +13,28 @@ pub(super) struct Border {
     pub n1: f64,
     /// Index of refraction behind the surface.
     pub n2: f64,
+    /// Both as Fresnel's formula takes them, which differ where more than one thing is left.
+    mirror: (f64, f64),
     /// The place in the stack of what the ray leaves; `None` if it enters something.
     leaves: Option<usize>,
 }
 
 impl Border {
     /// The same on both sides.
-    pub const NONE: Border = Border { n1: 1.0, n2: 1.0, leaves: None };
+    pub const NONE: Border = Border { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
     /// The border of interior `own` for a ray in `inside`: a ray that is in it leaves it, any other enters it.
     pub fn new(inside: &Interiors, own: u32, iors: &[f64]) -> Self {
         let ior = |i: Option<&u32>| i.and_then(|&i| iors.get(i as usize)).copied().unwrap_or(1.0);
-        let leaves = inside.iter().rposition(|&i| i == own);
-        let n2 = match leaves {
-            Some(at) => ior(inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, i)| i)),
-            None => ior(Some(&own)),
+        let (n1, own_ior) = (ior(inside.last()), ior(Some(&own)));
+        let Some(at) = inside.iter().rposition(|&i| i == own) else {
+            return Self { n1, n2: own_ior, mirror: (n1, own_ior), leaves: None };
         };
-        Self { n1: ior(inside.last()), n2, leaves }
+        let n2 = ior(inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, i)| i));
+        // For its mirror the ray comes from what it leaves, and goes to what it entered last, even if that is the same
+        // (measured on 3.7: glass in glass mirrors nothing on its far side).
+        let behind = if inside.len() == 1 { 1.0 } else { n1 };
+        Self { n1, n2, mirror: (own_ior, behind), leaves: Some(at) }
     }
 
     /// Is a ray bent here?
@@ -48,17 +53,18 @@ impl Border {
     /// The part of unpolarised light that a dielectric mirrors (Fresnel's formula); `cos` is that of the angle between
     /// ray and normal.
     pub fn fresnel(&self, cos: f64) -> f64 {
-        if !self.bends() {
+        let (n1, n2) = self.mirror;
+        if n1 == n2 {
             return 0.0;
         }
         // Snell: sin²θ₂ = (n₁/n₂)²·sin²θ₁
-        let sin2 = (self.n1 / self.n2).powi(2) * (1.0 - cos * cos);
+        let sin2 = (n1 / n2).powi(2) * (1.0 - cos * cos);
         if sin2 >= 1.0 {
             return 1.0;
         }
         let cos2 = (1.0 - sin2).sqrt();
-        let across = (self.n1 * cos - self.n2 * cos2) / (self.n1 * cos + self.n2 * cos2);
-        let along = (self.n1 * cos2 - self.n2 * cos) / (self.n1 * cos2 + self.n2 * cos);
+        let across = (n1 * cos - n2 * cos2) / (n1 * cos + n2 * cos2);
+        let along = (n1 * cos2 - n2 * cos) / (n1 * cos2 + n2 * cos);
         (across * across + along * along) / 2.0
     }
 
@@ -85,7 +91,7 @@ mod tests {
     use super::*;
 
     fn border(n1: f64, n2: f64) -> Border {
-        Border { n1, n2, leaves: None }
+        Border { n1, n2, mirror: (n1, n2), leaves: None }
     }
 
     #[test]
@@ -116,10 +122,14 @@ mod tests {
         let mut seen = vec![];
         for own in [0, 1, 0, 1] {
             let border = Border::new(&inside, own, &iors);
-            seen.push((border.n1, border.n2));
+            seen.push(((border.n1, border.n2), border.mirror));
             border.cross(&mut inside, own);
         }
-        assert_eq!(seen, [(1.0, 1.5), (1.5, 1.2), (1.2, 1.2), (1.2, 1.0)]);
+        let both = |n1: f64, n2: f64| ((n1, n2), (n1, n2));
+        assert_eq!(seen, [both(1.0, 1.5), both(1.5, 1.2), ((1.2, 1.2), (1.5, 1.2)), both(1.2, 1.0)]);
         assert!(inside.is_empty());
+        // out of B, which lies in A
+        let border = Border::new(&Interiors::from_slice(&[0, 1]), 1, &iors);
+        assert_eq!(((border.n1, border.n2), border.mirror), ((1.2, 1.5), (1.2, 1.2)));
     }
 }

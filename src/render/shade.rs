@@ -85,11 +85,8 @@ fn scattered(shown: &Shown, at: &Incidence, grain: f64, double_illuminate: bool)
     if amount == 0.0 {
         return Rgb::ZERO;
     }
-    // d·|N·l|ᵇ, less some grain
-    let mut intensity = amount * power(at.cos.abs(), layer.brilliance);
-    if grain != 0.0 {
-        intensity = (intensity - grain).max(0.0);
-    }
+    // d·|N·l|ᵇ, less some grain; what falls below zero darkens the other terms (measured on 3.7)
+    let intensity = amount * power(at.cos.abs(), layer.brilliance) - grain;
     shown.color.rgb * (shown.color.opacity() * intensity)
 }
 

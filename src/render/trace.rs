@@ -157,17 +157,18 @@ impl<'w> Tracer<'w> {
                 true => Border::new(&path.inside, site.part.interior, &self.setup.world.interiors),
                 false => Border::NONE,
             };
-            let onward = self.onward(&path, &site, &border);
             let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
+            let pass = site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
+            let onward = self.onward(&path, &site, &border, pass);
             if mirrors && !matches!(onward, Onward::Total) {
                 rgb += through * self.mirrored(&path, &site, &border);
             }
             match onward {
                 Onward::Ends => return Sample { rgb, passed: 0.0 },
                 Onward::Through(dir) => {
-                    through *= site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
+                    through *= pass;
                     passed *= gray(site.pass);
-                    path.weight *= gray(site.pass);
+                    path.weight *= pass.max_element();
                     // Straight on it stays on its level (measured on 3.7).
                     path.level += u32::from(border.bends());
                     path.ray = Ray::new(site.point, dir);
@@ -177,6 +178,8 @@ impl<'w> Tracer<'w> {
                     self.rays.transmitted += 1;
                 }
                 Onward::Total => {
+                    // It takes nothing from the light, but the ray counts less (measured on 3.7).
+                    path.weight *= pass.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
                     path.ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
                     self.rays.reflected += 1;
@@ -205,11 +208,12 @@ impl<'w> Tracer<'w> {
         (sky.rgb * (1.0 - sky.transmit), sky.filter * gray(sky.rgb) + sky.transmit)
     }
 
-    /// Does the ray go on behind the surface, and where to?
-    fn onward(&self, path: &Path, site: &Site, border: &Border) -> Onward {
+    /// Does the ray go on behind the surface, which lets `pass` through, and where to? It must count enough by its largest
+    /// channel, and this surface alone by its gray (both measured on 3.7).
+    fn onward(&self, path: &Path, site: &Site, border: &Border, pass: Rgb) -> Onward {
         let world = self.setup.world;
-        let weight = path.weight * gray(site.pass);
-        if site.pass == Rgb::ZERO || weight <= world.adc_bailout || path.level >= world.max_trace_level {
+        let count = gray(pass).min(path.weight * pass.max_element());
+        if site.pass == Rgb::ZERO || count <= world.adc_bailout || path.level >= world.max_trace_level {
             return Onward::Ends;
         }
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)

@@ -3,6 +3,7 @@
 mod bvh;
 mod crowd;
 mod geometry;
+mod halfspace;
 mod leaf;
 mod lower;
 mod material;

@@ -5,6 +5,7 @@
 //! POV-Ray, it goes down to the leaves by De Morgan's laws, and clipping objects stay as they are.
 
 use super::crowd::Crowd;
+use super::halfspace::{self, HalfSpaces};
 use super::leaf::{Found, FoundList, Leaf};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::shape::{Hits, Kernel, Shape};
@@ -272,12 +273,35 @@ impl Node {
         let clip = self.clip.iter().map(|c| c.solid).fold(Aabb::INFINITE, Aabb::intersection);
         self.surface = surface.intersection(clip);
         self.solid = solid.intersection(clip);
+        if !self.clip.is_empty() || matches!(self.kind, NodeKind::Intersection(_)) {
+            self.cut_boxes();
+        }
         // A child matters to a ray in its surface's box, and to a point where it could be the exception.
         let reach = |c: &Node| match &self.kind {
             NodeKind::Intersection(_) => c.surface.union(c.hole()),
             _ => c.surface.union(c.solid),
         };
         self.crowd = Crowd::over(&self.children().iter().map(reach).collect::<Vec<_>>());
+    }
+
+    /// Cuts both boxes by the half-spaces that all of it lies in.
+    fn cut_boxes(&mut self) {
+        let mut planes = HalfSpaces::new();
+        self.half_spaces(&mut planes);
+        if !planes.is_empty() {
+            let all = halfspace::cut(self.surface.union(self.solid), &planes);
+            (self.surface, self.solid) = (self.surface.intersection(all), self.solid.intersection(all));
+        }
+    }
+
+    /// Appends half-spaces that all its hits and all points inside it lie in.
+    fn half_spaces(&self, out: &mut HalfSpaces) {
+        self.clip.iter().for_each(|c| c.half_spaces(out));
+        match &self.kind {
+            NodeKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
+            NodeKind::Intersection(children) => children.iter().for_each(|c| c.half_spaces(out)),
+            NodeKind::Union(_) | NodeKind::Merge(_) => {}
+        }
     }
 
     /// A box that holds every point which is not inside: finite for what was inverted.
