@@ -303,7 +303,7 @@ fn skip_blanks(text: &str, mut at: usize) -> usize {
     loop {
         let rest = &text[at..];
         let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || c == ',').len();
-        let comment = match rest[blank..].as_bytes() {
+        let comment = match &rest.as_bytes()[blank..] {
             [b'/', b'/', ..] => rest[blank..].find(['\n', '\r']).unwrap_or(rest.len() - blank),
             [b'/', b'*', ..] => rest[blank..].find("*/").map_or(rest.len() - blank, |i| i + 2),
             _ => 0,
