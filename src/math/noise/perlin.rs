@@ -16,11 +16,10 @@ pub fn scalar(p: DVec3) -> f64 {
     let (px, qx) = (permuted(ix), permuted(ix.wrapping_add(1)));
     let y = iy & 0x7ff;
     let xy = [permuted(px + y), permuted(qx + y), permuted(px + y + 1), permuted(qx + y + 1)];
-    let mut values = [0.0; 8];
-    for (i, value) in values.iter_mut().enumerate() {
-        // The gradients of the corners above and below lie next to each other; the last is followed by the first.
+    let corner = |i: usize| {
+        // The gradients of the corners before and behind lie next to each other; the last is followed by the first.
         let ([x, y, z], [gx, gy, gz]) = (from_corner(i, t), GRADIENTS[(xy[i & 3].wrapping_add(iz) & 0x7ff) + (i >> 2)]);
-        *value = gx * x + gy * y + gz * z;
-    }
-    blend(values, t)
+        gx * x + gy * y + gz * z
+    };
+    blend([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
 }
