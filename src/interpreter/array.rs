@@ -149,22 +149,6 @@ impl<'a> Interpreter<'a> {
         d.help(format!("`#declare {text} = …;` gives it one")).into()
     }
 
-    /// A number in an array, without copies where that is easy.
-    pub(super) fn indexed_number(&mut self, base: &'a Expr, index: &'a Expr) -> Result<Option<f64>> {
-        let ExprKind::Name(symbol) = base.kind else { return Ok(None) };
-        if !matches!(self.scopes.get(symbol), Some(Slot::Array(array)) if array.sizes.len() == 1) {
-            return Ok(None);
-        }
-        let i = self.number(index)?;
-        Ok(match self.scopes.get(symbol) {
-            Some(Slot::Array(array)) if i >= 0.0 => match array.items.get(i as usize) {
-                Some(Some(Slot::Value(Value::Float(x)))) => Some(*x),
-                _ => None,
-            },
-            _ => None,
-        })
-    }
-
     /// Where `A[i][j]` is kept; that element need not have a value yet.
     pub(super) fn element_place(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<Place> {
         match base.kind {

@@ -19,7 +19,7 @@ use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
-use crate::value::{Language, Thing};
+use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
@@ -93,6 +93,8 @@ pub(crate) struct Interpreter<'a> {
     split_sums: FxHashMap<*const Chain, &'a [Element]>,
     scopes: Scopes<'a>,
     deprecated: FxHashMap<Symbol, &'a str>,
+    /// What constants stand for that never change, by symbol.
+    constants: Vec<Option<Value>>,
     /// States of the streams that `seed()` opened.
     random: Vec<u32>,
     /// Declared objects that were asked by rays, by their addresses.
@@ -144,6 +146,7 @@ impl<'a> Interpreter<'a> {
             split_sums: FxHashMap::default(),
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
+            constants: vec![],
             random: vec![],
             probes: FxHashMap::default(),
             files: vec![],
@@ -169,6 +172,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn run(&mut self, file: FileId) {
+        self.keep_constants();
         self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
         // What is missing at the end of the text is told there.

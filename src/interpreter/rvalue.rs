@@ -8,6 +8,7 @@ use crate::camera::Camera;
 use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_layers, read_material};
 use crate::syntax::ast::{Block, Expr, ExprKind, Name};
+use crate::syntax::word;
 use crate::texture::{ColorMap, Finish, Interior, Pigment};
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
@@ -89,7 +90,7 @@ impl<'a> Interpreter<'a> {
             return Ok(Arc::new(read_layers(self, &defaults)?));
         }
         if is_object(word) {
-            return Ok(Arc::new(Object::read(self, &defaults)?));
+            return Ok(Arc::<Object>::from(Object::read(self, &defaults)?));
         }
         if LATER.contains(&word) {
             self.skip_unsupported(word)?;
@@ -142,6 +143,17 @@ impl<'a> Interpreter<'a> {
                     self.defaults.texture = Arc::new(texture);
                 }
             }
+        }
+    }
+
+    /// Looks up the constants that stay as they are once for all.
+    pub(super) fn keep_constants(&mut self) {
+        for name in word::CONSTANTS.iter().filter(|name| !matches!(**name, "version" | "now" | "input_file_name")) {
+            let i = self.names.intern(name).0 as usize;
+            if i >= self.constants.len() {
+                self.constants.resize(i + 1, None);
+            }
+            self.constants[i] = self.constant_value(name);
         }
     }
 

@@ -73,7 +73,7 @@ struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
     /// Warnings about the declared thing, told where it is used.
-    pending: Rc<[Diagnostic]>,
+    pending: Option<Rc<[Diagnostic]>>,
 }
 
 #[derive(Default)]
@@ -139,7 +139,7 @@ impl<'a> Scopes<'a> {
     }
 
     fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        self.stack(symbol).push(Binding { level, slot, pending: pending.into() });
+        self.stack(symbol).push(Binding { level, slot, pending: kept(pending) });
         if level > 0
             && let Some(names) = self.levels.last_mut()
         {
@@ -178,8 +178,7 @@ impl<'a> Scopes<'a> {
     /// The warnings that wait for the use of a name.
     pub(super) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
         let (symbol, depth, _) = self.find(symbol)?;
-        let pending = &self.bindings[symbol.0 as usize][depth].pending;
-        (!pending.is_empty()).then(|| pending.clone())
+        self.bindings[symbol.0 as usize][depth].pending.clone()
     }
 
     /// `#local`, and the parameters of a call: binds at the innermost level.
@@ -217,7 +216,7 @@ impl<'a> Scopes<'a> {
 
     fn rebind(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let binding = &mut self.bindings[symbol.0 as usize][depth];
-        (binding.slot, binding.pending) = (slot, pending.into());
+        (binding.slot, binding.pending) = (slot, kept(pending));
     }
 
     /// `#undef`: the innermost binding goes. (An alias goes, not what it stands for.)
@@ -259,6 +258,10 @@ impl<'a> Scopes<'a> {
     pub(super) fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
         self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
     }
+}
+
+fn kept(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
+    if pending.is_empty() { None } else { Some(pending.into()) }
 }
 
 /// The faults of what could not be built, also in an array.

@@ -196,6 +196,20 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
+    /// A number and its `;`, if nothing else comes next: both are consumed.
+    pub(super) fn simple_statement(&mut self) -> Option<f64> {
+        let frame = self.frames.last()?;
+        let [Element { kind: ElementKind::Expr(e), .. }, Element { kind: ElementKind::Semicolon, .. }, ..] =
+            frame.elements.get(frame.at..)?
+        else {
+            return None;
+        };
+        let x = self.simple(e)?;
+        self.peeked = None;
+        self.frames.last_mut()?.at += 2;
+        Some(x)
+    }
+
     /// The place of a `;` that comes next.
     pub(super) fn at_semicolon(&self) -> Option<Span> {
         let element = self.frames.last().and_then(|frame| frame.elements.get(frame.at))?;

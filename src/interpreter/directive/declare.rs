@@ -28,6 +28,18 @@ impl<'a> Interpreter<'a> {
             Some(_) => Some(self.place_of(target.symbol, target.span, &target.indices)?),
             None => None,
         };
+        if place.is_none()
+            && declare.deprecated.is_none()
+            && let Some(x) = self.simple_statement()
+        {
+            let slot = Slot::Value(Value::Float(x));
+            if declare.local {
+                self.scopes.set_local(target.symbol, slot, vec![]);
+            } else {
+                self.scopes.set_global(target.symbol, slot, vec![]);
+            }
+            return Ok(());
+        }
         let mark = self.diagnostics.len();
         let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
         let outer = std::mem::replace(&mut self.floor, depth);
