@@ -30,7 +30,6 @@ const LATER: &[&str] = &[
     "radiosity",
     "photons",
     "pattern",
-    "dictionary",
     "array",
     "texture_list",
 ];
@@ -72,6 +71,11 @@ impl<'a> Interpreter<'a> {
             Token::Element(_) => self.take_element(),
             Token::Word("array") => self.array(),
             Token::Block(Block { name: Name { word: Some("array"), .. }, .. }) => self.array_of_braces(self.here()),
+            Token::Block(block)
+                if block.name.word.is_none() && self.sources.snippet(block.name.span) == "dictionary" =>
+            {
+                self.dictionary(&block.body, block.name.span)
+            }
             Token::Word(_) if self.at_color()? => Ok(Slot::Value(Value::Color(self.color()?))),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
