@@ -45,7 +45,7 @@ impl<'a> Interpreter<'a> {
 
     /// A file's tree: read and parsed once, however often it is included.
     fn load(&mut self, path: &Path, name: &str, span: Span) -> Result<&'a Ast> {
-        if let Some(&ast) = self.parsed.get(path) {
+        if let Some(ast) = self.library.file(path).and_then(|file| self.library.tree(file)) {
             return Ok(ast);
         }
         let text = read_text(path).map_err(|e| {
@@ -56,14 +56,17 @@ impl<'a> Interpreter<'a> {
             return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
         };
         let ast = self.parse_file(file)?;
-        self.parsed.insert(path.to_path_buf(), ast);
+        self.library.keep_file(path, file);
         Ok(ast)
     }
 
     /// Parses a text that [`crate::source::Sources`] holds; all but the last of its errors are reported here.
     pub(in crate::interpreter) fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
+        if let Some(ast) = self.library.tree(file) {
+            return Ok(ast);
+        }
         match parse(self.sources, file, self.names) {
-            Ok(ast) => Ok(self.asts.push_get(Box::new(ast))),
+            Ok(ast) => Ok(self.library.keep(file, ast)),
             Err(mut faults) => {
                 let last = faults.pop();
                 for fault in faults {
