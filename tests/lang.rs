@@ -18,6 +18,8 @@ use std::sync::Arc;
 
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lang");
+    // What the scenes write goes there.
+    std::env::set_current_dir(env!("CARGO_TARGET_TMPDIR")).ok();
     let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
     let mut files: Vec<PathBuf> =
         entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "scene")).collect();

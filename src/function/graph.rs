@@ -104,12 +104,12 @@ impl Binary {
             _ => Interval::TRUTH,
         };
         match self {
-            Add => a.add(b),
+            Add => a + b,
             Sub if same => Interval::point(0.0),
-            Sub => a.add(b.neg()),
+            Sub => a + -b,
             Mul if same => a.square(),
-            Mul => a.mul(b),
-            Div => a.mul(b.recip()),
+            Mul => a * b,
+            Div => a * b.recip(),
             Less => sure(a.hi < b.lo, a.lo >= b.hi),
             LessEqual => sure(a.hi <= b.lo, a.lo > b.hi),
             Greater => sure(a.lo > b.hi, a.hi <= b.lo),

@@ -1,6 +1,8 @@
 //! Interval arithmetic: between which numbers a function lies over a box (Moore, "Interval Analysis", 1966). Results
 //! are widened by a few units in the last place, so that rounding never makes one too narrow.
 
+use std::ops::{Add, Mul, Neg};
+
 /// All numbers from `lo` to `hi`; a function that is not defined everywhere in a box has [`Interval::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
@@ -48,29 +50,6 @@ impl Interval {
         Self::new(f(self.lo), f(self.hi)).widened()
     }
 
-    /// The numbers of both, added.
-    pub fn add(self, other: Self) -> Self {
-        Self::new(self.lo + other.lo, self.hi + other.hi).widened()
-    }
-
-    /// With the other sign.
-    pub fn neg(self) -> Self {
-        Self { lo: -self.hi, hi: -self.lo }
-    }
-
-    /// The products of the ends.
-    pub fn mul(self, other: Self) -> Self {
-        let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
-        let ends = [
-            product(self.lo, other.lo),
-            product(self.lo, other.hi),
-            product(self.hi, other.lo),
-            product(self.hi, other.hi),
-        ];
-        let (lo, hi) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| (lo.min(x), hi.max(x)));
-        if ends.iter().any(|x| x.is_nan()) { Self::ALL } else { Self { lo, hi }.widened() }
-    }
-
     /// 1 / x: any number where 0 lies inside.
     pub fn recip(self) -> Self {
         if self.contains(0.0) { Self::ALL } else { Self::new(1.0 / self.lo, 1.0 / self.hi).widened() }
@@ -93,7 +72,8 @@ impl Interval {
     /// cos, whose ends lie where the interval's ends or the multiples of π inside it do.
     pub fn cos(self) -> Self {
         use std::f64::consts::PI;
-        if !(self.hi - self.lo < 2.0 * PI) || self.lo.abs().max(self.hi.abs()) > 1e9 {
+        let width = self.hi - self.lo;
+        if width.is_nan() || width >= 2.0 * PI || self.lo.abs().max(self.hi.abs()) > 1e9 {
             return Self { lo: -1.0, hi: 1.0 };
         }
         let mut out = Self::new(self.lo.cos(), self.hi.cos()).widened();
@@ -107,7 +87,7 @@ impl Interval {
 
     /// sin(x) = cos(x - π/2).
     pub fn sin(self) -> Self {
-        self.add(Self::point(-std::f64::consts::FRAC_PI_2)).cos()
+        (self + Self::point(-std::f64::consts::FRAC_PI_2)).cos()
     }
 
     /// x to the power of y, for powers that are one number and bases that are not negative, or whole powers.
@@ -124,10 +104,43 @@ impl Interval {
             };
         }
         match p {
-            _ if p.fract() != 0.0 || p < 0.0 || p > 64.0 => Self::ALL,
+            _ if p.fract() != 0.0 || !(0.0..=64.0).contains(&p) => Self::ALL,
             _ if p % 2.0 == 0.0 => self.abs().growing(|x| x.powf(p)),
             _ => self.growing(|x| x.powf(p)),
         }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::new(self.lo + other.lo, self.hi + other.hi).widened()
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    /// The products of the ends.
+    fn mul(self, other: Self) -> Self {
+        let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
+        let ends = [
+            product(self.lo, other.lo),
+            product(self.lo, other.hi),
+            product(self.hi, other.lo),
+            product(self.hi, other.hi),
+        ];
+        let (lo, hi) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| (lo.min(x), hi.max(x)));
+        if ends.iter().any(|x| x.is_nan()) { Self::ALL } else { Self { lo, hi }.widened() }
     }
 }
 
@@ -145,7 +158,7 @@ mod tests {
 
     #[test]
     fn zero_times_anything_is_zero() {
-        assert!(Interval::point(0.0).mul(Interval::ALL).hi < 1e-300);
+        assert!((Interval::point(0.0) * Interval::ALL).hi < 1e-300);
         assert_eq!(Interval::new(-1.0, 1.0).recip(), Interval::ALL);
     }
 }

@@ -69,7 +69,7 @@ impl Spline {
         // The cubic runs from the second point to the last but one.
         let (first, last) = if kind == SplineKind::Cubic && n > 1 { (1, n.max(3) - 2) } else { (0, n - 1) };
         let (first, last) = (first.min(last), last);
-        if n == 1 || !(t > p[first].0) {
+        if n == 1 || t.is_nan() || t <= p[first].0 {
             return p[first].1;
         }
         if t >= p[last].0 {
@@ -133,8 +133,9 @@ fn bends(p: &[(f64, [f64; 5])]) -> Vec<[f64; 5]> {
     if n < 3 {
         return out;
     }
-    for c in 0..5 {
-        let (mut upper, mut right) = (vec![0.0; n], vec![0.0; n]);
+    let (mut upper, mut right) = (vec![0.0; n], vec![0.0; n]);
+    let components = 0..5;
+    for c in components {
         for i in 1..n - 1 {
             let (h0, h1) = (p[i].0 - p[i - 1].0, p[i + 1].0 - p[i].0);
             let jump = (p[i + 1].1[c] - p[i].1[c]) / h1 - (p[i].1[c] - p[i - 1].1[c]) / h0;

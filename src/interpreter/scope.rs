@@ -21,6 +21,9 @@ pub(super) enum Slot<'a> {
     Faulty(Rc<Vec<Diagnostic>>),
 }
 
+/// An element's index, and that of the element of that array, and so on: into [`Array::items`].
+type Path = Rc<[usize]>;
+
 /// Where a value is kept.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
@@ -28,8 +31,8 @@ pub(super) struct Place {
     pub(super) symbol: Symbol,
     /// Which of the symbol's bindings, the outermost first.
     depth: usize,
-    /// The element, and the element of that array and so on: indices into [`Array::items`].
-    path: Option<Rc<[usize]>>,
+    /// The element of the array that is kept there.
+    path: Option<Path>,
 }
 
 impl Place {
@@ -113,7 +116,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// The same without a copy of the path.
-    fn find(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Rc<[usize]>>)> {
+    fn find(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
         let (mut symbol, mut depth, mut path) = (symbol, depth, None);
         // An alias is made of a resolved place. Only what came there after an `#undef` can be another alias.

@@ -9,6 +9,7 @@ use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Symbol};
 use crate::value::{Value, VecN};
 use std::io::Write;
 use std::path::PathBuf;
+use std::rc::Rc;
 
 /// The most bytes that one scene may write.
 const MAX_WRITTEN: u64 = 4 << 30;
@@ -75,8 +76,8 @@ impl<'a> Interpreter<'a> {
             _ => "",
         };
         let file = match word {
-            "read" => self.open_to_read(&name, *at)?,
-            "write" | "append" => self.open_to_write(&name, word == "append", *at)?,
+            "read" => self.open_to_read(&name, *at),
+            "write" | "append" => self.open_to_write(&name, word == "append", *at),
             _ => {
                 let d = Diagnostic::new(
                     codes::EXPECTED,
@@ -86,6 +87,8 @@ impl<'a> Interpreter<'a> {
                 return d.help(format!("`#fopen {} \"{name}\" read`", self.names.text(symbol))).into();
             }
         };
+        // What is done with a file that could not be opened is no fault of its own.
+        let file = file.inspect_err(|_| self.scopes.set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
         self.files.push(file);
         self.scopes.set_global(symbol, Slot::File(self.files.len() - 1), vec![]);
         Ok(())
@@ -147,6 +150,7 @@ impl<'a> Interpreter<'a> {
     fn file_number(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
         match self.scopes.get(symbol) {
             Some(Slot::File(index)) => Ok(*index),
+            Some(Slot::Faulty(_)) => Diagnostic::err(codes::FOLLOWS, span, ""),
             _ => {
                 let name = self.names.text(symbol);
                 let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("`{name}` is no open file"));
@@ -165,7 +169,11 @@ impl<'a> Interpreter<'a> {
             let ElementKind::Expr(target) = &element.kind else {
                 return Diagnostic::err(codes::EXPECTED, element.span, "expected a name for what is read");
             };
-            let (value, more) = match self.next_value(index, span)? {
+            let value = self.next_value(index, span);
+            if let (Err(_), ExprKind::Name(symbol)) = (&value, &target.kind) {
+                self.scopes.set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
+            }
+            let (value, more) = match value? {
                 Some(found) => found,
                 None => {
                     self.close_file(file);
@@ -289,7 +297,7 @@ fn skip_blanks(text: &str, mut at: usize) -> usize {
     loop {
         let rest = &text[at..];
         let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || c == ',').len();
-        let comment = match rest[blank..].as_bytes() {
+        let comment = match &rest.as_bytes()[blank..] {
             [b'/', b'/', ..] => rest[blank..].find(['\n', '\r']).unwrap_or(rest.len() - blank),
             [b'/', b'*', ..] => rest[blank..].find("*/").map_or(rest.len() - blank, |i| i + 2),
             _ => 0,
