@@ -50,17 +50,18 @@ impl Animation {
         format!("{frame:0digits$}", digits = self.digits)
     }
 
-    /// What the scene is told in a frame. POV-Ray computes with 32 bits, which shows: `clock` is 0.0909090936 in the second
-    /// of twelve frames. It hands the others on as text, with six digits. Where there is one frame only, POV-Ray's clock is
+    /// What the scene is told in a frame. POV-Ray keeps the clock in 32 bits, which shows: it is 0.181818187 in the third of
+    /// twelve frames. It hands the others on as text, with six digits. Where there is one frame only, POV-Ray's clock is
     /// not a number; ours is the initial one.
     pub fn timing(&self, frame: u32) -> Timing {
         let (first, last) = (self.clock.first as f32, self.clock.last as f32);
-        let count = self.last.saturating_sub(self.first).max(1) as f32;
-        let passed = frame as f32 - self.first as f32;
+        let range = f64::from(last - first);
+        let count = f64::from(self.last.saturating_sub(self.first).max(1));
+        let passed = f64::from(frame) - f64::from(self.first);
         Timing {
-            clock: f64::from(first + (last - first) * passed / count),
+            clock: f64::from((f64::from(first) + range * passed / count) as f32),
             clock_on: true,
-            clock_delta: six_digits(f64::from((last - first) / count)),
+            clock_delta: six_digits(range / count),
             frame,
             initial_frame: self.first,
             final_frame: self.last,

@@ -172,6 +172,11 @@ first. `--allow-read DIR` and `--allow-write DIR` allow more. No scene can start
 "POV-Ray's default camera is used: at the origin, looking along z."
     ZERO_SCALE "W0207" "a scale of 0"
 "It would flatten the object; POV-Ray uses 1 for that axis instead, and so does durer."
+    OTHER_SPELLING "W0208" "a file is there, but not under this name"
+"Some systems take `COLORS.INC` for `colors.inc`, and `\\` for `/`; most do not. durer finds the file all the same and tells how its name
+is written. Of a path such as `C:\\pov\\shapes.inc`, only the last name is looked for.
+
+    #include \"Include\\Colors.inc\"   // #include \"include/colors.inc\""
     NO_DIRECTION "E0300" "a plane has no direction"
 "The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
 vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."

@@ -43,6 +43,12 @@ impl<'s> Files<'s> {
         Ok(ini::parse(self.sources.text(file), self.sources.base(file), section))
     }
 
+    /// [`is_ini`], also beside the INI file in which the word stands.
+    pub fn is_ini(&self, word: &str) -> bool {
+        let beside = self.located(&with_ini(word), Path::is_file);
+        is_ini(word) || is_ini(&beside.to_string_lossy()) && !Path::new(word).is_file()
+    }
+
     /// The innermost file has been read.
     pub fn close(&mut self) {
         self.open.pop();
@@ -72,14 +78,13 @@ fn shortened(path: &Path) -> PathBuf {
     path.strip_prefix(here).map_or(path.to_path_buf(), Path::to_path_buf)
 }
 
-/// Is an INI file meant: `anim.ini`, `res.ini[low]`, or `res[low]` and `res` where there is a `res.ini`?
+/// Is an INI file meant: `anim.ini`, `res[low]`, or `res` where there is a `res.ini`?
 pub fn is_ini(word: &str) -> bool {
     let (name, section) = ini::split_section(word);
-    if Path::new(word).is_file() && section.is_some() {
-        return false;
-    }
     let path = Path::new(name);
-    has_ini(path) || path.extension().is_none() && !path.is_file() && Path::new(&with_ini(name)).is_file()
+    !Path::new(word).is_file() && section.is_some()
+        || has_ini(path)
+        || path.extension().is_none() && !path.is_file() && Path::new(&with_ini(name)).is_file()
 }
 
 fn has_ini(path: &Path) -> bool {

@@ -131,7 +131,7 @@ impl<'s> Translation<'s> {
             self.any_switch = true;
             let row = ROWS.iter().find(|row| !row.ini.is_empty() && row.ini.eq_ignore_ascii_case(name));
             row.ok_or_else(|| unknown(text, origin)).and_then(|row| self.setting(row, text, value, origin))
-        } else if is_ini(text) {
+        } else if self.files.is_ini(text) {
             self.any_switch = true;
             self.ini(text, origin);
             Ok(())
@@ -151,6 +151,9 @@ impl<'s> Translation<'s> {
             (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
             (_, Some(on)) => self.apply(row, text, "", on, origin),
             (Takes::Nothing, None) => Err(wrong(text, "it needs `on` or `off`", origin)),
+            (Takes::MaybeNumber, None) if value.parse::<f64>().is_err() => {
+                Err(wrong(text, "it needs `on`, `off` or a number", origin))
+            }
             _ => self.apply(row, text, value, true, origin),
         }
     }
