@@ -3,8 +3,10 @@
 use super::args::{CheckArgs, Deny, MessageFormat};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
-use super::session::{self, Moment};
+use super::overlay;
+use super::session;
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::interpreter::Library;
 use crate::source::Sources;
 use std::path::Path;
 
@@ -26,7 +28,18 @@ pub fn run(console: &Console, args: &CheckArgs) -> Result {
 
 fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
     let sources = Sources::default();
-    let file = match session::open(&sources, input) {
+    let (input, scene) = match overlay::read_ini(&sources, &session::named(input)) {
+        Ok(None) => (session::named(input), args.scene.clone()),
+        Ok(Some((cli, warnings))) => {
+            report(console, args, &sources, &warnings)?;
+            overlay::scene_over(cli, &args.scene)
+        }
+        Err(faults) => {
+            report(console, args, &sources, &faults)?;
+            return Ok(faults.iter().find(|d| d.severity == Severity::Error).map_or(Exit::Usage, |d| Exit::of(d.code)));
+        }
+    };
+    let file = match session::open(&sources, &input) {
         Ok(file) => file,
         Err(Failure::Fault(fault)) => {
             report(console, args, &sources, std::slice::from_ref(&fault))?;
@@ -34,8 +47,8 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
         }
         Err(other) => return Err(other),
     };
-    let options = session::reading_options(&args.scene, input, Moment::single(&args.scene));
-    let mut built = session::build(console, &sources, file, &options);
+    let options = session::reading_options(&scene, &input, session::timing(&scene)?);
+    let mut built = session::build(console, &Library::default(), &sources, file, &options);
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
     }

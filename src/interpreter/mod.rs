@@ -7,11 +7,13 @@ mod directive;
 mod eval;
 mod function;
 mod hints;
+mod library;
 mod limits;
 mod reader;
 mod rvalue;
 mod scope;
 mod stream;
+mod timing;
 mod top;
 
 use crate::diagnostic::{Diagnostic, Label, Result, Severity, codes};
@@ -21,6 +23,7 @@ use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
+pub use library::Library;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
 use std::path::PathBuf;
@@ -28,6 +31,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
+pub use timing::Timing;
 
 /// What a run may do and what it is given.
 #[derive(Clone, Debug)]
@@ -39,9 +43,9 @@ pub struct Options {
     /// `--declare NAME=VALUE`: numbers, or text in quotes.
     pub declares: Vec<(String, String)>,
     /// `clock`, `frame_number` and their kin.
-    pub clock: f64,
-    /// The number of the frame, 0 without animation.
-    pub frame: u32,
+    pub timing: Timing,
+    /// `input_file_name`: the scene's, without its folder.
+    pub input_name: String,
     /// `image_width`, `image_height`.
     pub size: (usize, usize),
     /// `--max-steps`: elements and loop passes.
@@ -74,8 +78,18 @@ const MAX_FAULTS: usize = 200;
 ///
 /// It recurses as deeply as the text nests and macros call each other: give it a stack of some 500 MB.
 pub fn interpret(sources: &Sources, file: FileId, options: &Options, debug: &mut dyn FnMut(&str)) -> Outcome {
-    let (names, asts) = (Names::default(), elsa::FrozenVec::new());
-    let mut interpreter = Interpreter::new(sources, &names, &asts, options, debug);
+    interpret_with(&Library::default(), sources, file, options, debug)
+}
+
+/// The same with the trees that an earlier frame has left in the library.
+pub fn interpret_with(
+    library: &Library,
+    sources: &Sources,
+    file: FileId,
+    options: &Options,
+    debug: &mut dyn FnMut(&str),
+) -> Outcome {
+    let mut interpreter = Interpreter::new(sources, library, options, debug);
     interpreter.run(file);
     interpreter.outcome()
 }
@@ -85,9 +99,9 @@ pub(crate) struct Interpreter<'a> {
     sources: &'a Sources,
     names: &'a Names,
     asts: &'a elsa::FrozenVec<Box<Ast>>,
+    library: &'a Library,
     options: &'a Options,
     debug: &'a mut dyn FnMut(&str),
-    parsed: FxHashMap<PathBuf, &'a Ast>,
     including: Vec<PathBuf>,
     /// Sums behind a macro that gives a block: see [`Interpreter::call_before_sign`].
     split_sums: FxHashMap<*const Chain, &'a [Element]>,
@@ -128,20 +142,14 @@ pub(crate) struct Interpreter<'a> {
 }
 
 impl<'a> Interpreter<'a> {
-    fn new(
-        sources: &'a Sources,
-        names: &'a Names,
-        asts: &'a elsa::FrozenVec<Box<Ast>>,
-        options: &'a Options,
-        debug: &'a mut dyn FnMut(&str),
-    ) -> Self {
+    fn new(sources: &'a Sources, library: &'a Library, options: &'a Options, debug: &'a mut dyn FnMut(&str)) -> Self {
         Self {
             sources,
-            names,
-            asts,
+            names: &library.names,
+            asts: &library.asts,
+            library,
             options,
             debug,
-            parsed: FxHashMap::default(),
             including: vec![],
             split_sums: FxHashMap::default(),
             scopes: Scopes::default(),
