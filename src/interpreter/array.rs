@@ -21,8 +21,8 @@ impl<'a> Interpreter<'a> {
         self.advance();
         let mut sizes = vec![];
         // 3.8 asks for the word `mixed` where kinds are mixed; nobody needs it here.
-        match self.frames.last().and_then(|f| f.elements.get(f.at)).map(|e| &e.kind) {
-            Some(ElementKind::Expr(e)) => match &e.kind {
+        if let Some(ElementKind::Expr(e)) = self.frames.last().and_then(|f| f.elements.get(f.at)).map(|e| &e.kind) {
+            match &e.kind {
                 ExprKind::Name(symbol) if self.names.text(*symbol) == "mixed" => self.advance(),
                 ExprKind::Index(word, indices) if self.sources.snippet(word.span) == "mixed" => {
                     self.advance();
@@ -32,8 +32,7 @@ impl<'a> Interpreter<'a> {
                     }
                 }
                 _ => {}
-            },
-            _ => {}
+            }
         }
         while let Token::Entry(elements) = self.peek_on()? {
             let at = self.here();
