@@ -22,6 +22,8 @@ pub enum ObjectKind {
     Csg(CsgOp, Arc<[Object]>),
     /// A light, which a union may carry along.
     Light(Arc<Light>),
+    /// A shape that is not drawn yet, and the box that stands for it where scripts ask.
+    Undrawn(Aabb),
 }
 
 /// How a CSG object is made of its parts.
@@ -179,12 +181,7 @@ impl Object {
     /// Boxed, because an object is large and handed on from block to block.
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         match r.next()? {
-            // Nothing stands for what can't be drawn yet.
-            Next::Block(word) if NOT_DRAWN.contains(&word) => {
-                let source = r.span();
-                r.skip_unsupported(word)?;
-                Ok(Box::new(Self::new(ObjectKind::Csg(CsgOp::Union, Arc::new([])), word, source, defaults)))
-            }
+            Next::Block(word) if NOT_DRAWN.contains(&word) => Self::read_undrawn(word, r, defaults),
             Next::Block(word) => {
                 let source = r.take()?;
                 let object = Self::read_block(word, source, r, defaults)?;
@@ -199,7 +196,7 @@ impl Object {
         }
     }
 
-    fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
+    pub(super) fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             weight: Weight::of(&kind),
             kind,
@@ -293,7 +290,7 @@ impl Object {
     }
 
     /// Reads one modifier; false if it is none.
-    fn read_modifier(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
+    pub(super) fn read_modifier(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
         match next {
             Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
             | Next::Block("transform")

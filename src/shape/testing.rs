@@ -145,6 +145,10 @@ impl Reader for Words {
         Language { version: 370, assumed_gamma: None }
     }
 
+    fn pass(&mut self, _: &mut dyn FnMut(&Value)) -> Result<()> {
+        unreachable!()
+    }
+
     fn report(&mut self, diagnostic: Diagnostic) {
         self.reports.push(diagnostic);
     }

@@ -91,6 +91,8 @@ pub trait Reader {
     fn language(&self) -> Language;
     /// Consumes a word or block that is known but not drawn yet, with all that belongs to it, and tells so.
     fn skip_unsupported(&mut self, what: &str) -> Result<()>;
+    /// Consumes whatever comes next with all that is in it, and shows the values.
+    fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()>;
     /// Tells the user something without stopping.
     fn report(&mut self, diagnostic: Diagnostic);
     /// An error about what comes next: "expected …, found …".

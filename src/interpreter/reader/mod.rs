@@ -300,6 +300,10 @@ impl Reader for Interpreter<'_> {
         self.language
     }
 
+    fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()> {
+        self.pass_over(seen)
+    }
+
     fn report(&mut self, diagnostic: Diagnostic) {
         let diagnostic = self.with_trace(diagnostic);
         self.report_fault(diagnostic);
