@@ -2,6 +2,8 @@
 
 use super::Interval;
 use crate::math::fp;
+use rustc_hash::FxHashMap;
+use std::sync::LazyLock;
 
 /// How a function is computed.
 #[derive(Clone, Copy, Debug)]
@@ -105,5 +107,27 @@ fn bits(a: f64, b: f64, f: fn(i64, i64) -> i64) -> f64 {
 
 /// The number of the row with this name.
 pub fn find(name: &str) -> Option<u8> {
-    TABLE.iter().position(|row| row.name == name).map(|i| i as u8)
+    NUMBERS.get(name).copied()
+}
+
+static NUMBERS: LazyLock<FxHashMap<&'static str, u8>> =
+    LazyLock::new(|| TABLE.iter().enumerate().map(|(i, row)| (row.name, i as u8)).collect());
+
+impl Numeric {
+    /// Why a script can't compute it for these numbers; functions then give what is no number. The second number is the
+    /// first again where it takes but one.
+    pub fn fault(&self, a: f64, b: f64) -> Option<String> {
+        Some(match self.name {
+            "sqrt" if a < 0.0 => format!("{a} has no square root"),
+            "ln" | "log" if a <= 0.0 => format!("`{}` takes numbers above 0, not {a}", self.name),
+            "pow" if a == 0.0 && b == 0.0 => "0 to the power of 0 is not defined".into(),
+            "atan2" if a == 0.0 && b == 0.0 => "<0, 0> has no direction".into(),
+            _ => return None,
+        })
+    }
+
+    /// The arguments as scripts take them: those of the arcs are brought into their range.
+    pub fn clamped(&self, a: f64) -> f64 {
+        if matches!(self.name, "asin" | "acos") { a.clamp(-1.0, 1.0) } else { a }
+    }
 }

@@ -5,6 +5,7 @@ use super::scope::Slot;
 use super::stream::{FrameKind, Token};
 use crate::color::{Color, gray};
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::function::numeric::{self, Kernel};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::word;
@@ -20,6 +21,9 @@ type Parts = (Value, Vec<(Operator, Value)>);
 impl<'a> Interpreter<'a> {
     /// The value of an expression.
     pub(super) fn eval(&mut self, e: &'a Expr) -> Result<Value> {
+        if let Some(x) = self.simple(e) {
+            return Ok(Value::Float(x));
+        }
         match &e.kind {
             ExprKind::Number(x) => Ok(Value::Float(*x)),
             ExprKind::Text(text) => Ok(Value::Text((**text).into())),
@@ -37,10 +41,7 @@ impl<'a> Interpreter<'a> {
                 if self.condition(condition)? { self.eval(yes) } else { self.eval(no) }
             }
             ExprKind::Builtin(name, arguments) => self.builtin(name, arguments, e.span),
-            ExprKind::Dot(base, name, _) => {
-                let value = self.eval(base)?;
-                component(&value, name, base.span)
-            }
+            ExprKind::Dot(..) => self.components(e),
             ExprKind::Spliced(elements) | ExprKind::ParenSpliced(elements) => self.operand(elements, e.span),
             ExprKind::Index(array, indices) => {
                 let slot = self.indexed(array, indices, e.span)?;
@@ -67,26 +68,109 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A number; for conditions and the like, without the way over [`Value`] where that is easy.
+    /// `A.x`; a component of a component is no recursion, however many there are.
+    fn components(&mut self, e: &'a Expr) -> Result<Value> {
+        if let Some(place) = self.dictionary_place(e)? {
+            let slot = self.slot_at(&place, e.span)?;
+            return self.slot_value(slot, e.span);
+        }
+        let (mut base, mut names) = (e, vec![]);
+        while let ExprKind::Dot(inner, name, _) = &base.kind {
+            names.push((name, inner.span));
+            base = inner;
+        }
+        let value = self.eval(base)?;
+        names.iter().rev().try_fold(value, |value, (name, span)| component(&value, name, *span))
+    }
+
+    /// A number.
     pub(super) fn number(&mut self, e: &'a Expr) -> Result<f64> {
+        if let Some(x) = self.simple(e) {
+            return Ok(x);
+        }
+        let value = self.eval(e)?;
+        as_float(&value, e.span)
+    }
+
+    /// The short way for what most expressions are: numbers, and nothing that has an effect or needs a message. `None`
+    /// says that the long way has to be gone.
+    pub(super) fn simple(&self, e: &Expr) -> Option<f64> {
         match &e.kind {
-            ExprKind::Number(x) => Ok(*x),
-            ExprKind::Paren(inner) => self.number(inner),
+            ExprKind::Number(x) => Some(*x),
+            ExprKind::Paren(inner) => self.simple(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Slot::Value(Value::Float(x))) if self.deprecated.is_empty() => Ok(*x),
-                _ => {
-                    let value = self.name_value(*symbol, e.span)?;
-                    as_float(&value, e.span)
-                }
+                Some(Slot::Value(Value::Float(x))) if self.deprecated.is_empty() => Some(*x),
+                None => match self.constants.get(symbol.0 as usize) {
+                    Some(Some(Value::Float(x))) => Some(*x),
+                    _ => None,
+                },
+                _ => None,
             },
-            ExprKind::Index(array, indices) if indices.len() == 1 => match self.indexed_number(array, &indices[0])? {
-                Some(x) => Ok(x),
-                None => self.eval(e).and_then(|value| as_float(&value, e.span)),
-            },
-            _ => {
-                let value = self.eval(e)?;
-                as_float(&value, e.span)
+            ExprKind::Prefix(prefix, inner) => {
+                let x = self.simple(inner)?;
+                Some(match prefix {
+                    Prefix::Minus => -x,
+                    Prefix::Plus => x,
+                    Prefix::Not => f64::from(x.abs() <= SMALL),
+                })
             }
+            ExprKind::Chain(chain) => chain.rest.iter().try_fold(self.simple(&chain.first)?, |left, (op, operand)| {
+                let right = self.simple(operand)?;
+                let warns = *op == Operator::Div && right == 0.0;
+                if warns { None } else { Some(on_floats(*op, left, right)) }
+            }),
+            ExprKind::Choice(parts) => {
+                let [condition, yes, no] = &**parts;
+                self.simple(if self.simple(condition)?.abs() > SMALL { yes } else { no })
+            }
+            ExprKind::Builtin(name, arguments) => self.simple_call(name, arguments),
+            ExprKind::Index(array, indices) => match &**indices {
+                [index] => self.simple_element(array, index),
+                _ => None,
+            },
+            ExprKind::Dot(base, name, _) => match base.kind {
+                ExprKind::Name(symbol) if self.deprecated.is_empty() => match self.scopes.get(symbol) {
+                    Some(Slot::Value(Value::Vector(v))) => {
+                        component_index(name).filter(|i| *i < usize::from(v.len)).map(|i| v.c[i])
+                    }
+                    _ => None,
+                },
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn simple_call(&self, name: &str, arguments: &[Expr]) -> Option<f64> {
+        let row = &numeric::TABLE[numeric::find(name)? as usize];
+        let first = row.clamped(self.simple(arguments.first()?)?);
+        let second = match arguments.get(1) {
+            Some(e) => self.simple(e)?,
+            None => first,
+        };
+        let divides = second == 0.0 && matches!(name, "div" | "mod");
+        if divides || row.fault(first, second).is_some() {
+            return None;
+        }
+        match (row.kernel, arguments) {
+            (Kernel::One(f), [_]) => Some(f(first)),
+            (Kernel::Two(f), [_, _]) => Some(f(first, second)),
+            (Kernel::Many(f), [_, rest @ ..]) => {
+                rest.iter().try_fold(first, |out, e| self.simple(e).map(|next| f(out, next)))
+            }
+            _ => None,
+        }
+    }
+
+    fn simple_element(&self, array: &Expr, index: &Expr) -> Option<f64> {
+        let ExprKind::Name(symbol) = array.kind else { return None };
+        let i = self.simple(index).filter(|i| *i >= 0.0)?;
+        match self.scopes.get(symbol)? {
+            Slot::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
+                Some(Slot::Value(Value::Float(x))) => Some(*x),
+                _ => None,
+            },
+            _ => None,
         }
     }
 
@@ -165,6 +249,9 @@ impl<'a> Interpreter<'a> {
     }
 
     fn constant(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
+        if let Some(Some(value)) = self.constants.get(symbol.0 as usize) {
+            return Ok(value.clone());
+        }
         if let Some(value) = self.constant_value(self.names.text(symbol)) {
             return Ok(value);
         }
@@ -487,6 +574,18 @@ fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
     }
 }
 
+/// Which of five numbers a component is.
+fn component_index(name: &Name) -> Option<usize> {
+    Some(match name.word? {
+        "x" | "u" | "red" => 0,
+        "y" | "v" | "green" => 1,
+        "z" | "blue" => 2,
+        "t" | "filter" => 3,
+        "transmit" => 4,
+        _ => return None,
+    })
+}
+
 /// `.x`, `.red`, `.gray` and the like.
 fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
     let (v, color) = match value {
@@ -497,17 +596,12 @@ fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
             Box::new(Diagnostic::new(codes::WRONG_TYPE, span, message))
         })?,
     };
-    let index = match name.word {
-        Some("x" | "u" | "red") => 0,
-        Some("y" | "v" | "green") => 1,
-        Some("z" | "blue") => 2,
-        Some("t" | "filter") => 3,
-        Some("transmit") => 4,
-        Some("gray") => return Ok(Value::Float(gray(v.xyz()))),
-        _ => {
-            let d = Diagnostic::new(codes::NO_COMPONENT, name.span, "no vector has a component of this name");
-            return d.help("vectors have x y z u v t, colours red green blue filter transmit gray").into();
-        }
+    if name.word == Some("gray") {
+        return Ok(Value::Float(gray(v.xyz())));
+    }
+    let Some(index) = component_index(name) else {
+        let d = Diagnostic::new(codes::NO_COMPONENT, name.span, "no vector has a component of this name");
+        return d.help("vectors have x y z u v t, colours red green blue filter transmit gray").into();
     };
     if index >= v.len as usize && !color {
         let message = format!("{} has no `.{}`", value.describe(), name.word.unwrap_or(""));

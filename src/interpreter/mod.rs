@@ -21,7 +21,7 @@ use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
-use crate::value::{Language, Thing};
+use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
 pub use library::Library;
 use rustc_hash::FxHashMap;
@@ -107,6 +107,8 @@ pub(crate) struct Interpreter<'a> {
     split_sums: FxHashMap<*const Chain, &'a [Element]>,
     scopes: Scopes<'a>,
     deprecated: FxHashMap<Symbol, &'a str>,
+    /// What constants stand for that never change, by symbol.
+    constants: Vec<Option<Value>>,
     /// States of the streams that `seed()` opened.
     random: Vec<u32>,
     /// Declared objects that were asked by rays, by their addresses.
@@ -152,6 +154,7 @@ impl<'a> Interpreter<'a> {
             split_sums: FxHashMap::default(),
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
+            constants: vec![],
             random: vec![],
             probes: FxHashMap::default(),
             files: vec![],
@@ -177,6 +180,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn run(&mut self, file: FileId) {
+        self.keep_constants();
         self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
         // What is missing at the end of the text is told there.

@@ -8,6 +8,7 @@ use crate::camera::Camera;
 use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_layers, read_material};
 use crate::syntax::ast::{Block, Expr, ExprKind, Name};
+use crate::syntax::word;
 use crate::texture::{ColorMap, Finish, Interior, Pigment};
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
@@ -29,7 +30,6 @@ const LATER: &[&str] = &[
     "radiosity",
     "photons",
     "pattern",
-    "dictionary",
     "array",
     "texture_list",
 ];
@@ -71,6 +71,11 @@ impl<'a> Interpreter<'a> {
             Token::Element(_) => self.take_element(),
             Token::Word("array") => self.array(),
             Token::Block(Block { name: Name { word: Some("array"), .. }, .. }) => self.array_of_braces(self.here()),
+            Token::Block(block)
+                if block.name.word.is_none() && self.sources.snippet(block.name.span) == "dictionary" =>
+            {
+                self.dictionary(&block.body, block.name.span)
+            }
             Token::Word(_) if self.at_color()? => Ok(Slot::Value(Value::Color(self.color()?))),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
@@ -89,7 +94,7 @@ impl<'a> Interpreter<'a> {
             return Ok(Arc::new(read_layers(self, &defaults)?));
         }
         if is_object(word) {
-            return Ok(Arc::new(Object::read(self, &defaults)?));
+            return Ok(Arc::<Object>::from(Object::read(self, &defaults)?));
         }
         if LATER.contains(&word) {
             self.skip_unsupported(word)?;
@@ -142,6 +147,17 @@ impl<'a> Interpreter<'a> {
                     self.defaults.texture = Arc::new(texture);
                 }
             }
+        }
+    }
+
+    /// Looks up the constants that stay as they are once for all.
+    pub(super) fn keep_constants(&mut self) {
+        for name in word::CONSTANTS.iter().filter(|name| !matches!(**name, "version" | "now" | "input_file_name")) {
+            let i = self.names.intern(name).0 as usize;
+            if i >= self.constants.len() {
+                self.constants.resize(i + 1, None);
+            }
+            self.constants[i] = self.constant_value(name);
         }
     }
 

@@ -54,6 +54,16 @@ pub(super) struct Array<'a> {
     pub(super) sizes: Box<[usize]>,
     /// In rows: the last index counts fastest.
     pub(super) items: Vec<Option<Slot<'a>>>,
+    /// Of a dictionary: what each element is called.
+    pub(super) keys: Option<Vec<Rc<str>>>,
+}
+
+impl Array<'_> {
+    /// Has the dictionary a value of this name?
+    pub(super) fn has_key(&self, key: &str) -> bool {
+        let index = self.keys.iter().flatten().position(|k| **k == *key);
+        index.is_some_and(|i| self.items[i].is_some())
+    }
 }
 
 impl<'a> Slot<'a> {
@@ -73,7 +83,7 @@ struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
     /// Warnings about the declared thing, told where it is used.
-    pending: Rc<[Diagnostic]>,
+    pending: Option<Rc<[Diagnostic]>>,
 }
 
 #[derive(Default)]
@@ -139,7 +149,7 @@ impl<'a> Scopes<'a> {
     }
 
     fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        self.stack(symbol).push(Binding { level, slot, pending: pending.into() });
+        self.stack(symbol).push(Binding { level, slot, pending: kept(pending) });
         if level > 0
             && let Some(names) = self.levels.last_mut()
         {
@@ -175,11 +185,29 @@ impl<'a> Scopes<'a> {
         }
     }
 
+    /// The place of a dictionary's element; it need not have a value yet.
+    pub(super) fn add_key(&mut self, place: &Place, key: &str) -> Option<Place> {
+        let mut target = &mut self.bindings.get_mut(place.symbol.0 as usize)?.get_mut(place.depth)?.slot;
+        for &i in place.path() {
+            let Slot::Array(array) = target else { return None };
+            target = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
+        }
+        let Slot::Array(array) = target else { return None };
+        let array = Rc::make_mut(array);
+        let keys = array.keys.as_mut()?;
+        let index = keys.iter().position(|k| **k == *key).unwrap_or_else(|| {
+            keys.push(key.into());
+            array.items.push(None);
+            array.sizes = Box::new([array.items.len()]);
+            array.items.len() - 1
+        });
+        Some(place.element(&[index]))
+    }
+
     /// The warnings that wait for the use of a name.
     pub(super) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
         let (symbol, depth, _) = self.find(symbol)?;
-        let pending = &self.bindings[symbol.0 as usize][depth].pending;
-        (!pending.is_empty()).then(|| pending.clone())
+        self.bindings[symbol.0 as usize][depth].pending.clone()
     }
 
     /// `#local`, and the parameters of a call: binds at the innermost level.
@@ -217,7 +245,7 @@ impl<'a> Scopes<'a> {
 
     fn rebind(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let binding = &mut self.bindings[symbol.0 as usize][depth];
-        (binding.slot, binding.pending) = (slot, pending.into());
+        (binding.slot, binding.pending) = (slot, kept(pending));
     }
 
     /// `#undef`: the innermost binding goes. (An alias goes, not what it stands for.)
@@ -259,6 +287,10 @@ impl<'a> Scopes<'a> {
     pub(super) fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
         self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
     }
+}
+
+fn kept(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
+    if pending.is_empty() { None } else { Some(pending.into()) }
 }
 
 /// The faults of what could not be built, also in an array.

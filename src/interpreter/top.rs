@@ -104,7 +104,7 @@ impl Interpreter<'_> {
         let mut object = Object::read(self, &defaults)?;
         // A declared object without a texture gets the default of the place where it is used.
         object.default_texture = self.defaults.texture.clone();
-        self.scene.objects.push(object);
+        self.scene.objects.push(*object);
         Ok(())
     }
 

@@ -16,7 +16,7 @@ impl Object {
     pub fn extent(&self) -> Aabb {
         let own = match &self.kind {
             ObjectKind::Shape(shape) => shape_box(shape, &self.transform),
-            ObjectKind::Csg(..) => self.group_box.unwrap_or(HUGE),
+            ObjectKind::Csg(..) => self.group_box.as_deref().copied().unwrap_or(HUGE),
             ObjectKind::Light(_) => HUGE,
         };
         let bounds = [&self.clipped_by, &self.bounded_by].into_iter().flatten();

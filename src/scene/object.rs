@@ -43,8 +43,8 @@ pub enum CsgOp {
 pub struct Painted {
     /// Shared by all objects that were given it.
     pub texture: Arc<Texture>,
-    /// How the object was moved after it got the texture.
-    pub transform: Transform,
+    /// How the object was moved after it got the texture, if it had been moved before: else it is the object's own.
+    pub moved: Option<Box<Transform>>,
 }
 
 /// Switches; a CSG object's hold for its parts too.
@@ -89,7 +89,7 @@ pub struct Object {
     pub default_texture: Arc<Texture>,
     /// The box that [`Object::extent`] tells of a CSG object.
     #[serde(skip)]
-    pub group_box: Option<Aabb>,
+    pub group_box: Option<Box<Aabb>>,
     /// How large it is.
     #[serde(skip)]
     pub weight: Weight,
@@ -175,13 +175,15 @@ pub fn is_object(word: &str) -> bool {
 
 impl Object {
     /// Reads the object that comes next: a block, whose name is still to be consumed, or a declared one.
-    pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Self> {
+    ///
+    /// Boxed, because an object is large and handed on from block to block.
+    pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         match r.next()? {
             // Nothing stands for what can't be drawn yet.
             Next::Block(word) if NOT_DRAWN.contains(&word) => {
                 let source = r.span();
                 r.skip_unsupported(word)?;
-                Ok(Self::new(ObjectKind::Csg(CsgOp::Union, Arc::new([])), word, source, defaults))
+                Ok(Box::new(Self::new(ObjectKind::Csg(CsgOp::Union, Arc::new([])), word, source, defaults)))
             }
             Next::Block(word) => {
                 let source = r.take()?;
@@ -190,7 +192,7 @@ impl Object {
                 Ok(object)
             }
             Next::Thing(_) => match (r.span(), r.thing::<Object>()?) {
-                (source, Some(object)) => Ok(Self { source, ..(*object).clone() }),
+                (source, Some(object)) => Ok(Box::new(Self { source, ..(*object).clone() })),
                 _ => Err(r.unexpected("an object").into()),
             },
             _ => Err(r.unexpected("an object").into()),
@@ -216,44 +218,53 @@ impl Object {
     }
 
     /// Reads what stands between the braces of a block of this name.
-    fn read_block(word: &'static str, source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Self> {
+    fn read_block(word: &'static str, source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         if let Some(op) = csg_op(word) {
             return Self::read_csg(op, word, source, r, defaults);
         }
         if word == "light_source" {
             if matches!(r.next()?, Next::Thing(_)) {
-                let mut object = Self { source, ..Self::read(r, defaults)? };
+                let mut object = Self::read(r, defaults)?;
+                object.source = source;
                 object.read_modifiers(None, r, defaults)?;
                 return Ok(object);
             }
             let light = Light::read(r, source)?;
-            return Ok(Self::new(ObjectKind::Light(Arc::new(light)), word, source, defaults));
+            return Ok(Box::new(Self::new(ObjectKind::Light(Arc::new(light)), word, source, defaults)));
         }
         if word == "object" {
-            let mut object = Self { source, ..Self::read(r, defaults)? };
+            let mut object = Self::read(r, defaults)?;
+            object.source = source;
             object.read_modifiers(None, r, defaults)?;
             return Ok(object);
         }
         let Some(shape) = shape::read(word, r) else { return Err(r.unexpected("an object").into()) };
         let mut shape = shape?;
-        let mut object = Self::new(ObjectKind::Shape(Arc::new(shape.clone())), word, source, defaults);
+        let mut object = Box::new(Self::new(ObjectKind::Shape(Arc::new(shape.clone())), word, source, defaults));
         object.read_modifiers(Some(&mut shape), r, defaults)?;
         shape.finish(source, r)?;
         object.kind = ObjectKind::Shape(Arc::new(shape));
         Ok(object)
     }
 
-    fn read_csg(op: CsgOp, word: &'static str, source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Self> {
+    fn read_csg(
+        op: CsgOp,
+        word: &'static str,
+        source: Span,
+        r: &mut dyn Reader,
+        defaults: &Defaults,
+    ) -> Result<Box<Self>> {
         let mut parts = vec![];
         loop {
             match r.next()? {
-                Next::Block(part) if is_object(part) => parts.push(Self::read(r, defaults)?),
-                Next::Thing("object" | "light_source") => parts.push(Self::read(r, defaults)?),
+                Next::Block(part) if is_object(part) => parts.push(*Self::read(r, defaults)?),
+                Next::Thing("object" | "light_source") => parts.push(*Self::read(r, defaults)?),
                 _ => break,
             }
         }
-        let group_box = Some(Self::parts_box(op, &parts));
-        let mut object = Self { group_box, ..Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults) };
+        let group_box = Some(Box::new(Self::parts_box(op, &parts)));
+        let group = Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults);
+        let mut object = Box::new(Self { group_box, ..group });
         object.weight.check(source)?;
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
@@ -346,20 +357,20 @@ impl Object {
         match next {
             Next::Block("texture") | Next::Thing("texture") => {
                 let texture = read_layers(r, defaults)?;
-                self.texture = Some(Painted::new(Arc::new(texture)));
+                self.texture = Some(Painted::new(Arc::new(texture), &self.transform));
             }
             Next::Block("interior_texture") => {
                 r.take()?;
                 let texture = Texture::read(r, &defaults.texture)?;
                 r.leave()?;
-                self.interior_texture = Some(Painted::new(Arc::new(texture)));
+                self.interior_texture = Some(Painted::new(Arc::new(texture), &self.transform));
             }
             _ => {
                 // The texture so far, its moves applied, because what is read now has not been moved.
                 let mut texture = match &self.texture {
                     Some(painted) => {
                         let mut texture = (*painted.texture).clone();
-                        texture.transform(&painted.transform);
+                        texture.transform(painted.place(&self.transform));
                         texture
                     }
                     None => (*defaults.texture).clone(),
@@ -367,7 +378,7 @@ impl Object {
                 if !texture.read_part(r, next, &defaults.texture)? {
                     return Ok(false);
                 }
-                self.texture = Some(Painted::new(Arc::new(texture)));
+                self.texture = Some(Painted::new(Arc::new(texture), &self.transform));
             }
         }
         Ok(true)
@@ -384,7 +395,7 @@ impl Object {
                     let other = if word == "clipped_by" { &self.bounded_by } else { &self.clipped_by };
                     parts.extend(other.iter().flat_map(|o| o.iter().cloned()));
                 }
-                _ => parts.push(Self::read(r, defaults)?),
+                _ => parts.push(*Self::read(r, defaults)?),
             }
         }
         r.leave()?;
@@ -402,7 +413,7 @@ impl Object {
     }
 
     fn set_material(&mut self, material: &Material) {
-        let painted = |t: &Arc<Texture>| Painted::new(t.clone());
+        let painted = |t: &Arc<Texture>| Painted::new(t.clone(), &self.transform);
         self.texture = material.texture.as_ref().map(painted).or(self.texture.take());
         self.interior_texture = material.interior_texture.as_ref().map(painted).or(self.interior_texture.take());
         self.interior = material.interior.clone().or(self.interior.take());
@@ -411,9 +422,13 @@ impl Object {
     /// Moves the object with its textures and what clips it.
     pub fn transform_by(&mut self, step: &Transform) {
         self.transform = self.transform.then(step);
-        self.group_box = self.group_box.map(|b| transform_box(step, &b));
+        if let Some(group) = &mut self.group_box {
+            **group = transform_box(step, group);
+        }
         for painted in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
-            painted.transform = painted.transform.then(step);
+            if let Some(moved) = &mut painted.moved {
+                **moved = moved.then(step);
+            }
         }
         for bound in [&mut self.clipped_by, &mut self.bounded_by] {
             let moved = |o: &Object| {
@@ -427,9 +442,14 @@ impl Object {
 }
 
 impl Painted {
-    /// Not moved yet.
-    pub fn new(texture: Arc<Texture>) -> Self {
-        Self { texture, transform: Transform::IDENTITY }
+    /// On an object that has been moved so before.
+    pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
+        Self { texture, moved: (!before.is_identity()).then(|| Box::new(Transform::IDENTITY)) }
+    }
+
+    /// The space around the object from the texture's, given that from the object's.
+    pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
+        self.moved.as_deref().unwrap_or(object)
     }
 }
 

@@ -121,11 +121,14 @@ impl<R: Reader + ?Sized> ReaderExt for R {
             return Ok(None);
         }
         let (thing, span) = self.take_thing()?;
-        let found = Value::Thing(thing.clone()).describe();
-        let any: Arc<dyn std::any::Any + Send + Sync> = thing;
+        let any: Arc<dyn std::any::Any + Send + Sync> = thing.clone();
         match any.downcast::<T>() {
             Ok(thing) => Ok(Some(thing)),
-            Err(_) => Diagnostic::err(crate::diagnostic::codes::WRONG_TYPE, span, format!("{found} can't stand here")),
+            Err(_) => Diagnostic::err(
+                crate::diagnostic::codes::WRONG_TYPE,
+                span,
+                format!("{} can't stand here", Value::Thing(thing).describe()),
+            ),
         }
     }
 }

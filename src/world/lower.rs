@@ -117,8 +117,11 @@ impl Lowering {
         let transform = checked(object.transform.then(&around.transform), object.source)?;
         let look = |painted: &Option<Painted>| -> Result<Option<Look>> {
             let Some(painted) = painted else { return Ok(None) };
-            let transform = checked(painted.transform.then(&around.transform), object.source)?;
-            Ok(Some(Look { texture: painted.texture.clone(), transform }))
+            let place = match &painted.moved {
+                Some(moved) => checked(moved.then(&around.transform), object.source)?,
+                None => transform,
+            };
+            Ok(Some(Look { texture: painted.texture.clone(), transform: place }))
         };
         let texture = look(&object.texture)?;
         // What a group says of its inside does not belong to a part's own texture.
@@ -244,7 +247,10 @@ impl Lowering {
 /// The texture of the first part that has one.
 fn first_look(object: &Object, around: &Transform) -> Option<Look> {
     if let Some(painted) = &object.texture {
-        return Some(Look { texture: painted.texture.clone(), transform: painted.transform.then(around) });
+        return Some(Look {
+            texture: painted.texture.clone(),
+            transform: painted.place(&object.transform).then(around),
+        });
     }
     match &object.kind {
         ObjectKind::Csg(_, parts) => {

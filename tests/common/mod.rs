@@ -89,7 +89,7 @@ pub fn lamp(location: DVec3, color: f64) -> Object {
 
 pub fn texture(layers: impl IntoIterator<Item = (Pigment, Finish)>) -> Painted {
     let layers = layers.into_iter().map(|(pigment, finish)| Layer { pigment, finish }).collect();
-    Painted::new(Arc::new(Texture { layers }))
+    Painted::new(Arc::new(Texture { layers }), &Transform::IDENTITY)
 }
 
 /// Neither ambient nor diffuse.
@@ -115,7 +115,7 @@ impl Looks for Object {
     }
 
     fn textured(mut self, texture: Painted) -> Self {
-        self.texture = Some(texture);
+        self.texture = Some(Painted::new(texture.texture, &self.transform));
         self
     }
 

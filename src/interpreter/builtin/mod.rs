@@ -9,6 +9,7 @@ mod vector;
 use super::Interpreter;
 use super::eval::as_float;
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::numeric::{self as numeric_table, Numeric};
 use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind};
@@ -22,6 +23,35 @@ pub(super) struct Builtin {
     name: &'static str,
     arity: std::ops::RangeInclusive<usize>,
     run: fn(&Arguments) -> Result<Value>,
+}
+
+/// Where a function is found.
+enum Function {
+    Numeric(&'static Numeric),
+    Other(&'static Builtin),
+}
+
+impl Function {
+    fn find(name: &str) -> Option<Self> {
+        if let Some(row) = numeric_table::find(name) {
+            return Some(Self::Numeric(&numeric_table::TABLE[row as usize]));
+        }
+        [vector::TABLE, text::TABLE].into_iter().flatten().find(|f| f.name == name).map(Self::Other)
+    }
+
+    fn arity(&self) -> std::ops::RangeInclusive<usize> {
+        match self {
+            Self::Numeric(row) => numeric::arity(row),
+            Self::Other(function) => function.arity.clone(),
+        }
+    }
+
+    fn run(&self, arguments: &Arguments) -> Result<Value> {
+        match self {
+            Self::Numeric(row) => numeric::compute(row, arguments),
+            Self::Other(function) => (function.run)(arguments),
+        }
+    }
 }
 
 /// Evaluated arguments with their places.
@@ -70,16 +100,16 @@ impl<'a> Interpreter<'a> {
         if let Some(result) = self.special(name, arguments, span) {
             return result;
         }
-        let tables = [numeric::TABLE, vector::TABLE, text::TABLE];
-        let Some(function) = tables.iter().flat_map(|t| t.iter()).find(|f| f.name == name) else {
+        let Some(function) = Function::find(name) else {
             return Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet"));
         };
+        let arity = function.arity();
         let mut values = Vec::with_capacity(arguments.len());
         for argument in arguments {
             self.argument_values(argument, &mut values)?;
         }
-        if !function.arity.contains(&values.len()) {
-            let (low, high) = (function.arity.start(), function.arity.end());
+        if !arity.contains(&values.len()) {
+            let (low, high) = (arity.start(), arity.end());
             let takes = match high {
                 &usize::MAX => format!("at least {low}"),
                 high if low == high => low.to_string(),
@@ -92,7 +122,7 @@ impl<'a> Interpreter<'a> {
         if let ("div" | "mod", Some((Value::Float(0.0), at))) = (name, values.last()) {
             self.division_by_zero(*at);
         }
-        let value = (function.run)(&Arguments { values })?;
+        let value = function.run(&Arguments { values })?;
         match &value {
             Value::Text(text) if text.len() > MAX_TEXT => {
                 let message = format!("this string is longer than {} million bytes", MAX_TEXT / 1_000_000);
@@ -127,9 +157,7 @@ impl<'a> Interpreter<'a> {
             ("select", [condition, rest @ ..]) if rest.len() == 2 || rest.len() == 3 => {
                 Some(self.select(condition, rest))
             }
-            ("file_exists", [path]) => Some(
-                self.text_value(path).map(|name| Value::Float(f64::from(self.options.search.find(&name).is_some()))),
-            ),
+            ("file_exists", [path]) => Some(self.file_exists(path)),
             ("dimensions", [array]) => Some(self.array_argument(array).map(|a| Value::Float(a.sizes.len() as f64))),
             ("dimension_size", [array, dimension]) => Some(self.dimension_size(array, dimension)),
             ("trace", arguments) => Some(self.trace_object(arguments, span)),
@@ -141,6 +169,13 @@ impl<'a> Interpreter<'a> {
             ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),
             _ => None,
         }
+    }
+
+    /// A file that may not be read is not there.
+    fn file_exists(&mut self, path: &'a Expr) -> Result<Value> {
+        let name = self.text_value(path)?;
+        let found = self.options.search.find(&name).filter(|path| self.options.sandbox.may_read(path));
+        Ok(Value::Float(f64::from(found.is_some())))
     }
 
     /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or ≥ 0 without D), else D. Only that one is evaluated.

@@ -34,7 +34,10 @@ impl<'a> Interpreter<'a> {
             let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.names.text(name));
             return self.limit(codes::CALL_DEPTH, span, message, "does this recursion ever end?");
         }
-        let slots = self.enclosed(None, arguments, span, |me| me.arguments(definition, span))?;
+        let slots = match self.plain_arguments(definition, arguments)? {
+            Some(slots) => slots,
+            None => self.enclosed(None, arguments, span, |me| me.arguments(definition, span))?,
+        };
         self.scopes.enter();
         for ((parameter, _), slot) in definition.parameters.iter().zip(slots) {
             if let Some(slot) = slot {
@@ -97,6 +100,39 @@ impl<'a> Interpreter<'a> {
         };
         self.push_frame(rest, FrameKind::Branch, span);
         self.call_macro(*name, arguments, chain.first.span)
+    }
+
+    /// The common case, without a frame: as many expressions as parameters, none of them a macro's or of several values.
+    fn plain_arguments(
+        &mut self,
+        definition: &'a Macro,
+        arguments: &'a [Element],
+    ) -> Result<Option<Vec<Option<Slot<'a>>>>> {
+        let is_plain = |element: &Element| match &element.kind {
+            ElementKind::Expr(e) => match &e.kind {
+                ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
+                ExprKind::Chain(chain) => !self.leads_with_block(chain),
+                ExprKind::Number(_) | ExprKind::Paren(_) | ExprKind::Literal(_) | ExprKind::Vector(_) => true,
+                ExprKind::Prefix(..) | ExprKind::Builtin(..) | ExprKind::Text(_) => true,
+                _ => false,
+            },
+            _ => false,
+        };
+        if arguments.len() != definition.parameters.len() || !arguments.iter().all(is_plain) {
+            return Ok(None);
+        }
+        let mut slots = Vec::with_capacity(arguments.len());
+        for element in arguments {
+            let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
+            slots.push(Some(match e.kind {
+                ExprKind::Name(symbol) => match self.scopes.resolve(symbol) {
+                    Some(place) => Slot::Alias(place),
+                    None => return Ok(None),
+                },
+                _ => Slot::Value(self.eval(e)?),
+            }));
+        }
+        Ok(Some(slots))
     }
 
     fn arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
