@@ -164,3 +164,26 @@ fn warnings_are_told_once() {
     let text = place.exits(0, "render w.pov --frames 1-4 --size 1x1");
     assert_eq!(text.matches("W0202").count(), 1, "{text}");
 }
+
+#[test]
+fn warnings_for_programs() {
+    let place =
+        Place::new(&[("w.pov", "#declare A = 1;\n#macro M() 1 / 0 #end\n#declare B = M();\ncamera { location z }")]);
+    let text = place.exits(0, "check w.pov --warn unused --format json");
+    let keys = ["code", "severity", "message", "file", "line", "column", "end", "help", "labels", "trace"];
+    let documented = include_str!("../docs/diagnostics.md");
+    let mut codes = vec![];
+    for line in text.lines() {
+        let object: serde_json::Value = serde_json::from_str(line).unwrap();
+        assert!(object.as_object().unwrap().keys().all(|key| keys.contains(&key.as_str())), "{line}");
+        assert!(keys.iter().all(|key| documented.contains(&format!("`{key}`")) && object.get(key).is_some()), "{line}");
+        codes.push(format!("{}:{}", object["code"].as_str().unwrap(), object["line"]));
+        if object["code"] == "W0200" {
+            assert_eq!((&object["trace"][0]["line"], &object["file"]), (&3.into(), &"w.pov".into()));
+        }
+    }
+    assert_eq!(codes, ["W0200:2", "W0209:1", "W0209:3"]);
+    assert!(place.exits(1, "check w.pov --warn unused --deny warnings").contains("W0209"));
+    assert!(!place.exits(0, "check w.pov").contains("W0209"));
+    assert!(place.exits(2, "check w.pov --warn unusd").contains("unused"));
+}

@@ -190,6 +190,9 @@ pub struct CheckArgs {
     /// Let `warnings` fail as errors do
     #[arg(long, value_name = "WHAT")]
     pub deny: Option<Deny>,
+    /// Warn of more: names that are declared and `unused`, names that `shadow` others
+    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    pub warn: Vec<Warn>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
@@ -209,6 +212,15 @@ pub enum MessageFormat {
 pub enum Deny {
     /// All warnings
     Warnings,
+}
+
+/// What `--warn` adds.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Warn {
+    /// Names that are declared and never used
+    Unused,
+    /// Names in macros that hide others
+    Shadow,
 }
 
 /// `durer pick`.

@@ -1,6 +1,6 @@
 //! `durer check INPUT…`: reads and evaluates, draws nothing.
 
-use super::args::{CheckArgs, Deny, MessageFormat};
+use super::args::{CheckArgs, Deny, MessageFormat, Warn};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::overlay;
@@ -8,6 +8,7 @@ use super::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::Library;
 use crate::source::Sources;
+use crate::syntax::lint::{self, Lints};
 use std::path::Path;
 
 /// Checks all inputs; the first that is wrong decides the exit code.
@@ -48,12 +49,21 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
         Err(other) => return Err(other),
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene)?);
-    let mut built = session::build(console, &Library::default(), &sources, file, &options);
+    let library = Library::default();
+    let mut built = session::build(console, &library, &sources, file, &options);
+    built.diagnostics.extend(lint(args, &sources, &library));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
     }
     report(console, args, &sources, &built.diagnostics)?;
     Ok(session::verdict(built.limit_reached, &built.diagnostics))
+}
+
+/// What `--warn` asks for; the scene's own file is the first that was parsed.
+fn lint(args: &CheckArgs, sources: &Sources, library: &Library) -> Vec<Diagnostic> {
+    let lints = Lints { unused: args.warn.contains(&Warn::Unused), shadow: args.warn.contains(&Warn::Shadow) };
+    let files: Vec<_> = library.all().into_iter().map(|(file, _)| file).collect();
+    if lints == Lints::default() { vec![] } else { lint::lint(sources, library.names(), &files, lints) }
 }
 
 fn report(console: &Console, args: &CheckArgs, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {

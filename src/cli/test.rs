@@ -60,6 +60,9 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
     let paths = if args.paths.is_empty() { &here } else { &args.paths };
     for path in paths.iter().filter(|path| !path.is_dir()) {
         session::check_input(path)?;
+        if super::povray::is_ini(&path.to_string_lossy()) {
+            return usage(format!("snapshots belong to scenes: name the scene, not `{}`", path.display()));
+        }
     }
     let cases = snapshot::find(paths).map_err(|e| Box::new(file::unreadable(&paths[0], &e.into())))?;
     if cases.is_empty() {

@@ -177,6 +177,12 @@ first. `--allow-read DIR` and `--allow-write DIR` allow more. No scene can start
 is written. Of a path such as `C:\\pov\\shapes.inc`, only the last name is looked for.
 
     #include \"Include\\Colors.inc\"   // #include \"include/colors.inc\""
+    UNUSED_NAME "W0209" "a name that is declared and never used"
+"Told with `--warn unused`. The scene's own file declares it, and no file that was read mentions it again: often a slip of the fingers,
+here or where it was to be used. A name that begins with `_` is not told."
+    HIDDEN_NAME "W0210" "a name that hides another"
+"Told with `--warn shadow`. Inside of a macro, its parameters and `#local`s come first; a name declared outside is not seen then, nor by
+the macros that are called from there."
     NO_DIRECTION "E0300" "a plane has no direction"
 "The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
 vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."

@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 /// The folders in which an `#include` is looked for, in order.
 #[derive(Clone, Debug, Default)]
 pub struct SearchPath {
-    /// The scene's own folder first, then `-I`, `DURER_INCLUDE`, an installed POV-Ray.
+    /// The scene's own folder first, then the current one, `-I`, `DURER_INCLUDE`, an installed POV-Ray.
     pub folders: Vec<PathBuf>,
 }
 
@@ -23,6 +23,10 @@ impl SearchPath {
     /// POV-Ray's.
     pub fn new(scene_folder: &Path, options: &[PathBuf]) -> Self {
         let mut folders = vec![scene_folder.to_path_buf()];
+        // What a scene has written stands in the current folder.
+        if scene_folder != Path::new(".") {
+            folders.push(PathBuf::from("."));
+        }
         folders.extend(options.iter().cloned());
         if let Some(list) = std::env::var_os("DURER_INCLUDE") {
             folders.extend(std::env::split_paths(&list));

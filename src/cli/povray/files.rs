@@ -45,8 +45,8 @@ impl<'s> Files<'s> {
 
     /// [`is_ini`], also beside the INI file in which the word stands.
     pub fn is_ini(&self, word: &str) -> bool {
-        let beside = self.located(&with_ini(word), Path::is_file);
-        is_ini(word) || is_ini(&beside.to_string_lossy()) && !Path::new(word).is_file()
+        let there = |word: &str| self.located(word, Path::is_file).is_file();
+        is_ini(word) || Path::new(word).extension().is_none() && !there(word) && there(&with_ini(word))
     }
 
     /// The innermost file has been read.
