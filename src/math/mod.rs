@@ -2,6 +2,7 @@
 
 mod aabb;
 pub mod fp;
+pub mod noise;
 mod poly;
 mod ray;
 pub mod rng;

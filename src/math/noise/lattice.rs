@@ -1,0 +1,64 @@
+//! What both lattice noises share: the cell of a point and the blend of its eight corners.
+
+/// The lattice cell of one coordinate: its number (its low bits are right for any number below 2⁵¹), and how far the coordinate
+/// lies into it, 0 to 1.
+#[inline]
+pub fn cell(x: f64) -> (usize, f64) {
+    // Adding 1.5·2⁵² rounds to the nearest whole number and leaves its two's complement in the low bits: no call, no branch.
+    const ROUND: f64 = 6_755_399_441_055_744.0;
+    let rounded = x + ROUND;
+    let nearest = rounded - ROUND;
+    let above = nearest > x;
+    let floor = nearest - f64::from(u8::from(above));
+    ((rounded.to_bits() as usize).wrapping_sub(usize::from(above)), x - floor)
+}
+
+/// The s-curve 3t² - 2t³ (Perlin 1985).
+#[inline]
+pub fn ease(t: f64) -> f64 {
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// Between a and b.
+#[inline]
+fn lerp(a: f64, b: f64, s: f64) -> f64 {
+    a + s * (b - a)
+}
+
+/// Blends the values that the corners of a cell suggest for the point `t` in it. Corner i lies at x = bit 0, y = bit 1,
+/// z = bit 2 of i.
+#[inline]
+pub fn blend(corners: [f64; 8], t: [f64; 3]) -> f64 {
+    let [sx, sy, sz] = t.map(ease);
+    let x = |i: usize| lerp(corners[i], corners[i + 1], sx);
+    lerp(lerp(x(0), x(2), sy), lerp(x(4), x(6), sy), sz)
+}
+
+/// From corner i to the point `t`.
+#[inline]
+pub fn from_corner(i: usize, t: [f64; 3]) -> [f64; 3] {
+    let along = |axis: usize| if i >> axis & 1 == 1 { t[axis] - 1.0 } else { t[axis] };
+    [along(0), along(1), along(2)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_floors() {
+        for x in [0.0, 0.5, 1.0, -0.5, -1.0, 2.5, 3.5, -2.5, 1e9 + 0.75, -1e9 - 0.25, -1e-18, 4095.999] {
+            let (number, t) = cell(x);
+            assert_eq!((number & 0xfff) as i64, (x.floor() as i64).rem_euclid(4096), "{x}");
+            assert_eq!(t, x - x.floor(), "{x}");
+        }
+    }
+
+    #[test]
+    fn corners_keep_their_values() {
+        let values = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
+        for (i, value) in values.into_iter().enumerate() {
+            assert_eq!(blend(values, [0, 1, 2].map(|axis| f64::from((i >> axis & 1) as u8))), value);
+        }
+    }
+}

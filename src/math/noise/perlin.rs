@@ -1,0 +1,25 @@
+//! The noise of generator 3: each lattice point has a gradient of length 1 (Perlin 1985; the version with a permutation that
+//! is added to, in Ebert et al., "Texturing and Modeling").
+
+use super::super::DVec3;
+use super::lattice::{blend, cell, from_corner};
+use super::tables::{GRADIENTS, PERMUTATION};
+
+/// Added to each coordinate: so the lattice points lie a little below the whole numbers, and coordinates are rounded to 2⁻²⁹.
+pub(super) const OFFSET: f64 = 10_000_000.023157213;
+
+/// About -0.76 to 0.76; 0 at each lattice point.
+pub fn scalar(p: DVec3) -> f64 {
+    let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x + OFFSET), cell(p.y + OFFSET), cell(p.z + OFFSET));
+    let t = [tx, ty, tz];
+    let permuted = |i: usize| PERMUTATION[i & 0x7ff] as usize;
+    let (px, qx) = (permuted(ix), permuted(ix.wrapping_add(1)));
+    let y = iy & 0x7ff;
+    let xy = [permuted(px + y), permuted(qx + y), permuted(px + y + 1), permuted(qx + y + 1)];
+    let corner = |i: usize| {
+        // The gradients of the corners before and behind lie next to each other; the last is followed by the first.
+        let ([x, y, z], [gx, gy, gz]) = (from_corner(i, t), GRADIENTS[(xy[i & 3].wrapping_add(iz) & 0x7ff) + (i >> 2)]);
+        gx * x + gy * y + gz * z
+    };
+    blend([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
+}
