@@ -69,7 +69,7 @@ pub fn helical_torus(
     let deep = from_circle - minor;
     let square = deep * deep + flatness * away * away;
     let axis = q + major - minor - threshold;
-    if !(square >= 0.0) {
+    if square.is_nan() || square < 0.0 {
         return axis;
     }
     let distance = square.sqrt().min(from_circle + minor);

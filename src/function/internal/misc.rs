@@ -111,7 +111,7 @@ pub fn poly4([x, y, z, a, b, c, d, e]: [f64; 8]) -> f64 {
 /// The horizontal distance from the nearest of the tubes around the y axis, which are as far from it as the polynomial says;
 /// at most 10000. For a number with a fraction one of the gaps is wider.
 pub fn polytubes([x, y, z, number, a, b, c, d, e]: [f64; 9]) -> f64 {
-    if !(number >= 1.0) {
+    if number.is_nan() || number < 1.0 {
         return 1e4;
     }
     let (step, last) = (TAU / number, number.floor() - 1.0);

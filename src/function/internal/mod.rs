@@ -50,7 +50,7 @@ fn call<const N: usize>(arguments: &[f64], function: fn([f64; N]) -> f64) -> f64
 /// A polynomial times its field strength, as far as POV-Ray follows it.
 #[inline]
 fn field(strength: f64, value: f64) -> f64 {
-    (strength * value).max(-10.0).min(10.0)
+    (strength * value).clamp(-10.0, 10.0)
 }
 
 /// A value and the field limit.

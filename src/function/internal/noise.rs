@@ -24,7 +24,8 @@ fn signed(p: DVec3, generator: NoiseGenerator) -> f64 {
     2.0 * noise(p, generator) - 1.0
 }
 
-/// Musgrave's `Hetero_Terrain`. The heterogeneity, without its fraction, is the power of the altitude that scales the next octave.
+/// Musgrave's `Hetero_Terrain`. The heterogeneity t, without its fraction, is the power of the altitude that scales the next
+/// octave.
 pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
     let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
