@@ -148,7 +148,8 @@ impl Callee {
                 super::Body::Numeric(program) => program.graph().bounds(arguments),
                 super::Body::Sampled(sampler) => sampler.bounds(component, arguments),
             },
-            Callee::Internal(_) | Callee::Series { .. } => Interval::ALL,
+            Callee::Internal(internal) => internal.bounds.map_or(Interval::ALL, |bounds| bounds(arguments)),
+            Callee::Series { .. } => Interval::ALL,
         }
     }
 }
