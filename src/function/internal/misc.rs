@@ -138,7 +138,7 @@ pub fn quantum([x, y, z, _]: [f64; 4]) -> f64 {
 /// Where [`poly4`] lies.
 pub fn poly4_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, a, b, c, d, e] = i else { return Interval::ALL };
-    let radius = [d, c, b, a].iter().fold(e, |sum, k| sum.mul(y).add(*k)).growing(|u| u.max(-5.0));
-    let q = x.square().add(z.square()).growing(|u| u.max(0.0).sqrt());
-    q.add(radius.neg())
+    let radius = [d, c, b, a].iter().fold(e, |sum, k| sum * y + *k).growing(|u| u.max(-5.0));
+    let q = (x.square() + z.square()).growing(|u| u.max(0.0).sqrt());
+    q + -radius
 }

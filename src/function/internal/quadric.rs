@@ -56,7 +56,7 @@ fn root(a: Interval) -> Interval {
 }
 
 fn norm(a: &[Interval]) -> Interval {
-    root(a.iter().fold(Interval::point(0.0), |sum, x| sum.add(x.square())))
+    root(a.iter().fold(Interval::point(0.0), |sum, x| sum + x.square()))
 }
 
 /// Where [`r`] lies.
@@ -67,26 +67,26 @@ pub fn r_bounds(a: &[Interval]) -> Interval {
 /// Where [`sphere`] lies.
 pub fn sphere_bounds(a: &[Interval]) -> Interval {
     let [point @ .., radius] = a else { return Interval::ALL };
-    norm(point).add(radius.neg())
+    norm(point) + -*radius
 }
 
 /// Where [`ellipsoid`] lies.
 pub fn ellipsoid_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, a, b, c] = i else { return Interval::ALL };
-    norm(&[a.mul(x), b.mul(y), c.mul(z)])
+    norm(&[a * x, b * y, c * z])
 }
 
 /// Where [`torus`] lies.
 pub fn torus_bounds(a: &[Interval]) -> Interval {
     let &[x, y, z, major, minor] = a else { return Interval::ALL };
-    norm(&[norm(&[x, z]).add(major.neg()), y]).add(minor.neg())
+    norm(&[norm(&[x, z]) + -major, y]) + -minor
 }
 
 /// Where [`rounded_box`] lies.
 pub fn rounded_box_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, radius, a, b, c] = i else { return Interval::ALL };
-    let beyond = |u: Interval, half: Interval| u.abs().add(half.neg()).add(radius).growing(|u| u.max(0.0));
-    norm(&[beyond(x, a), beyond(y, b), beyond(z, c)]).add(radius.neg()).add(Interval::point(-1e-6))
+    let beyond = |u: Interval, half: Interval| (u.abs() + -half + radius).growing(|u| u.max(0.0));
+    norm(&[beyond(x, a), beyond(y, b), beyond(z, c)]) + -radius + Interval::point(-1e-6)
 }
 
 /// Where [`superellipsoid`] lies, for exponents that are one positive number each.
@@ -97,7 +97,7 @@ pub fn superellipsoid_bounds(a: &[Interval]) -> Interval {
     }
     let (e, n) = (e.lo, n.lo);
     let power = |i: Interval, p: f64| i.growing(|x| x.max(0.0).powf(p));
-    let around = power(x.abs(), 2.0 / e).add(power(y.abs(), 2.0 / e));
-    let sum = power(around, e / n).add(power(z.abs(), 2.0 / n));
-    Interval::point(1.0).add(power(sum, n / 2.0).neg())
+    let around = power(x.abs(), 2.0 / e) + power(y.abs(), 2.0 / e);
+    let sum = power(around, e / n) + power(z.abs(), 2.0 / n);
+    Interval::point(1.0) + -power(sum, n / 2.0)
 }
