@@ -168,7 +168,7 @@ impl<'a> Interpreter<'a> {
             steps: 0,
             text_made: 0,
             started: Instant::now(),
-            language: Language { version: compat::DEFAULT_VERSION, assumed_gamma: None },
+            language: Language { version: compat::DEFAULT_VERSION, bare_textures: false, assumed_gamma: None },
             version_stated: false,
             camera_stated: false,
             defaults: Defaults::default(),

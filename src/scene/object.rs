@@ -159,7 +159,8 @@ const MODIFIERS: &[&str] = &[
 /// The word of a CSG block.
 fn csg_op(word: &str) -> Option<CsgOp> {
     Some(match word {
-        "union" => CsgOp::Union,
+        // `composite` is its name in scenes of before 1993.
+        "union" | "composite" => CsgOp::Union,
         "intersection" => CsgOp::Intersection,
         "difference" => CsgOp::Difference,
         "merge" => CsgOp::Merge,
@@ -307,7 +308,7 @@ impl Object {
                 }
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
-            Next::Word("clipped_by" | "bounded_by" | "sturm" | "hierarchy") => {
+            Next::Word("clipped_by" | "bounded_by" | "sturm" | "hierarchy" | "split_union" | "all_intersections") => {
                 r.take()?;
                 r.flag()?;
             }

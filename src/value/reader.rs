@@ -34,6 +34,8 @@ pub enum Next {
 pub struct Language {
     /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/compat.rs` compares it.
     pub version: u32,
+    /// May a texture hold what belongs into its pigment and finish, as before 3.0?
+    pub bare_textures: bool,
     /// `global_settings { assumed_gamma … }`, once it has been read.
     pub assumed_gamma: Option<Gamma>,
 }
