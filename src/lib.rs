@@ -29,6 +29,7 @@ pub mod diagnostic;
 pub mod function;
 pub mod image_io;
 pub mod interpreter;
+pub mod library;
 pub mod light;
 pub mod math;
 pub mod pattern;

@@ -1,6 +1,6 @@
 //! From the name of a scene to its World, with the messages on the way.
 
-use super::args::{LookArgs, SceneArgs};
+use super::args::{Library, LookArgs, SceneArgs};
 use super::console::{Console, say};
 use super::exit::{Exit, Failure, Result, usage};
 use super::memory;
@@ -70,7 +70,10 @@ impl Moment {
 pub fn reading_options(args: &SceneArgs, input: &Path, moment: Moment) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
-    let search = SearchPath::new(folder, &args.include);
+    let search = match args.library {
+        Library::Installed => SearchPath::new(folder, &args.include),
+        Library::Durer => SearchPath::new(folder, &args.include).without_installed(),
+    };
     let mut sandbox = Sandbox::around(&search);
     sandbox.read.extend(args.allow_read.iter().cloned());
     sandbox.write.extend(args.allow_write.iter().cloned());

@@ -26,6 +26,12 @@ impl SearchPath {
         Self { folders }
     }
 
+    /// As on a machine without POV-Ray.
+    pub fn without_installed(mut self) -> Self {
+        self.folders.retain(|folder| !INSTALLED.iter().any(|installed| folder == Path::new(installed)));
+        self
+    }
+
     /// The first file of that name, looked for beside the including file's folder too.
     pub fn find(&self, name: &str) -> Option<PathBuf> {
         let name = Path::new(name);
