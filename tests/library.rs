@@ -1,7 +1,8 @@
 //! The built-in include files: they declare what the manual lists, and give what POV-Ray printed with its own.
 //!
 //! The sections of `tests/library/*.scene` have the form of `tests/lang.rs`; numbers may differ by rounding. A section with
-//! `//~` is a known difference, and what stands there is what durer's file gives.
+//! `//~` is a known difference, and what stands there is what durer's file gives. One with `//?` waits for a part of durer
+//! that is not there yet: it passes either way.
 
 use durer::interpreter::{Options, interpret};
 use durer::source::{Sandbox, SearchPath, Sources};
@@ -69,7 +70,8 @@ fn compare(preamble: &str, section: &str) -> Result<(), Failed> {
         }
     }
     wrong.extend(lines.map(|line| format!("more is printed: {line}")));
-    if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n").into()) }
+    let pending = section.contains("//?");
+    if wrong.is_empty() || pending { Ok(()) } else { Err(wrong.join("\n").into()) }
 }
 
 /// Equal words, and numbers that are equal but for rounding.
