@@ -7,8 +7,8 @@ mod directive;
 mod eval;
 mod function;
 mod hints;
-mod library;
 mod limits;
+mod parsed;
 mod reader;
 mod rvalue;
 mod scope;
@@ -23,7 +23,7 @@ use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
-pub use library::Library;
+pub use parsed::ParsedFiles;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
 use std::path::PathBuf;
@@ -78,18 +78,18 @@ const MAX_FAULTS: usize = 200;
 ///
 /// It recurses as deeply as the text nests and macros call each other: give it a stack of some 500 MB.
 pub fn interpret(sources: &Sources, file: FileId, options: &Options, debug: &mut dyn FnMut(&str)) -> Outcome {
-    interpret_with(&Library::default(), sources, file, options, debug)
+    interpret_with(&ParsedFiles::default(), sources, file, options, debug)
 }
 
-/// The same with the trees that an earlier frame has left in the library.
+/// The same with the trees that an earlier frame has left.
 pub fn interpret_with(
-    library: &Library,
+    parsed: &ParsedFiles,
     sources: &Sources,
     file: FileId,
     options: &Options,
     debug: &mut dyn FnMut(&str),
 ) -> Outcome {
-    let mut interpreter = Interpreter::new(sources, library, options, debug);
+    let mut interpreter = Interpreter::new(sources, parsed, options, debug);
     interpreter.run(file);
     interpreter.outcome()
 }
@@ -99,7 +99,7 @@ pub(crate) struct Interpreter<'a> {
     sources: &'a Sources,
     names: &'a Names,
     asts: &'a elsa::FrozenVec<Box<Ast>>,
-    library: &'a Library,
+    parsed: &'a ParsedFiles,
     options: &'a Options,
     debug: &'a mut dyn FnMut(&str),
     including: Vec<PathBuf>,
@@ -142,12 +142,17 @@ pub(crate) struct Interpreter<'a> {
 }
 
 impl<'a> Interpreter<'a> {
-    fn new(sources: &'a Sources, library: &'a Library, options: &'a Options, debug: &'a mut dyn FnMut(&str)) -> Self {
+    fn new(
+        sources: &'a Sources,
+        parsed: &'a ParsedFiles,
+        options: &'a Options,
+        debug: &'a mut dyn FnMut(&str),
+    ) -> Self {
         Self {
             sources,
-            names: &library.names,
-            asts: &library.asts,
-            library,
+            names: &parsed.names,
+            asts: &parsed.asts,
+            parsed,
             options,
             debug,
             including: vec![],
