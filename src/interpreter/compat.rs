@@ -15,6 +15,11 @@ pub fn has_bare_textures(version: u32) -> bool {
     version < 300
 }
 
+/// The noise of a scene that names none.
+pub fn noise_generator(version: u32) -> u8 {
+    if version < 350 { 1 } else { 2 }
+}
+
 /// The newest language that is known at least in part.
 pub const NEWEST_VERSION: u32 = 380;
 

@@ -29,6 +29,7 @@ use scope::{Place, Scopes};
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
+use std::sync::atomic::AtomicU8;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
 pub use timing::Timing;
@@ -131,6 +132,8 @@ pub(crate) struct Interpreter<'a> {
     text_made: usize,
     started: Instant,
     language: Language,
+    /// The number of the scene's noise generator, which functions ask for when they run.
+    noise_generator: Arc<AtomicU8>,
     version_stated: bool,
     camera_stated: bool,
     defaults: Defaults,
@@ -174,6 +177,7 @@ impl<'a> Interpreter<'a> {
             text_made: 0,
             started: Instant::now(),
             language: Language { version: compat::DEFAULT_VERSION, bare_textures: false, assumed_gamma: None },
+            noise_generator: Arc::new(AtomicU8::new(compat::noise_generator(compat::DEFAULT_VERSION))),
             version_stated: false,
             camera_stated: false,
             defaults: Defaults::default(),

@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::scene::{Object, is_object};
 use crate::source::Span;
 use crate::value::{Next, Reader};
+use std::sync::atomic::Ordering;
 
 /// Blocks that stand at the outermost level and are not drawn yet.
 const LATER: &[&str] = &["fog", "sky_sphere", "rainbow", "media", "radiosity", "photons"];
@@ -93,6 +94,9 @@ impl Interpreter<'_> {
                 let mut settings = self.scene.settings.clone();
                 settings.read(self)?;
                 self.language.assumed_gamma = settings.gamma;
+                if let Some(generator) = settings.noise_generator {
+                    self.noise_generator.store(generator.number(), Ordering::Relaxed);
+                }
                 self.scene.settings = settings;
             }
         }
