@@ -145,6 +145,10 @@ impl Reader for Words {
         Language { version: 370, bare_textures: false, assumed_gamma: None }
     }
 
+    fn find_file(&mut self, _: &str, _: Span) -> Result<Option<std::path::PathBuf>> {
+        unreachable!()
+    }
+
     fn pass(&mut self, _: &mut dyn FnMut(&Value)) -> Result<()> {
         unreachable!()
     }

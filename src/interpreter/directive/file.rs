@@ -95,7 +95,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn open_to_read(&mut self, name: &str, span: Span) -> Result<OpenFile> {
-        let Some(path) = self.find_file(name, span)? else {
+        let Some(path) = self.find_read_file(name, span)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
             let folders: Vec<String> =
                 self.options.search.folders.iter().map(|f| format!("`{}`", f.display())).collect();

@@ -17,7 +17,7 @@ impl<'a> Interpreter<'a> {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
             return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
-        let (path, ast) = match self.find_file(&text, name.span)? {
+        let (path, ast) = match self.find_read_file(&text, name.span)? {
             Some(path) => (path.clone(), self.load(&path, &text, name.span)?),
             None => match library::find(&text) {
                 Some(built_in) => self.load_built_in(&text, built_in, name.span)?,
@@ -31,7 +31,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A file that the scene names, if it is there and may be read.
-    pub(in crate::interpreter) fn find_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
+    pub(in crate::interpreter) fn find_read_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
         let including = self.including.last().map(PathBuf::as_path);
         // `"C:\new\shapes.inc"` as it is typed, where `\n` is no line's end.
         let typed = self.sources.snippet(span);

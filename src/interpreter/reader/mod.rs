@@ -18,6 +18,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{FloatOrColor, Language, Next, Reader, Thing, Value, VecN};
 use color::COLOR_WORDS;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
@@ -298,6 +299,10 @@ impl Reader for Interpreter<'_> {
 
     fn language(&self) -> Language {
         self.language
+    }
+
+    fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>> {
+        self.find_read_file(name, at)
     }
 
     fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()> {
