@@ -14,6 +14,41 @@ use crate::value::{Value, VecN};
 /// Numbers nearer to each other than this are equal to `=`, and nearer to 0 are false (measured on POV-Ray 3.7).
 pub(super) const SMALL: f64 = 1e-10;
 
+/// A value that needs no allocation.
+enum Quick {
+    Float(f64),
+    Vector(VecN),
+}
+
+impl Quick {
+    /// Both with an operator between them; `None` where [`apply`] has something to say.
+    fn combined(self, op: Operator, right: Quick) -> Option<Quick> {
+        if !op.multiplies() && !op.adds() {
+            return match (self, right) {
+                (Quick::Float(a), Quick::Float(b)) => Some(Quick::Float(on_floats(op, a, b))),
+                _ => None,
+            };
+        }
+        let (a, b) = match (self, right) {
+            (Quick::Float(_), Quick::Float(0.0)) if op == Operator::Div => return None,
+            (Quick::Float(a), Quick::Float(b)) => return Some(Quick::Float(on_floats(op, a, b))),
+            (Quick::Float(x), Quick::Vector(b)) => (VecN::splat(x, b.len), b),
+            (Quick::Vector(a), Quick::Float(x)) => (a, VecN::splat(x, a.len)),
+            (Quick::Vector(a), Quick::Vector(b)) => (a, b),
+        };
+        if op == Operator::Div && b.c[..b.len as usize].contains(&0.0) {
+            return None;
+        }
+        let mut out = VecN { c: [0.0; 5], len: a.len.max(b.len) };
+        for i in 0..out.len as usize {
+            out.c[i] = on_floats(op, a.c[i], b.c[i]);
+        }
+        // A shorter divisor is filled with zeros.
+        let fine = op != Operator::Div || b.len >= out.len;
+        fine.then_some(Quick::Vector(out))
+    }
+}
+
 /// A value and, where a bare sum comes out of a macro, the rest of its terms: what is multiplied with it binds to the
 /// first or last of them.
 type Parts = (Value, Vec<(Operator, Value)>);
@@ -21,8 +56,10 @@ type Parts = (Value, Vec<(Operator, Value)>);
 impl<'a> Interpreter<'a> {
     /// The value of an expression.
     pub(super) fn eval(&mut self, e: &'a Expr) -> Result<Value> {
-        if let Some(x) = self.simple(e) {
-            return Ok(Value::Float(x));
+        match self.quick(e) {
+            Some(Quick::Float(x)) => return Ok(Value::Float(x)),
+            Some(Quick::Vector(v)) => return Ok(Value::Vector(v)),
+            None => {}
         }
         match &e.kind {
             ExprKind::Number(x) => Ok(Value::Float(*x)),
@@ -138,6 +175,39 @@ impl<'a> Interpreter<'a> {
                 _ => None,
             },
             _ => None,
+        }
+    }
+
+    /// The same for vectors too.
+    fn quick(&self, e: &Expr) -> Option<Quick> {
+        match &e.kind {
+            ExprKind::Literal(data) if (2..=5).contains(&data.len()) => Some(Quick::Vector(VecN::from_slice(data))),
+            ExprKind::Vector(parts) if (2..=5).contains(&parts.len()) => {
+                let mut out = VecN { c: [0.0; 5], len: parts.len() as u8 };
+                for (slot, part) in out.c.iter_mut().zip(parts) {
+                    match &part.kind {
+                        ElementKind::Expr(e) => *slot = self.simple(e)?,
+                        _ => return None,
+                    }
+                }
+                Some(Quick::Vector(out))
+            }
+            ExprKind::Paren(inner) => self.quick(inner),
+            ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
+                Some(Slot::Value(Value::Float(x))) if self.deprecated.is_empty() => Some(Quick::Float(*x)),
+                Some(Slot::Value(Value::Vector(v))) if self.deprecated.is_empty() => Some(Quick::Vector(*v)),
+                None => match self.constants.get(symbol.0 as usize) {
+                    Some(Some(Value::Float(x))) => Some(Quick::Float(*x)),
+                    Some(Some(Value::Vector(v))) => Some(Quick::Vector(*v)),
+                    _ => None,
+                },
+                _ => None,
+            },
+            ExprKind::Chain(chain) => {
+                let first = self.quick(&chain.first)?;
+                chain.rest.iter().try_fold(first, |left, (op, operand)| left.combined(*op, self.quick(operand)?))
+            }
+            _ => self.simple(e).map(Quick::Float),
         }
     }
 

@@ -102,7 +102,7 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn transform(&mut self) -> Result<Option<Transform>> {
+    fn transform(&mut self) -> Result<Option<Box<Transform>>> {
         unreachable!()
     }
 

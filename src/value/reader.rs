@@ -85,7 +85,9 @@ pub trait Reader {
     /// Does a colour come next: one of its words, or an expression?
     fn at_color(&mut self) -> Result<bool>;
     /// Consumes one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform if one comes next.
-    fn transform(&mut self) -> Result<Option<Transform>>;
+    ///
+    /// Boxed, because it is large and mostly passed on.
+    fn transform(&mut self) -> Result<Option<Box<Transform>>>;
     /// A string.
     fn text(&mut self) -> Result<String>;
     /// `on`, `off`, a number, or nothing at all (which is on).

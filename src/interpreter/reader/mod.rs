@@ -281,7 +281,7 @@ impl Reader for Interpreter<'_> {
         })
     }
 
-    fn transform(&mut self) -> Result<Option<Transform>> {
+    fn transform(&mut self) -> Result<Option<Box<Transform>>> {
         self.read_transform()
     }
 

@@ -17,7 +17,7 @@ impl Thing for TransformThing {
 
 impl Interpreter<'_> {
     /// One `translate`, `rotate` … after its word was consumed.
-    fn transform_step(&mut self, word: &str) -> Result<Transform> {
+    fn transform_step(&mut self, word: &str) -> Result<Box<Transform>> {
         let span = {
             self.peek()?;
             self.here()
@@ -26,7 +26,7 @@ impl Interpreter<'_> {
             let d = Diagnostic::new(codes::SINGULAR, span, format!("this `{word}` flattens space"));
             Box::new(d.help("a factor of 0 has no inverse; use a small number instead"))
         };
-        Ok(match word {
+        Ok(Box::new(match word {
             "translate" => Transform::translate(self.vector()?),
             "rotate" => Transform::rotate(self.vector()?),
             "scale" => {
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
                 let row = |i: usize| DVec3::new(m[3 * i], m[3 * i + 1], m[3 * i + 2]);
                 Transform::from_rows([row(0), row(1), row(2), row(3)]).map_err(singular)?
             }
-        })
+        }))
     }
 
     /// What stands between the braces of a `transform`.
@@ -69,7 +69,7 @@ impl Interpreter<'_> {
     }
 
     /// One step, if one comes next.
-    pub(super) fn read_transform(&mut self) -> Result<Option<Transform>> {
+    pub(super) fn read_transform(&mut self) -> Result<Option<Box<Transform>>> {
         match Reader::next(self)? {
             Next::Word(word @ ("translate" | "rotate" | "scale" | "matrix")) => {
                 self.advance();
@@ -79,15 +79,15 @@ impl Interpreter<'_> {
                 // `transform T`, as in old scenes
                 self.advance();
                 let declared = ReaderExt::thing::<TransformThing>(self)?;
-                declared.map(|t| Some(t.0)).ok_or_else(|| Box::new(self.unexpected_token("a transform")))
+                declared.map(|t| Some(Box::new(t.0))).ok_or_else(|| Box::new(self.unexpected_token("a transform")))
             }
             Next::Block("transform") => {
                 self.take()?;
                 let all = self.transform_block()?;
                 self.leave()?;
-                Ok(Some(all))
+                Ok(Some(Box::new(all)))
             }
-            Next::Thing("transform") => Ok(ReaderExt::thing::<TransformThing>(self)?.map(|t| t.0)),
+            Next::Thing("transform") => Ok(ReaderExt::thing::<TransformThing>(self)?.map(|t| Box::new(t.0))),
             _ => Ok(None),
         }
     }
