@@ -9,6 +9,8 @@
 
 #[path = "hostile/arena.rs"]
 mod arena;
+#[path = "hostile/files.rs"]
+mod files;
 #[path = "hostile/fuzz.rs"]
 mod fuzz;
 #[path = "hostile/geometry.rs"]
@@ -29,10 +31,11 @@ mod text;
 use libtest_mimic::{Arguments, Trial};
 
 fn main() {
-    let tables = [text::cases(), runaway::cases(), geometry::cases(), outside::cases()];
+    let tables = [text::cases(), runaway::cases(), geometry::cases(), outside::cases(), files::cases()];
     let cases = tables.into_iter().flatten();
     let mut trials: Vec<Trial> = cases.map(|case| Trial::test(case.name, move || case.run())).collect();
     trials.extend(outside::trials());
+    trials.extend(files::trials());
     trials.extend(fuzz::trials());
     trials.extend(povray::trials());
     libtest_mimic::run(&Arguments::from_args(), trials).exit();

@@ -36,8 +36,8 @@ fn run(text: &str) -> (String, Vec<String>) {
         sandbox: Sandbox { read: vec![], write: vec![".".into()] },
         search,
         declares: vec![],
-        clock: 0.0,
-        frame: 0,
+        timing: Default::default(),
+        input_name: String::new(),
         size: (1, 1),
         max_steps: 1_000_000,
         max_time: None,
@@ -60,7 +60,8 @@ fn run(text: &str) -> (String, Vec<String>) {
 /// A section's lines against what it says after `//=`.
 fn compare(preamble: &str, section: &str) -> Result<(), Failed> {
     let (printed, told) = run(&format!("{preamble}// {section}"));
-    let wanted = section.lines().filter_map(|line| line.split_once("//=").map(|(code, text)| (code.trim(), text.trim())));
+    let wanted =
+        section.lines().filter_map(|line| line.split_once("//=").map(|(code, text)| (code.trim(), text.trim())));
     let mut wrong: Vec<String> = told;
     let mut lines = printed.lines();
     for (code, text) in wanted {
@@ -111,7 +112,8 @@ fn every_name_is_there(file: &str, names: &[String]) -> Result<(), Failed> {
 /// The three largest together are read in little time; the bound is wide, for slow machines and plain builds.
 fn quick() -> Result<(), Failed> {
     let start = std::time::Instant::now();
-    let (_, told) = run("#version 3.7;\n#include \"colors.inc\"\n#include \"shapes.inc\"\n#include \"functions.inc\"\n");
+    let (_, told) =
+        run("#version 3.7;\n#include \"colors.inc\"\n#include \"shapes.inc\"\n#include \"functions.inc\"\n");
     let took = start.elapsed().as_millis();
     if took < 300 && told.is_empty() { Ok(()) } else { Err(format!("{took} ms, {told:?}").into()) }
 }

@@ -1,5 +1,6 @@
 //! The options of the command line. Every option that is taken is obeyed.
 
+use super::animation::Animation;
 use super::values::{Antialias, Bytes, Clock, Declare, Frames, Part, Pixel, Seconds, Size, Stats};
 use crate::image_io::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -96,6 +97,9 @@ pub struct SceneArgs {
     /// The frame of an animation
     #[arg(long, value_name = "N")]
     pub frame: Option<u32>,
+    /// Of an INI file, or of POV-Ray's options.
+    #[arg(skip)]
+    pub animation: Option<Animation>,
     /// The value of `clock`; A..B for the first and last of many frames [default: 0..1]
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub clock: Option<Clock>,
@@ -114,28 +118,31 @@ pub struct SceneArgs {
 pub const DEFAULT_STEPS: u64 = 200_000_000;
 
 /// How a picture is drawn.
-#[derive(Args, Clone, Debug)]
+#[derive(Args, Clone, Debug, Default)]
 pub struct LookArgs {
-    /// Threshold of anti-aliasing, or `off`
-    #[arg(long, value_name = "THRESHOLD", default_value = "0.3")]
-    pub aa: Antialias,
-    /// From 0 (quick colours) to 11 (everything)
-    #[arg(long, value_name = "0..11", default_value_t = 9, value_parser = clap::value_parser!(u8).range(0..=11))]
-    pub quality: u8,
+    /// Threshold of anti-aliasing, or `off` [default: 0.3]
+    #[arg(long, value_name = "THRESHOLD")]
+    pub aa: Option<Antialias>,
+    /// From 0 (quick colours) to 11 (everything) [default: 9]
+    #[arg(long, value_name = "0..11", value_parser = clap::value_parser!(u8).range(0..=11))]
+    pub quality: Option<u8>,
     /// Leave the background transparent
     #[arg(long)]
     pub alpha: bool,
 }
 
 /// `durer render`.
-#[derive(Args, Clone, Debug)]
+#[derive(Args, Clone, Debug, Default)]
 pub struct RenderArgs {
-    /// The scene, or - for standard input
+    /// The scene, an INI file, or - for standard input
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
     /// The picture's file, or - for standard output [default: the input's name with .png, here]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// A single frame of an INI file goes to a file of this very name.
+    #[arg(skip)]
+    pub exact_name: bool,
     /// The picture's format [default: by the output's ending; png for standard output]
     #[arg(long, value_name = "FORMAT", value_parser = format_parser())]
     pub format: Option<String>,
@@ -151,7 +158,7 @@ pub struct RenderArgs {
     #[command(flatten)]
     #[allow(missing_docs)]
     pub look: LookArgs,
-    /// Draw many frames; the names get as many digits as B is written with
+    /// Draw many frames [default: those of the INI file]; the names get as many digits as B is written with
     #[arg(long, value_name = "A-B[:STEP]", conflicts_with = "frame")]
     pub frames: Option<Frames>,
     /// Draw only this part of the picture
@@ -160,9 +167,9 @@ pub struct RenderArgs {
     /// How many threads draw [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
-    /// Show how far the picture is
-    #[arg(long, value_name = "WHEN", default_value = "auto")]
-    pub progress: When,
+    /// Show how far the picture is [default: auto]
+    #[arg(long, value_name = "WHEN")]
+    pub progress: Option<When>,
     /// Times, rays and memory as JSON: `json` for standard output, or a file
     #[arg(long, value_name = "json|FILE")]
     pub stats: Option<Stats>,
@@ -187,7 +194,7 @@ pub enum Dump {
 /// `durer check`.
 #[derive(Args, Clone, Debug)]
 pub struct CheckArgs {
-    /// Scenes, or - for standard input
+    /// Scenes, INI files, or - for standard input
     #[arg(value_name = "INPUT", required = true)]
     pub inputs: Vec<PathBuf>,
     /// For a person, or one JSON object a line on standard output
@@ -196,6 +203,9 @@ pub struct CheckArgs {
     /// Let `warnings` fail as errors do
     #[arg(long, value_name = "WHAT")]
     pub deny: Option<Deny>,
+    /// Warn of more: names that are declared and `unused`, names that `shadow` others
+    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    pub warn: Vec<Warn>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
@@ -215,6 +225,15 @@ pub enum MessageFormat {
 pub enum Deny {
     /// All warnings
     Warnings,
+}
+
+/// What `--warn` adds.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Warn {
+    /// Names that are declared and never used
+    Unused,
+    /// Names in macros that hide others
+    Shadow,
 }
 
 /// `durer pick`.

@@ -1,11 +1,14 @@
 //! `durer check INPUT…`: reads and evaluates, draws nothing.
 
-use super::args::{CheckArgs, Deny, MessageFormat};
+use super::args::{CheckArgs, Deny, MessageFormat, Warn};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
-use super::session::{self, Moment};
+use super::overlay;
+use super::session;
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::interpreter::ParsedFiles;
 use crate::source::Sources;
+use crate::syntax::lint::{self, Lints};
 use std::path::Path;
 
 /// Checks all inputs; the first that is wrong decides the exit code.
@@ -26,7 +29,18 @@ pub fn run(console: &Console, args: &CheckArgs) -> Result {
 
 fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
     let sources = Sources::default();
-    let file = match session::open(&sources, input) {
+    let (input, scene) = match overlay::read_ini(&sources, &session::named(input)) {
+        Ok(None) => (session::named(input), args.scene.clone()),
+        Ok(Some((cli, warnings))) => {
+            report(console, args, &sources, &warnings)?;
+            overlay::scene_over(cli, &args.scene)
+        }
+        Err(faults) => {
+            report(console, args, &sources, &faults)?;
+            return Ok(faults.iter().find(|d| d.severity == Severity::Error).map_or(Exit::Usage, |d| Exit::of(d.code)));
+        }
+    };
+    let file = match session::open(&sources, &input) {
         Ok(file) => file,
         Err(Failure::Fault(fault)) => {
             report(console, args, &sources, std::slice::from_ref(&fault))?;
@@ -34,13 +48,22 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
         }
         Err(other) => return Err(other),
     };
-    let options = session::reading_options(&args.scene, input, Moment::single(&args.scene));
-    let mut built = session::build(console, &sources, file, &options);
+    let options = session::reading_options(&scene, &input, session::timing(&scene)?);
+    let parsed = ParsedFiles::default();
+    let mut built = session::build(console, &parsed, &sources, file, &options);
+    built.diagnostics.extend(lint(args, &sources, &parsed));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
     }
     report(console, args, &sources, &built.diagnostics)?;
     Ok(session::verdict(built.limit_reached, &built.diagnostics))
+}
+
+/// What `--warn` asks for; the scene's own file is the first that was parsed.
+fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
+    let lints = Lints { unused: args.warn.contains(&Warn::Unused), shadow: args.warn.contains(&Warn::Shadow) };
+    let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();
+    if lints == Lints::default() { vec![] } else { lint::lint(sources, parsed.names(), &files, lints) }
 }
 
 fn report(console: &Console, args: &CheckArgs, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {

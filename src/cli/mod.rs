@@ -1,5 +1,6 @@
 //! The command line: one file for each command. Only here is anything printed, and only here does the program end.
 
+mod animation;
 mod args;
 mod check;
 mod completions;
@@ -8,6 +9,7 @@ mod exit;
 mod explain;
 mod interrupt;
 mod memory;
+mod overlay;
 mod pick;
 mod povray;
 mod progress;
@@ -19,9 +21,10 @@ pub mod test;
 mod values;
 mod watch;
 
+use crate::diagnostic::Severity;
+use crate::source::Sources;
 use args::Command;
 pub use args::{Cli, Common};
-use clap::Parser;
 use console::Console;
 pub use exit::{Exit, Failure, Result};
 use std::ffi::OsString;
@@ -42,10 +45,14 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
 
 /// The command line in our own words; POV-Ray's are translated first.
 fn understand(words: Vec<OsString>) -> Result<(Console, Cli)> {
-    let (words, warnings) = povray::translate(words)?;
-    let cli = Cli::try_parse_from(words).map_err(|e| Failure::Usage(Box::new(e)))?;
+    let sources = Sources::default();
+    let povray::Translated { words, animation, diagnostics } = povray::translate(&sources, words);
+    if diagnostics.iter().any(|d| d.severity == Severity::Error) {
+        return Err(overlay::tell(&Console::plain(), &sources, &diagnostics));
+    }
+    let cli = overlay::parse(words, animation).map_err(|e| Failure::Usage(Box::new(e)))?;
     let console = Console::new(&cli.common);
-    console.report(&crate::source::Sources::default(), &warnings);
+    console.report(&sources, &diagnostics);
     Ok((console, cli))
 }
 

@@ -3,9 +3,11 @@
 use super::args::PickArgs;
 use super::console::Console;
 use super::exit::{Exit, Result};
-use super::session::{self, Moment};
+use super::overlay;
+use super::session;
 use super::values::Size;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::interpreter::ParsedFiles;
 use crate::render::{self, Picked};
 use crate::source::{Place, Sources, Span};
 use serde::Serialize;
@@ -37,6 +39,8 @@ struct Source {
 
 /// Prints what the pixel sees.
 pub fn run(console: &Console, args: &PickArgs) -> Result {
+    let (input, scene) = overlay::scene_with_ini(console, &session::named(&args.input), &args.scene)?;
+    let args = &PickArgs { input, scene, ..args.clone() };
     let size = args.scene.size();
     let inside = |at: i64, side: usize| usize::try_from(at).ok().filter(|&at| at < side);
     let (Some(x), Some(y)) = (inside(args.pixel.x, size.width), inside(args.pixel.y, size.height)) else {
@@ -44,9 +48,9 @@ pub fn run(console: &Console, args: &PickArgs) -> Result {
     };
     let sources = Sources::default();
     let file = session::open_or_tell(console, &sources, &args.input)?;
-    let moment = Moment::single(&args.scene);
-    let options = session::reading_options(&args.scene, &args.input, moment);
-    let mut built = session::build(console, &sources, file, &options);
+    let timing = session::timing(&args.scene)?;
+    let options = session::reading_options(&args.scene, &args.input, timing);
+    let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options);
     let world = session::settle(console, &sources, &mut built)?;
     let drawing = render::Options {
         width: size.width,
@@ -55,7 +59,7 @@ pub fn run(console: &Console, args: &PickArgs) -> Result {
         quality: 9,
         threads: 1,
         region: None,
-        frame: moment.frame,
+        frame: timing.frame,
         alpha: false,
     };
     let picked = render::pick(&world, &drawing, x, y);

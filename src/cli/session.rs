@@ -1,16 +1,26 @@
 //! From the name of a scene to its World, with the messages on the way.
 
+use super::animation::{self, Animation};
 use super::args::{Library, LookArgs, SceneArgs};
 use super::console::{Console, say};
 use super::exit::{Exit, Failure, Result, usage};
 use super::memory;
-use super::values::Size;
+use super::values::{Frames, Size};
 use crate::diagnostic::{Diagnostic, Severity, file};
+use crate::interpreter::{ParsedFiles, Timing};
 use crate::source::{FileId, ReadError, Sandbox, SearchPath, Sources};
 use crate::world::World;
 use crate::{Built, interpreter, render};
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// The input; POV-Ray reads `scene.pov` when told `scene`, and so do we, and other endings too.
+pub fn named(input: &Path) -> PathBuf {
+    let endings = ["pov", "scene", "ini"].into_iter();
+    let mut others = endings.map(|ending| PathBuf::from(format!("{}.{ending}", input.display())));
+    let found = if input.exists() { None } else { others.find(|path| path.is_file()) };
+    found.unwrap_or_else(|| input.to_path_buf())
+}
 
 /// Is there something to read? Asked first, so that a slip in the input's name is told before anything else.
 pub fn check_input(input: &Path) -> Result<()> {
@@ -26,9 +36,6 @@ pub fn check_input(input: &Path) -> Result<()> {
 
 /// Reads the scene; `-` is standard input.
 pub fn open(sources: &Sources, input: &Path) -> Result<FileId> {
-    if input.extension().is_some_and(|e| e.eq_ignore_ascii_case("ini")) {
-        return usage(format!("INI files such as `{}` are not read yet; name the scene", input.display()));
-    }
     if input != Path::new("-") {
         return Ok(crate::load(sources, input)?);
     }
@@ -50,24 +57,25 @@ pub fn open_or_tell(console: &Console, sources: &Sources, input: &Path) -> Resul
     })
 }
 
-/// The value of `clock` and the number of the frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Moment {
-    /// `clock`.
-    pub clock: f64,
-    /// `frame_number`.
-    pub frame: u32,
-}
-
-impl Moment {
-    /// Of a single picture.
-    pub fn single(args: &SceneArgs) -> Self {
-        Self { clock: args.clock.map_or(0.0, |c| c.first), frame: args.frame.unwrap_or(0) }
+/// The moment of a single picture: `--frame` of the animation, or its first one.
+pub fn timing(args: &SceneArgs) -> Result<Timing> {
+    match (&args.animation, args.frame) {
+        (Some(animation), Some(frame)) if !animation.has(frame) => usage(format!(
+            "there is no frame {frame}: the animation goes from {} to {}",
+            animation.first, animation.end
+        )),
+        (Some(animation), frame) => Ok(animation.timing(frame.unwrap_or(animation.start))),
+        (None, Some(frame)) => {
+            let alone = Animation::new(Frames { first: frame, last: frame, step: 1, digits: 1 });
+            let clock = animation::still(args.clock).clock;
+            Ok(Timing { clock, ..alone.timing(frame) })
+        }
+        (None, None) => Ok(animation::still(args.clock)),
     }
 }
 
 /// What the interpreter is given for this scene.
-pub fn reading_options(args: &SceneArgs, input: &Path, moment: Moment) -> interpreter::Options {
+pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
     let search = match args.library {
@@ -81,8 +89,8 @@ pub fn reading_options(args: &SceneArgs, input: &Path, moment: Moment) -> interp
         search,
         sandbox,
         declares: args.declare.iter().map(|d| (d.name.clone(), d.value.clone())).collect(),
-        clock: moment.clock,
-        frame: moment.frame,
+        timing,
+        input_name: input.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         size: (size.width, size.height),
         max_steps: args.max_steps,
         max_time: args.max_time.map(|s| s.0),
@@ -90,25 +98,36 @@ pub fn reading_options(args: &SceneArgs, input: &Path, moment: Moment) -> interp
     }
 }
 
+/// `--aa`
+const DEFAULT_THRESHOLD: f64 = 0.3;
+/// `--quality`
+const DEFAULT_QUALITY: u8 = 9;
+
 /// How the whole picture is drawn.
-pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, moment: Moment) -> render::Options {
+pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, timing: Timing) -> render::Options {
     let Size { width, height } = scene.size();
     render::Options {
         width,
         height,
-        antialias: look.aa.0,
-        quality: look.quality,
+        antialias: look.aa.map_or(Some(DEFAULT_THRESHOLD), |aa| aa.0),
+        quality: look.quality.unwrap_or(DEFAULT_QUALITY),
         threads,
         region: None,
-        frame: moment.frame,
+        frame: timing.frame,
         alpha: look.alpha,
     }
 }
 
 /// Text to World; what the scene prints goes to stderr.
-pub fn build(console: &Console, sources: &Sources, file: FileId, options: &interpreter::Options) -> Built {
+pub fn build(
+    console: &Console,
+    parsed: &ParsedFiles,
+    sources: &Sources,
+    file: FileId,
+    options: &interpreter::Options,
+) -> Built {
     let quiet = console.quiet;
-    crate::build(sources, file, options, &mut |text| {
+    crate::build_with(parsed, sources, file, options, &mut |text| {
         if !quiet {
             say(text);
         }

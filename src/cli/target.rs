@@ -3,7 +3,6 @@
 use super::args::{LookArgs, RenderArgs};
 use super::console::Console;
 use super::exit::{Result, usage};
-use super::values::Frames;
 use crate::diagnostic::file;
 use crate::image_io::{Encoding, Format, Frame, encode};
 use crate::source;
@@ -52,7 +51,9 @@ impl Target {
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
         }
-        if place == Place::Stdout && args.frames.is_some() {
+        if place == Place::Stdout
+            && (args.frames.is_some() || args.scene.animation.is_some() && args.scene.frame.is_none())
+        {
             return usage("many frames can't go to standard output; name a file");
         }
         Ok(Self {
@@ -67,12 +68,12 @@ impl Target {
     }
 
     /// The same for one frame of many: the number stands before the ending.
-    pub fn numbered(&self, frames: &Frames, frame: u32) -> Self {
+    pub fn numbered(&self, number: &str) -> Self {
         let Place::File(path) = &self.place else {
             return self.clone();
         };
         let mut name = path.file_stem().unwrap_or_default().to_os_string();
-        name.push(format!("{frame:0digits$}", digits = frames.digits));
+        name.push(number);
         if let Some(ending) = path.extension() {
             name.push(".");
             name.push(ending);
@@ -166,8 +167,7 @@ mod tests {
 
     #[test]
     fn frames_are_numbered() {
-        let frames = "1-30".parse().unwrap();
-        let numbered = target("b.scene -o c/d.png").unwrap().numbered(&frames, 7);
+        let numbered = target("b.scene -o c/d.png").unwrap().numbered("07");
         assert_eq!(numbered.place, Place::File("c/d07.png".into()));
     }
 

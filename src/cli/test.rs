@@ -5,7 +5,7 @@ use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
 use super::interrupt::{self, Orderly};
 use super::progress::Progress;
-use super::session::{self, Moment};
+use super::session;
 use super::values::Size;
 use super::watch::Watcher;
 use crate::diagnostic::file;
@@ -60,6 +60,9 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
     let paths = if args.paths.is_empty() { &here } else { &args.paths };
     for path in paths.iter().filter(|path| !path.is_dir()) {
         session::check_input(path)?;
+        if super::povray::is_ini(&path.to_string_lossy()) {
+            return usage(format!("snapshots belong to scenes: name the scene, not `{}`", path.display()));
+        }
     }
     let cases = snapshot::find(paths).map_err(|e| Box::new(file::unreadable(&paths[0], &e.into())))?;
     if cases.is_empty() {
@@ -127,8 +130,8 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     outcome.encoding.alpha = header.look.alpha;
     super::memory::check(header.scene.size(), header.scene.max_memory.map(|b| b.0))?;
 
-    let moment = Moment::single(&header.scene);
-    let options = session::reading_options(&header.scene, &case.scene, moment);
+    let timing = session::timing(&header.scene)?;
+    let options = session::reading_options(&header.scene, &case.scene, timing);
     let built = crate::build(sources, file, &options, &mut |_| {});
     outcome.messages = console.text(sources, &built.diagnostics);
     let (exit, Some(world)) = (session::verdict(built.limit_reached, &built.diagnostics), built.world) else {
@@ -137,7 +140,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     if exit != Exit::Fine {
         return Err(Failure::Told(exit));
     }
-    let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, moment);
+    let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, timing);
     let _orderly = Orderly::begin();
     let (frame, _) = Watcher::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
     compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);

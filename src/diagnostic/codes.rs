@@ -70,6 +70,19 @@ the picture is."
 "durer takes its own options (`durer render --help`) and those of POV-Ray (`+W640`, `Width=640`). This is neither."
     OPTION_IGNORED "W0012" "a POV-Ray option that has no effect here"
 "POV-Ray has this option and durer knows it, but doesn't do what it asks for. The picture is drawn without it."
+    INI_SECTION "W0013" "an INI file has no such section"
+"`durer anim.ini[low]` reads what stands before the first label of the file, and then what follows the label `[low]`. Without that
+label, only the first part is read, as POV-Ray does."
+    INI_REST "W0014" "a part of a line is not read"
+"In an INI file, a setting such as `Width=320` ends its line. POV-Ray reads no further, and so does durer."
+    INI_SYNTAX "E0015" "a line of an INI file can't be read"
+"A line holds settings (`Width=320`), switches (`+W320`), the name of another INI file, or a section's label (`[low]`). Comments
+begin with `;` or `#`. What doesn't fit the line can't be found out from the rest, so nothing is drawn."
+    NO_SCENE "E0016" "an INI file names no scene"
+"`durer render anim.ini` draws the scene that the line `Input_File_Name=scene.pov` of the file names. An INI file without such a
+line holds options only; `durer scene.pov low.ini` uses both."
+    INI_LOOP "E0017" "an INI file reads itself"
+"An INI file may name another on a line of its own. One that comes back to itself would never end."
     SYNTAX "E0100" "something stands where nothing of the kind can stand"
 "The text can't be read as a scene from this place on."
     UNCLOSED "E0101" "something is opened and never closed"
@@ -159,6 +172,17 @@ first. `--allow-read DIR` and `--allow-write DIR` allow more. No scene can start
 "POV-Ray's default camera is used: at the origin, looking along z."
     ZERO_SCALE "W0207" "a scale of 0"
 "It would flatten the object; POV-Ray uses 1 for that axis instead, and so does durer."
+    OTHER_SPELLING "W0208" "a file is there, but not under this name"
+"Some systems take `COLORS.INC` for `colors.inc`, and `\\` for `/`; most do not. durer finds the file all the same and tells how its name
+is written. Of a path such as `C:\\pov\\shapes.inc`, only the last name is looked for.
+
+    #include \"Include\\Colors.inc\"   // #include \"include/colors.inc\""
+    UNUSED_NAME "W0209" "a name that is declared and never used"
+"Told with `--warn unused`. The scene's own file declares it, and no file that was read mentions it again: often a slip of the fingers,
+here or where it was to be used. A name that begins with `_` is not told."
+    HIDDEN_NAME "W0210" "a name that hides another"
+"Told with `--warn shadow`. Inside of a macro, its parameters and `#local`s come first; a name declared outside is not seen then, nor by
+the macros that are called from there."
     NO_DIRECTION "E0300" "a plane has no direction"
 "The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
 vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."

@@ -148,16 +148,23 @@ impl Callee {
                 super::Body::Numeric(program) => program.graph().bounds(arguments),
                 super::Body::Sampled(sampler) => sampler.bounds(component, arguments),
             },
-            Callee::Internal(_) | Callee::Series { .. } => Interval::ALL,
+            Callee::Internal(internal) => internal.bounds.map_or(Interval::ALL, |bounds| bounds(arguments)),
+            Callee::Series { .. } => Interval::ALL,
         }
     }
 }
+
+/// A series with more terms is not a number: it would never end.
+const MAX_TERMS: f64 = 1e7;
 
 /// The arguments are the first and last value of the counter, and then those of the function around.
 fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
     let [first, last, outer @ ..] = arguments else { return f64::NAN };
     let mut inner = outer.to_vec();
     inner.push(0.0);
+    if last - first > MAX_TERMS {
+        return f64::NAN;
+    }
     let (mut total, mut counter) = (f64::from(product), *first);
     while counter <= *last {
         inner[outer.len()] = counter;

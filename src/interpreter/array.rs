@@ -3,10 +3,10 @@
 use super::Interpreter;
 use super::scope::{Array, Place, Slot};
 use super::stream::Token;
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
-use crate::syntax::ast::{Element, Expr, ExprKind, Symbol};
-use crate::value::Value;
+use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Symbol};
+use crate::value::{Reader, Value};
 use std::rc::Rc;
 
 /// The most elements that an array may have.
@@ -19,13 +19,21 @@ impl<'a> Interpreter<'a> {
     pub(super) fn array(&mut self) -> Result<Slot<'a>> {
         let span = self.here();
         self.advance();
-        // 3.8 asks for the word where kinds are mixed; nobody needs it here.
-        if let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek_on()?
-            && self.names.text(*symbol) == "mixed"
-        {
-            self.advance();
-        }
         let mut sizes = vec![];
+        // 3.8 asks for the word `mixed` where kinds are mixed; nobody needs it here.
+        if let Some(ElementKind::Expr(e)) = self.frames.last().and_then(|f| f.elements.get(f.at)).map(|e| &e.kind) {
+            match &e.kind {
+                ExprKind::Name(symbol) if self.names.text(*symbol) == "mixed" => self.advance(),
+                ExprKind::Index(word, indices) if self.sources.snippet(word.span) == "mixed" => {
+                    self.advance();
+                    for size in indices {
+                        let n = self.number(size)?;
+                        sizes.push(Some(self.size_of(n, size.span)?));
+                    }
+                }
+                _ => {}
+            }
+        }
         while let Token::Entry(elements) = self.peek_on()? {
             let at = self.here();
             self.advance();
@@ -45,7 +53,7 @@ impl<'a> Interpreter<'a> {
             let message = format!("an array has at most {} million elements", MAX_ELEMENTS / 1_000_000);
             return self.limit(codes::MEMORY_LIMIT, span, message, "is a size right?");
         };
-        let mut array = Array { sizes, items: vec![None; count] };
+        let mut array = Array { sizes, items: vec![None; count], keys: None };
         if let Token::Group(_) = self.peek_on()? {
             let rows = array.sizes.clone();
             self.fill(&rows, &mut array.items)?;
@@ -56,10 +64,16 @@ impl<'a> Interpreter<'a> {
     fn array_size(&mut self, elements: &'a [Element], at: Span) -> Result<usize> {
         let size = self.numbers_in(elements, at)?;
         match size[..] {
-            [size] if size >= 1.0 => Ok(size as usize),
-            [size] => Diagnostic::err(codes::BAD_INDEX, at, format!("an array can't have {size} elements")),
+            [size] => self.size_of(size, at),
             _ => Diagnostic::err(codes::WRONG_COUNT, at, "each dimension of an array has one size in `[ ]`"),
         }
+    }
+
+    fn size_of(&self, size: f64, at: Span) -> Result<usize> {
+        if size >= 1.0 {
+            return Ok(size as usize);
+        }
+        Diagnostic::err(codes::BAD_INDEX, at, format!("an array can't have {size} elements"))
     }
 
     /// Reads `{ … }` into as many elements as the sizes say; fewer leave the rest without a value.
@@ -116,7 +130,79 @@ impl<'a> Interpreter<'a> {
             }
             Ok(items)
         })?;
-        Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items })))
+        Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
+    }
+
+    /// `dictionary { .Name: 1, ["other name"]: 2 }` (3.8).
+    pub(super) fn dictionary(&mut self, elements: &'a [Element], at: Span) -> Result<Slot<'a>> {
+        self.advance();
+        let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
+        self.enclosed(None, elements, at, |me| {
+            loop {
+                let key: Rc<str> = match me.peek()? {
+                    Token::End => return Ok(()),
+                    Token::Key(symbol) => {
+                        me.advance();
+                        me.names.text(symbol).into()
+                    }
+                    Token::Entry(inner) => {
+                        let span = me.here();
+                        me.advance();
+                        let key = me.enclosed(None, inner, span, |me| me.text())?;
+                        match me.peek()? {
+                            Token::Colon => me.advance(),
+                            _ => return Err(me.unexpected_token("`:` and a value").into()),
+                        }
+                        key.into()
+                    }
+                    _ => return Err(me.unexpected_token("`.Name:` or `[\"name\"]:`").into()),
+                };
+                let value = me.rvalue()?;
+                match keys.iter().position(|k| *k == key) {
+                    Some(i) => items[i] = Some(value),
+                    None => {
+                        keys.push(key);
+                        items.push(Some(value));
+                    }
+                }
+            }
+        })?;
+        Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: Some(keys) })))
+    }
+
+    /// The place that `D.Key`, `D["key"].Key` and the like name, if D is a dictionary.
+    pub(super) fn dictionary_place(&mut self, e: &'a Expr) -> Result<Option<Place>> {
+        let base = match &e.kind {
+            ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
+                Some(Slot::Array(array)) if array.keys.is_some() => return Ok(self.scopes.resolve(*symbol)),
+                _ => return Ok(None),
+            },
+            ExprKind::Dot(base, ..) => base,
+            ExprKind::Index(base, indices) => match self.dictionary_place(base)? {
+                Some(_) => return self.element_place(base, indices).map(Some),
+                None => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        let Some(place) = self.dictionary_place(base)? else { return Ok(None) };
+        let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
+        match self.scopes.at(&place) {
+            Some(Slot::Array(array)) if array.keys.is_some() => {
+                let key = self.names.text(*symbol);
+                let found = array.keys.iter().flatten().position(|k| **k == *key);
+                match found {
+                    Some(i) => Ok(Some(place.element(&[i]))),
+                    None => Err(self.missing_key(&array.clone(), key, name.span)),
+                }
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn missing_key(&self, dictionary: &Array, key: &str, span: Span) -> crate::diagnostic::Fault {
+        let d = Diagnostic::new(codes::UNDECLARED, span, format!("the dictionary has no `{key}`"));
+        let keys = dictionary.keys.iter().flatten().map(|k| &**k);
+        Box::new(d.maybe_help(did_you_mean(key, keys)))
     }
 
     /// What `A[i][j]` is.
@@ -136,7 +222,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn slot_at(&self, place: &Place, span: Span) -> Result<Slot<'a>> {
+    pub(super) fn slot_at(&self, place: &Place, span: Span) -> Result<Slot<'a>> {
         match self.scopes.at(place) {
             Some(slot) => Ok(slot.clone()),
             None => self.no_value(span),
@@ -163,6 +249,11 @@ impl<'a> Interpreter<'a> {
             self.name_value(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
+        if let Some(Slot::Array(array)) = self.scopes.at(&place)
+            && array.keys.is_some()
+        {
+            return self.key_place(place, indices);
+        }
         let numbers = indices.iter().map(|e| self.number(e)).collect::<Result<Vec<f64>>>()?;
         let mut path = vec![];
         let mut rest = &numbers[..];
@@ -195,6 +286,19 @@ impl<'a> Interpreter<'a> {
             rest = &rest[n..];
         }
         Ok(place.element(&path))
+    }
+
+    /// An element of a dictionary by its key, which is added if it is new.
+    fn key_place(&mut self, place: Place, indices: &'a [Expr]) -> Result<Place> {
+        let mut place = place;
+        for e in indices {
+            let key = self.text_value(e)?;
+            let Some(next) = self.scopes.add_key(&place, &key) else {
+                return Diagnostic::err(codes::WRONG_TYPE, e.span, "this is no dictionary: it has no keys");
+            };
+            place = next;
+        }
+        Ok(place)
     }
 
     /// How many elements a dimension has; the first is 1.

@@ -70,6 +70,10 @@ impl<'a> Interpreter<'a> {
 
     /// `A.x`; a component of a component is no recursion, however many there are.
     fn components(&mut self, e: &'a Expr) -> Result<Value> {
+        if let Some(place) = self.dictionary_place(e)? {
+            let slot = self.slot_at(&place, e.span)?;
+            return self.slot_value(slot, e.span);
+        }
         let (mut base, mut names) = (e, vec![]);
         while let ExprKind::Dot(inner, name, _) = &base.kind {
             names.push((name, inner.span));

@@ -611,10 +611,11 @@ fn binary(op: Operator) -> Binary {
 pub(super) fn internal_function(number: f64) -> Option<Function> {
     let row = internal::find(number as u32).filter(|_| number >= 0.0)?;
     let mut graph = function::Graph::default();
-    let count = 3 + row.parameters;
+    let count = 3 + row.parameters.len();
     let ids: Box<[Id]> = (0..count).map(|i| graph.add(Node::Parameter(i as u16))).collect();
     graph.result = graph.call(Callee::Internal(row), 0, ids);
-    let names = ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters).map(|i| format!("P{i}").into()));
+    let names =
+        ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters.len()).map(|i| format!("P{i}").into()));
     let program = Program::new(graph, count)?;
     Some(Function { parameters: names.collect(), body: Body::Numeric(program) })
 }

@@ -8,10 +8,12 @@ mod eval;
 mod function;
 mod hints;
 mod limits;
+mod parsed;
 mod reader;
 mod rvalue;
 mod scope;
 mod stream;
+mod timing;
 mod top;
 
 use crate::diagnostic::{Diagnostic, Label, Result, Severity, codes};
@@ -21,6 +23,7 @@ use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
+pub use parsed::ParsedFiles;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
 use std::path::PathBuf;
@@ -28,6 +31,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
+pub use timing::Timing;
 
 /// What a run may do and what it is given.
 #[derive(Clone, Debug)]
@@ -39,9 +43,9 @@ pub struct Options {
     /// `--declare NAME=VALUE`: numbers, or text in quotes.
     pub declares: Vec<(String, String)>,
     /// `clock`, `frame_number` and their kin.
-    pub clock: f64,
-    /// The number of the frame, 0 without animation.
-    pub frame: u32,
+    pub timing: Timing,
+    /// `input_file_name`: the scene's, without its folder.
+    pub input_name: String,
     /// `image_width`, `image_height`.
     pub size: (usize, usize),
     /// `--max-steps`: elements and loop passes.
@@ -74,8 +78,18 @@ const MAX_FAULTS: usize = 200;
 ///
 /// It recurses as deeply as the text nests and macros call each other: give it a stack of some 500 MB.
 pub fn interpret(sources: &Sources, file: FileId, options: &Options, debug: &mut dyn FnMut(&str)) -> Outcome {
-    let (names, asts) = (Names::default(), elsa::FrozenVec::new());
-    let mut interpreter = Interpreter::new(sources, &names, &asts, options, debug);
+    interpret_with(&ParsedFiles::default(), sources, file, options, debug)
+}
+
+/// The same with the trees that an earlier frame has left.
+pub fn interpret_with(
+    parsed: &ParsedFiles,
+    sources: &Sources,
+    file: FileId,
+    options: &Options,
+    debug: &mut dyn FnMut(&str),
+) -> Outcome {
+    let mut interpreter = Interpreter::new(sources, parsed, options, debug);
     interpreter.run(file);
     interpreter.outcome()
 }
@@ -85,9 +99,9 @@ pub(crate) struct Interpreter<'a> {
     sources: &'a Sources,
     names: &'a Names,
     asts: &'a elsa::FrozenVec<Box<Ast>>,
+    parsed: &'a ParsedFiles,
     options: &'a Options,
     debug: &'a mut dyn FnMut(&str),
-    parsed: FxHashMap<PathBuf, &'a Ast>,
     including: Vec<PathBuf>,
     /// Sums behind a macro that gives a block: see [`Interpreter::call_before_sign`].
     split_sums: FxHashMap<*const Chain, &'a [Element]>,
@@ -130,18 +144,17 @@ pub(crate) struct Interpreter<'a> {
 impl<'a> Interpreter<'a> {
     fn new(
         sources: &'a Sources,
-        names: &'a Names,
-        asts: &'a elsa::FrozenVec<Box<Ast>>,
+        parsed: &'a ParsedFiles,
         options: &'a Options,
         debug: &'a mut dyn FnMut(&str),
     ) -> Self {
         Self {
             sources,
-            names,
-            asts,
+            names: &parsed.names,
+            asts: &parsed.asts,
+            parsed,
             options,
             debug,
-            parsed: FxHashMap::default(),
             including: vec![],
             split_sums: FxHashMap::default(),
             scopes: Scopes::default(),
@@ -160,7 +173,7 @@ impl<'a> Interpreter<'a> {
             steps: 0,
             text_made: 0,
             started: Instant::now(),
-            language: Language { version: compat::DEFAULT_VERSION, assumed_gamma: None },
+            language: Language { version: compat::DEFAULT_VERSION, bare_textures: false, assumed_gamma: None },
             version_stated: false,
             camera_stated: false,
             defaults: Defaults::default(),

@@ -30,7 +30,6 @@ const LATER: &[&str] = &[
     "radiosity",
     "photons",
     "pattern",
-    "dictionary",
     "array",
     "texture_list",
 ];
@@ -72,6 +71,11 @@ impl<'a> Interpreter<'a> {
             Token::Element(_) => self.take_element(),
             Token::Word("array") => self.array(),
             Token::Block(Block { name: Name { word: Some("array"), .. }, .. }) => self.array_of_braces(self.here()),
+            Token::Block(block)
+                if block.name.word.is_none() && self.sources.snippet(block.name.span) == "dictionary" =>
+            {
+                self.dictionary(&block.body, block.name.span)
+            }
             Token::Word(_) if self.at_color()? => Ok(Slot::Value(Value::Color(self.color()?))),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
@@ -173,19 +177,12 @@ impl<'a> Interpreter<'a> {
             "pi" => float(std::f64::consts::PI),
             "true" | "on" | "yes" => flag(true),
             "false" | "off" | "no" => flag(false),
-            "clock" => float(self.options.clock),
-            "clock_delta" => flag(self.options.frame > 0),
-            "clock_on" => flag(self.options.frame > 0),
-            "frame_number" => float(f64::from(self.options.frame)),
-            "initial_frame" | "final_frame" => float(f64::from(self.options.frame)),
-            "initial_clock" => float(0.0),
-            "final_clock" => flag(self.options.frame > 0),
             "image_width" => float(self.options.size.0 as f64),
             "image_height" => float(self.options.size.1 as f64),
             "version" => float(f64::from(self.language.version) / 100.0),
             "now" => float(days_since_2000()),
-            "input_file_name" => Some(Value::Text(self.sources.name(crate::source::FileId(0)).into())),
-            _ => None,
+            "input_file_name" => Some(Value::Text(self.options.input_name.as_str().into())),
+            _ => self.options.timing.constant(name).map(Value::Float),
         }
     }
 

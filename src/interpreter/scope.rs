@@ -54,6 +54,16 @@ pub(super) struct Array<'a> {
     pub(super) sizes: Box<[usize]>,
     /// In rows: the last index counts fastest.
     pub(super) items: Vec<Option<Slot<'a>>>,
+    /// Of a dictionary: what each element is called.
+    pub(super) keys: Option<Vec<Rc<str>>>,
+}
+
+impl Array<'_> {
+    /// Has the dictionary a value of this name?
+    pub(super) fn has_key(&self, key: &str) -> bool {
+        let index = self.keys.iter().flatten().position(|k| **k == *key);
+        index.is_some_and(|i| self.items[i].is_some())
+    }
 }
 
 impl<'a> Slot<'a> {
@@ -173,6 +183,25 @@ impl<'a> Scopes<'a> {
         {
             *item = slot;
         }
+    }
+
+    /// The place of a dictionary's element; it need not have a value yet.
+    pub(super) fn add_key(&mut self, place: &Place, key: &str) -> Option<Place> {
+        let mut target = &mut self.bindings.get_mut(place.symbol.0 as usize)?.get_mut(place.depth)?.slot;
+        for &i in place.path() {
+            let Slot::Array(array) = target else { return None };
+            target = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
+        }
+        let Slot::Array(array) = target else { return None };
+        let array = Rc::make_mut(array);
+        let keys = array.keys.as_mut()?;
+        let index = keys.iter().position(|k| **k == *key).unwrap_or_else(|| {
+            keys.push(key.into());
+            array.items.push(None);
+            array.sizes = Box::new([array.items.len()]);
+            array.items.len() - 1
+        });
+        Some(place.element(&[index]))
     }
 
     /// The warnings that wait for the use of a name.

@@ -20,6 +20,10 @@ pub(super) enum Token<'a> {
     Function(&'a Function),
     /// An element of an array alone; its indices are evaluated, and where it is kept stands in `Interpreter::element`.
     Element(&'a Expr),
+    /// `.Name :`
+    Key(Symbol),
+    Colon,
+    Values(&'a [Element]),
     /// The end of the block, entry, group, argument list or file that is being read.
     End,
 }
@@ -138,6 +142,13 @@ impl<'a> Interpreter<'a> {
                         self.element = Some(self.element_place(base, indices)?);
                         Token::Element(expr)
                     }
+                    ExprKind::Dot(..) => match self.dictionary_place(expr)? {
+                        Some(place) => {
+                            self.element = Some(place);
+                            Token::Element(expr)
+                        }
+                        None => Token::Expr(expr),
+                    },
                     _ => Token::Expr(expr),
                 },
                 ElementKind::Numbers(list) => {
@@ -150,6 +161,9 @@ impl<'a> Interpreter<'a> {
                 ElementKind::Entry(elements) => Token::Entry(elements),
                 ElementKind::Group(elements) => Token::Group(elements),
                 ElementKind::Function(function) => Token::Function(function),
+                ElementKind::Key(symbol) => Token::Key(*symbol),
+                ElementKind::Colon => Token::Colon,
+                ElementKind::Values(elements) => Token::Values(elements),
                 ElementKind::Close => Token::End,
             };
             return Ok(self.announce(token));

@@ -3,6 +3,7 @@
 mod extent;
 mod object;
 mod settings;
+mod undrawn;
 mod weight;
 
 pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, Painted, is_object, read_layers, read_material};

@@ -22,6 +22,8 @@ pub enum ObjectKind {
     Csg(CsgOp, Arc<[Object]>),
     /// A light, which a union may carry along.
     Light(Arc<Light>),
+    /// A shape that is not drawn yet, and the box that stands for it where scripts ask.
+    Undrawn(Aabb),
 }
 
 /// How a CSG object is made of its parts.
@@ -157,7 +159,8 @@ const MODIFIERS: &[&str] = &[
 /// The word of a CSG block.
 fn csg_op(word: &str) -> Option<CsgOp> {
     Some(match word {
-        "union" => CsgOp::Union,
+        // `composite` is its name in scenes of before 1993.
+        "union" | "composite" => CsgOp::Union,
         "intersection" => CsgOp::Intersection,
         "difference" => CsgOp::Difference,
         "merge" => CsgOp::Merge,
@@ -179,12 +182,7 @@ impl Object {
     /// Boxed, because an object is large and handed on from block to block.
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         match r.next()? {
-            // Nothing stands for what can't be drawn yet.
-            Next::Block(word) if NOT_DRAWN.contains(&word) => {
-                let source = r.span();
-                r.skip_unsupported(word)?;
-                Ok(Box::new(Self::new(ObjectKind::Csg(CsgOp::Union, Arc::new([])), word, source, defaults)))
-            }
+            Next::Block(word) if NOT_DRAWN.contains(&word) => Self::read_undrawn(word, r, defaults),
             Next::Block(word) => {
                 let source = r.take()?;
                 let object = Self::read_block(word, source, r, defaults)?;
@@ -199,7 +197,7 @@ impl Object {
         }
     }
 
-    fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
+    pub(super) fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             weight: Weight::of(&kind),
             kind,
@@ -293,7 +291,7 @@ impl Object {
     }
 
     /// Reads one modifier; false if it is none.
-    fn read_modifier(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
+    pub(super) fn read_modifier(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
         match next {
             Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
             | Next::Block("transform")
@@ -310,7 +308,7 @@ impl Object {
                 }
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
-            Next::Word("clipped_by" | "bounded_by" | "sturm" | "hierarchy") => {
+            Next::Word("clipped_by" | "bounded_by" | "sturm" | "hierarchy" | "split_union" | "all_intersections") => {
                 r.take()?;
                 r.flag()?;
             }

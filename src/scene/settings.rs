@@ -42,8 +42,7 @@ const WORDS: &[&str] = &[
 ];
 
 /// Known, and without any effect on what is drawn so far.
-const WITHOUT_EFFECT: &[&str] =
-    &["charset", "hf_gray_16", "irid_wavelength", "max_intersections", "mm_per_unit", "number_of_waves"];
+const WITHOUT_EFFECT: &[&str] = &["charset", "hf_gray_16", "max_intersections", "mm_per_unit", "number_of_waves"];
 
 impl Settings {
     /// Reads what stands between the braces.
@@ -64,6 +63,10 @@ impl Settings {
                 Next::Word("max_trace_level") => {
                     r.take()?;
                     self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
+                }
+                Next::Word("irid_wavelength") => {
+                    r.take()?;
+                    r.color()?;
                 }
                 Next::Word("adc_bailout") => {
                     r.take()?;

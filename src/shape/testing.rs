@@ -142,7 +142,11 @@ impl Reader for Words {
     }
 
     fn language(&self) -> Language {
-        Language { version: 370, assumed_gamma: None }
+        Language { version: 370, bare_textures: false, assumed_gamma: None }
+    }
+
+    fn pass(&mut self, _: &mut dyn FnMut(&Value)) -> Result<()> {
+        unreachable!()
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {

@@ -10,6 +10,6 @@ mod write;
 pub use files::{FileId, Place, Sources, decode_text};
 pub use read::{ReadError, read_text, text_of};
 pub use sandbox::Sandbox;
-pub use search::SearchPath;
+pub use search::{Found, SearchPath};
 pub use span::Span;
 pub use write::{check_writable, write_whole};

@@ -1,12 +1,21 @@
 //! Where included files are looked for.
 
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// The folders in which an `#include` is looked for, in order.
 #[derive(Clone, Debug, Default)]
 pub struct SearchPath {
     /// The scene's own folder first, then the current one, `-I`, `DURER_INCLUDE`, an installed POV-Ray.
     pub folders: Vec<PathBuf>,
+}
+
+/// A file that was looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// Where it lies.
+    pub path: PathBuf,
+    /// How it has to be written to be found everywhere; only where what was written is not so.
+    pub portable: Option<String>,
 }
 
 impl SearchPath {
@@ -32,14 +41,74 @@ impl SearchPath {
         self
     }
 
-    /// The first file of that name, looked for beside the including file's folder too.
+    /// The first file or folder of that very name: what `file_exists` tells, as POV-Ray does.
     pub fn find(&self, name: &str) -> Option<PathBuf> {
-        let name = Path::new(name);
-        if name.is_absolute() {
-            return name.is_file().then(|| name.to_path_buf());
-        }
-        self.folders.iter().map(|folder| folder.join(name)).find(|path| path.is_file())
+        self.look(name, None, Path::exists)
     }
+
+    /// A file that is to be read. `including` is the file that names it; its folder comes last, since POV-Ray doesn't look there.
+    /// A name without ending may stand for an `.inc`. What isn't there under its own name is looked for as other systems would:
+    /// without regard to letter case, with `\` for `/`, and where nothing else helps by the last name of a DOS path.
+    pub fn resolve(&self, name: &str, including: Option<&Path>) -> Option<Found> {
+        let beside = including.and_then(Path::parent);
+        let exact = |name: &str| self.look(name, beside, Path::is_file);
+        let plain = |path| Found { path, portable: None };
+        if let Some(path) = exact(name) {
+            return Some(plain(path));
+        }
+        let endings: &[&str] = if Path::new(name).extension().is_none() { &[".inc", ".INC"] } else { &[] };
+        if let Some(path) = endings.iter().find_map(|ending| exact(&format!("{name}{ending}"))) {
+            return Some(plain(path));
+        }
+        let slashed = name.trim().replace('\\', "/");
+        let last = slashed.rsplit('/').next().unwrap_or_default();
+        let is_dos = slashed.as_bytes().get(1) == Some(&b':') || slashed.starts_with('/') && name.contains('\\');
+        let names = [Some(slashed.as_str()), Some(last).filter(|_| is_dos)];
+        names.into_iter().flatten().filter(|name| !name.is_empty()).find_map(|name| {
+            let folders = self.folders.iter().map(PathBuf::as_path).chain(beside);
+            folders.into_iter().find_map(|folder| folded(folder, name))
+        })
+    }
+
+    fn look(&self, name: &str, beside: Option<&Path>, is_there: impl Fn(&Path) -> bool) -> Option<PathBuf> {
+        let name = Path::new(name);
+        if name.as_os_str().is_empty() {
+            return None;
+        }
+        if name.is_absolute() {
+            return is_there(name).then(|| name.to_path_buf());
+        }
+        let folders = self.folders.iter().map(PathBuf::as_path).chain(beside);
+        folders.into_iter().map(|folder| folder.join(name)).find(|path| is_there(path))
+    }
+}
+
+/// A file below a folder by a name in which letter case counts nothing; never outside of the folder.
+fn folded(folder: &Path, name: &str) -> Option<Found> {
+    let (mut path, mut portable) = (folder.to_path_buf(), PathBuf::new());
+    for part in Path::new(name).components() {
+        let part = match part {
+            Component::CurDir => continue,
+            Component::Normal(part) => part.to_str()?,
+            Component::ParentDir => {
+                path.push("..");
+                portable.push("..");
+                continue;
+            }
+            _ => return None,
+        };
+        let part = if path.join(part).exists() { part.to_string() } else { same_letters(&path, part)? };
+        path.push(&part);
+        portable.push(&part);
+    }
+    path.is_file().then(|| Found { path, portable: Some(portable.to_string_lossy().replace('\\', "/")) })
+}
+
+/// The first entry of a folder, by the alphabet, that differs in letter case only.
+fn same_letters(folder: &Path, name: &str) -> Option<String> {
+    let entries = std::fs::read_dir(folder).ok()?.flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    names.filter(|entry| entry.to_lowercase() == name.to_lowercase()).min()
 }
 
 /// Where distributions put POV-Ray's include files.
@@ -49,3 +118,62 @@ const INSTALLED: &[&str] = &[
     "/opt/homebrew/share/povray-3.7/include",
     "/usr/share/povray/include",
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn search(files: &[&str]) -> (tempfile::TempDir, SearchPath) {
+        let folder = tempfile::tempdir().unwrap();
+        for file in files {
+            let path = folder.path().join(file);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, "").unwrap();
+        }
+        let search = SearchPath { folders: vec![folder.path().into()] };
+        (folder, search)
+    }
+
+    #[test]
+    fn names_are_found_as_other_systems_would() {
+        let (folder, search) = search(&["Sub Dir/My Shapes.inc", "low.inc", "a.pov", "b.h", "Old.INC"]);
+        let found = |name: &str| {
+            let found = search.resolve(name, None)?;
+            let path = found.path.strip_prefix(folder.path()).unwrap().to_str().unwrap().to_string();
+            Some((path, found.portable))
+        };
+        let told = |path: &str| Some((path.to_string(), Some(path.to_string())));
+        let silent = |path: &str| Some((path.to_string(), None));
+        for name in ["low.inc", "a.pov", "b.h", "Sub Dir/My Shapes.inc"] {
+            assert_eq!(found(name), silent(name), "{name}");
+        }
+        assert_eq!(found("low"), silent("low.inc"));
+        assert_eq!(found("Old"), silent("Old.INC"));
+        assert_eq!(found("LOW.INC"), told("low.inc"));
+        assert_eq!(found("sub dir\\my shapes.INC"), told("Sub Dir/My Shapes.inc"));
+        assert_eq!(found("C:\\POV\\include\\low.inc"), told("low.inc"));
+        assert_eq!(found("c:/pov/LOW.INC"), told("low.inc"));
+        assert_eq!(found(".\\low.inc"), told("low.inc"));
+        for name in ["", "no.inc", "Sub Dir", "pov/low.inc", "/low.inc", "\\", "C:"] {
+            assert_eq!(found(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn the_folder_of_the_including_file_comes_last() {
+        let (folder, search) = search(&["b.inc", "sub/b.inc", "sub/c.inc"]);
+        let including = folder.path().join("sub/a.inc");
+        let found = |name: &str| search.resolve(name, Some(&including)).unwrap().path;
+        assert_eq!(found("b.inc"), folder.path().join("b.inc"));
+        assert_eq!(found("c.inc"), folder.path().join("sub/c.inc"));
+    }
+
+    #[test]
+    fn file_exists_wants_the_very_name() {
+        let (_folder, search) = search(&["sub/low.inc"]);
+        assert!(search.find("sub/low.inc").is_some() && search.find("sub").is_some());
+        for name in ["sub/LOW.inc", "sub\\low.inc", "sub/low", ""] {
+            assert!(search.find(name).is_none(), "{name}");
+        }
+    }
+}

@@ -44,6 +44,12 @@ pub enum ElementKind {
     Group(Box<[Element]>),
     /// `[ … ]`.
     Entry(Box<[Element]>),
+    /// `.Name :` in a dictionary.
+    Key(Symbol),
+    /// `:` behind `["name"]` in a dictionary.
+    Colon,
+    /// `(1, 2)`, what several names get at once.
+    Values(Box<[Element]>),
     /// `function (…) { … }`.
     Function(Box<Function>),
     /// `;`
@@ -277,6 +283,8 @@ pub struct Declare {
     pub deprecated: Option<(bool, Box<str>)>,
     /// The name, its indices and its place.
     pub target: Target,
+    /// The others of `#declare (A, B) = (1, 2);`
+    pub others: Box<[Target]>,
 }
 
 /// What a `#declare` gives a value.

@@ -4,6 +4,7 @@ pub mod ast;
 mod build;
 mod fault;
 mod lex;
+pub mod lint;
 mod names;
 mod nesting;
 mod numbers;

@@ -1,6 +1,7 @@
 //! `texture` and `material` (manual, "Texture", "Material").
 
-use super::{Finish, Interior, Pigment};
+use super::pigment::Draft;
+use super::{Finish, Interior, Pigment, finish};
 use crate::diagnostic::Result;
 use crate::math::Transform;
 use crate::value::{Next, Reader, ReaderExt};
@@ -53,11 +54,13 @@ impl Texture {
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
         let mut out = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
+        let bare = r.language().bare_textures;
+        let mut draft: Option<Draft> = None;
         // Textures stand inside a texture only behind the pattern that chooses among them.
         let mut chooses = false;
         loop {
             match r.next()? {
-                Next::End => return Ok(out),
+                Next::End => break,
                 Next::Block("texture") | Next::Thing("texture") if !chooses => {
                     return Err(r.unknown_word("texture", WORDS).into());
                 }
@@ -68,6 +71,18 @@ impl Texture {
                     if let Some(step) = r.transform()? {
                         out.transform(&step);
                     }
+                }
+                Next::Word(word) if bare && finish::WORDS.contains(&word) => {
+                    let top = out.layers.len() - 1;
+                    out.layers[top].finish.read_word(word, r)?;
+                }
+                // A lone number was the texture's grain.
+                Next::Value if bare && draft.is_none() && !chooses => drop(r.float()?),
+                next @ (Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map"))
+                    if bare && !matches!(next, Next::Word("tiles" | "texture_map" | "material_map" | "uv_mapping")) =>
+                {
+                    let top = out.layers.len() - 1;
+                    draft.get_or_insert_with(|| Draft::of(&out.layers[top].pigment.paint)).read_element(r, next)?;
                 }
                 Next::Word(word) | Next::Block(word)
                     if WORDS.contains(&word)
@@ -81,6 +96,10 @@ impl Texture {
                 _ => return Err(r.unknown_word("texture", WORDS).into()),
             }
         }
+        if let (Some(draft), Some(layer)) = (draft, out.layers.last_mut()) {
+            layer.pigment.paint = draft.finish();
+        }
+        Ok(out)
     }
 
     /// Reads a `pigment`, `normal` or `finish`, in braces or declared; false if something else comes next.

@@ -34,6 +34,8 @@ pub enum Next {
 pub struct Language {
     /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/compat.rs` compares it.
     pub version: u32,
+    /// May a texture hold what belongs into its pigment and finish, as before 3.0?
+    pub bare_textures: bool,
     /// `global_settings { assumed_gamma … }`, once it has been read.
     pub assumed_gamma: Option<Gamma>,
 }
@@ -91,6 +93,8 @@ pub trait Reader {
     fn language(&self) -> Language;
     /// Consumes a word or block that is known but not drawn yet, with all that belongs to it, and tells so.
     fn skip_unsupported(&mut self, what: &str) -> Result<()>;
+    /// Consumes whatever comes next with all that is in it, and shows the values.
+    fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()>;
     /// Tells the user something without stopping.
     fn report(&mut self, diagnostic: Diagnostic);
     /// An error about what comes next: "expected …, found …".

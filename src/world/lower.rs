@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
-use crate::shape::{Kernel, Shape};
+use crate::shape::{Cuboid, Kernel, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Texture};
 use rustc_hash::FxHashMap;
@@ -45,7 +45,8 @@ pub fn lower(scene: &Scene) -> Result<World> {
 
 /// The surfaces of one object by itself.
 pub(super) fn lower_alone(object: &Object) -> Result<Vec<Node>> {
-    let mut lowering = Lowering { default_texture: object.default_texture.clone(), ..Lowering::default() };
+    let texture = object.default_texture.clone();
+    let mut lowering = Lowering { asked: true, default_texture: texture, ..Lowering::default() };
     let solid = lowering.lower_object(object, &Around::default())?;
     Ok(solid.into_iter().map(|solid| solid.node).collect())
 }
@@ -76,6 +77,8 @@ struct Solid {
 
 #[derive(Default)]
 struct Lowering {
+    /// Are rays of scripts all that will meet this?
+    asked: bool,
     ambient_light: Rgb,
     /// For shapes of the outermost object at hand that say nothing.
     default_texture: Arc<Texture>,
@@ -99,6 +102,12 @@ impl Lowering {
                 None
             }
             ObjectKind::Shape(shape) => Some(self.lower_shape(object, shape, &own)?),
+            // Scripts that ask get an answer; nothing is seen.
+            ObjectKind::Undrawn(b) if self.asked => {
+                let stand_in = Arc::new(Shape::Cuboid(Cuboid::new(b.min, b.max)));
+                Some(self.lower_shape(object, &stand_in, &own)?)
+            }
+            ObjectKind::Undrawn(_) => None,
             ObjectKind::Csg(op, parts) => self.lower_csg(*op, parts, &own)?,
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
@@ -124,13 +133,17 @@ impl Lowering {
             Ok(Some(Look { texture: painted.texture.clone(), transform: place }))
         };
         let texture = look(&object.texture)?;
+        // Old scenes name the index of refraction in the finish.
+        let ior_of = |painted: &Painted| painted.texture.layers.iter().find_map(|layer| layer.finish.ior);
+        let old_ior = || object.texture.as_ref().and_then(ior_of).map(|ior| Interior { ior });
+        let interior = object.interior.as_deref().cloned().or_else(old_ior);
         // What a group says of its inside does not belong to a part's own texture.
         let inherited = if texture.is_none() { around.inside.clone() } else { None };
         Ok(Around {
             transform,
             inside: look(&object.interior_texture)?.or(inherited),
             texture: texture.or_else(|| around.texture.clone()),
-            interior: object.interior.as_deref().map(|i| self.add_interior(i)).or(around.interior),
+            interior: interior.map(|i| self.add_interior(&i)).or(around.interior),
             flags: joined(object.flags, around.flags),
         })
     }

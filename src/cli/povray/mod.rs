@@ -1,38 +1,65 @@
 //! POV-Ray's command line in our words: `durer +Iscene.pov +W640 +H480 +A0.3` becomes
-//! `durer render --aa=0.3 --size=640x480 -- scene.pov`. As with POV-Ray, there is no anti-aliasing unless `+A` asks for it.
+//! `durer render --aa=0.3 --size=640x480 -- scene.pov`. As with POV-Ray, there is no anti-aliasing unless `+A` asks for it, INI files
+//! stand between the other words, and the later of two contradicting words counts.
 
+mod files;
+mod ini;
 mod parts;
 mod table;
 #[cfg(test)]
 mod tests;
 
 use super::Cli;
-use super::exit::Result;
+use super::animation::Animation;
 use crate::diagnostic::{Diagnostic, codes, nearest};
-use crate::source::Span;
+use crate::source::{Sources, Span};
 use clap::CommandFactory;
+pub use files::is_ini;
+use files::{Files, with_ending};
 use parts::Parts;
 use std::ffi::OsString;
 use std::path::Path;
 use table::{Effect, ROWS, Row, Takes};
 
-/// The same command line with nothing but our own options, and what was left out of it. A command line that is ours already
-/// comes back as it is.
-pub fn translate(words: Vec<OsString>) -> Result<(Vec<OsString>, Vec<Diagnostic>)> {
+/// What a command line in POV-Ray's manner became.
+#[derive(Debug, Default)]
+pub struct Translated {
+    /// The same with nothing but our own options.
+    pub words: Vec<OsString>,
+    /// What no words of ours can say.
+    pub animation: Option<Animation>,
+    /// What is wrong with it, or was left out; places are in [`Sources`], which holds the INI files.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Translates a command line; one that is ours already comes back as it is.
+pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     if is_ours(&words) {
-        return Ok((words, Vec::new()));
+        return Translated { words, ..Translated::default() };
     }
     if let [program, word] = &words[..]
         && ["-?", "+?", "-H", "+H"].iter().any(|help| word.eq_ignore_ascii_case(help))
     {
-        return Ok((vec![program.clone(), "--help".into()], Vec::new()));
+        return Translated { words: vec![program.clone(), "--help".into()], ..Translated::default() };
     }
-    let mut translation = Translation::new();
+    let mut translation = Translation::new(sources);
     let mut rest = words.iter().skip(1);
     while let Some(word) = rest.next() {
-        translation.word(word, &mut rest)?;
+        translation.word(word, &mut rest);
     }
-    Ok(translation.finish(words.first().cloned().unwrap_or_default()))
+    translation.finish(words.first().cloned().unwrap_or_default())
+}
+
+/// What an INI file asks for, as a command line.
+pub fn translate_ini(sources: &Sources, name: &Path) -> Translated {
+    let mut translation = Translation::new(sources);
+    translation.ini(&name.to_string_lossy(), Origin::default());
+    if translation.parts.input.is_none() && translation.faults.is_empty() {
+        let message = format!("`{}` doesn't say which scene to draw", name.display());
+        let help = format!("add a line `Input_File_Name=scene.pov`, or name both: durer scene.pov {}", name.display());
+        translation.faults.push(Diagnostic::new(codes::NO_SCENE, Span::NONE, message).help(help));
+    }
+    translation.finish("durer".into())
 }
 
 /// Does a command of ours come first, or nothing but our options?
@@ -55,57 +82,90 @@ fn is_ours(words: &[OsString]) -> bool {
     is_option || names.contains(&&*word) || is_plain && nearest(&word, names).is_some()
 }
 
-struct Translation {
+struct Translation<'s> {
     parts: Parts,
     /// Ours, as they came.
     options: Vec<OsString>,
     /// Was anything said in POV-Ray's way?
     any_switch: bool,
-    warnings: Vec<Diagnostic>,
+    faults: Vec<Diagnostic>,
+    files: Files<'s>,
 }
 
-impl Translation {
-    fn new() -> Self {
-        Self { parts: Parts::new(), options: Vec::new(), any_switch: false, warnings: Vec::new() }
+/// Where a word stands: nowhere if it came from the command line.
+#[derive(Clone, Copy, Debug, Default)]
+struct Origin {
+    word: Span,
+    value: Span,
+}
+
+impl<'s> Translation<'s> {
+    fn new(sources: &'s Sources) -> Self {
+        let files = Files::new(sources);
+        Self { parts: Parts::new(), options: Vec::new(), any_switch: false, faults: Vec::new(), files }
     }
 
-    fn word<'a>(&mut self, word: &OsString, rest: &mut impl Iterator<Item = &'a OsString>) -> Result<()> {
+    /// A word of the command line, which may be an option of ours that takes the next one.
+    fn word<'a>(&mut self, word: &OsString, rest: &mut impl Iterator<Item = &'a OsString>) {
         let text = word.to_string_lossy().into_owned();
-        if let Some(takes_value) = own_option(&text) {
-            self.options.push(word.clone());
-            self.options.extend(rest.take(usize::from(takes_value)).cloned());
-            return Ok(());
+        match own_option(&text) {
+            Some(takes_value) => {
+                self.options.push(word.clone());
+                self.options.extend(rest.take(usize::from(takes_value)).cloned());
+            }
+            None => self.option(&text, Origin::default()),
         }
+    }
+
+    /// A switch, setting, INI file or scene.
+    fn option(&mut self, text: &str, origin: Origin) {
         let switch = text.strip_prefix(['+', '-']).filter(|rest| !rest.is_empty());
         let setting =
             text.split_once('=').filter(|(name, _)| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
-        if let Some(rest) = switch {
+        let done = if let Some(rest) = switch {
             self.any_switch = true;
-            let (row, value) = find_switch(rest).ok_or_else(|| unknown(&text))?;
-            self.apply(row, &text, value, text.starts_with('+'))
+            find_switch(rest)
+                .ok_or_else(|| unknown(text, origin))
+                .and_then(|(row, value)| self.apply(row, text, value, text.starts_with('+'), origin))
         } else if let Some((name, value)) = setting {
             self.any_switch = true;
-            let row = ROWS.iter().find(|row| row.ini.eq_ignore_ascii_case(name)).ok_or_else(|| unknown(&text))?;
-            let value = value.trim_matches('"');
-            match (row.takes, truth(value)) {
-                (Takes::Number | Takes::Text, _) => self.apply(row, &text, value, true),
-                (_, Some(on)) => self.apply(row, &text, "", on),
-                _ => self.apply(row, &text, value, true),
-            }
-        } else {
-            self.parts.input = Some(text);
+            let row = ROWS.iter().find(|row| !row.ini.is_empty() && row.ini.eq_ignore_ascii_case(name));
+            row.ok_or_else(|| unknown(text, origin)).and_then(|row| self.setting(row, text, value, origin))
+        } else if self.files.is_ini(text) {
+            self.any_switch = true;
+            self.ini(text, origin);
             Ok(())
+        } else {
+            self.parts.input = Some(self.files.scene(text));
+            Ok(())
+        };
+        self.faults.extend(done.err());
+    }
+
+    fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
+        let quoted = value.len() > 1 && value.starts_with('"') && value.ends_with('"');
+        let value = if quoted && row.ini != "Declare" { &value[1..value.len() - 1] } else { value };
+        match (row.takes, truth(value)) {
+            // `All_File=` as POV-Ray itself writes it.
+            (Takes::Text | Takes::MaybeText, _) if value.is_empty() => Ok(()),
+            (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
+            (_, Some(on)) => self.apply(row, text, "", on, origin),
+            (Takes::Nothing, None) => Err(wrong(text, "it needs `on` or `off`", origin)),
+            (Takes::MaybeNumber, None) if value.parse::<f64>().is_err() => {
+                Err(wrong(text, "it needs `on`, `off` or a number", origin))
+            }
+            _ => self.apply(row, text, value, true, origin),
         }
     }
 
-    fn apply(&mut self, row: &Row, text: &str, value: &str, on: bool) -> Result<()> {
+    fn apply(&mut self, row: &Row, text: &str, value: &str, on: bool, origin: Origin) -> Result<(), Diagnostic> {
         let needs = match row.takes {
             Takes::Number if value.parse::<f64>().is_err() => Some("a number"),
             Takes::Text if value.is_empty() => Some("something behind it, without a space"),
             _ => None,
         };
         if let Some(needs) = needs {
-            return Err(wrong(text, &format!("it needs {needs}")));
+            return Err(wrong(text, &format!("it needs {needs}"), origin));
         }
         match if on { row.on } else { row.off } {
             Effect::Same => Ok(()),
@@ -114,32 +174,83 @@ impl Translation {
                 Ok(())
             }
             Effect::Option(name) => {
+                check_value(name, value).map_err(|reason| wrong(text, &reason, origin))?;
+                let value = if name == "--include" { self.files.folder(value) } else { value.into() };
                 self.options.push(format!("{name}={value}").into());
                 Ok(())
             }
-            Effect::Part(put) => put(&mut self.parts, value).map_err(|reason| wrong(text, &reason)),
+            Effect::Part(put) => {
+                let value = if row.ini == "Input_File_Name" { self.files.scene(value) } else { value.into() };
+                put(&mut self.parts, &value).map_err(|reason| wrong(text, &reason, origin))
+            }
             Effect::Lacks(reason) => {
                 let message = format!("`{text}` has no effect: {reason}");
-                self.warnings.push(Diagnostic::new(codes::OPTION_IGNORED, Span::NONE, message));
+                self.faults.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
                 Ok(())
             }
         }
     }
 
-    fn finish(self, program: OsString) -> (Vec<OsString>, Vec<Diagnostic>) {
+    /// All that an INI file says, as if it stood here.
+    fn ini(&mut self, name: &str, origin: Origin) {
+        match self.files.open(name, origin.word) {
+            Ok(ini) => {
+                self.faults.extend(ini.faults);
+                for word in ini.words {
+                    self.option(&word.text, Origin { word: word.span, value: word.value });
+                }
+                self.files.close();
+            }
+            Err(fault) => self.faults.push(*fault),
+        }
+    }
+
+    fn finish(self, program: OsString) -> Translated {
         let mut words = vec![program, "render".into()];
         let parts = self.parts.options(self.any_switch).into_iter().map(OsString::from);
         let is_named = |part: &OsString| {
             let name = part.to_string_lossy().split('=').next().unwrap_or_default().to_string();
             self.options.iter().any(|o| o.to_string_lossy().split('=').next() == Some(&name))
         };
+        // Where no picture is written, `+FN` and the like say nothing.
+        let unwritten = self.options.iter().any(|o| o == "--no-output");
+        let is_idle = |part: &OsString| {
+            let part = part.to_string_lossy();
+            unwritten && ["--output=", "--format=", "--bit-depth="].iter().any(|name| part.starts_with(name))
+        };
         // Anti-aliasing is off by default, which an option of ours overrides.
-        words.extend(parts.filter(|part| !is_named(part)));
-        words.extend(self.options.iter().cloned());
+        words.extend(parts.filter(|part| !is_named(part) && !is_idle(part)));
+        words.extend(last_of_each(self.options));
+        let animation = self.parts.animation();
         if let Some(input) = self.parts.input {
             words.extend(["--".into(), with_ending(input).into()]);
         }
-        (words, self.warnings)
+        Translated { words, animation, diagnostics: self.faults }
+    }
+}
+
+/// The later of two contradicting options counts, where POV-Ray's may be given twice: `+Q3` in an INI file, `+Q9` behind it.
+fn last_of_each(options: Vec<OsString>) -> Vec<OsString> {
+    const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--alpha", "--quiet", "--no-output"];
+    let name = |o: &OsString| ONCE.iter().find(|once| o.to_string_lossy().split('=').next() == Some(once)).copied();
+    let names: Vec<_> = options.iter().map(name).collect();
+    let again = |i: usize| names[i].is_some() && names[i + 1..].contains(&names[i]);
+    options.into_iter().enumerate().filter(|(i, _)| !again(*i)).map(|(_, option)| option).collect()
+}
+
+/// Tells where the value stands, which our own command line would not.
+fn check_value(option: &str, value: &str) -> Result<(), String> {
+    match option {
+        "--declare" => value.parse::<super::values::Declare>().map(drop),
+        "--threads" => match value.parse::<u16>() {
+            Ok(1..=4096) => Ok(()),
+            _ => Err("a whole number is needed, from 1 to 4096".into()),
+        },
+        "--quality" => match value.parse::<u8>() {
+            Ok(0..=11) => Ok(()),
+            _ => Err("qualities go from 0 to 11".into()),
+        },
+        _ => Ok(()),
     }
 }
 
@@ -192,26 +303,14 @@ fn truth(value: &str) -> Option<bool> {
     }
 }
 
-/// POV-Ray reads `scene.pov` when told `scene`.
-fn with_ending(input: String) -> String {
-    let with = format!("{input}.pov");
-    if Path::new(&input).extension().is_none() && !Path::new(&input).exists() && Path::new(&with).exists() {
-        with
-    } else {
-        input
-    }
+fn wrong(text: &str, reason: &str, origin: Origin) -> Diagnostic {
+    Diagnostic::new(codes::UNKNOWN_OPTION, origin.value, format!("`{text}` is not understood: {reason}"))
 }
 
-fn wrong(text: &str, reason: &str) -> super::Failure {
-    let fault = Diagnostic::new(codes::UNKNOWN_OPTION, Span::NONE, format!("`{text}` is not understood: {reason}"));
-    super::Failure::Fault(Box::new(fault))
-}
-
-fn unknown(text: &str) -> super::Failure {
+fn unknown(text: &str, origin: Origin) -> Diagnostic {
     let (name, value) = text.split_once('=').map_or((text, ""), |(name, value)| (name, value));
     let known = ROWS.iter().map(|row| row.ini).filter(|ini| !ini.is_empty());
     let near = nearest(name.trim_start_matches(['+', '-']), known).map(|ini| format!("did you mean `{ini}={value}`?"));
     let help = near.unwrap_or("`durer render --help` lists durer's options".into());
-    let fault = Diagnostic::new(codes::UNKNOWN_OPTION, Span::NONE, format!("there is no option `{text}`")).help(help);
-    super::Failure::Fault(Box::new(fault))
+    Diagnostic::new(codes::UNKNOWN_OPTION, origin.word, format!("there is no option `{text}`")).help(help)
 }

@@ -1,6 +1,9 @@
 //! Options of ours that POV-Ray spreads over several: put together when all are read.
 
-use crate::cli::values::Size;
+use crate::cli::animation::Animation;
+use crate::cli::values::{Clock, Size};
+use crate::image_io::Format;
+use std::path::Path;
 
 /// What was said so far.
 #[derive(Clone, Debug, Default)]
@@ -16,7 +19,7 @@ pub struct Parts {
     pub start_row: Option<f64>,
     pub end_row: Option<f64>,
     pub clock: Option<f64>,
-    pub initial_frame: u32,
+    pub initial_frame: Option<u32>,
     pub final_frame: Option<u32>,
     pub initial_clock: f64,
     pub final_clock: f64,
@@ -33,7 +36,7 @@ type Checked = Result<(), String>;
 impl Parts {
     /// POV-Ray's defaults where they differ from nothing.
     pub fn new() -> Self {
-        Self { initial_frame: 1, final_clock: 1.0, frame_step: 1, threshold: 0.3, ..Self::default() }
+        Self { final_clock: 1.0, frame_step: 1, threshold: 0.3, ..Self::default() }
     }
 
     pub fn set(&mut self, put: impl FnOnce(&mut Self)) -> Checked {
@@ -46,9 +49,9 @@ impl Parts {
         self.set(|p| put(p, x))
     }
 
-    pub fn whole(&mut self, text: &str, put: impl FnOnce(&mut Self, u32)) -> Checked {
-        let n = text.parse().map_err(|_| "a whole number is needed")?;
-        self.set(|p| put(p, n))
+    /// POV-Ray cuts fractions off, and takes 0 for what is less.
+    pub fn frame(&mut self, text: &str, put: impl FnOnce(&mut Self, u32)) -> Checked {
+        self.number(text, |p, x| put(p, x as u32))
     }
 
     pub fn pixels(&mut self, text: &str, put: impl FnOnce(&mut Self, usize)) -> Checked {
@@ -124,31 +127,55 @@ impl Parts {
             let (y, h) = extent(self.start_row, self.end_row, height);
             put("--region", format!("{x},{y},{w},{h}"));
         }
-        for (name, value) in [("--output", self.output.clone()), ("--format", self.format.map(Into::into))] {
+        for (name, value) in [("--output", self.output_name()), ("--format", self.format.map(Into::into))] {
             value.into_iter().for_each(|value| put(name, value));
         }
         self.depth.iter().for_each(|depth| put("--bit-depth", depth.to_string()));
-        self.animation(&mut put);
+        if let (Some(clock), None) = (self.clock, self.animation()) {
+            put("--clock", clock.to_string());
+        }
         out
     }
 
-    /// Frames and clock; the clock runs over the whole animation of which a subset is drawn.
-    fn animation(&self, put: &mut impl FnMut(&str, String)) {
-        let Some(last) = self.final_frame else {
-            return self.clock.iter().for_each(|x| put("--clock", x.to_string()));
+    /// The picture's file. As with POV-Ray, what isn't the ending of a format belongs to the name.
+    fn output_name(&self) -> Option<String> {
+        let name = self.output.clone().filter(|name| !name.is_empty())?;
+        let path = Path::new(&name);
+        let is_whole = name == "-" || name.ends_with(std::path::is_separator) || path.exists() && !path.is_file();
+        if is_whole || self.has_ending(path) {
+            return Some(name);
+        }
+        Some(format!("{}.{}", name.trim_end_matches('.'), self.format.unwrap_or("png")))
+    }
+
+    /// The ending of the format that was asked for, or of any if none was.
+    fn has_ending(&self, path: &Path) -> bool {
+        let found = Format::from_path(path).ok();
+        found.is_some() && self.format.is_none_or(|format| Format::from_name(format) == found)
+    }
+
+    /// The frames and their clock, unless it is a single picture.
+    pub fn animation(&self) -> Option<Animation> {
+        // Measured: `+KFI1 +KFF1` gives a single picture, while `+KFF1` alone gives one frame with a number in its name.
+        let (first, last) = match (self.initial_frame, self.final_frame) {
+            (None, None) | (Some(1), Some(1)) => return None,
+            (first, last) => (first.unwrap_or(1), last.unwrap_or(0)),
         };
-        let (first, count) = (self.initial_frame, f64::from(last) - f64::from(self.initial_frame) + 1.0);
-        let frame_of =
-            |x: f64| if x <= 1.0 && x.fract() != 0.0 { (f64::from(first) + x * count - 1.0).round() } else { x };
-        let start = self.subset_start.map_or(f64::from(first), frame_of).max(f64::from(first));
-        let end = self.subset_end.map_or(f64::from(last), frame_of).min(f64::from(last));
-        let steps = if self.cyclic { count } else { (count - 1.0).max(1.0) };
-        let clock_of = |frame: f64| {
-            self.initial_clock + (self.final_clock - self.initial_clock) * (frame - f64::from(first)) / steps
-        };
-        let digits = last.to_string().len();
-        put("--frames", format!("{start}-{end:0>digits$}:{}", self.frame_step));
-        put("--clock", format!("{}..{}", clock_of(start), clock_of(end)));
+        let end = last.max(first);
+        // A cyclic animation has one frame more, which is its first one again and is not drawn.
+        let last = end.saturating_add(u32::from(self.cyclic));
+        let count = f64::from(last) - f64::from(first) + 1.0;
+        let frame_of = |x: f64| if x < 1.0 { (x * count) as u32 } else { x as u32 };
+        let start = self.subset_start.map_or(first, frame_of).max(first);
+        Some(Animation {
+            first,
+            last,
+            clock: Clock { first: self.initial_clock, last: self.final_clock },
+            start,
+            end: self.subset_end.map_or(end, frame_of).max(start),
+            step: self.frame_step.max(1),
+            digits: last.to_string().len(),
+        })
     }
 }
 

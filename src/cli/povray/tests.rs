@@ -1,4 +1,12 @@
 use super::*;
+use crate::cli::values::Clock;
+use crate::diagnostic::Severity;
+
+/// All went well, apart from warnings.
+fn translated(words: Vec<OsString>) -> Option<Translated> {
+    let translated = translate(&Sources::default(), words);
+    translated.diagnostics.iter().all(|d| d.severity == Severity::Warning).then_some(translated)
+}
 
 fn words(line: &str) -> Vec<OsString> {
     std::iter::once("durer").chain(line.split_whitespace()).map(OsString::from).collect()
@@ -6,9 +14,9 @@ fn words(line: &str) -> Vec<OsString> {
 
 /// What a line becomes, without `durer render`, and how many warnings there are.
 fn ours(line: &str) -> (String, usize) {
-    let (words, warnings) = translate(words(line)).unwrap();
+    let Translated { words, diagnostics, .. } = translated(words(line)).unwrap();
     let words: Vec<_> = words[2..].iter().map(|w| w.to_str().unwrap()).collect();
-    (words.join(" "), warnings.len())
+    (words.join(" "), diagnostics.len())
 }
 
 #[track_caller]
@@ -45,13 +53,13 @@ fn every_row_reads_a_well_written_option() {
                     let (found, rest) = find_switch(&word).unwrap();
                     assert_eq!((found.switch, rest), (row.switch, value), "{}", row.switch);
                 }
-                assert!(translate(words(&format!("{sign}{}{value} a.pov", row.switch))).is_ok(), "{}", row.switch);
+                assert!(translated(words(&format!("{sign}{}{value} a.pov", row.switch))).is_some(), "{}", row.switch);
             }
         }
         if !row.ini.is_empty() {
             let value = if row.takes == Takes::Nothing { "on" } else { value };
-            assert!(translate(words(&format!("{}={value} a.pov", row.ini))).is_ok(), "{}", row.ini);
-            assert!(translate(words(&format!("{}={value} a.pov", row.ini.to_lowercase()))).is_ok(), "{}", row.ini);
+            assert!(translated(words(&format!("{}={value} a.pov", row.ini))).is_some(), "{}", row.ini);
+            assert!(translated(words(&format!("{}={value} a.pov", row.ini.to_lowercase()))).is_some(), "{}", row.ini);
         }
     }
 }
@@ -65,7 +73,7 @@ fn translations_are_understood() {
         "Input_File_Name=a.pov Antialias=on Antialias_Threshold=0.1 Output_to_File=off Declare=x=-1 Clock=-2",
         "a.pov -F +Q11 +WT1 Library_Path=\"/a\" +B4 -GA +K-0.5",
     ] {
-        let (words, _) = translate(words(line)).unwrap();
+        let words = translated(words(line)).unwrap().words;
         assert!(Cli::try_parse_from(&words).is_ok(), "{line}: {words:?}");
     }
 }
@@ -83,16 +91,59 @@ fn size_region_and_format() {
     same("-F a.pov", "--aa=off --no-output -- a.pov");
 }
 
+/// First, last, start, end, step, digits.
+fn frames(line: &str) -> Option<[u32; 6]> {
+    let a = translated(words(&format!("{line} a.pov"))).unwrap().animation?;
+    Some([a.first, a.last, a.start, a.end, a.step, a.digits as u32])
+}
+
+/// All of this was seen in POV-Ray 3.7.
 #[test]
-fn animation() {
+fn animations() {
     same("+K0.5 a.pov", "--aa=off --clock=0.5 -- a.pov");
-    same("+KFI1 +KFF10 a.pov", "--aa=off --frames=1-10:1 --clock=0..1 -- a.pov");
-    same(
-        "+KFF12 +SF3 +EF0.5 a.pov",
-        &format!("--aa=off --frames=3-06:1 --clock={}..{} -- a.pov", 2.0 / 11.0, 5.0 / 11.0),
-    );
-    same("+KFF4 +KC +KF8 a.pov", "--aa=off --frames=1-4:1 --clock=0..6 -- a.pov");
-    same("Final_Frame=100 Frame_Step=10 a.pov", "--aa=off --frames=1-100:10 --clock=0..1 -- a.pov");
+    same("+KFF3 +K0.5 a.pov", "--aa=off -- a.pov");
+    for (line, expected) in [
+        ("+KFF3", [1, 3, 1, 3, 1, 1]),
+        ("+KFF3 +KC", [1, 4, 1, 3, 1, 1]),
+        ("+KFF9 +KC", [1, 10, 1, 9, 1, 2]),
+        ("+KFF10 +SF2 +EF3", [1, 10, 2, 3, 1, 2]),
+        ("+KFF10 +SF0.5 +EF0.75", [1, 10, 5, 7, 1, 2]),
+        ("+KFF10 +SF0.25 +EF0.75 +KC", [1, 11, 2, 8, 1, 2]),
+        ("+KFI3 +KFF12 +SF0.25 +EF0.5", [3, 12, 3, 5, 1, 2]),
+        ("+KFI10 +KFF19 +SF0.5 +EF0.75", [10, 19, 10, 10, 1, 2]),
+        ("+KFF10 +SF9 +EF12", [1, 10, 9, 12, 1, 2]),
+        ("+KFF10 +SF9 +EF1", [1, 10, 9, 9, 1, 2]),
+        ("+KFF10 +SF1.6 +EF2.7", [1, 10, 1, 2, 1, 2]),
+        ("+KFF100 +SF0 +EF2", [1, 100, 1, 2, 1, 3]),
+        ("+KFI5", [5, 5, 5, 5, 1, 1]),
+        ("+KFI4 +KFF2", [4, 4, 4, 4, 1, 1]),
+        ("+KFI-2 +KFF1", [0, 1, 0, 1, 1, 1]),
+        ("+KFF1", [1, 1, 1, 1, 1, 1]),
+        ("+KFF4 +STP0", [1, 4, 1, 4, 1, 1]),
+        ("Final_Frame=100 Frame_Step=10", [1, 100, 1, 100, 10, 3]),
+    ] {
+        assert_eq!(frames(line), Some(expected), "{line}");
+    }
+    for line in ["+KFI1 +KFF1", "+KI2 +KF4", "+SF2 +EF3", "+KC"] {
+        assert_eq!(frames(line), None, "{line}");
+    }
+    let clock = translated(words("+KFF9 +KI0.5 +KF-3 a.pov")).unwrap().animation.map(|a| a.clock);
+    assert_eq!(clock, Some(Clock { first: 0.5, last: -3.0 }));
+}
+
+#[test]
+fn output_names_get_the_ending_of_the_format() {
+    same("+Ofoo a.pov", "--aa=off --output=foo.png -- a.pov");
+    same("+Ofoo. a.pov", "--aa=off --output=foo.png -- a.pov");
+    same("+Ofoo.bar +FT a.pov", "--aa=off --output=foo.bar.tga --format=tga -- a.pov");
+    same("+Ofoo.tga +FN a.pov", "--aa=off --output=foo.tga.png --format=png -- a.pov");
+    same("+Ofoo.jpg a.pov", "--aa=off --output=foo.jpg -- a.pov");
+    same("+Ofoo/ a.pov", "--aa=off --output=foo/ -- a.pov");
+}
+
+#[test]
+fn the_later_of_two_counts() {
+    same("+Q3 +W4 +Q9 +W5 +WT1 +WT2 a.pov b.pov", "--aa=off --size=5x480 --quality=9 --threads=2 -- b.pov");
 }
 
 #[test]
@@ -112,8 +163,8 @@ fn what_is_not_obeyed_is_told() {
 
 #[test]
 fn unknown_options_are_errors_with_a_guess() {
-    let message = |line: &str| match translate(words(line)) {
-        Err(super::super::Failure::Fault(fault)) => format!("{} | {}", fault.message, fault.help.unwrap_or_default()),
+    let message = |line: &str| match &translate(&Sources::default(), words(line)).diagnostics[..] {
+        [fault] => format!("{} | {}", fault.message, fault.help.clone().unwrap_or_default()),
         other => format!("{other:?}"),
     };
     assert_eq!(message("a.pov Widht=3"), "there is no option `Widht=3` | did you mean `Width=3`?");
@@ -126,8 +177,8 @@ fn unknown_options_are_errors_with_a_guess() {
 
 #[test]
 fn help_is_given_when_it_is_the_only_word() {
-    assert_eq!(translate(words("+h")).unwrap().0, ["durer", "--help"]);
-    assert_eq!(translate(words("-?")).unwrap().0, ["durer", "--help"]);
+    assert_eq!(translate(&Sources::default(), words("+h")).words, ["durer", "--help"]);
+    assert_eq!(translate(&Sources::default(), words("-?")).words, ["durer", "--help"]);
 }
 
 #[test]

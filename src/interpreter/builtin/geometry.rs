@@ -83,7 +83,7 @@ impl<'a> Interpreter<'a> {
     /// An object that an argument names.
     fn object_argument(&mut self, e: &'a Expr) -> Result<Arc<Object>> {
         let value = match &e.kind {
-            ExprKind::Name(_) | ExprKind::Index(..) | ExprKind::Paren(_) => self.eval(e)?,
+            ExprKind::Name(_) | ExprKind::Index(..) | ExprKind::Dot(..) | ExprKind::Paren(_) => self.eval(e)?,
             ExprKind::Call(name, arguments) if self.is_macro(*name) => {
                 self.call_macro(*name, arguments, e.span)?;
                 let slot = self.macro_body(*name, |me| me.rvalue())?;

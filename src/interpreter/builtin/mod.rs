@@ -157,9 +157,7 @@ impl<'a> Interpreter<'a> {
             ("select", [condition, rest @ ..]) if rest.len() == 2 || rest.len() == 3 => {
                 Some(self.select(condition, rest))
             }
-            ("file_exists", [path]) => Some(
-                self.text_value(path).map(|name| Value::Float(f64::from(self.options.search.find(&name).is_some()))),
-            ),
+            ("file_exists", [path]) => Some(self.file_exists(path)),
             ("dimensions", [array]) => Some(self.array_argument(array).map(|a| Value::Float(a.sizes.len() as f64))),
             ("dimension_size", [array, dimension]) => Some(self.dimension_size(array, dimension)),
             ("trace", arguments) => Some(self.trace_object(arguments, span)),
@@ -171,6 +169,13 @@ impl<'a> Interpreter<'a> {
             ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),
             _ => None,
         }
+    }
+
+    /// A file that may not be read is not there.
+    fn file_exists(&mut self, path: &'a Expr) -> Result<Value> {
+        let name = self.text_value(path)?;
+        let found = self.options.search.find(&name).filter(|path| self.options.sandbox.may_read(path));
+        Ok(Value::Float(f64::from(found.is_some())))
     }
 
     /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or ≥ 0 without D), else D. Only that one is evaluated.

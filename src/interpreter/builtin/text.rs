@@ -3,6 +3,7 @@
 use super::{Arguments, Builtin, float};
 use crate::diagnostic::Result;
 use crate::value::Value;
+use std::fmt::Write;
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
@@ -28,6 +29,7 @@ pub(super) const TABLE: &[Builtin] = &[
         arity: 3..=3,
         run: |a| text(format_number(a.float(0)?, a.float(1)? as i64, a.float(2)? as i64)),
     },
+    Builtin { name: "datetime", arity: 1..=2, run: datetime },
     Builtin { name: "strcmp", arity: 2..=2, run: |a| float(compare(a.text(0)?, a.text(1)?)) },
     Builtin { name: "strlen", arity: 1..=1, run: |a| float(a.text(0)?.chars().count() as f64) },
     Builtin { name: "strlwr", arity: 1..=1, run: |a| text(a.text(0)?.to_lowercase()) },
@@ -66,6 +68,24 @@ fn format_number(x: f64, width: i64, precision: i64) -> String {
         _ => format!("{x:wide$.precision$}"),
     }
 }
+
+/// `datetime(Days [, Format])`: days since the beginning of 2000 as text; the format is that of C's strftime.
+fn datetime(a: &Arguments) -> Result<Value> {
+    let days = a.float(0)?;
+    let format = if a.len() > 1 { a.text(1)? } else { "%Y-%m-%d %H:%M:%SZ" };
+    let time = chrono::DateTime::from_timestamp(EPOCH_2000, 0)
+        .zip(chrono::TimeDelta::try_milliseconds((days * 86_400_000.0).round() as i64))
+        .and_then(|(start, since)| start.checked_add_signed(since));
+    let Some(time) = time else { return a.bad(0, format!("there is no day {days}")) };
+    let mut out = String::new();
+    match write!(out, "{}", time.format(format)) {
+        Ok(()) => text(out),
+        Err(_) => a.bad(1, "this is no format of a date: `%Y-%m-%d %H:%M:%S` is one".into()),
+    }
+}
+
+/// The beginning of the year 2000 in seconds since 1970.
+const EPOCH_2000: i64 = 946_684_800;
 
 /// `substr(S, P, L)`: L characters from the P-th on, counted from 1.
 fn substr(a: &Arguments) -> Result<Value> {

@@ -2,6 +2,7 @@
 
 use super::{Builtin, float};
 use crate::diagnostic::Result;
+use crate::math::noise::{self, Turbulence};
 use crate::math::{DVec3, Transform};
 use crate::value::Value;
 
@@ -25,6 +26,11 @@ pub(super) const TABLE: &[Builtin] = &[
         arity: 1..=1,
         // A vector of length 0 stays what it is.
         run: |a| vector(a.vector(0)?.normalize_or_zero()),
+    },
+    Builtin {
+        name: "vturbulence",
+        arity: 4..=4,
+        run: |a| vector(noise::vturbulence(a.vector(3)?, Turbulence::new(a.float(0)?, a.float(1)?, a.float(2)?))),
     },
     Builtin { name: "vrotate", arity: 2..=2, run: |a| vector(Transform::rotate(a.vector(1)?).vector(a.vector(0)?)) },
 ];

@@ -41,6 +41,11 @@ impl<'a> Interpreter<'a> {
                 let place = self.element_place(array, indices)?;
                 Ok(self.scopes.at(&place).is_some())
             }
+            ExprKind::Dot(base, _, symbol) => {
+                let place = self.dictionary_place(base)?;
+                let key = self.names.text(*symbol);
+                Ok(matches!(place.and_then(|p| self.scopes.at(&p)), Some(Slot::Array(array)) if array.has_key(key)))
+            }
             ExprKind::Paren(inner) => self.is_declared(inner),
             _ => Diagnostic::err(codes::WRONG_TYPE, e.span, "`#ifdef` takes a name"),
         }

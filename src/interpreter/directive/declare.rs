@@ -3,8 +3,9 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::scope::Slot;
+use crate::interpreter::stream::Token;
 use crate::source::Span;
-use crate::syntax::ast::{Declare, Element, Expr, ExprKind};
+use crate::syntax::ast::{Declare, Element, Expr, ExprKind, Target};
 use crate::value::Value;
 use std::rc::Rc;
 
@@ -23,6 +24,9 @@ impl<'a> Interpreter<'a> {
         if let Some(at) = self.at_semicolon() {
             let message = format!("expected a value for `{}`, found `;`", self.names.text(target.symbol));
             return Diagnostic::err(codes::EXPECTED, at, message);
+        }
+        if !declare.others.is_empty() {
+            return self.declare_several(declare);
         }
         let place = match target.indices.first() {
             Some(_) => Some(self.place_of(target.symbol, target.span, &target.indices)?),
@@ -73,6 +77,39 @@ impl<'a> Interpreter<'a> {
         }
         if let Some((_, why)) = &declare.deprecated {
             self.deprecated.insert(target.symbol, why);
+        }
+        Ok(())
+    }
+
+    /// `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
+    /// `(A, B) = (B, A)` swaps them.
+    fn declare_several(&mut self, declare: &'a Declare) -> Result<()> {
+        let targets: Vec<&'a Target> = std::iter::once(&declare.target).chain(&declare.others).collect();
+        let Token::Values(elements) = self.peek()? else {
+            return Err(self.unexpected_token("as many values in parentheses").into());
+        };
+        let span = self.here();
+        self.advance();
+        let values = self.enclosed(None, elements, span, |me| {
+            let mut values = vec![];
+            while !matches!(me.peek()?, Token::End) {
+                values.push(me.rvalue()?);
+            }
+            Ok(values)
+        })?;
+        if values.len() != targets.len() {
+            let message = format!("{} names get {} values", targets.len(), values.len());
+            return Diagnostic::err(codes::WRONG_COUNT, span, message);
+        }
+        for (target, slot) in targets.into_iter().zip(values) {
+            if !target.indices.is_empty() {
+                let place = self.place_of(target.symbol, target.span, &target.indices)?;
+                self.scopes.set_element(&place, Some(slot));
+            } else if declare.local {
+                self.scopes.set_local(target.symbol, slot, vec![]);
+            } else {
+                self.scopes.set_global(target.symbol, slot, vec![]);
+            }
         }
         Ok(())
     }

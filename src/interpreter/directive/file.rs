@@ -8,7 +8,7 @@ use crate::source::{Span, read_text};
 use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Symbol};
 use crate::value::{Value, VecN};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::rc::Rc;
 
 /// The most bytes that one scene may write.
@@ -125,7 +125,7 @@ impl<'a> Interpreter<'a> {
         let file = std::fs::OpenOptions::new().create(true).write(true).append(append).truncate(!append).open(&path);
         match file {
             Ok(file) => {
-                self.forget_text(&path);
+                self.parsed.forget(&path);
                 Ok(OpenFile { name: name.into(), path, access: Access::Write(std::io::BufWriter::new(file)) })
             }
             Err(error) => {
@@ -135,18 +135,12 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What is written anew must be parsed anew when it is included.
-    fn forget_text(&mut self, path: &Path) {
-        let same = |known: &Path| known == path || known.canonicalize().ok() == path.canonicalize().ok();
-        self.parsed.retain(|known, _| !same(known));
-    }
-
     fn close_file(&mut self, symbol: Symbol) {
         if let Some(Slot::File(index)) = self.scopes.get(symbol) {
             let index = *index;
             let path = self.files[index].path.clone();
             self.files[index].access = Access::Closed;
-            self.forget_text(&path);
+            self.parsed.forget(&path);
             if let Some(place) = self.scopes.resolve(symbol) {
                 self.scopes.unbind(&place);
             }

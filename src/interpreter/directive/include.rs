@@ -5,7 +5,7 @@ use crate::interpreter::Interpreter;
 use crate::interpreter::limits::MAX_INCLUDES;
 use crate::interpreter::stream::FrameKind;
 use crate::library;
-use crate::source::{FileId, Span, read_text};
+use crate::source::{FileId, Found, Span, read_text};
 use crate::syntax::ast::{Ast, Expr};
 use crate::syntax::parse;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,20 @@ impl<'a> Interpreter<'a> {
 
     /// A file that the scene names, if it is there and may be read.
     pub(in crate::interpreter) fn find_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
-        match self.options.search.find(name) {
+        let including = self.including.last().map(PathBuf::as_path);
+        // `"C:\new\shapes.inc"` as it is typed, where `\n` is no line's end.
+        let typed = self.sources.snippet(span);
+        let typed = typed.strip_prefix('"').and_then(|t| t.strip_suffix('"')).filter(|t| t.contains('\\'));
+        let search = &self.options.search;
+        let found = search.resolve(name, including).or_else(|| search.resolve(typed?, including));
+        let name = typed.unwrap_or(name);
+        if let Some(Found { portable: Some(portable), .. }) = &found {
+            let message = format!("there is no file `{name}`; `{portable}` is read instead");
+            let d = Diagnostic::new(codes::OTHER_SPELLING, span, message);
+            let d = self.with_trace(d.help(format!("write \"{portable}\", which every system finds")));
+            self.report_fault(d);
+        }
+        match found.map(|found| found.path) {
             Some(path) if !self.options.sandbox.may_read(&path) => {
                 let folder = path.parent().unwrap_or(Path::new(".")).display().to_string();
                 Diagnostic::new(codes::FORBIDDEN_FILE, span, format!("the scene may not read `{name}`"))
@@ -49,7 +62,7 @@ impl<'a> Interpreter<'a> {
 
     /// A file's tree: read and parsed once, however often it is included.
     fn load(&mut self, path: &Path, name: &str, span: Span) -> Result<&'a Ast> {
-        if let Some(&ast) = self.parsed.get(path) {
+        if let Some(ast) = self.parsed.file(path).and_then(|file| self.parsed.tree(file)) {
             return Ok(ast);
         }
         let text = read_text(path).map_err(|e| {
@@ -60,28 +73,31 @@ impl<'a> Interpreter<'a> {
             return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
         };
         let ast = self.parse_file(file)?;
-        self.parsed.insert(path.to_path_buf(), ast);
+        self.parsed.keep_file(path, file);
         Ok(ast)
     }
 
     /// The same for a file of the program's own library, under a path that no file has.
     fn load_built_in(&mut self, name: &str, text: &str, span: Span) -> Result<(PathBuf, &'a Ast)> {
         let path = Path::new(library::FOLDER).join(name);
-        if let Some(&ast) = self.parsed.get(&path) {
+        if let Some(ast) = self.parsed.file(&path).and_then(|file| self.parsed.tree(file)) {
             return Ok((path, ast));
         }
         let Some(file) = self.sources.add(&path.to_string_lossy(), None, text.to_string()) else {
             return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
         };
         let ast = self.parse_file(file)?;
-        self.parsed.insert(path.clone(), ast);
+        self.parsed.keep_file(&path, file);
         Ok((path, ast))
     }
 
     /// Parses a text that [`crate::source::Sources`] holds; all but the last of its errors are reported here.
     pub(in crate::interpreter) fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
+        if let Some(ast) = self.parsed.tree(file) {
+            return Ok(ast);
+        }
         match parse(self.sources, file, self.names) {
-            Ok(ast) => Ok(self.asts.push_get(Box::new(ast))),
+            Ok(ast) => Ok(self.parsed.keep(file, ast)),
             Err(mut faults) => {
                 let last = faults.pop();
                 for fault in faults {

@@ -14,6 +14,7 @@ impl<'a> Interpreter<'a> {
             self.report_fault(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
         }
         self.language.version = version;
+        self.language.bare_textures = compat::has_bare_textures(version);
         self.version_stated = true;
         Ok(())
     }

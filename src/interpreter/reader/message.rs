@@ -29,6 +29,11 @@ impl Interpreter<'_> {
             }
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Entry(_)) => "`[`".to_string(),
+            Ok(Token::Values(_)) => {
+                let d = self.expected(span, expected, "a list in parentheses");
+                return d.help("vectors stand in angle brackets: `<1, 2, 3>`");
+            }
+            Ok(Token::Key(_) | Token::Colon) => format!("`{}`", self.sources.snippet(span)),
             Ok(Token::Group(_)) => "`{`".to_string(),
             Ok(Token::Element(e)) => format!("`{}`", self.sources.snippet(e.span)),
             Ok(Token::Function(_)) => "a function".to_string(),

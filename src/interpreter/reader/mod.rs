@@ -111,6 +111,8 @@ impl Reader for Interpreter<'_> {
             Token::Function(_) | Token::Expr(Expr { kind: ExprKind::Function(_), .. }) => Next::Function,
             Token::Expr(_) | Token::Numbers(_) => Next::Value,
             Token::Entry(_) => Next::Entry,
+            // Whoever asks for a value says what is wrong with it.
+            Token::Values(_) | Token::Key(_) | Token::Colon => Next::Value,
             Token::Group(_) => Next::Group,
             Token::End => Next::End,
         })
@@ -296,6 +298,10 @@ impl Reader for Interpreter<'_> {
 
     fn language(&self) -> Language {
         self.language
+    }
+
+    fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()> {
+        self.pass_over(seen)
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {

@@ -1,10 +1,12 @@
 //! Passing over what is known and not drawn yet.
 
 use super::super::Interpreter;
+use super::super::scope::Slot;
 use super::super::stream::Token;
+use super::color::COLOR_WORDS;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::syntax::ast::Block;
-use crate::value::{Next, Reader};
+use crate::syntax::ast::{Block, Expr, ExprKind};
+use crate::value::{Next, Reader, Value, VecN};
 
 impl Interpreter<'_> {
     /// A word or block with all that belongs to it.
@@ -17,13 +19,7 @@ impl Interpreter<'_> {
         };
         self.report(Diagnostic::new(codes::UNSUPPORTED, span, format!("`{word}` is not drawn yet: it is left out")));
         match token {
-            Token::Block(_) => self.advance(),
-            Token::Open(_) => {
-                self.take()?;
-                self.skip_to_end()?;
-                self.leave()?;
-            }
-            Token::Function(_) | Token::Expr(_) => drop(self.rvalue()?),
+            Token::Block(_) | Token::Open(_) | Token::Function(_) | Token::Expr(_) => self.pass_over(&mut |_| {})?,
             _ => {
                 self.advance();
                 self.skip_arguments()?;
@@ -37,6 +33,7 @@ impl Interpreter<'_> {
         loop {
             match Reader::next(self)? {
                 Next::Value => drop(self.value_here()),
+                Next::Word(word) if COLOR_WORDS.contains(&word) => drop(self.read_color()?),
                 Next::Function => drop(self.rvalue()?),
                 Next::Entry | Next::Group => self.advance(),
                 Next::Thing("color_map" | "pigment" | "texture" | "normal") => drop(self.take_thing()?),
@@ -45,20 +42,48 @@ impl Interpreter<'_> {
         }
     }
 
-    fn skip_to_end(&mut self) -> Result<()> {
-        let mut open = 0;
-        loop {
-            match self.peek()? {
-                Token::End if open == 0 => return Ok(()),
-                Token::End => {
-                    open -= 1;
-                    self.leave()?;
+    /// Whatever comes next, with all that is in it. Directives run and values are computed, so that mistakes are found.
+    pub(super) fn pass_over(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()> {
+        match self.peek()? {
+            Token::Block(_) | Token::Open(_) | Token::Entry(_) | Token::Group(_) => {
+                self.take()?;
+                while !matches!(self.peek()?, Token::End) {
+                    self.pass_over(seen)?;
                 }
-                Token::Open(_) => {
-                    open += 1;
-                    self.take()?;
+                self.leave()
+            }
+            Token::Numbers(data) => {
+                self.advance();
+                if (2..=5).contains(&data.len()) {
+                    seen(&Value::Vector(VecN::from_slice(data)));
                 }
-                _ => self.advance(),
+                Ok(())
+            }
+            // `<a, b, … >` of a quartic has more numbers than a vector.
+            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 => {
+                self.advance();
+                Ok(())
+            }
+            Token::Expr(Expr { kind: ExprKind::Vector(parts), span }) => {
+                self.advance();
+                let data = self.numbers_in(parts, *span)?;
+                if (2..=5).contains(&data.len()) {
+                    seen(&Value::Vector(VecN::from_slice(&data)));
+                }
+                Ok(())
+            }
+            Token::Expr(_) | Token::Element(_) | Token::Function(_) => {
+                if let Slot::Value(value) = self.rvalue()? {
+                    seen(&value);
+                }
+                Ok(())
+            }
+            Token::Word(_) => {
+                self.advance();
+                Ok(())
+            }
+            Token::Values(_) | Token::Key(_) | Token::Colon | Token::End => {
+                Err(self.unexpected_token("a word, a value or a block").into())
             }
         }
     }

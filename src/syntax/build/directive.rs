@@ -62,7 +62,7 @@ impl Builder<'_> {
     fn declare(&self, pair: Pair<Rule>) -> Directive {
         let local = self.text_of(&pair).ends_with("local");
         let mut deprecated = None;
-        let mut target = None;
+        let (mut target, mut others) = (None, vec![]);
         for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::deprecated => {
@@ -71,12 +71,14 @@ impl Builder<'_> {
                     let why = part.into_inner().next().map_or("".into(), |s| unescape(self.text_of(&s)));
                     deprecated = Some((once, why));
                 }
-                _ => target = Some(self.declared(part)),
+                _ if target.is_none() => target = Some(self.declared(part)),
+                _ => others.push(self.declared(part)),
             }
         }
         let nothing =
             || Target { symbol: self.names.intern(""), span: Span::NONE, keyword: None, indices: Box::new([]) };
-        Directive::Declare(Declare { local, deprecated, target: target.unwrap_or_else(nothing) })
+        let target = target.unwrap_or_else(nothing);
+        Directive::Declare(Declare { local, deprecated, target, others: others.into() })
     }
 
     fn declared(&self, pair: Pair<Rule>) -> Target {
@@ -84,7 +86,16 @@ impl Builder<'_> {
         let category = word::lookup(self.text_of(&pair)).filter(|(_, category)| *category != Category::Contextual);
         let keyword = category.map(|(word, _)| word);
         let symbol = self.symbol(&pair);
-        let indices = pair.into_inner().flat_map(|part| part.into_inner()).map(|p| self.chain(p)).collect();
+        let index = |part: Pair<Rule>| match part.as_rule() {
+            Rule::index => part.into_inner().next().map(|p| self.chain(p)),
+            // `D.Key` is `D["Key"]`.
+            _ => {
+                let token = self.tokens[part.as_span().start() + 1];
+                let (span, text) = (self.token_span(token), self.token_text(token));
+                Some(Expr { span, kind: ExprKind::Text(text.into()) })
+            }
+        };
+        let indices = pair.into_inner().filter_map(index).collect();
         Target { symbol, span: name.span, keyword, indices }
     }
 

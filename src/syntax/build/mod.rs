@@ -103,6 +103,9 @@ impl<'n> Builder<'n> {
             Rule::entry => ElementKind::Entry(self.elements(pair.into_inner(), block)),
             Rule::function => ElementKind::Function(Box::new(self.function(pair))),
             Rule::semicolon => ElementKind::Semicolon,
+            Rule::key => ElementKind::Key(self.names.intern(self.token_text(self.tokens[pair.as_span().start() + 1]))),
+            Rule::colon => ElementKind::Colon,
+            Rule::values => ElementKind::Values(self.elements(pair.into_inner(), "")),
             Rule::fcondition => ElementKind::Expr(Box::new(self.chain(pair))),
             _ => ElementKind::Directive(Box::new(self.directive(pair, block))),
         };

@@ -1,0 +1,130 @@
+//! Animations: which frames there are, and what the clock is in each. The rules are POV-Ray 3.7's, found by running it.
+
+use super::values::{Clock, Frames};
+use crate::interpreter::Timing;
+
+/// Frames `first` to `last`, of which `start` to `end` are drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Animation {
+    /// `Initial_Frame`.
+    pub first: u32,
+    /// `Final_Frame`; one more where the animation is cyclic, as `final_frame` says too.
+    pub last: u32,
+    /// `Initial_Clock` and `Final_Clock`.
+    pub clock: Clock,
+    /// `Subset_Start_Frame`.
+    pub start: u32,
+    /// `Subset_End_Frame`; it may lie behind the last.
+    pub end: u32,
+    /// `Frame_Step`.
+    pub step: u32,
+    /// How many digits file names have.
+    pub digits: usize,
+}
+
+impl Animation {
+    /// `--frames A-B:STEP`: all there is.
+    pub fn new(frames: Frames) -> Self {
+        let Frames { first, last, step, digits } = frames;
+        Self { first, last, clock: Clock { first: 0.0, last: 1.0 }, start: first, end: last, step, digits }
+    }
+
+    /// Those frames of it; the clock stays what it is in each.
+    pub fn only(&self, frames: Frames) -> Self {
+        let Frames { first, last, step, digits } = frames;
+        Self { start: first, end: last, step, digits: digits.max(self.digits), ..self.clone() }
+    }
+
+    /// The frames that are drawn.
+    pub fn frames(&self) -> impl Iterator<Item = u32> + use<> {
+        (self.start..=self.end.max(self.start)).step_by(self.step.max(1) as usize)
+    }
+
+    /// Does the animation have this frame? Behind its last one, only if it was asked for one.
+    pub fn has(&self, frame: u32) -> bool {
+        (self.first..=self.last.max(self.end)).contains(&frame)
+    }
+
+    /// How a frame's number is written in file names.
+    pub fn number(&self, frame: u32) -> String {
+        format!("{frame:0digits$}", digits = self.digits)
+    }
+
+    /// What the scene is told in a frame. POV-Ray keeps the clock in 32 bits, which shows: it is 0.181818187 in the third of
+    /// twelve frames. It hands the others on as text, with six digits. Where there is one frame only, POV-Ray's clock is
+    /// not a number; ours is the initial one.
+    pub fn timing(&self, frame: u32) -> Timing {
+        let (first, last) = (self.clock.first as f32, self.clock.last as f32);
+        let range = f64::from(last - first);
+        let count = f64::from(self.last.saturating_sub(self.first).max(1));
+        let passed = f64::from(frame) - f64::from(self.first);
+        Timing {
+            clock: f64::from((f64::from(first) + range * passed / count) as f32),
+            clock_on: true,
+            clock_delta: six_digits(range / count),
+            frame,
+            initial_frame: self.first,
+            final_frame: self.last,
+            initial_clock: six_digits(self.clock.first),
+            final_clock: six_digits(self.clock.last),
+        }
+    }
+}
+
+/// A single picture, with the clock of `--clock` if there is one.
+pub fn still(clock: Option<Clock>) -> Timing {
+    let value = clock.map_or(0.0, |clock| f64::from(clock.first as f32));
+    Timing { clock: value, clock_on: clock.is_some(), ..Timing::default() }
+}
+
+fn six_digits(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frames(text: &str) -> Animation {
+        Animation::new(text.parse().unwrap())
+    }
+
+    /// `povray +KFF12 +KI… +KF…` and `#debug str(clock,0,9)`.
+    #[test]
+    fn clocks_are_those_of_povray() {
+        let clock = |animation: &Animation, frame| format!("{:.9}", animation.timing(frame).clock);
+        let twelve = frames("1-12");
+        assert_eq!([3, 8, 10].map(|f| clock(&twelve, f)), ["0.181818187", "0.636363626", "0.818181813"]);
+        let four = Animation { clock: Clock { first: 1.0, last: 3.0 }, ..frames("2-5") };
+        assert_eq!([2, 3, 4, 5].map(|f| clock(&four, f)), ["1.000000000", "1.666666627", "2.333333254", "3.000000000"]);
+        let steep = Animation { clock: Clock { first: 12345.6789, last: 0.0012345678 }, ..frames("1-3") };
+        assert_eq!([1, 2, 3].map(|f| clock(&steep, f)), ["12345.678710938", "6172.839843750", "0.000976562"]);
+        assert_eq!(clock(&Animation { end: 12, ..frames("1-9") }, 12), "1.375000000");
+    }
+
+    #[test]
+    fn the_rest_has_six_digits() {
+        let timing = Animation { clock: Clock { first: 12345.6789, last: 0.0012345678 }, ..frames("1-3") }.timing(2);
+        let found = [timing.initial_clock, timing.final_clock, timing.clock_delta];
+        assert_eq!(found, [12345.7, 0.00123457, -6172.84]);
+        assert_eq!(frames("1-12").timing(1).clock_delta, 0.0909091);
+    }
+
+    #[test]
+    fn one_frame_has_a_clock_too() {
+        let timing = frames("5-5").timing(5);
+        assert_eq!((timing.clock, timing.clock_delta, timing.initial_frame, timing.final_frame), (0.0, 1.0, 5, 5));
+        assert_eq!(still(None), Timing::default());
+        assert!(still(Some(Clock { first: 0.0, last: 0.0 })).clock_on);
+    }
+
+    #[test]
+    fn a_part_keeps_the_clock() {
+        let all = frames("1-30");
+        let part = all.only("7-9:2".parse().unwrap());
+        assert_eq!(part.frames().collect::<Vec<_>>(), [7, 9]);
+        assert_eq!(part.timing(7), all.timing(7));
+        assert_eq!(part.number(7), "07");
+        assert!(!part.has(31) && !part.has(0) && part.has(30));
+    }
+}

@@ -1,0 +1,106 @@
+//! Finds the files that POV-Ray's command line and INI files name.
+
+use super::ini::{self, Ini};
+use crate::diagnostic::{Diagnostic, Result, codes, file};
+use crate::source::{Sources, Span, read_text};
+use std::path::{Path, PathBuf};
+
+/// So many INI files may be read inside each other.
+const MAX_NESTED: usize = 20;
+
+/// The INI files that are being read.
+pub struct Files<'s> {
+    sources: &'s Sources,
+    /// With their sections, innermost last.
+    open: Vec<(PathBuf, Option<String>)>,
+}
+
+impl<'s> Files<'s> {
+    /// None yet.
+    pub fn new(sources: &'s Sources) -> Self {
+        Self { sources, open: Vec::new() }
+    }
+
+    /// Reads `file.ini` or `file.ini[section]`, which is named at `span`.
+    pub fn open(&mut self, word: &str, span: Span) -> Result<Ini> {
+        let (name, section) = ini::split_section(word);
+        let path = self.located(&with_ini(name), Path::is_file);
+        let entry = (path.canonicalize().unwrap_or_else(|_| path.clone()), section.map(str::to_lowercase));
+        if self.open.contains(&entry) || self.open.len() >= MAX_NESTED {
+            let d = Diagnostic::new(codes::INI_LOOP, span, format!("`{word}` is being read already"));
+            return d.help("remove this line").into();
+        }
+        let here = |mut fault: Diagnostic| {
+            fault.labels.extend((!span.is_none()).then_some(crate::diagnostic::Label { span, text: String::new() }));
+            Box::new(fault)
+        };
+        let text = read_text(&path).map_err(|e| here(file::unreadable(&path, &e)))?;
+        let name = path.display().to_string();
+        let Some(file) = self.sources.add(&name, Some(&path), text) else {
+            return Diagnostic::err(codes::FILE_UNREADABLE, span, format!("`{name}` is too large"));
+        };
+        self.open.push(entry);
+        Ok(ini::parse(self.sources.text(file), self.sources.base(file), section))
+    }
+
+    /// [`is_ini`], also beside the INI file in which the word stands.
+    pub fn is_ini(&self, word: &str) -> bool {
+        let there = |word: &str| self.located(word, Path::is_file).is_file();
+        is_ini(word) || Path::new(word).extension().is_none() && !there(word) && there(&with_ini(word))
+    }
+
+    /// The innermost file has been read.
+    pub fn close(&mut self) {
+        self.open.pop();
+    }
+
+    /// A scene: as POV-Ray looks for it, from the current folder; if it isn't there, beside the INI file that names it.
+    pub fn scene(&self, name: &str) -> String {
+        self.located(name, |path| path.is_file() || has_with_ending(path)).display().to_string()
+    }
+
+    /// A folder, in the same way.
+    pub fn folder(&self, name: &str) -> String {
+        self.located(name, Path::is_dir).display().to_string()
+    }
+
+    fn located(&self, name: &str, is_there: impl Fn(&Path) -> bool) -> PathBuf {
+        let name = Path::new(name);
+        let beside = self.open.last().and_then(|(ini, _)| ini.parent());
+        let beside = beside.map(|folder| shortened(&folder.join(name))).filter(|path| is_there(path));
+        if is_there(name) { name.into() } else { beside.unwrap_or(name.into()) }
+    }
+}
+
+/// From the current folder, if it lies below that.
+fn shortened(path: &Path) -> PathBuf {
+    let here = std::env::current_dir().and_then(|here| here.canonicalize()).unwrap_or_default();
+    path.strip_prefix(here).map_or(path.to_path_buf(), Path::to_path_buf)
+}
+
+/// Is an INI file meant: `anim.ini`, `res[low]`, or `res` where there is a `res.ini`?
+pub fn is_ini(word: &str) -> bool {
+    let (name, section) = ini::split_section(word);
+    let path = Path::new(name);
+    !Path::new(word).is_file() && section.is_some()
+        || has_ini(path)
+        || path.extension().is_none() && !path.is_file() && Path::new(&with_ini(name)).is_file()
+}
+
+fn has_ini(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("ini"))
+}
+
+fn with_ini(name: &str) -> String {
+    if has_ini(Path::new(name)) || Path::new(name).is_file() { name.into() } else { format!("{name}.ini") }
+}
+
+fn has_with_ending(path: &Path) -> bool {
+    path.extension().is_none() && path.with_extension("pov").is_file()
+}
+
+/// POV-Ray reads `scene.pov` when told `scene`.
+pub fn with_ending(input: String) -> String {
+    let path = Path::new(&input);
+    if !path.exists() && has_with_ending(path) { format!("{input}.pov") } else { input }
+}
