@@ -23,7 +23,10 @@ use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
+pub use directive::table as directives;
 pub use library::Library;
+pub use reader::COLOR_WORDS;
+pub use top::STATEMENTS;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
 use std::path::PathBuf;
@@ -32,6 +35,11 @@ use std::sync::Arc;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
 pub use timing::Timing;
+
+/// Every function of scripts that `function { }` does not have: name, arguments, one line.
+pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    builtin::usages()
+}
 
 /// What a run may do and what it is given.
 #[derive(Clone, Debug)]

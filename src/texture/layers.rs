@@ -1,5 +1,6 @@
 //! `texture` and `material` (manual, "Texture", "Material").
 
+use super::words::TEXTURE;
 use super::{Finish, Interior, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
@@ -29,25 +30,6 @@ impl Default for Texture {
     }
 }
 
-const WORDS: &[&str] = &[
-    "pigment",
-    "finish",
-    "normal",
-    "translate",
-    "rotate",
-    "scale",
-    "matrix",
-    "transform",
-    "uv_mapping",
-    "texture_map",
-    "material_map",
-    "checker",
-    "hexagon",
-    "brick",
-    "gradient",
-    "tiles",
-];
-
 impl Texture {
     /// Reads what stands between the braces, on top of `base` (the default texture).
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
@@ -59,7 +41,7 @@ impl Texture {
             match r.next()? {
                 Next::End => return Ok(out),
                 Next::Block("texture") | Next::Thing("texture") if !chooses => {
-                    return Err(r.unknown_word("texture", WORDS).into());
+                    return Err(r.unknown_word("texture", &TEXTURE.names()).into());
                 }
                 next if out.read_part(r, next, base)? => {}
                 Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
@@ -70,15 +52,14 @@ impl Texture {
                     }
                 }
                 Next::Word(word) | Next::Block(word)
-                    if WORDS.contains(&word)
+                    if TEXTURE.leaves_out(word)
                         || crate::pattern::NOT_DRAWN.contains(&word)
-                        || crate::pattern::WORDS_NOT_DRAWN.contains(&word)
-                        || LATER.contains(&word) =>
+                        || crate::pattern::WORDS_NOT_DRAWN.contains(&word) =>
                 {
                     r.skip_unsupported(word)?;
                     chooses = true;
                 }
-                _ => return Err(r.unknown_word("texture", WORDS).into()),
+                _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),
             }
         }
     }
@@ -120,20 +101,6 @@ impl Texture {
         }
     }
 }
-
-/// Words of a texture made by a pattern, which is not drawn yet.
-const LATER: &[&str] = &[
-    "frequency",
-    "phase",
-    "ramp_wave",
-    "triangle_wave",
-    "sine_wave",
-    "scallop_wave",
-    "cubic_wave",
-    "poly_wave",
-    "color_map",
-    "texture",
-];
 
 /// A texture and what is inside it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
