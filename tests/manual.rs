@@ -147,7 +147,7 @@ impl Block {
         if !codes(Severity::Error).eq(self.value("error")) || !codes(Severity::Warning).eq(warnings) {
             return Err(format!("{}\n{}", self.text, told.iter().map(|d| tell(d) + "\n").collect::<String>()).into());
         }
-        if let Some(expected) = self.prints.as_ref().filter(|expected| **expected != printed) {
+        if let Some(expected) = self.prints.as_ref().filter(|expected| expected.trim_end() != printed.trim_end()) {
             return Err(format!("{}\nexpected:\n{expected}printed:\n{printed}", self.text).into());
         }
         match (self.value("picture"), &built.world) {
@@ -205,7 +205,8 @@ fn picture(source: &Path, chapter: &str, name: &str, world: &durer::world::World
 /// Are these command lines of durer's?
 fn commands(text: &str) -> Result<(), Failed> {
     for line in text.lines().map(|line| line.split(" #").next().unwrap_or_default().trim()) {
-        let words: Vec<&str> = line.split_whitespace().map(|w| w.trim_matches('\'')).take_while(|w| *w != "|").collect();
+        let words: Vec<&str> =
+            line.split_whitespace().map(|w| w.trim_matches('\'')).take_while(|w| *w != "|").collect();
         let povray = words.iter().any(|w| w.starts_with('+') || w.contains('[') || w.contains(".pov"));
         if words.first() == Some(&"durer") && !povray {
             durer::cli::Cli::try_parse_from(&words).map_err(|e| format!("{line}\n{e}"))?;
@@ -230,7 +231,11 @@ fn links(path: &Path, text: &str, source: &Path) -> Result<(), Failed> {
 fn anchors(text: &str) -> impl Iterator<Item = String> {
     let name = |line: &str| {
         let words = line.trim_start_matches('#').trim().to_lowercase();
-        words.chars().filter(|c| c.is_alphanumeric() || "-_ ".contains(*c)).map(|c| if c == ' ' { '-' } else { c }).collect()
+        words
+            .chars()
+            .filter(|c| c.is_alphanumeric() || "-_ ".contains(*c))
+            .map(|c| if c == ' ' { '-' } else { c })
+            .collect()
     };
     text.lines().filter(|line| line.starts_with('#')).map(name).collect::<Vec<String>>().into_iter()
 }

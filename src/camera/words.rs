@@ -11,7 +11,12 @@ pub const PERSPECTIVE: Vocabulary = Vocabulary {
     words: &[
         word("location", Vector, "<0, 0, 0>", "the eye"),
         word("direction", Vector, "<0, 0, 1>", "from the eye to the middle of the picture; its length zooms"),
-        word("right", Vector, "<1.33, 0, 0>", "across the picture; its length over that of `up` is the shape of the picture"),
+        word(
+            "right",
+            Vector,
+            "<1.33, 0, 0>",
+            "across the picture; its length over that of `up` is the shape of the picture",
+        ),
         word("up", Vector, "<0, 1, 0>", "up the picture"),
         word("sky", Vector, "<0, 1, 0>", "which way `look_at` keeps upright; it stands before `look_at`"),
         word("look_at", Vector, "", "the point in the middle of the picture"),
@@ -21,8 +26,22 @@ pub const PERSPECTIVE: Vocabulary = Vocabulary {
     moves: true,
     idle: &[],
     not_drawn: &[
-        "orthographic", "fisheye", "ultra_wide_angle", "omnimax", "panoramic", "cylinder", "spherical", "mesh_camera", "aperture",
-        "blur_samples", "focal_point", "confidence", "variance", "normal", "bokeh", "smooth",
+        "orthographic",
+        "fisheye",
+        "ultra_wide_angle",
+        "omnimax",
+        "panoramic",
+        "cylinder",
+        "spherical",
+        "mesh_camera",
+        "aperture",
+        "blur_samples",
+        "focal_point",
+        "confidence",
+        "variance",
+        "normal",
+        "bokeh",
+        "smooth",
     ],
 };
 

@@ -26,7 +26,6 @@ use crate::world::Probe;
 pub use directive::table as directives;
 pub use library::Library;
 pub use reader::COLOR_WORDS;
-pub use top::STATEMENTS;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
 use std::path::PathBuf;
@@ -35,6 +34,7 @@ use std::sync::Arc;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
 pub use timing::Timing;
+pub use top::STATEMENTS;
 
 /// Every function of scripts that `function { }` does not have: name, arguments, one line.
 pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {

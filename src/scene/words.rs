@@ -36,7 +36,12 @@ pub const SETTINGS: Vocabulary = Vocabulary {
     block: "global_settings",
     summary: "what holds for the whole scene",
     words: &[
-        word("assumed_gamma", Float, "see below", "how the scene's numbers are meant: 1 is linear light, which is what you want; or `srgb`"),
+        word(
+            "assumed_gamma",
+            Float,
+            "see below",
+            "how the scene's numbers are meant: 1 is linear light, which is what you want; or `srgb`",
+        ),
         word("max_trace_level", Float, "5", "how often a ray may be mirrored and bent, 256 at most"),
         word("adc_bailout", Float, "1/255", "rays that count for less are not followed"),
         word("ambient_light", Color, "1", "the light that `finish { ambient }` answers to"),

@@ -50,7 +50,12 @@ pub const TRANSFORMS: &[WordSpec] = &[
     word("rotate", Kind::Vector, "", "turns about the x axis, then y, then z, by these angles in degrees; left-handed"),
     word("scale", Kind::Vector, "", "stretches along the axes; one number is for all three"),
     word("matrix", Kind::Block, "", "twelve numbers: where the three axes and the origin go to"),
-    word("transform", Kind::Block, "", "several of these in braces, or a declared one; `inverse` among them undoes those before it"),
+    word(
+        "transform",
+        Kind::Block,
+        "",
+        "several of these in braces, or a declared one; `inverse` among them undoes those before it",
+    ),
 ];
 
 #[cfg(test)]
@@ -59,8 +64,9 @@ mod tests {
 
     #[test]
     fn names_come_in_the_order_of_the_table() {
-        let words = &[word("radius", Kind::Float, "1", "")];
-        let table = Vocabulary { block: "thing", summary: "", words, moves: true, idle: &["old"], not_drawn: &["new"] };
+        const WORDS: &[WordSpec] = &[word("radius", Kind::Float, "1", "")];
+        let table =
+            Vocabulary { block: "thing", summary: "", words: WORDS, moves: true, idle: &["old"], not_drawn: &["new"] };
         assert_eq!(table.names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
         assert!(table.obeys("radius") && !table.obeys("new") && table.leaves_out("new"));
     }

@@ -22,7 +22,8 @@ pub(super) fn options() -> String {
 }
 
 fn option_row(arg: &Arg) -> [String; 2] {
-    let values = arg.get_value_names().unwrap_or_default().iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+    let values =
+        arg.get_value_names().unwrap_or_default().iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
     let takes = arg.get_action().takes_values();
     let name = match (arg.get_short(), arg.get_long()) {
         (Some(short), Some(long)) => format!("-{short}, --{long}"),

@@ -25,7 +25,8 @@ pub(super) fn functions() -> String {
         };
         [code(&format!("{}({usage})", row.name)), row.summary.to_string()]
     });
-    let others = interpreter::functions().map(|(name, usage, summary)| [code(&format!("{name}{usage}")), summary.into()]);
+    let others =
+        interpreter::functions().map(|(name, usage, summary)| [code(&format!("{name}{usage}")), summary.into()]);
     let head = ["function", "gives"];
     format!(
         "## Of numbers\n\nIn scripts and in `function {{ }}` alike. Angles are in radians.\n\n{}\

@@ -1,6 +1,6 @@
 //! Blocks and their words.
 
-use super::{code, kind, list, section, sentence, table, word_table};
+use super::{code, kind, list, section, table, word_table};
 use crate::pattern::{self, CellPattern, FieldPattern, Modifiers};
 use crate::syntax::word::contextual;
 use crate::value::Spec;
@@ -76,7 +76,7 @@ pub(super) fn pigments() -> String {
 
 fn pattern_section(spec: &Spec) -> String {
     let params = spec.params.iter().map(|p| format!(" {}", p.name)).collect::<String>();
-    let summary = sentence(spec.summary);
+    let summary = spec.summary;
     let mut text = format!("## {}\n\n{}: {summary}.\n\n", spec.name, code(&format!("{}{params}", spec.name)));
     if !spec.words.is_empty() {
         text += &word_table(spec.words, &[]);

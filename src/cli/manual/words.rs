@@ -19,7 +19,6 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("internal", "functions of `functions.inc`, in `function { }`"),
     ("linear_spline", "[splines](../functions.md)"),
     ("natural_spline", "[splines](../functions.md)"),
-
     ("prod", "products in `function { }`"),
     ("quadratic_spline", "[splines](../functions.md)"),
     ("read", "[`#fopen`](directives.md)"),

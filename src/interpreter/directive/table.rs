@@ -13,7 +13,12 @@ pub struct Entry {
     pub example: &'static str,
 }
 
-const fn entry(names: &'static [&'static str], form: &'static str, summary: &'static str, example: &'static str) -> Entry {
+const fn entry(
+    names: &'static [&'static str],
+    form: &'static str,
+    summary: &'static str,
+    example: &'static str,
+) -> Entry {
     Entry { names, form, summary, example }
 }
 
@@ -74,18 +79,8 @@ pub const TABLE: &[Entry] = &[
         "a piece of scene with parameters; `Name(1, 2)` puts it where it stands",
         "#macro Pill(A, B, R)\n  sphere { A, R } sphere { B, R } cylinder { A, B, R }\n#end\nunion { Pill(0, 2*y, 0.5) }",
     ),
-    entry(
-        &["include"],
-        "#include \"name\"",
-        "reads another file here",
-        "#include \"stage.inc\"",
-    ),
-    entry(
-        &["version"],
-        "#version number;",
-        "the version of the language that the file is written in",
-        "#version 3.7;",
-    ),
+    entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\""),
+    entry(&["version"], "#version number;", "the version of the language that the file is written in", "#version 3.7;"),
     entry(
         &["default"],
         "#default { texture, pigment, finish or camera }",
@@ -98,8 +93,18 @@ pub const TABLE: &[Entry] = &[
         "prints to standard error",
         "#debug concat(\"pi is \", str(pi, 0, 3), \"\\n\")",
     ),
-    entry(&["warning"], "#warning text", "prints a warning, with its place", "#if (clock > 1) #warning \"the clock runs fast\" #end"),
-    entry(&["error"], "#error text", "prints an error, with its place, and ends the run", "#if (clock > 9) #error \"too late\" #end"),
+    entry(
+        &["warning"],
+        "#warning text",
+        "prints a warning, with its place",
+        "#if (clock > 1) #warning \"the clock runs fast\" #end",
+    ),
+    entry(
+        &["error"],
+        "#error text",
+        "prints an error, with its place, and ends the run",
+        "#if (clock > 9) #error \"too late\" #end",
+    ),
     entry(
         &["fopen"],
         "#fopen Name text read | write | append",

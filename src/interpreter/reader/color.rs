@@ -11,7 +11,12 @@ use crate::value::{FloatOrColor, Kind, Reader, Value, VecN, WordSpec};
 
 /// The words that begin a colour.
 pub const COLOR_WORDS: &[WordSpec] = &[
-    word("color", Kind::Nothing, "", "may stand before any colour; alone before a vector: red, green, blue, filter, transmit"),
+    word(
+        "color",
+        Kind::Nothing,
+        "",
+        "may stand before any colour; alone before a vector: red, green, blue, filter, transmit",
+    ),
     word("colour", Kind::Nothing, "", "the same"),
     word("rgb", Kind::Vector, "", "red, green and blue, as the scene computes with them"),
     word("rgbf", Kind::Vector, "", "and how much light it lets through in its own colour"),
