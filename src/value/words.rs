@@ -31,11 +31,12 @@ impl Vocabulary {
         self.not_drawn.contains(&word)
     }
 
-    /// All names, in the order in which messages list them.
+    /// All names, in the order in which messages list them. They show a dozen: transforms shall be among these.
     pub fn names(&self) -> Vec<&'static str> {
-        let own = self.words.iter().map(|w| w.name);
-        let moves = TRANSFORMS.iter().filter(|_| self.moves).map(|w| w.name);
-        own.chain(moves).chain(self.idle.iter().copied()).chain(self.not_drawn.iter().copied()).collect()
+        let (first, rest) = self.words.split_at(self.words.len().min(6));
+        let moves = TRANSFORMS.iter().filter(|_| self.moves);
+        let words = first.iter().chain(moves).chain(rest).map(|w| w.name);
+        words.chain(self.idle.iter().copied()).chain(self.not_drawn.iter().copied()).collect()
     }
 }
 

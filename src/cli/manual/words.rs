@@ -111,7 +111,7 @@ fn values(index: &mut Index) {
     }
     CONSTANTS.iter().for_each(|(name, _)| add(index, name, "[constants](constants.md)"));
     for (block, words) in CONTEXTUAL {
-        words.iter().for_each(|word| add(index, word, &format!("`{block}`, *durer's own*")));
+        words.iter().filter(|_| *block != "camera").for_each(|word| add(index, word, "*durer's own*"));
     }
     ELSEWHERE.iter().for_each(|(word, place)| add(index, word, place));
 }

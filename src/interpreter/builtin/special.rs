@@ -62,7 +62,7 @@ pub(super) const TABLE: &[Special] = &[
         usage: "(Object, From, Direction [, Normal])",
         summary: "where a ray meets the object; the name Normal is set to the surface's normal there, or to <0, 0, 0> if it misses",
         arity: 3..=4,
-        run: |me, a, span| me.trace_object(a, span),
+        run: |me, a, _| me.trace_object(&a[0], &a[1], &a[2], a.get(3)),
     },
     Special {
         name: "inside",
