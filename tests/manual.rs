@@ -44,7 +44,17 @@ fn main() {
         let source = source.clone();
         trials.push(Trial::test(format!("{name}: links"), move || links(&path, &text, &source)));
     }
+    trials.push(Trial::test("SUMMARY.md: every page", move || in_summary(&source)));
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+/// A page that nobody lists, nobody finds.
+fn in_summary(source: &Path) -> Result<(), Failed> {
+    let summary = std::fs::read_to_string(source.join("SUMMARY.md"))?;
+    let names = chapters(source).into_iter().filter_map(|p| Some(p.strip_prefix(source).ok()?.display().to_string()));
+    let missing =
+        names.filter(|n| n != "SUMMARY.md").find(|n| !summary.contains(&format!("({})", n.replace('\\', "/"))));
+    missing.map_or(Ok(()), |name| Err(format!("{name} is not in SUMMARY.md").into()))
 }
 
 fn updating() -> bool {

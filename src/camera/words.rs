@@ -18,7 +18,7 @@ pub const PERSPECTIVE: Vocabulary = Vocabulary {
             "across the picture; its length over that of `up` is the shape of the picture",
         ),
         word("up", Vector, "<0, 1, 0>", "up the picture"),
-        word("sky", Vector, "<0, 1, 0>", "which way `look_at` keeps upright; it stands before `look_at`"),
+        word("sky", Vector, "<0, 1, 0>", "which way `look_at` keeps upright"),
         word("look_at", Vector, "", "the point in the middle of the picture"),
         word("angle", Float, "", "how much is seen from left to right, in degrees, below 180"),
         word("perspective", Nothing, "", "this kind of camera, which it is anyway"),

@@ -10,20 +10,27 @@ use std::collections::BTreeMap;
 
 /// Words that stand in no table of a block, and the chapter about them.
 const ELSEWHERE: &[(&str, &str)] = &[
+    ("albedo", "[`finish`](finishes.md), before the number of `diffuse`, `phong` or `specular`"),
     ("append", "[`#fopen`](directives.md)"),
+    ("ascii", "behind `charset`"),
     ("array", "[arrays](../arrays.md)"),
     ("b_spline", "[splines](../functions.md)"),
     ("cubic_spline", "[splines](../functions.md)"),
     ("deprecated", "behind `#declare`: using the name gets a warning"),
     ("function", "[functions](../functions.md)"),
+    ("gray", "a component of a [pigment's function](../functions.md)"),
     ("internal", "functions of `functions.inc`, in `function { }`"),
     ("linear_spline", "[splines](../functions.md)"),
     ("natural_spline", "[splines](../functions.md)"),
+    ("once", "behind `#declare deprecated`: warns only once"),
+    ("pattern", "[a function](../functions.md) made of a pattern"),
     ("prod", "products in `function { }`"),
     ("quadratic_spline", "[splines](../functions.md)"),
     ("read", "[`#fopen`](directives.md)"),
     ("spline", "[splines](../functions.md)"),
     ("sum", "sums in `function { }`"),
+    ("sys", "behind `charset`"),
+    ("utf8", "behind `charset`"),
     ("write", "[`#fopen`](directives.md)"),
 ];
 
@@ -43,8 +50,8 @@ pub(super) fn index() -> String {
     format!(
         "What the language knows, and which blocks take it. No scene can declare these names; those that are *durer's own* are \
          words only in their blocks.\n\n{}\
-         ## Not drawn yet\n\nThese too are words of the language. durer reads them where POV-Ray does, leaves them out and \
-         warns.\n\n{}.\n",
+         ## Not drawn yet\n\nThese too are words of the language, for things that are not drawn yet. durer reads them where \
+         POV-Ray does.\n\n{}.\n",
         table(["word", "belongs to"], rows),
         list(later)
     )
@@ -79,10 +86,12 @@ fn blocks(index: &mut Index) {
         let place = format!("[{name}]({page})");
         add_words(index, block.words, &place);
         block.idle.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
+        block.not_drawn.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
     }
     let settings: &'static Vocabulary = &scene::words::SETTINGS;
     add_words(index, settings.words, "[`global_settings`](settings.md)");
     settings.idle.iter().for_each(|word| add(index, word, "[`global_settings`](settings.md), without effect"));
+    settings.not_drawn.iter().for_each(|word| add(index, word, "[`global_settings`](settings.md), not drawn yet"));
     for (inner, page) in [("finish", "finishes.md"), ("interior", "finishes.md"), ("reflection", "finishes.md")] {
         add(index, inner, &format!("[a block]({page})"));
     }
@@ -100,7 +109,8 @@ fn families(index: &mut Index) {
     family(FieldPattern::SPECS, "pattern", "pigments.md");
     add_words(index, Modifiers::WORDS, "[patterns](pigments.md)");
     add_words(index, TRANSFORMS, "[transforms](objects.md#transforms)");
-    debug_assert!(pattern::NOT_DRAWN.iter().all(|word| !FieldPattern::SPECS.iter().any(|s| s.name == *word)));
+    pattern::NOT_DRAWN.iter().for_each(|word| add(index, word, "[a pattern](pigments.md), not drawn yet"));
+    scene::NOT_DRAWN.iter().for_each(|word| add(index, word, "[a shape](shapes.md#not-drawn-yet), not drawn yet"));
 }
 
 fn values(index: &mut Index) {
