@@ -29,6 +29,7 @@ pub mod diagnostic;
 pub mod function;
 pub mod image_io;
 pub mod interpreter;
+pub mod library;
 pub mod light;
 pub mod math;
 pub mod pattern;
@@ -103,12 +104,12 @@ pub struct Built {
 
 /// Text → Scene → World. `debug` receives what the scene prints. Scenes may be nested deeply: call this inside [`on_big_stack`].
 pub fn build(sources: &Sources, file: FileId, options: &interpreter::Options, debug: &mut dyn FnMut(&str)) -> Built {
-    build_with(&interpreter::Library::default(), sources, file, options, debug)
+    build_with(&interpreter::ParsedFiles::default(), sources, file, options, debug)
 }
 
-/// The same for one frame of many: files that an earlier frame has left in the library are not parsed again.
+/// The same for one frame of many: files that an earlier frame has left are not parsed again.
 pub fn build_with(
-    library: &interpreter::Library,
+    parsed: &interpreter::ParsedFiles,
     sources: &Sources,
     file: FileId,
     options: &interpreter::Options,
@@ -116,7 +117,7 @@ pub fn build_with(
 ) -> Built {
     let start = Instant::now();
     let interpreter::Outcome { scene, mut diagnostics, mut limit_reached } =
-        interpreter::interpret_with(library, sources, file, options, debug);
+        interpreter::interpret_with(parsed, sources, file, options, debug);
     let parse_time = start.elapsed();
     let start = Instant::now();
     let light = |scene: &&scene::Scene| match scene.check_weight(options.max_memory) {

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[(&str, u32)] = &[
     ("math", 0),
     ("source", 0),
+    ("library", 0),
     ("diagnostic", 1),
     ("color", 1),
     ("image_io", 2),

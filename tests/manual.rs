@@ -9,7 +9,6 @@
 //! pov,warns=W0103+W0209  gives these warnings
 //! pov,picture=name       is drawn, and looks like `pictures/name.png`, which the chapter shows
 //! pov,file=name.inc      is the file `examples/name.inc`
-//! pov,library            includes what comes with POV-Ray: is run where that is installed
 //! sh                     lines that begin with `durer` are command lines
 //! ```
 
@@ -140,9 +139,6 @@ impl Block {
 
     fn run_scene(&self, source: &Path, chapter: &str) -> Result<(), Failed> {
         let options = options(&source.join("examples"));
-        if self.is("library") && options.search.find("colors.inc").is_none() {
-            return Ok(());
-        }
         let sources = Sources::default();
         let (mut printed, path) = (String::new(), source.join("examples/example.pov"));
         let Some(file) = sources.add("example.pov", Some(&path), self.text.clone()) else { return Ok(()) };

@@ -63,12 +63,25 @@ pub enum Command {
     Completions(CompletionsArgs),
 }
 
+/// Where standard include files come from.
+#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Library {
+    /// An installed POV-Ray's, if there is one, then the built-in ones
+    #[default]
+    Installed,
+    /// The built-in ones
+    Durer,
+}
+
 /// What a scene is given when it is read.
 #[derive(Args, Clone, Debug, Default)]
 pub struct SceneArgs {
     /// Look for included files here too
     #[arg(short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,
+    /// Whose include files: an installed POV-Ray's before those built in, or the built-in ones alone
+    #[arg(long, value_name = "WHOSE", default_value = "installed", hide_possible_values = false)]
+    pub library: Library,
     /// Let the scene read files below this folder too
     #[arg(long, value_name = "DIR")]
     pub allow_read: Vec<PathBuf>,

@@ -6,7 +6,7 @@ use super::exit::{Exit, Failure, Result};
 use super::overlay;
 use super::session;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::interpreter::Library;
+use crate::interpreter::ParsedFiles;
 use crate::source::Sources;
 use crate::syntax::lint::{self, Lints};
 use std::path::Path;
@@ -49,9 +49,9 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
         Err(other) => return Err(other),
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene)?);
-    let library = Library::default();
-    let mut built = session::build(console, &library, &sources, file, &options);
-    built.diagnostics.extend(lint(args, &sources, &library));
+    let parsed = ParsedFiles::default();
+    let mut built = session::build(console, &parsed, &sources, file, &options);
+    built.diagnostics.extend(lint(args, &sources, &parsed));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
     }
@@ -60,10 +60,10 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
 }
 
 /// What `--warn` asks for; the scene's own file is the first that was parsed.
-fn lint(args: &CheckArgs, sources: &Sources, library: &Library) -> Vec<Diagnostic> {
+fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
     let lints = Lints { unused: args.warn.contains(&Warn::Unused), shadow: args.warn.contains(&Warn::Shadow) };
-    let files: Vec<_> = library.all().into_iter().map(|(file, _)| file).collect();
-    if lints == Lints::default() { vec![] } else { lint::lint(sources, library.names(), &files, lints) }
+    let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();
+    if lints == Lints::default() { vec![] } else { lint::lint(sources, parsed.names(), &files, lints) }
 }
 
 fn report(console: &Console, args: &CheckArgs, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {

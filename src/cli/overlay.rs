@@ -123,6 +123,7 @@ impl SceneArgs {
             frame: self.frame,
             animation: animation.map(|a| Animation { clock: self.clock.unwrap_or(a.clock), ..a }),
             clock: self.clock.or(ini.clock),
+            library: self.library,
             max_steps: self.max_steps,
             max_memory: self.max_memory,
             max_time: self.max_time,

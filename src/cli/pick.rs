@@ -7,7 +7,7 @@ use super::overlay;
 use super::session;
 use super::values::Size;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::interpreter::Library;
+use crate::interpreter::ParsedFiles;
 use crate::render::{self, Picked};
 use crate::source::{Place, Sources, Span};
 use serde::Serialize;
@@ -50,7 +50,7 @@ pub fn run(console: &Console, args: &PickArgs) -> Result {
     let file = session::open_or_tell(console, &sources, &args.input)?;
     let timing = session::timing(&args.scene)?;
     let options = session::reading_options(&args.scene, &args.input, timing);
-    let mut built = session::build(console, &Library::default(), &sources, file, &options);
+    let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options);
     let world = session::settle(console, &sources, &mut built)?;
     let drawing = render::Options {
         width: size.width,

@@ -13,7 +13,7 @@ use super::watch::Watcher;
 use super::{memory, overlay, session};
 use crate::Built;
 use crate::diagnostic::{Diagnostic, Severity, codes};
-use crate::interpreter::{Library, Timing};
+use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{self, Region};
 use crate::source::{FileId, Sources, Span};
 use std::time::Instant;
@@ -93,7 +93,7 @@ struct Job<'a> {
     console: &'a Console,
     args: &'a RenderArgs,
     sources: Sources,
-    library: Library,
+    parsed: ParsedFiles,
     file: FileId,
     reports: Vec<Report>,
     /// Warnings of earlier frames, which are not told again.
@@ -104,13 +104,13 @@ impl<'a> Job<'a> {
     fn new(console: &'a Console, args: &'a RenderArgs) -> Result<Self> {
         let sources = Sources::default();
         let file = session::open_or_tell(console, &sources, &args.input)?;
-        Ok(Self { console, args, sources, library: Library::default(), file, reports: vec![], told: vec![] })
+        Ok(Self { console, args, sources, parsed: ParsedFiles::default(), file, reports: vec![], told: vec![] })
     }
 
     /// Text to Scene to World.
     fn build(&mut self, timing: Timing) -> Built {
         let options = session::reading_options(&self.args.scene, &self.args.input, timing);
-        let mut built = session::build(self.console, &self.library, &self.sources, self.file, &options);
+        let mut built = session::build(self.console, &self.parsed, &self.sources, self.file, &options);
         built.diagnostics.retain(|d| d.severity == Severity::Error || !self.told.contains(d));
         let warnings = built.diagnostics.iter().filter(|d| d.severity == Severity::Warning).cloned();
         self.told.extend(warnings);

@@ -1,13 +1,13 @@
 //! From the name of a scene to its World, with the messages on the way.
 
 use super::animation::{self, Animation};
-use super::args::{LookArgs, SceneArgs};
+use super::args::{Library, LookArgs, SceneArgs};
 use super::console::{Console, say};
 use super::exit::{Exit, Failure, Result, usage};
 use super::memory;
 use super::values::{Frames, Size};
 use crate::diagnostic::{Diagnostic, Severity, file};
-use crate::interpreter::{Library, Timing};
+use crate::interpreter::{ParsedFiles, Timing};
 use crate::source::{FileId, ReadError, Sandbox, SearchPath, Sources};
 use crate::world::World;
 use crate::{Built, interpreter, render};
@@ -78,7 +78,10 @@ pub fn timing(args: &SceneArgs) -> Result<Timing> {
 pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
-    let search = SearchPath::new(folder, &args.include);
+    let search = match args.library {
+        Library::Installed => SearchPath::new(folder, &args.include),
+        Library::Durer => SearchPath::new(folder, &args.include).without_installed(),
+    };
     let mut sandbox = Sandbox::around(&search);
     sandbox.read.extend(args.allow_read.iter().cloned());
     sandbox.write.extend(args.allow_write.iter().cloned());
@@ -118,13 +121,13 @@ pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, timin
 /// Text to World; what the scene prints goes to stderr.
 pub fn build(
     console: &Console,
-    library: &Library,
+    parsed: &ParsedFiles,
     sources: &Sources,
     file: FileId,
     options: &interpreter::Options,
 ) -> Built {
     let quiet = console.quiet;
-    crate::build_with(library, sources, file, options, &mut |text| {
+    crate::build_with(parsed, sources, file, options, &mut |text| {
         if !quiet {
             say(text);
         }

@@ -3,8 +3,11 @@
 
 use super::numeric::{self, Kernel};
 use super::{Function, Interval, Program, Sampler, internal::Internal};
+use crate::math::DVec3;
+use crate::math::noise::{self, NoiseGenerator};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU8, Ordering};
 
 /// An operation in its [`Graph`]; operands have smaller numbers.
 pub type Id = u32;
@@ -51,6 +54,8 @@ pub enum Node {
 pub enum Callee {
     /// One of the functions behind `functions.inc`.
     Internal(&'static Internal),
+    /// `f_noise3d`: its generator is that of the scene, whose settings may come later.
+    SceneNoise(Arc<AtomicU8>),
     /// A function that is too large to be copied into this one.
     Function(Arc<Function>),
     /// A pigment, pattern, transform or spline.
@@ -126,6 +131,7 @@ impl Callee {
     pub fn call(&self, component: usize, arguments: &[f64]) -> f64 {
         match self {
             Callee::Internal(internal) => (internal.compute)(arguments),
+            Callee::SceneNoise(generator) => scene_noise(generator, arguments),
             Callee::Function(function) => function.call(arguments)[component],
             Callee::Sampler(sampler) => sampler.sample(arguments)[component],
             Callee::Series { product, body } => series(*product, body, arguments),
@@ -135,6 +141,7 @@ impl Callee {
     fn is(&self, other: &Callee) -> bool {
         match (self, other) {
             (Callee::Internal(a), Callee::Internal(b)) => std::ptr::eq(*a, *b),
+            (Callee::SceneNoise(_), Callee::SceneNoise(_)) => true,
             (Callee::Function(a), Callee::Function(b)) => Arc::ptr_eq(a, b),
             (Callee::Sampler(a), Callee::Sampler(b)) => Arc::ptr_eq(a, b),
             _ => false,
@@ -148,9 +155,16 @@ impl Callee {
                 super::Body::Numeric(program) => program.graph().bounds(arguments),
                 super::Body::Sampled(sampler) => sampler.bounds(component, arguments),
             },
-            Callee::Internal(_) | Callee::Series { .. } => Interval::ALL,
+            Callee::SceneNoise(_) => Interval { lo: 0.0, hi: 1.0 },
+            Callee::Internal(internal) => internal.bounds.map_or(Interval::ALL, |bounds| bounds(arguments)),
+            Callee::Series { .. } => Interval::ALL,
         }
     }
+}
+
+fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {
+    let generator = NoiseGenerator::from_number(f64::from(generator.load(Ordering::Relaxed)));
+    noise::noise(DVec3::new(p[0], p[1], p[2]), generator)
 }
 
 /// A series with more terms is not a number: it would never end.

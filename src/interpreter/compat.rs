@@ -10,6 +10,16 @@ pub fn version_number(value: f64) -> u32 {
     (value * 100.0).round().clamp(0.0, 10_000.0) as u32
 }
 
+/// Before 3.0 a texture held the words of its pigment, normal and finish without their blocks.
+pub fn has_bare_textures(version: u32) -> bool {
+    version < 300
+}
+
+/// The noise of a scene that names none.
+pub fn noise_generator(version: u32) -> u8 {
+    if version < 350 { 1 } else { 2 }
+}
+
 /// The newest language that is known at least in part.
 pub const NEWEST_VERSION: u32 = 380;
 

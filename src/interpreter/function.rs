@@ -15,6 +15,7 @@ use crate::texture::Pigment;
 use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN};
 use std::any::Any;
 use std::sync::Arc;
+use std::sync::atomic::AtomicU8;
 
 /// Functions with more operations than this are called, not copied into those that use them.
 const MAX_COPIED: usize = 500;
@@ -111,7 +112,7 @@ impl<'a> Interpreter<'a> {
         };
         self.advance();
         let number = self.number(number)?;
-        match internal_function(number) {
+        match internal_function(number, &self.noise_generator) {
             Some(function) if f.body.len() == 1 => Ok(Some(Arc::new(function))),
             Some(_) => Err(self.unexpected_token("the end of the function").into()),
             None => Diagnostic::err(codes::NOT_YET, *span, format!("`internal({number})` is not supported yet")),
@@ -608,13 +609,15 @@ fn binary(op: Operator) -> Binary {
 }
 
 /// The functions of `functions.inc` by their numbers: `function { internal(61) }`.
-pub(super) fn internal_function(number: f64) -> Option<Function> {
+pub(super) fn internal_function(number: f64, noise: &Arc<AtomicU8>) -> Option<Function> {
     let row = internal::find(number as u32).filter(|_| number >= 0.0)?;
     let mut graph = function::Graph::default();
-    let count = 3 + row.parameters;
+    let count = 3 + row.parameters.len();
     let ids: Box<[Id]> = (0..count).map(|i| graph.add(Node::Parameter(i as u16))).collect();
-    graph.result = graph.call(Callee::Internal(row), 0, ids);
-    let names = ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters).map(|i| format!("P{i}").into()));
+    let callee = if row.name == "f_noise3d" { Callee::SceneNoise(noise.clone()) } else { Callee::Internal(row) };
+    graph.result = graph.call(callee, 0, ids);
+    let names =
+        ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters.len()).map(|i| format!("P{i}").into()));
     let program = Program::new(graph, count)?;
     Some(Function { parameters: names.collect(), body: Body::Numeric(program) })
 }

@@ -7,8 +7,8 @@ mod directive;
 mod eval;
 mod function;
 mod hints;
-mod library;
 mod limits;
+mod parsed;
 mod reader;
 mod rvalue;
 mod scope;
@@ -24,13 +24,14 @@ use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
 pub use directive::table as directives;
-pub use library::Library;
+pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
+use std::sync::atomic::AtomicU8;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
 pub use timing::Timing;
@@ -86,18 +87,18 @@ const MAX_FAULTS: usize = 200;
 ///
 /// It recurses as deeply as the text nests and macros call each other: give it a stack of some 500 MB.
 pub fn interpret(sources: &Sources, file: FileId, options: &Options, debug: &mut dyn FnMut(&str)) -> Outcome {
-    interpret_with(&Library::default(), sources, file, options, debug)
+    interpret_with(&ParsedFiles::default(), sources, file, options, debug)
 }
 
-/// The same with the trees that an earlier frame has left in the library.
+/// The same with the trees that an earlier frame has left.
 pub fn interpret_with(
-    library: &Library,
+    parsed: &ParsedFiles,
     sources: &Sources,
     file: FileId,
     options: &Options,
     debug: &mut dyn FnMut(&str),
 ) -> Outcome {
-    let mut interpreter = Interpreter::new(sources, library, options, debug);
+    let mut interpreter = Interpreter::new(sources, parsed, options, debug);
     interpreter.run(file);
     interpreter.outcome()
 }
@@ -107,7 +108,7 @@ pub(crate) struct Interpreter<'a> {
     sources: &'a Sources,
     names: &'a Names,
     asts: &'a elsa::FrozenVec<Box<Ast>>,
-    library: &'a Library,
+    parsed: &'a ParsedFiles,
     options: &'a Options,
     debug: &'a mut dyn FnMut(&str),
     including: Vec<PathBuf>,
@@ -139,6 +140,8 @@ pub(crate) struct Interpreter<'a> {
     text_made: usize,
     started: Instant,
     language: Language,
+    /// The number of the scene's noise generator, which functions ask for when they run.
+    noise_generator: Arc<AtomicU8>,
     version_stated: bool,
     camera_stated: bool,
     defaults: Defaults,
@@ -150,12 +153,17 @@ pub(crate) struct Interpreter<'a> {
 }
 
 impl<'a> Interpreter<'a> {
-    fn new(sources: &'a Sources, library: &'a Library, options: &'a Options, debug: &'a mut dyn FnMut(&str)) -> Self {
+    fn new(
+        sources: &'a Sources,
+        parsed: &'a ParsedFiles,
+        options: &'a Options,
+        debug: &'a mut dyn FnMut(&str),
+    ) -> Self {
         Self {
             sources,
-            names: &library.names,
-            asts: &library.asts,
-            library,
+            names: &parsed.names,
+            asts: &parsed.asts,
+            parsed,
             options,
             debug,
             including: vec![],
@@ -176,7 +184,8 @@ impl<'a> Interpreter<'a> {
             steps: 0,
             text_made: 0,
             started: Instant::now(),
-            language: Language { version: compat::DEFAULT_VERSION, assumed_gamma: None },
+            language: Language { version: compat::DEFAULT_VERSION, bare_textures: false, assumed_gamma: None },
+            noise_generator: Arc::new(AtomicU8::new(compat::noise_generator(compat::DEFAULT_VERSION))),
             version_stated: false,
             camera_stated: false,
             defaults: Defaults::default(),

@@ -8,6 +8,7 @@ use crate::scene::{Object, is_object};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Vocabulary};
+use std::sync::atomic::Ordering;
 
 /// Everything that can stand at the outermost level, beside shapes.
 pub const STATEMENTS: Vocabulary = Vocabulary {
@@ -17,6 +18,7 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
         word("camera", Kind::Block, "at the origin, along z", "where the picture is taken from; the last one counts"),
         word("light_source", Kind::Block, "", "a light"),
         word("union", Kind::Block, "", "several objects as one"),
+        word("composite", Kind::Block, "", "of old scenes: `union`"),
         word("merge", Kind::Block, "", "the same without the surfaces inside, for glass"),
         word("intersection", Kind::Block, "", "what all of several objects share"),
         word("difference", Kind::Block, "", "the first object without the others"),
@@ -85,6 +87,9 @@ impl Interpreter<'_> {
                 let mut settings = self.scene.settings.clone();
                 settings.read(self)?;
                 self.language.assumed_gamma = settings.gamma;
+                if let Some(generator) = settings.noise_generator {
+                    self.noise_generator.store(generator.number(), Ordering::Relaxed);
+                }
                 self.scene.settings = settings;
             }
         }

@@ -132,7 +132,8 @@ pub const NOT_DRAWN: &[&str] = &[
 /// The word of a CSG block.
 fn csg_op(word: &str) -> Option<CsgOp> {
     Some(match word {
-        "union" => CsgOp::Union,
+        // `composite` is its name in scenes of before 1993.
+        "union" | "composite" => CsgOp::Union,
         "intersection" => CsgOp::Intersection,
         "difference" => CsgOp::Difference,
         "merge" => CsgOp::Merge,

@@ -3,6 +3,7 @@
 use super::words::SETTINGS;
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::noise::NoiseGenerator;
 use crate::value::{Next, Reader};
 use serde::Serialize;
 
@@ -17,11 +18,19 @@ pub struct Settings {
     pub adc_bailout: f64,
     /// The light that `finish { ambient }` answers to.
     pub ambient_light: Rgb,
+    /// The noise that patterns and functions are made of, if the scene says which.
+    pub noise_generator: Option<NoiseGenerator>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { gamma: None, max_trace_level: 5, adc_bailout: 1.0 / 255.0, ambient_light: Rgb::ONE }
+        Self {
+            gamma: None,
+            max_trace_level: 5,
+            adc_bailout: 1.0 / 255.0,
+            ambient_light: Rgb::ONE,
+            noise_generator: None,
+        }
     }
 }
 
@@ -44,6 +53,19 @@ impl Settings {
                 Next::Word("max_trace_level") => {
                     r.take()?;
                     self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
+                }
+                Next::Word("noise_generator") => {
+                    r.take()?;
+                    let (at, n) = (r.span(), r.float()?);
+                    if !(1.0..4.0).contains(&n) {
+                        let message = format!("there are noise generators 1, 2 and 3, but none with the number {n}");
+                        return Diagnostic::err(codes::BAD_ARGUMENT, at, message);
+                    }
+                    self.noise_generator = Some(NoiseGenerator::from_number(n));
+                }
+                Next::Word("irid_wavelength") => {
+                    r.take()?;
+                    r.color()?;
                 }
                 Next::Word("adc_bailout") => {
                     r.take()?;

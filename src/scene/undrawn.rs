@@ -29,6 +29,11 @@ impl Object {
             if next == Next::End {
                 break;
             }
+            if let Next::Word("ttf") = next {
+                r.take()?;
+                read_font(r)?;
+                continue;
+            }
             // Groups of lights and objects hold what looks like modifiers.
             if word == "light_group" || !object.read_modifier(next, r, defaults)? {
                 r.pass(&mut |value| seen.note(value))?;
@@ -38,6 +43,18 @@ impl Object {
         object.kind = ObjectKind::Undrawn(seen.about(word));
         Ok(object)
     }
+}
+
+/// `"cyrvetic.ttf"` of a `text`: names without ending mean `.ttf`.
+fn read_font(r: &mut dyn Reader) -> Result<()> {
+    let (at, name) = (r.span(), r.text()?);
+    let full = if name.contains('.') { name.clone() } else { format!("{name}.ttf") };
+    if r.find_file(&full, at)?.is_none() {
+        let message = format!("the font `{name}` was not found: a similar one stands for it");
+        let d = Diagnostic::new(codes::FONT_MISSING, at, message);
+        r.report(d.help("fonts are looked for where included files are; -I DIR adds a folder"));
+    }
+    Ok(())
 }
 
 impl Seen {

@@ -27,7 +27,7 @@ pub const MODIFIERS: Vocabulary = Vocabulary {
         word("cutaway_textures", Flag, "off", "a cut shows the texture of what was cut"),
     ],
     moves: true,
-    idle: &["sturm", "hierarchy"],
+    idle: &["sturm", "hierarchy", "split_union", "all_intersections"],
     not_drawn: &["normal", "photons", "uv_mapping"],
 };
 
@@ -44,9 +44,15 @@ pub const SETTINGS: Vocabulary = Vocabulary {
         ),
         word("max_trace_level", Float, "5", "how often a ray may be mirrored and bent, 256 at most"),
         word("adc_bailout", Float, "1/255", "rays that count for less are not followed"),
+        word(
+            "noise_generator",
+            Float,
+            "2 for `#version` 3.5 and later",
+            "which noise functions are made of: 1, 2 or 3",
+        ),
         word("ambient_light", Color, "1", "the light that `finish { ambient }` answers to"),
     ],
     moves: false,
     idle: &["charset", "hf_gray_16", "irid_wavelength", "max_intersections", "mm_per_unit", "number_of_waves"],
-    not_drawn: &["noise_generator", "photons", "radiosity", "subsurface"],
+    not_drawn: &["photons", "radiosity", "subsurface"],
 };

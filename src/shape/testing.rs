@@ -142,7 +142,11 @@ impl Reader for Words {
     }
 
     fn language(&self) -> Language {
-        Language { version: 370, assumed_gamma: None }
+        Language { version: 370, bare_textures: false, assumed_gamma: None }
+    }
+
+    fn find_file(&mut self, _: &str, _: Span) -> Result<Option<std::path::PathBuf>> {
+        unreachable!()
     }
 
     fn pass(&mut self, _: &mut dyn FnMut(&Value)) -> Result<()> {

@@ -35,6 +35,12 @@ impl SearchPath {
         Self { folders }
     }
 
+    /// As on a machine without POV-Ray.
+    pub fn without_installed(mut self) -> Self {
+        self.folders.retain(|folder| !INSTALLED.iter().any(|installed| folder == Path::new(installed)));
+        self
+    }
+
     /// The first file or folder of that very name: what `file_exists` tells, as POV-Ray does.
     pub fn find(&self, name: &str) -> Option<PathBuf> {
         self.look(name, None, Path::exists)

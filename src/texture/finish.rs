@@ -41,6 +41,9 @@ pub struct Finish {
     pub reflection: Reflection,
     /// Takes from the light that passes what the mirror gives.
     pub conserve_energy: bool,
+    /// The index of refraction, where an old scene says it here and no `interior` does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ior: Option<f64>,
 }
 
 /// All numbers of a mirror.
@@ -79,6 +82,7 @@ impl Default for Finish {
             crand: 0.0,
             reflection: Reflection::default(),
             conserve_energy: false,
+            ior: None,
         }
     }
 }
@@ -113,7 +117,8 @@ impl Finish {
         }
     }
 
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+    /// Reads one of the words of [`FINISH`], which comes next.
+    pub(super) fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
         r.take()?;
         match word {
             "ambient" => self.ambient = r.color()?.rgb,
@@ -136,6 +141,9 @@ impl Finish {
             "roughness" => self.roughness = r.float()?,
             "metallic" => self.metallic = r.optional_float()?.unwrap_or(1.0),
             "crand" => self.crand = r.float()?,
+            // Before 3.1, what is inside stood here.
+            "ior" => self.ior = Some(r.float()?),
+            "refraction" | "caustics" | "fade_distance" | "fade_power" => drop(r.float()?),
             "conserve_energy" => self.conserve_energy = r.flag()?,
             "reflection_exponent" => self.reflection.exponent = r.float()?,
             _ => {

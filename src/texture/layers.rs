@@ -1,6 +1,7 @@
 //! `texture` and `material` (manual, "Texture", "Material").
 
-use super::words::TEXTURE;
+use super::pigment::Draft;
+use super::words::{FINISH, TEXTURE};
 use super::{Finish, Interior, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
@@ -35,11 +36,13 @@ impl Texture {
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
         let mut out = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
+        let bare = r.language().bare_textures;
+        let mut draft: Option<Draft> = None;
         // Textures stand inside a texture only behind the pattern that chooses among them.
         let mut chooses = false;
         loop {
             match r.next()? {
-                Next::End => return Ok(out),
+                Next::End => break,
                 Next::Block("texture") | Next::Thing("texture") if !chooses => {
                     return Err(r.unknown_word("texture", &TEXTURE.names()).into());
                 }
@@ -50,6 +53,18 @@ impl Texture {
                     if let Some(step) = r.transform()? {
                         out.transform(&step);
                     }
+                }
+                Next::Word(word) if bare && FINISH.obeys(word) => {
+                    let top = out.layers.len() - 1;
+                    out.layers[top].finish.read_word(word, r)?;
+                }
+                // A lone number was the texture's grain.
+                Next::Value if bare && draft.is_none() && !chooses => drop(r.float()?),
+                next @ (Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map"))
+                    if bare && !matches!(next, Next::Word("tiles" | "texture_map" | "material_map" | "uv_mapping")) =>
+                {
+                    let top = out.layers.len() - 1;
+                    draft.get_or_insert_with(|| Draft::of(&out.layers[top].pigment.paint)).read_element(r, next)?;
                 }
                 Next::Word(word) | Next::Block(word)
                     if TEXTURE.leaves_out(word)
@@ -62,6 +77,10 @@ impl Texture {
                 _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),
             }
         }
+        if let (Some(draft), Some(layer)) = (draft, out.layers.last_mut()) {
+            layer.pigment.paint = draft.finish();
+        }
+        Ok(out)
     }
 
     /// Reads a `pigment`, `normal` or `finish`, in braces or declared; false if something else comes next.

@@ -53,7 +53,7 @@ impl Default for Pigment {
 
 /// A pigment while it is read.
 #[derive(Default)]
-struct Draft {
+pub(super) struct Draft {
     cells: Option<CellPattern>,
     cell_pigments: Vec<Pigment>,
     field: Option<FieldPattern>,
@@ -144,7 +144,7 @@ impl Pigment {
 
 impl Draft {
     /// A declared pigment that is changed: `pigment { Wood color_map { … } }`.
-    fn of(paint: &Paint) -> Self {
+    pub(super) fn of(paint: &Paint) -> Self {
         match paint.clone() {
             Paint::Solid(color) => Draft { color: Some(color), ..Draft::default() },
             Paint::Cells { pattern, pigments } => {
@@ -156,7 +156,7 @@ impl Draft {
         }
     }
 
-    fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
+    pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
         match next {
             Next::Word(word) if self.is_own_word(word) => {
                 r.take()?;
@@ -229,7 +229,7 @@ impl Draft {
         Ok(())
     }
 
-    fn finish(self) -> Paint {
+    pub(super) fn finish(self) -> Paint {
         match (self.cells, self.field, self.map) {
             (Some(pattern), ..) => Paint::Cells { pattern, pigments: self.cell_pigments },
             (_, Some(pattern), map) => {

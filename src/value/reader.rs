@@ -6,6 +6,7 @@ use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result};
 use crate::math::{DVec2, DVec3, Transform};
 use crate::source::Span;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// What comes next, after all directives and macros before it ran.
@@ -34,6 +35,8 @@ pub enum Next {
 pub struct Language {
     /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/compat.rs` compares it.
     pub version: u32,
+    /// May a texture hold what belongs into its pigment and finish, as before 3.0?
+    pub bare_textures: bool,
     /// `global_settings { assumed_gamma … }`, once it has been read.
     pub assumed_gamma: Option<Gamma>,
 }
@@ -93,6 +96,8 @@ pub trait Reader {
     fn skip_unsupported(&mut self, what: &str) -> Result<()>;
     /// Consumes whatever comes next with all that is in it, and shows the values.
     fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()>;
+    /// The file of this name where scenes look for theirs, if it is there and may be read; `at` is the name's place.
+    fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
     /// Tells the user something without stopping.
     fn report(&mut self, diagnostic: Diagnostic);
     /// An error about what comes next: "expected …, found …".

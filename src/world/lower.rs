@@ -133,13 +133,17 @@ impl Lowering {
             Ok(Some(Look { texture: painted.texture.clone(), transform: place }))
         };
         let texture = look(&object.texture)?;
+        // Old scenes name the index of refraction in the finish.
+        let ior_of = |painted: &Painted| painted.texture.layers.iter().find_map(|layer| layer.finish.ior);
+        let old_ior = || object.texture.as_ref().and_then(ior_of).map(|ior| Interior { ior });
+        let interior = object.interior.as_deref().cloned().or_else(old_ior);
         // What a group says of its inside does not belong to a part's own texture.
         let inherited = if texture.is_none() { around.inside.clone() } else { None };
         Ok(Around {
             transform,
             inside: look(&object.interior_texture)?.or(inherited),
             texture: texture.or_else(|| around.texture.clone()),
-            interior: object.interior.as_deref().map(|i| self.add_interior(i)).or(around.interior),
+            interior: interior.map(|i| self.add_interior(&i)).or(around.interior),
             flags: joined(object.flags, around.flags),
         })
     }

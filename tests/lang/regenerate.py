@@ -8,6 +8,7 @@ comments, and whether it fails with the `//! E…` comments. `--write` puts what
 Sections that hold `//~` are durer's own or a known difference: POV-Ray is not asked.
 """
 
+import concurrent.futures
 import pathlib
 import re
 import subprocess
@@ -54,12 +55,13 @@ def check(path, write):
     lines = split_lines(path.read_bytes())
     preamble, *cases = sections(lines)
     wrong = 0
-    for case in cases or [preamble]:
-        kept = set(preamble) | set(case)
+    cases = [case for case in cases or [preamble] if not any(b"//~" in lines[i] for i in case)]
+    texts = [only(lines, set(preamble) | set(case)) for case in cases]
+    # POV-Ray waits more than it works.
+    with concurrent.futures.ThreadPoolExecutor(12) as pool:
+        answers = list(pool.map(ask, texts))
+    for case, (printed, fine, complaint) in zip(cases, answers):
         marks = [i for i in case if b"//=" in lines[i]]
-        if any(b"//~" in lines[i] for i in case):
-            continue
-        printed, fine, complaint = ask(only(lines, kept))
         fails = any(re.search(rb"//! E", lines[i]) for i in case)
         title = f"{path.name}:{case.start + 1}"
         if fine == fails:

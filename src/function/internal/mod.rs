@@ -1,5 +1,17 @@
-//! The functions behind `functions.inc`: `function { internal(N) }` (manual, "functions.inc").
+//! The functions behind `functions.inc`: `function { internal(N) }` (manual, "functions.inc"). Formulas are those of
+//! published surfaces, with what was measured on POV-Ray 3.7.0.10; `tests/function_internals.rs` compares each with it.
 
+mod algebraic;
+mod helix;
+mod misc;
+mod noise;
+mod planar;
+mod quadric;
+mod table;
+
+pub use table::TABLE;
+
+use super::Interval;
 use std::fmt;
 
 /// One of them.
@@ -8,10 +20,14 @@ pub struct Internal {
     pub number: u32,
     /// As `functions.inc` calls it.
     pub name: &'static str,
-    /// How many numbers it takes beside x, y and z.
-    pub parameters: usize,
-    /// x, y, z and the parameters.
+    /// What it is, for the manual.
+    pub summary: &'static str,
+    /// What each number beside x, y and z means, for the manual.
+    pub parameters: &'static [&'static str],
+    /// x, y, z and the parameters; NaN for another count.
     pub compute: fn(&[f64]) -> f64,
+    /// Between which numbers it lies while the arguments lie in these intervals.
+    pub bounds: Option<fn(&[Interval]) -> Interval>,
 }
 
 impl fmt::Debug for Internal {
@@ -25,12 +41,25 @@ pub fn find(number: u32) -> Option<&'static Internal> {
     TABLE.iter().find(|row| row.number == number)
 }
 
-const TABLE: &[Internal] = &[
-    Internal { number: 57, name: "f_r", parameters: 0, compute: |a| (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt() },
-    Internal {
-        number: 61,
-        name: "f_sphere",
-        parameters: 1,
-        compute: |a| (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt() - a[3],
-    },
-];
+/// Calls a function of N numbers.
+#[inline]
+fn call<const N: usize>(arguments: &[f64], function: fn([f64; N]) -> f64) -> f64 {
+    arguments.try_into().map_or(f64::NAN, function)
+}
+
+/// A polynomial times its field strength, as far as POV-Ray follows it.
+#[inline]
+fn field(strength: f64, value: f64) -> f64 {
+    (strength * value).clamp(-10.0, 10.0)
+}
+
+/// A value and the field limit.
+#[inline]
+fn clamped(value: f64, limit: f64) -> f64 {
+    value.max(-limit).min(limit)
+}
+
+/// Where [`field`] lies.
+fn field_bounds(_: &[Interval]) -> Interval {
+    Interval { lo: -10.0, hi: 10.0 }
+}

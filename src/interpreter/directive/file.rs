@@ -95,7 +95,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn open_to_read(&mut self, name: &str, span: Span) -> Result<OpenFile> {
-        let Some(path) = self.find_file(name, span)? else {
+        let Some(path) = self.find_read_file(name, span)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
             let folders: Vec<String> =
                 self.options.search.folders.iter().map(|f| format!("`{}`", f.display())).collect();
@@ -125,7 +125,7 @@ impl<'a> Interpreter<'a> {
         let file = std::fs::OpenOptions::new().create(true).write(true).append(append).truncate(!append).open(&path);
         match file {
             Ok(file) => {
-                self.library.forget(&path);
+                self.parsed.forget(&path);
                 Ok(OpenFile { name: name.into(), path, access: Access::Write(std::io::BufWriter::new(file)) })
             }
             Err(error) => {
@@ -140,7 +140,7 @@ impl<'a> Interpreter<'a> {
             let index = *index;
             let path = self.files[index].path.clone();
             self.files[index].access = Access::Closed;
-            self.library.forget(&path);
+            self.parsed.forget(&path);
             if let Some(place) = self.scopes.resolve(symbol) {
                 self.scopes.unbind(&place);
             }

@@ -4,6 +4,7 @@ use crate::diagnostic::{Diagnostic, Result, codes, file, nearest};
 use crate::interpreter::Interpreter;
 use crate::interpreter::limits::MAX_INCLUDES;
 use crate::interpreter::stream::FrameKind;
+use crate::library;
 use crate::source::{FileId, Found, Span, read_text};
 use crate::syntax::ast::{Ast, Expr};
 use crate::syntax::parse;
@@ -16,10 +17,13 @@ impl<'a> Interpreter<'a> {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
             return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
-        let Some(path) = self.find_file(&text, name.span)? else {
-            return Err(self.missing_include(&text, name.span).into());
+        let (path, ast) = match self.find_read_file(&text, name.span)? {
+            Some(path) => (path.clone(), self.load(&path, &text, name.span)?),
+            None => match library::find(&text) {
+                Some(built_in) => self.load_built_in(&text, built_in, name.span)?,
+                None => return Err(self.missing_include(&text, name.span).into()),
+            },
         };
-        let ast = self.load(&path, &text, name.span)?;
         self.scopes.enter();
         self.including.push(path);
         self.push_frame(&ast.elements, FrameKind::Include, span);
@@ -27,7 +31,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A file that the scene names, if it is there and may be read.
-    pub(in crate::interpreter) fn find_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
+    pub(in crate::interpreter) fn find_read_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
         let including = self.including.last().map(PathBuf::as_path);
         // `"C:\new\shapes.inc"` as it is typed, where `\n` is no line's end.
         let typed = self.sources.snippet(span);
@@ -58,7 +62,7 @@ impl<'a> Interpreter<'a> {
 
     /// A file's tree: read and parsed once, however often it is included.
     fn load(&mut self, path: &Path, name: &str, span: Span) -> Result<&'a Ast> {
-        if let Some(ast) = self.library.file(path).and_then(|file| self.library.tree(file)) {
+        if let Some(ast) = self.parsed.file(path).and_then(|file| self.parsed.tree(file)) {
             return Ok(ast);
         }
         let text = read_text(path).map_err(|e| {
@@ -69,17 +73,31 @@ impl<'a> Interpreter<'a> {
             return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
         };
         let ast = self.parse_file(file)?;
-        self.library.keep_file(path, file);
+        self.parsed.keep_file(path, file);
         Ok(ast)
+    }
+
+    /// The same for a file of the program's own library, under a path that no file has.
+    fn load_built_in(&mut self, name: &str, text: &str, span: Span) -> Result<(PathBuf, &'a Ast)> {
+        let path = Path::new(library::FOLDER).join(name);
+        if let Some(ast) = self.parsed.file(&path).and_then(|file| self.parsed.tree(file)) {
+            return Ok((path, ast));
+        }
+        let Some(file) = self.sources.add(&path.to_string_lossy(), None, text.to_string()) else {
+            return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
+        };
+        let ast = self.parse_file(file)?;
+        self.parsed.keep_file(&path, file);
+        Ok((path, ast))
     }
 
     /// Parses a text that [`crate::source::Sources`] holds; all but the last of its errors are reported here.
     pub(in crate::interpreter) fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
-        if let Some(ast) = self.library.tree(file) {
+        if let Some(ast) = self.parsed.tree(file) {
             return Ok(ast);
         }
         match parse(self.sources, file, self.names) {
-            Ok(ast) => Ok(self.library.keep(file, ast)),
+            Ok(ast) => Ok(self.parsed.keep(file, ast)),
             Err(mut faults) => {
                 let last = faults.pop();
                 for fault in faults {

@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::{Interpreter, compat};
 use crate::syntax::ast::Expr;
+use std::sync::atomic::Ordering;
 
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn version(&mut self, value: &'a Expr) -> Result<()> {
@@ -14,6 +15,10 @@ impl<'a> Interpreter<'a> {
             self.report_fault(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
         }
         self.language.version = version;
+        if self.scene.settings.noise_generator.is_none() {
+            self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
+        }
+        self.language.bare_textures = compat::has_bare_textures(version);
         self.version_stated = true;
         Ok(())
     }

@@ -19,6 +19,7 @@ use crate::syntax::ast::*;
 use crate::value::{FloatOrColor, Language, Next, Reader, Thing, Value, VecN};
 pub use color::COLOR_WORDS;
 use color::begins_color;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
@@ -299,6 +300,10 @@ impl Reader for Interpreter<'_> {
 
     fn language(&self) -> Language {
         self.language
+    }
+
+    fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>> {
+        self.find_read_file(name, at)
     }
 
     fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()> {

@@ -12,9 +12,11 @@ mod tables;
 mod value;
 
 use super::DVec3;
+use serde::Serialize;
 
 /// What `noise_generator N` chooses (manual, "Noise Generators").
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum NoiseGenerator {
     /// 1, original: the range is cut at 0 and 1, which leaves flat spots.
     Original,
@@ -26,6 +28,15 @@ pub enum NoiseGenerator {
 }
 
 impl NoiseGenerator {
+    /// What `noise_generator` calls it.
+    pub fn number(self) -> u8 {
+        match self {
+            Self::Original => 1,
+            Self::RangeCorrected => 2,
+            Self::Perlin => 3,
+        }
+    }
+
     /// From the last argument of `f_noise_generator`, of which POV-Ray drops the fraction and looks at two bits; 0 counts as 1.
     pub fn from_number(n: f64) -> Self {
         match (n as i64) & 3 {

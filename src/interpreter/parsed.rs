@@ -10,7 +10,7 @@ use std::time::SystemTime;
 
 /// Parsed files, and the names in them. It belongs to one [`crate::source::Sources`].
 #[derive(Default)]
-pub struct Library {
+pub struct ParsedFiles {
     pub(super) names: Names,
     pub(super) asts: elsa::FrozenVec<Box<Ast>>,
     /// Numbers of trees.
@@ -26,7 +26,7 @@ fn stamp(path: &Path) -> Option<Stamp> {
     Some((meta.modified().ok()?, meta.len()))
 }
 
-impl Library {
+impl ParsedFiles {
     /// The tree of a file, if it was parsed.
     pub(super) fn tree(&self, file: FileId) -> Option<&Ast> {
         let index = self.trees.borrow().get(&file).copied()?;
@@ -38,10 +38,10 @@ impl Library {
         self.asts.push_get(Box::new(ast))
     }
 
-    /// The file that lies there, if it was read and is still the same.
+    /// The file that lies there, if it was read and is still the same. Those that are built in have no stamp.
     pub(super) fn file(&self, path: &Path) -> Option<FileId> {
         let (file, read) = self.files.borrow().get(path).copied()?;
-        (read.is_some() && read == stamp(path)).then_some(file)
+        (read == stamp(path)).then_some(file)
     }
 
     pub(super) fn keep_file(&self, path: &Path, file: FileId) {

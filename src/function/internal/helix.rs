@@ -1,0 +1,81 @@
+//! Tubes that wind: helices, the spiral and the torus with windings. Each is the distance, in the tube's cross section, from
+//! a curve (A. Gray, "Modern Differential Geometry of Curves and Surfaces", 1993, "Helix"), where the cross section is a
+//! superellipse of exponent 2 / type (manual, "Cross Section Type").
+
+use std::f64::consts::{PI, TAU};
+
+/// (|a|^p + |b|^p)^(1/p) with p = 2 / type: type 0 gives squares, 1 circles, 2 diamonds.
+fn cross_section(a: f64, b: f64, kind: f64) -> f64 {
+    let (a, b) = (a.abs(), b.abs());
+    match kind {
+        0.0 => a.max(b),
+        1.0 => (a * a + b * b).sqrt(),
+        2.0 => a + b,
+        _ => (a.powf(2.0 / kind) + b.powf(2.0 / kind)).powf(kind / 2.0),
+    }
+}
+
+/// Turned by an angle with this sine and cosine.
+fn turned(a: f64, b: f64, (sin, cos): (f64, f64)) -> (f64, f64) {
+    (a * cos - b * sin, a * sin + b * cos)
+}
+
+/// How far x is from the middle of its period, for any sign of both.
+fn from_middle(x: f64, period: f64) -> f64 {
+    x - period * (x / period).floor() - period / 2.0
+}
+
+/// The tube's cross section is spanned by the distance from the cylinder of the major radius, and along y. It is never
+/// farther than the opposite side of that cylinder.
+pub fn helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f64; 10]) -> f64 {
+    let q = (x * x + z * z).sqrt();
+    let pitch = TAU / (number * period);
+    let along = from_middle(y - (-z).atan2(x) / period, pitch);
+    let (a, b) = turned(q - major, along / shape, degrees.to_radians().sin_cos());
+    // `min` also drops what is undefined where there is no helix.
+    cross_section(a, b, kind).min(q + major) - minor
+}
+
+/// A cylinder whose horizontal cross section turns around the y axis while its centre does.
+pub fn helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
+    let (sin, cos) = (period * y).sin_cos();
+    let (a, b) = turned(x - major * cos, z - major * sin, (-sin, cos));
+    cross_section(a, b, kind) - minor
+}
+
+/// Around the y axis, in the plane y = 0: the spiral of Archimedes r = winding · angle / 2π from the centre, cut by a sphere.
+pub fn spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f64 {
+    let around = x * x + z * z;
+    let r = (around + y * y).sqrt();
+    let from_spiral = around.sqrt() - winding * z.atan2(-x).rem_euclid(TAU) / TAU;
+    let across = (from_spiral + winding / 2.0) % winding - winding / 2.0;
+    let tube = cross_section(across, y, kind);
+    let tube = if r < tube { r } else { tube } - thickness;
+    tube.max(r - radius)
+}
+
+/// A torus of major radius P0; P1 windings around it that turn P2 times. P5 is the radius on which they lie.
+pub fn helical_torus(
+    [x, y, z, major, loops, twist, fatness, threshold, minor, flatness, period, amplitude, phase]: [f64; 13],
+) -> f64 {
+    let q = (x * x + z * z).sqrt();
+    let across = q - major;
+    let from_circle = (across * across + y * y).sqrt();
+    let azimuth = x.atan2(z);
+
+    // How far around the tube the next winding is, and the distance from it.
+    let turn = loops * azimuth + twist * across.atan2(y);
+    let away = turn - TAU * (turn / TAU).floor() - PI;
+    let deep = from_circle - minor;
+    let square = deep * deep + flatness * away * away;
+    let axis = q + major - minor - threshold;
+    if square.is_nan() || square < 0.0 {
+        return axis;
+    }
+    let distance = square.sqrt().min(from_circle + minor);
+
+    // Grooves lie around the winding.
+    let groove =
+        if fatness == 0.0 { 0.0 } else { fatness * (period * (amplitude * away).atan2(deep) + phase * azimuth).cos() };
+    (distance - threshold - groove).min(axis)
+}

@@ -1,0 +1,100 @@
+//! Sums of noise: K. Musgrave's multifractals ("Texturing and Modeling: A Procedural Approach", 1994, chapter "Procedural
+//! Fractal Terrains") and the ridged turbulence, over [`crate::math::noise`]. POV-Ray keeps the powers of frequencies from
+//! one call to the next, and so gives wrong numbers where calls of several parameters take turns; here they are always right.
+
+use super::super::Interval;
+use crate::math::DVec3;
+use crate::math::noise::{NoiseGenerator, noise};
+
+/// More octaves than these only add rounding errors, and would take for ever.
+const MOST_OCTAVES: f64 = 64.0;
+
+/// Noise from 0 to 1 by the generator that scenes use unless they say otherwise.
+pub fn noise3d([x, y, z]: [f64; 3]) -> f64 {
+    noise(DVec3::new(x, y, z), NoiseGenerator::default())
+}
+
+/// Noise from 0 to 1.
+pub fn noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
+    noise(DVec3::new(x, y, z), NoiseGenerator::from_number(generator))
+}
+
+/// Noise from -1 to 1.
+fn signed(p: DVec3, generator: NoiseGenerator) -> f64 {
+    2.0 * noise(p, generator) - 1.0
+}
+
+/// Musgrave's `Hetero_Terrain`. The heterogeneity t, without its fraction, is the power of the altitude that scales the next
+/// octave.
+pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+    let octaves = octaves.min(MOST_OCTAVES);
+    let mut value = offset + signed(p, generator);
+    let (mut i, mut frequency) = (1.0, 1.0_f64);
+    let mut increment = || {
+        p *= lacunarity;
+        frequency *= lacunarity;
+        (signed(p, generator) + offset) * frequency.powf(-h)
+    };
+    let power = t.clamp(0.0, 64.0) as i32;
+    while i < octaves {
+        value += increment() * value.powi(power);
+        i += 1.0;
+    }
+
+    // What is left of the octaves, as Musgrave has it.
+    let rest = octaves - octaves.floor();
+    if rest > 0.0 { value + rest * increment() * value } else { value }
+}
+
+/// Musgrave's `RidgedMultifractal`.
+pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+    let ridge = |p: DVec3| {
+        let height = offset - signed(p, generator).abs();
+        height * height
+    };
+    let mut signal = ridge(p);
+    let mut sum = signal;
+    let (mut i, mut frequency) = (1.0, 1.0_f64);
+    while i < octaves.min(MOST_OCTAVES) {
+        p *= lacunarity;
+        frequency *= lacunarity;
+        signal = ridge(p) * (signal * gain).clamp(0.0, 1.0);
+        sum += signal * frequency.powf(-h);
+        i += 1.0;
+    }
+    sum
+}
+
+/// The mean of octaves of |noise - ridge|, less the offset; both differences are divided by the larger part of the range from
+/// 0 to 1 that they cut it into.
+pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+    let octaves = octaves.min(MOST_OCTAVES);
+    let height = |p: DVec3| (noise(p, generator) - ridge).abs() / ridge.max(1.0 - ridge);
+    let (mut sum, mut weights, mut weight) = (height(p), 1.0, 1.0);
+    let mut add = |share: f64| {
+        p *= lambda;
+        weight *= omega;
+        sum += share * weight * height(p);
+        weights += share * weight;
+    };
+    let mut i = 1.0;
+    while i < octaves.floor() {
+        add(1.0);
+        i += 1.0;
+    }
+
+    // The fraction of an octave counts so much less.
+    let rest = octaves - octaves.floor();
+    if rest > 0.0 {
+        add(rest);
+    }
+    (sum / weights - offset) / offset.max(1.0 - offset)
+}
+
+/// Where noise lies.
+pub fn noise_bounds(_: &[Interval]) -> Interval {
+    Interval::TRUTH
+}

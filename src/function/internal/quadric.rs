@@ -1,0 +1,103 @@
+//! Distances and what is near them: spheres, boxes, tori and angles. Their zero sets are the surfaces of the manual; that
+//! the numbers between are distances was measured on POV-Ray 3.7.0.10, as every formula in this folder was.
+
+use super::super::Interval;
+
+/// √(x² + y² + z²).
+pub fn r([x, y, z]: [f64; 3]) -> f64 {
+    (x * x + y * y + z * z).sqrt()
+}
+
+/// The angle from the y axis, from 0 to π, in radians; 0 in the origin (colatitude of spherical coordinates).
+pub fn ph([x, y, z]: [f64; 3]) -> f64 {
+    let r = (x * x + y * y + z * z).sqrt();
+    if r > 0.0 { (y / r).clamp(-1.0, 1.0).acos() } else { 0.0 }
+}
+
+/// The angle around the y axis, in radians, 0 along z, π/2 along x.
+pub fn th([x, _, z]: [f64; 3]) -> f64 {
+    x.atan2(z)
+}
+
+/// The distance from a sphere.
+pub fn sphere([x, y, z, radius]: [f64; 4]) -> f64 {
+    (x * x + y * y + z * z).sqrt() - radius
+}
+
+/// √((a x)² + (b y)² + (c z)²), which is 1 on an ellipsoid of half axes 1/a, 1/b, 1/c.
+pub fn ellipsoid([x, y, z, a, b, c]: [f64; 6]) -> f64 {
+    let (x, y, z) = (a * x, b * y, c * z);
+    (x * x + y * y + z * z).sqrt()
+}
+
+/// The distance from the circle of the major radius around the y axis, less the minor radius (Weisstein, MathWorld, "Torus").
+pub fn torus([x, y, z, major, minor]: [f64; 5]) -> f64 {
+    let across = (x * x + z * z).sqrt() - major;
+    (across * across + y * y).sqrt() - minor
+}
+
+/// The distance from a box that shrank by the radius, less the radius, and 1e-6 less, as POV-Ray has it. Inside the
+/// shrunken box this is constant.
+pub fn rounded_box([x, y, z, radius, a, b, c]: [f64; 7]) -> f64 {
+    let beyond = |u: f64, half: f64| (u.abs() - half + radius).max(0.0);
+    let (x, y, z) = (beyond(x, a), beyond(y, b), beyond(z, c));
+    (x * x + y * y + z * z).sqrt() - radius - 1e-6
+}
+
+/// 1 - ((|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n))^(n/2): the superellipsoid of A. Barr, "Superquadrics and
+/// Angle-Preserving Transformations" (IEEE CG&A, 1981), with the exponents of POV-Ray's `superellipsoid`.
+pub fn superellipsoid([x, y, z, e, n]: [f64; 5]) -> f64 {
+    let around = x.abs().powf(2.0 / e) + y.abs().powf(2.0 / e);
+    1.0 - (around.powf(e / n) + z.abs().powf(2.0 / n)).powf(n / 2.0)
+}
+
+fn root(a: Interval) -> Interval {
+    a.growing(|x| x.max(0.0).sqrt())
+}
+
+fn norm(a: &[Interval]) -> Interval {
+    root(a.iter().fold(Interval::point(0.0), |sum, x| sum + x.square()))
+}
+
+/// Where [`r`] lies.
+pub fn r_bounds(a: &[Interval]) -> Interval {
+    norm(a)
+}
+
+/// Where [`sphere`] lies.
+pub fn sphere_bounds(a: &[Interval]) -> Interval {
+    let [point @ .., radius] = a else { return Interval::ALL };
+    norm(point) + -*radius
+}
+
+/// Where [`ellipsoid`] lies.
+pub fn ellipsoid_bounds(i: &[Interval]) -> Interval {
+    let &[x, y, z, a, b, c] = i else { return Interval::ALL };
+    norm(&[a * x, b * y, c * z])
+}
+
+/// Where [`torus`] lies.
+pub fn torus_bounds(a: &[Interval]) -> Interval {
+    let &[x, y, z, major, minor] = a else { return Interval::ALL };
+    norm(&[norm(&[x, z]) + -major, y]) + -minor
+}
+
+/// Where [`rounded_box`] lies.
+pub fn rounded_box_bounds(i: &[Interval]) -> Interval {
+    let &[x, y, z, radius, a, b, c] = i else { return Interval::ALL };
+    let beyond = |u: Interval, half: Interval| (u.abs() + -half + radius).growing(|u| u.max(0.0));
+    norm(&[beyond(x, a), beyond(y, b), beyond(z, c)]) + -radius + Interval::point(-1e-6)
+}
+
+/// Where [`superellipsoid`] lies, for exponents that are one positive number each.
+pub fn superellipsoid_bounds(a: &[Interval]) -> Interval {
+    let &[x, y, z, e, n] = a else { return Interval::ALL };
+    if e.lo != e.hi || n.lo != n.hi || !(e.lo > 0.0 && n.lo > 0.0) {
+        return Interval::ALL;
+    }
+    let (e, n) = (e.lo, n.lo);
+    let power = |i: Interval, p: f64| i.growing(|x| x.max(0.0).powf(p));
+    let around = power(x.abs(), 2.0 / e) + power(y.abs(), 2.0 / e);
+    let sum = power(around, e / n) + power(z.abs(), 2.0 / n);
+    Interval::point(1.0) + -power(sum, n / 2.0)
+}

@@ -1,0 +1,119 @@
+//! The built-in include files: they declare what the manual lists, and give what POV-Ray printed with its own.
+//!
+//! The sections of `tests/library/*.scene` have the form of `tests/lang.rs`; numbers may differ by rounding. A section with
+//! `//~` is a known difference, and what stands there is what durer's file gives. One with `//?` waits for a part of durer
+//! that is not there yet: it passes either way.
+
+use durer::interpreter::{Options, interpret};
+use durer::source::{Sandbox, SearchPath, Sources};
+use libtest_mimic::{Arguments, Failed, Trial};
+use std::path::Path;
+
+fn main() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library");
+    std::env::set_current_dir(env!("CARGO_TARGET_TMPDIR")).ok();
+    let mut trials = vec![Trial::test("quick", quick)];
+    for (file, names) in declared_names(&folder) {
+        trials.push(Trial::test(format!("names::{file}"), move || every_name_is_there(&file, &names)));
+    }
+    for name in ["values", "objects"] {
+        let text = std::fs::read_to_string(folder.join(name).with_extension("scene")).unwrap_or_default();
+        let mut sections = text.split("//--- ");
+        let preamble = sections.next().unwrap_or_default().to_string();
+        for section in sections {
+            let title = section.lines().next().unwrap_or_default();
+            let (preamble, section) = (preamble.clone(), section.to_string());
+            trials.push(Trial::test(format!("{name}::{title}"), move || compare(&preamble, &section)));
+        }
+    }
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+/// What a scene prints, and its messages, on a machine without POV-Ray.
+fn run(text: &str) -> (String, Vec<String>) {
+    let search = SearchPath::default();
+    let options = Options {
+        sandbox: Sandbox { read: vec![], write: vec![".".into()] },
+        search,
+        declares: vec![],
+        timing: Default::default(),
+        input_name: String::new(),
+        size: (1, 1),
+        max_steps: 1_000_000,
+        max_time: None,
+        max_memory: None,
+    };
+    let mut printed = String::new();
+    let told = durer::on_big_stack(|| {
+        let sources = Sources::default();
+        let Some(file) = sources.add("scene", None, text.to_string()) else { return vec![] };
+        let outcome = interpret(&sources, file, &options, &mut |text| printed.push_str(text));
+        let message = |d: &durer::diagnostic::Diagnostic| match sources.place(d.span()) {
+            Some(place) => format!("{}:{}: {} {}", place.file, place.line, d.code, d.message),
+            None => format!("{} {}", d.code, d.message),
+        };
+        outcome.diagnostics.iter().map(message).filter(|m| !m.starts_with("W0206")).collect()
+    });
+    (printed, told)
+}
+
+/// A section's lines against what it says after `//=`.
+fn compare(preamble: &str, section: &str) -> Result<(), Failed> {
+    let (printed, told) = run(&format!("{preamble}// {section}"));
+    let wanted =
+        section.lines().filter_map(|line| line.split_once("//=").map(|(code, text)| (code.trim(), text.trim())));
+    let mut wrong: Vec<String> = told;
+    let mut lines = printed.lines();
+    for (code, text) in wanted {
+        match lines.next() {
+            Some(found) if agree(text, found) => {}
+            found => wrong.push(format!("{code}\n    POV-Ray {text}\n    durer   {}", found.unwrap_or("nothing"))),
+        }
+    }
+    wrong.extend(lines.map(|line| format!("more is printed: {line}")));
+    let pending = section.contains("//?");
+    if wrong.is_empty() || pending { Ok(()) } else { Err(wrong.join("\n").into()) }
+}
+
+/// Equal words, and numbers that are equal but for rounding.
+fn agree(wanted: &str, found: &str) -> bool {
+    let words = |text: &str| text.split([',', ' ', '<', '>']).map(str::to_string).collect::<Vec<_>>();
+    let (wanted, found) = (words(wanted), words(found));
+    wanted.len() == found.len()
+        && wanted.iter().zip(&found).all(|(a, b)| match (a.parse::<f64>(), b.parse::<f64>()) {
+            (Ok(a), Ok(b)) => (a - b).abs() <= 2e-6 * a.abs().max(1.0),
+            _ => a == b,
+        })
+}
+
+/// The table of names.txt: each file, and what it declares.
+fn declared_names(folder: &Path) -> Vec<(String, Vec<String>)> {
+    let text = std::fs::read_to_string(folder.join("names.txt")).unwrap_or_default();
+    let mut files: Vec<(String, Vec<String>)> = vec![];
+    for line in text.lines().filter(|line| !line.starts_with('#')) {
+        match files.last_mut() {
+            Some((_, names)) if line.starts_with(' ') => names.extend(line.split_whitespace().map(str::to_string)),
+            _ => files.push((line.to_string(), vec![])),
+        }
+    }
+    files
+}
+
+fn every_name_is_there(file: &str, names: &[String]) -> Result<(), Failed> {
+    let file = file.split(' ').next().unwrap_or_default();
+    let tests: String = names.iter().map(|n| format!("#ifndef ({n}) #debug \"{n}\\n\" #end\n")).collect();
+    let (printed, told) = run(&format!("#version 3.7;\n#include \"{file}\"\n{tests}"));
+    if !names.is_empty() && printed.is_empty() && told.is_empty() {
+        return Ok(());
+    }
+    Err(format!("{} names; not declared:\n{printed}messages: {told:#?}", names.len()).into())
+}
+
+/// The three largest together are read in little time; the bound is wide, for slow machines and plain builds.
+fn quick() -> Result<(), Failed> {
+    let start = std::time::Instant::now();
+    let (_, told) =
+        run("#version 3.7;\n#include \"colors.inc\"\n#include \"shapes.inc\"\n#include \"functions.inc\"\n");
+    let took = start.elapsed().as_millis();
+    if took < 300 && told.is_empty() { Ok(()) } else { Err(format!("{took} ms, {told:?}").into()) }
+}
