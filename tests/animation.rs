@@ -171,7 +171,7 @@ fn warnings_for_programs() {
         Place::new(&[("w.pov", "#declare A = 1;\n#macro M() 1 / 0 #end\n#declare B = M();\ncamera { location z }")]);
     let text = place.exits(0, "check w.pov --warn unused --format json");
     let keys = ["code", "severity", "message", "file", "line", "column", "end", "help", "labels", "trace"];
-    let documented = include_str!("../docs/diagnostics.md");
+    let documented = include_str!("../docs/src/diagnostics.md");
     let mut codes = vec![];
     for line in text.lines() {
         let object: serde_json::Value = serde_json::from_str(line).unwrap();

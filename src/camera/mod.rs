@@ -2,6 +2,7 @@
 
 mod lecture;
 mod perspective;
+pub mod words;
 
 pub use lecture::LectureCamera;
 pub use perspective::Perspective;
@@ -11,6 +12,7 @@ use crate::math::{DVec3, Ray, Transform};
 use crate::source::Span;
 use crate::value::{Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
+use words::{LECTURE, PERSPECTIVE};
 
 /// Any camera.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -56,42 +58,6 @@ impl Window {
     }
 }
 
-const WORDS: &[&str] = &[
-    "location",
-    "direction",
-    "right",
-    "up",
-    "sky",
-    "look_at",
-    "angle",
-    "perspective",
-    "translate",
-    "rotate",
-    "scale",
-    "matrix",
-    "transform",
-    "eye",
-    "center",
-    "fov_x",
-    "fov_y",
-    "orthographic",
-    "fisheye",
-    "ultra_wide_angle",
-    "omnimax",
-    "panoramic",
-    "cylinder",
-    "spherical",
-    "mesh_camera",
-    "aperture",
-    "blur_samples",
-    "focal_point",
-    "confidence",
-    "variance",
-    "normal",
-    "bokeh",
-    "smooth",
-];
-
 impl Camera {
     /// Reads what stands between the braces; `source` is the block's place.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
@@ -111,7 +77,7 @@ impl Camera {
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word @ ("eye" | "center" | "fov_x" | "fov_y")) => {
+                Next::Word(word) if word != "up" && LECTURE.obeys(word) => {
                     let at = r.take()?;
                     lecture.get_or_insert_with(LectureCamera::default).read_word(word, at, r)?;
                 }
@@ -126,15 +92,15 @@ impl Camera {
                         transform = transform.then(&step);
                     }
                 }
-                Next::Word(word) if Perspective::WORDS.contains(&word) => {
+                Next::Word(word) if PERSPECTIVE.obeys(word) => {
                     let at = r.take()?;
                     povray.read_word(word, at, r)?;
                 }
-                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => {
+                Next::Word(word) | Next::Block(word) if PERSPECTIVE.leaves_out(word) => {
                     other_kind = true;
                     r.skip_unsupported(word)?
                 }
-                _ => return Err(r.unknown_word("camera", WORDS).into()),
+                _ => return Err(r.unknown_word("camera", &words::names()).into()),
             }
         }
         match lecture {
@@ -162,7 +128,7 @@ impl Camera {
                 Camera::Lecture(camera) => camera.transform = camera.transform.then(&step),
             }
         }
-        if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", WORDS).into()) }
+        if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::names()).into()) }
     }
 
     /// The rays of a picture of this size.

@@ -49,9 +49,6 @@ impl Default for Perspective {
 }
 
 impl Perspective {
-    pub(super) const WORDS: &[&str] =
-        &["location", "direction", "right", "up", "sky", "look_at", "angle", "perspective"];
-
     pub(super) fn read_word(&mut self, word: &str, at: Span, r: &mut dyn Reader) -> Result<()> {
         match word {
             "location" => self.location = r.vector()?,

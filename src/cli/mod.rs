@@ -8,6 +8,7 @@ mod console;
 mod exit;
 mod explain;
 mod interrupt;
+pub mod manual;
 mod memory;
 mod overlay;
 mod pick;

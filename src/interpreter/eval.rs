@@ -334,7 +334,7 @@ impl<'a> Interpreter<'a> {
         if let Some(include) = super::hints::include_of(name) {
             return d.help(format!("`#include \"{include}\"` declares it")).into();
         }
-        let words = word::KEYWORDS.iter().chain(word::CONSTANTS).chain(word::FUNCTIONS).copied();
+        let words = word::KEYWORDS.iter().chain(word::FUNCTIONS).copied().chain(word::CONSTANTS.iter().map(|c| c.0));
         // Words of the language are in small letters: a name with a capital is a slip of one only if nothing else differs.
         let capital = name.starts_with(char::is_uppercase);
         let words = words.filter(|w| !capital || w.eq_ignore_ascii_case(name));

@@ -23,7 +23,9 @@ use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Chain, Element, Symbol};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
+pub use directive::table as directives;
 pub use parsed::ParsedFiles;
+pub use reader::COLOR_WORDS;
 use rustc_hash::FxHashMap;
 use scope::{Place, Scopes};
 use std::path::PathBuf;
@@ -33,6 +35,12 @@ use std::sync::atomic::AtomicU8;
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
 pub use timing::Timing;
+pub use top::STATEMENTS;
+
+/// Every function of scripts that `function { }` does not have: name, arguments, one line.
+pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    builtin::usages()
+}
 
 /// What a run may do and what it is given.
 #[derive(Clone, Debug)]

@@ -152,7 +152,8 @@ impl<'a> Interpreter<'a> {
 
     /// Looks up the constants that stay as they are once for all.
     pub(super) fn keep_constants(&mut self) {
-        for name in word::CONSTANTS.iter().filter(|name| !matches!(**name, "version" | "now" | "input_file_name")) {
+        let changing = ["version", "now", "input_file_name"];
+        for (name, _) in word::CONSTANTS.iter().filter(|(name, _)| !changing.contains(name)) {
             let i = self.names.intern(name).0 as usize;
             if i >= self.constants.len() {
                 self.constants.resize(i + 1, None);

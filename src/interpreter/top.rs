@@ -6,38 +6,31 @@ use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::scene::{Object, is_object};
 use crate::source::Span;
-use crate::value::{Next, Reader};
+use crate::value::words::word;
+use crate::value::{Kind, Next, Reader, Vocabulary};
 use std::sync::atomic::Ordering;
 
-/// Blocks that stand at the outermost level and are not drawn yet.
-const LATER: &[&str] = &["fog", "sky_sphere", "rainbow", "media", "radiosity", "photons"];
-
-/// Everything that can stand at the outermost level.
-const STATEMENTS: &[&str] = &[
-    "camera",
-    "light_source",
-    "sphere",
-    "box",
-    "cylinder",
-    "cone",
-    "torus",
-    "plane",
-    "disc",
-    "triangle",
-    "smooth_triangle",
-    "polygon",
-    "union",
-    "intersection",
-    "difference",
-    "merge",
-    "object",
-    "background",
-    "global_settings",
-    "default",
-    "fog",
-    "sky_sphere",
-    "rainbow",
-];
+/// Everything that can stand at the outermost level, beside shapes.
+pub const STATEMENTS: Vocabulary = Vocabulary {
+    block: "scene",
+    summary: "what stands in a scene outside of all braces",
+    words: &[
+        word("camera", Kind::Block, "at the origin, along z", "where the picture is taken from; the last one counts"),
+        word("light_source", Kind::Block, "", "a light"),
+        word("union", Kind::Block, "", "several objects as one"),
+        word("composite", Kind::Block, "", "of old scenes: `union`"),
+        word("merge", Kind::Block, "", "the same without the surfaces inside, for glass"),
+        word("intersection", Kind::Block, "", "what all of several objects share"),
+        word("difference", Kind::Block, "", "the first object without the others"),
+        word("object", Kind::Block, "", "a declared object, or another one, with more words behind it"),
+        word("background", Kind::Color, "black", "what rays see that hit nothing"),
+        word("global_settings", Kind::Block, "", "what holds for the whole scene"),
+        word("default", Kind::Block, "", "behind `#`: what all that follows looks like where it doesn't say"),
+    ],
+    moves: false,
+    idle: &[],
+    not_drawn: &["fog", "sky_sphere", "rainbow", "media", "radiosity", "photons"],
+};
 
 impl Interpreter<'_> {
     /// Reads one statement, which [`Self::peek`] has announced; false at the end of the file.
@@ -63,7 +56,7 @@ impl Interpreter<'_> {
                 return d.help("only objects do; a `texture` or `pigment` belongs inside one").into();
             }
             Next::Value => return Err(self.stray_value().into()),
-            _ => return Err(self.unknown_word("scene", STATEMENTS).into()),
+            _ => return Err(self.unknown_word("scene", &statement_names()).into()),
         }
         Ok(true)
     }
@@ -76,7 +69,7 @@ impl Interpreter<'_> {
         if is_object(word) {
             return self.top_object();
         }
-        if LATER.contains(&word) {
+        if STATEMENTS.leaves_out(word) {
             return self.skip_unsupported(word);
         }
         if !matches!(word, "camera" | "background" | "global_settings" | "default") {
@@ -150,4 +143,8 @@ impl Interpreter<'_> {
             );
         }
     }
+}
+
+fn statement_names() -> Vec<&'static str> {
+    STATEMENTS.names().into_iter().chain(crate::shape::SPECS.iter().map(|s| s.name)).collect()
 }

@@ -1,5 +1,7 @@
 //! `light_source` (manual, "Light Source").
 
+pub mod words;
+
 use crate::color::Rgb;
 use crate::diagnostic::Diagnostic;
 use crate::diagnostic::{Result, codes};
@@ -7,6 +9,7 @@ use crate::math::{DVec3, Transform};
 use crate::source::Span;
 use crate::value::{Next, Reader, Thing};
 use serde::Serialize;
+use words::LIGHT;
 
 /// A point of light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,34 +34,6 @@ impl Thing for Light {
     }
 }
 
-const WORDS: &[&str] = &[
-    "shadowless",
-    "fade_distance",
-    "fade_power",
-    "translate",
-    "rotate",
-    "scale",
-    "matrix",
-    "transform",
-    "spotlight",
-    "cylinder",
-    "parallel",
-    "area_light",
-    "point_at",
-    "radius",
-    "falloff",
-    "tightness",
-    "looks_like",
-    "projected_through",
-    "media_interaction",
-    "media_attenuation",
-    "adaptive",
-    "jitter",
-    "circular",
-    "orient",
-    "photons",
-];
-
 impl Light {
     /// Reads what stands between the braces; `source` is the block's place.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
@@ -81,8 +56,8 @@ impl Light {
                         light.transform(&step);
                     }
                 }
-                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => r.skip_unsupported(word)?,
-                _ => return Err(r.unknown_word("light_source", WORDS).into()),
+                Next::Word(word) | Next::Block(word) if LIGHT.leaves_out(word) => r.skip_unsupported(word)?,
+                _ => return Err(r.unknown_word("light_source", &LIGHT.names()).into()),
             }
         }
     }

@@ -5,6 +5,7 @@ mod object;
 mod settings;
 mod undrawn;
 mod weight;
+pub mod words;
 
 pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, Painted, is_object, read_layers, read_material};
 pub use settings::Settings;

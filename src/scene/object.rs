@@ -1,6 +1,7 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
 use super::extent::transform_box;
+use super::words::MODIFIERS;
 use super::{Defaults, Weight};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
@@ -126,34 +127,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "superellipsoid",
     "text",
     "light_group",
-];
-
-const MODIFIERS: &[&str] = &[
-    "pigment",
-    "texture",
-    "finish",
-    "normal",
-    "interior",
-    "material",
-    "translate",
-    "rotate",
-    "scale",
-    "matrix",
-    "transform",
-    "clipped_by",
-    "bounded_by",
-    "no_shadow",
-    "no_image",
-    "no_reflection",
-    "no_radiosity",
-    "hollow",
-    "inverse",
-    "double_illuminate",
-    "interior_texture",
-    "photons",
-    "uv_mapping",
-    "sturm",
-    "hierarchy",
 ];
 
 /// The word of a CSG block.
@@ -284,7 +257,7 @@ impl Object {
             }
             if !self.read_modifier(next, r, defaults)? {
                 let own = shape.as_deref().map(|s| s.spec().word_names().collect::<Vec<_>>()).unwrap_or_default();
-                let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.iter().copied()).collect();
+                let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
                 return Err(r.unknown_word(self.word, &words).into());
             }
         }
@@ -308,7 +281,7 @@ impl Object {
                 }
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
-            Next::Word("clipped_by" | "bounded_by" | "sturm" | "hierarchy" | "split_union" | "all_intersections") => {
+            Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.idle.contains(&word) => {
                 r.take()?;
                 r.flag()?;
             }
@@ -329,7 +302,7 @@ impl Object {
                     self.set_material(&material);
                 }
             }
-            Next::Word("photons" | "uv_mapping") | Next::Block("photons") => r.skip_unsupported("photons")?,
+            Next::Word(word) | Next::Block(word) if MODIFIERS.leaves_out(word) => r.skip_unsupported(word)?,
             _ => return self.read_surface(next, r, defaults),
         }
         Ok(true)

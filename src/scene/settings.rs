@@ -1,5 +1,6 @@
 //! `global_settings` (manual, "Global Settings").
 
+use super::words::SETTINGS;
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
@@ -32,26 +33,6 @@ impl Default for Settings {
         }
     }
 }
-
-const WORDS: &[&str] = &[
-    "adc_bailout",
-    "ambient_light",
-    "assumed_gamma",
-    "charset",
-    "hf_gray_16",
-    "irid_wavelength",
-    "max_intersections",
-    "max_trace_level",
-    "mm_per_unit",
-    "noise_generator",
-    "number_of_waves",
-    "photons",
-    "radiosity",
-    "subsurface",
-];
-
-/// Known, and without any effect on what is drawn so far.
-const WITHOUT_EFFECT: &[&str] = &["charset", "hf_gray_16", "max_intersections", "mm_per_unit", "number_of_waves"];
 
 impl Settings {
     /// Reads what stands between the braces.
@@ -94,7 +75,7 @@ impl Settings {
                     r.take()?;
                     self.ambient_light = r.color()?.rgb;
                 }
-                Next::Word(word) if WITHOUT_EFFECT.contains(&word) => {
+                Next::Word(word) if SETTINGS.idle.contains(&word) => {
                     r.take()?;
                     while matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
                         match r.next()? {
@@ -103,8 +84,8 @@ impl Settings {
                         }
                     }
                 }
-                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => r.skip_unsupported(word)?,
-                _ => return Err(r.unknown_word("global_settings", WORDS).into()),
+                Next::Word(word) | Next::Block(word) if SETTINGS.leaves_out(word) => r.skip_unsupported(word)?,
+                _ => return Err(r.unknown_word("global_settings", &SETTINGS.names()).into()),
             }
         }
     }

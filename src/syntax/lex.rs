@@ -412,6 +412,11 @@ impl Lexer<'_> {
     }
 }
 
+/// The words that may follow a `#`.
+pub fn directive_names() -> impl Iterator<Item = &'static str> {
+    DIRECTIVES.iter().map(|(name, _)| *name)
+}
+
 /// All words that may follow a `#`, and the grammar's character for each.
 const DIRECTIVES: &[(&str, u8)] = &[
     ("declare", b'D'),

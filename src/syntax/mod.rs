@@ -12,5 +12,6 @@ mod parse;
 pub mod word;
 
 pub use build::unescape;
+pub use lex::directive_names;
 pub use names::Names;
 pub use parse::parse;

@@ -40,7 +40,7 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     let of = |words: &'static [&'static str], category| words.iter().map(move |&w| (w, category));
     let words: Vec<_> = of(KEYWORDS, Category::Keyword)
         .chain(of(FUNCTIONS, Category::Function))
-        .chain(of(CONSTANTS, Category::Constant))
+        .chain(CONSTANTS.iter().map(|&(word, _)| (word, Category::Constant)))
         .chain(CONTEXTUAL.iter().flat_map(move |(_, words)| of(words, Category::Contextual)))
         .collect();
     let numbers = words.iter().enumerate().map(|(i, (word, _))| (*word, i as u32)).collect();
@@ -52,7 +52,8 @@ pub fn contextual(block: &str) -> &'static [&'static str] {
     CONTEXTUAL.iter().find(|(name, _)| *name == block).map_or(&[], |(_, words)| words)
 }
 
-const CONTEXTUAL: &[(&str, &[&str])] =
+/// durer's own words and the blocks in which they are words.
+pub const CONTEXTUAL: &[(&str, &[&str])] =
     &[("camera", &["eye", "center", "fov_x", "fov_y"]), ("plane", &["implicit", "point", "span"])];
 
 /// Words that name blocks or stand inside them.
@@ -118,10 +119,32 @@ pub const FUNCTIONS: &[&str] = &[
     "trace", "val", "vaxis_rotate", "vcross", "vdot", "vlength", "vnormalize", "vrotate", "vstr", "vturbulence",
 ];
 
-/// Words that are values.
-#[rustfmt::skip]
-pub const CONSTANTS: &[&str] = &[
-    "clock", "clock_delta", "clock_on", "false", "final_clock", "final_frame", "frame_number", "image_height",
-    "image_width", "initial_clock", "initial_frame", "input_file_name", "no", "now", "off", "on", "pi", "t",
-    "true", "u", "v", "version", "x", "y", "yes", "z",
+/// Words that are values, and what the manual says of them.
+pub const CONSTANTS: &[(&str, &str)] = &[
+    ("clock", "the moment of an animation, 0 to 1 unless `--clock` or an INI file says otherwise"),
+    ("clock_delta", "from the clock of one frame to that of the next"),
+    ("clock_on", "is there an animation, or was a clock asked for?"),
+    ("false", "0"),
+    ("final_clock", "the clock of the last frame"),
+    ("final_frame", "the number of the last frame"),
+    ("frame_number", "the number of this frame; 0 without an animation"),
+    ("image_height", "of the picture, in pixels"),
+    ("image_width", "of the picture, in pixels"),
+    ("initial_clock", "the clock of the first frame"),
+    ("initial_frame", "the number of the first frame"),
+    ("input_file_name", "of the scene, without its folder"),
+    ("no", "0"),
+    ("now", "the time: days since the beginning of 2000, which makes every run another one"),
+    ("off", "0"),
+    ("on", "1"),
+    ("pi", "3.14159…"),
+    ("t", "`<0, 0, 0, 1>`"),
+    ("true", "1"),
+    ("u", "`<1, 0>`; in `function { }` the same as `x`"),
+    ("v", "`<0, 1>`; in `function { }` the same as `y`"),
+    ("version", "what `#version` has said last"),
+    ("x", "`<1, 0, 0>`; in `function { }` the first parameter, unless others are named"),
+    ("y", "`<0, 1, 0>`; in `function { }` the second"),
+    ("yes", "1"),
+    ("z", "`<0, 0, 1>`; in `function { }` the third"),
 ];

@@ -1,5 +1,6 @@
 //! `finish`: how a surface answers to light (manual, "Finish").
 
+use super::words::{FINISH, REFLECTION};
 use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::value::{Next, Reader, ReaderExt};
@@ -93,30 +94,6 @@ impl Default for Reflection {
     }
 }
 
-/// The words it takes.
-pub(super) const WORDS: &[&str] = &[
-    "ambient",
-    "emission",
-    "diffuse",
-    "brilliance",
-    "phong",
-    "phong_size",
-    "specular",
-    "roughness",
-    "metallic",
-    "crand",
-    "reflection",
-    "conserve_energy",
-    "irid",
-    "subsurface",
-    "albedo",
-    "refraction",
-    "ior",
-    "caustics",
-    "fade_distance",
-    "fade_power",
-];
-
 impl Finish {
     /// Reads what stands between the braces, on top of `base` (the default finish).
     pub fn read(r: &mut dyn Reader, base: &Finish) -> Result<Self> {
@@ -126,21 +103,21 @@ impl Finish {
                 Next::End => return Ok(f),
                 Next::Thing(_) => match r.thing::<Finish>()? {
                     Some(declared) => f = (*declared).clone(),
-                    None => return Err(r.unknown_word("finish", WORDS).into()),
+                    None => return Err(r.unknown_word("finish", &FINISH.names()).into()),
                 },
-                Next::Word(word) if WORDS.contains(&word) || word.starts_with("reflection_") => f.read_word(word, r)?,
+                Next::Word(word) if FINISH.obeys(word) => f.read_word(word, r)?,
                 Next::Block("reflection") => {
                     r.take()?;
                     f.reflection = Reflection::read(r)?;
                     r.leave()?;
                 }
-                Next::Block("irid" | "subsurface") => r.skip_unsupported("finish")?,
-                _ => return Err(r.unknown_word("finish", WORDS).into()),
+                Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => r.skip_unsupported(word)?,
+                _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),
             }
         }
     }
 
-    /// Reads one of [`WORDS`], which comes next.
+    /// Reads one of the words of [`FINISH`], which comes next.
     pub(super) fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
         r.take()?;
         match word {
@@ -178,8 +155,6 @@ impl Finish {
     }
 }
 
-const REFLECTION_WORDS: &[&str] = &["fresnel", "falloff", "exponent", "metallic"];
-
 impl Reflection {
     /// `reflection { [min,] max … }`
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -192,7 +167,7 @@ impl Reflection {
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word) if REFLECTION_WORDS.contains(&word) => {
+                Next::Word(word) if REFLECTION.obeys(word) => {
                     r.take()?;
                     match word {
                         "fresnel" => out.fresnel = r.flag()?,
@@ -201,7 +176,7 @@ impl Reflection {
                         _ => out.metallic = r.optional_float()?.unwrap_or(1.0),
                     }
                 }
-                _ => return Err(r.unknown_word("reflection", REFLECTION_WORDS).into()),
+                _ => return Err(r.unknown_word("reflection", &REFLECTION.names()).into()),
             }
         }
         // One colour alone is the same at every angle, but fresnel starts from none.

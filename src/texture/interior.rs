@@ -1,5 +1,6 @@
 //! `interior`: what fills a shape (manual, "Interior").
 
+use super::words::INTERIOR;
 use crate::diagnostic::Result;
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
@@ -17,18 +18,6 @@ impl Default for Interior {
     }
 }
 
-const WORDS: &[&str] = &[
-    "ior",
-    "dispersion",
-    "dispersion_samples",
-    "caustics",
-    "fade_distance",
-    "fade_power",
-    "fade_color",
-    "fade_colour",
-    "media",
-];
-
 impl Interior {
     /// Reads what stands between the braces.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -38,14 +27,14 @@ impl Interior {
                 Next::End => return Ok(out),
                 Next::Thing(_) => match r.thing::<Interior>()? {
                     Some(declared) => out = (*declared).clone(),
-                    None => return Err(r.unknown_word("interior", WORDS).into()),
+                    None => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
                 },
                 Next::Word("ior") => {
                     r.take()?;
                     out.ior = r.float()?;
                 }
-                Next::Word(word) | Next::Block(word) if WORDS.contains(&word) => r.skip_unsupported(word)?,
-                _ => return Err(r.unknown_word("interior", WORDS).into()),
+                Next::Word(word) | Next::Block(word) if INTERIOR.leaves_out(word) => r.skip_unsupported(word)?,
+                _ => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
             }
         }
     }

@@ -1,7 +1,8 @@
 //! `texture` and `material` (manual, "Texture", "Material").
 
 use super::pigment::Draft;
-use super::{Finish, Interior, Pigment, finish};
+use super::words::{FINISH, TEXTURE};
+use super::{Finish, Interior, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
 use crate::value::{Next, Reader, ReaderExt};
@@ -30,25 +31,6 @@ impl Default for Texture {
     }
 }
 
-const WORDS: &[&str] = &[
-    "pigment",
-    "finish",
-    "normal",
-    "translate",
-    "rotate",
-    "scale",
-    "matrix",
-    "transform",
-    "uv_mapping",
-    "texture_map",
-    "material_map",
-    "checker",
-    "hexagon",
-    "brick",
-    "gradient",
-    "tiles",
-];
-
 impl Texture {
     /// Reads what stands between the braces, on top of `base` (the default texture).
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
@@ -62,7 +44,7 @@ impl Texture {
             match r.next()? {
                 Next::End => break,
                 Next::Block("texture") | Next::Thing("texture") if !chooses => {
-                    return Err(r.unknown_word("texture", WORDS).into());
+                    return Err(r.unknown_word("texture", &TEXTURE.names()).into());
                 }
                 next if out.read_part(r, next, base)? => {}
                 Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
@@ -72,7 +54,7 @@ impl Texture {
                         out.transform(&step);
                     }
                 }
-                Next::Word(word) if bare && finish::WORDS.contains(&word) => {
+                Next::Word(word) if bare && FINISH.obeys(word) => {
                     let top = out.layers.len() - 1;
                     out.layers[top].finish.read_word(word, r)?;
                 }
@@ -85,15 +67,14 @@ impl Texture {
                     draft.get_or_insert_with(|| Draft::of(&out.layers[top].pigment.paint)).read_element(r, next)?;
                 }
                 Next::Word(word) | Next::Block(word)
-                    if WORDS.contains(&word)
+                    if TEXTURE.leaves_out(word)
                         || crate::pattern::NOT_DRAWN.contains(&word)
-                        || crate::pattern::WORDS_NOT_DRAWN.contains(&word)
-                        || LATER.contains(&word) =>
+                        || crate::pattern::WORDS_NOT_DRAWN.contains(&word) =>
                 {
                     r.skip_unsupported(word)?;
                     chooses = true;
                 }
-                _ => return Err(r.unknown_word("texture", WORDS).into()),
+                _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),
             }
         }
         if let (Some(draft), Some(layer)) = (draft, out.layers.last_mut()) {
@@ -139,20 +120,6 @@ impl Texture {
         }
     }
 }
-
-/// Words of a texture made by a pattern, which is not drawn yet.
-const LATER: &[&str] = &[
-    "frequency",
-    "phase",
-    "ramp_wave",
-    "triangle_wave",
-    "sine_wave",
-    "scallop_wave",
-    "cubic_wave",
-    "poly_wave",
-    "color_map",
-    "texture",
-];
 
 /// A texture and what is inside it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]

@@ -5,6 +5,7 @@ mod interior;
 mod layers;
 mod map;
 mod pigment;
+pub mod words;
 
 pub use finish::{Finish, Reflection};
 pub use interior::Interior;

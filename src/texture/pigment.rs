@@ -1,6 +1,7 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
 use super::ColorMap;
+use super::words::pigment_names;
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, Transform};
@@ -49,50 +50,6 @@ impl Default for Pigment {
         Self::solid(Color::BLACK)
     }
 }
-
-/// The words that a pigment takes beside those of its pattern.
-const WORDS: &[&str] = &[
-    "color",
-    "rgb",
-    "rgbf",
-    "rgbt",
-    "rgbft",
-    "srgb",
-    "red",
-    "green",
-    "blue",
-    "filter",
-    "transmit",
-    "checker",
-    "hexagon",
-    "brick",
-    "gradient",
-    "color_map",
-    "pigment_map",
-    "frequency",
-    "phase",
-    "ramp_wave",
-    "triangle_wave",
-    "sine_wave",
-    "scallop_wave",
-    "cubic_wave",
-    "poly_wave",
-    "quick_color",
-    "turbulence",
-    "octaves",
-    "omega",
-    "lambda",
-    "warp",
-    "translate",
-    "rotate",
-    "scale",
-    "matrix",
-    "transform",
-    "brick_size",
-    "mortar",
-    "image_map",
-    "uv_mapping",
-];
 
 /// A pigment while it is read.
 #[derive(Default)]
@@ -233,13 +190,13 @@ impl Draft {
             Next::Block(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
                 r.skip_unsupported(word)
             }
-            Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", WORDS).into()),
+            Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {
                 self.color = Some(r.color()?);
                 (self.field, self.cells) = (None, None);
                 Ok(())
             }
-            _ => Err(r.unknown_word("pigment", WORDS).into()),
+            _ => Err(r.unknown_word("pigment", &pigment_names()).into()),
         }
     }
 

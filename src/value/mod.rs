@@ -4,7 +4,9 @@
 mod kinds;
 mod reader;
 mod spec;
+pub mod words;
 
 pub use kinds::{Thing, Value, VecN};
 pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt};
 pub use spec::{Kind, Param, Spec, WordSpec};
+pub use words::Vocabulary;

@@ -66,7 +66,7 @@ fn token(rng: &mut Rng) -> &'static str {
     match rng.below(8) {
         0 | 1 => rng.pick(word::KEYWORDS),
         2 => rng.pick(word::FUNCTIONS),
-        3 => rng.pick(word::CONSTANTS),
+        3 => rng.pick(&word::CONSTANTS.iter().map(|c| c.0).collect::<Vec<_>>()),
         4 => rng.pick(NUMBERS),
         5 => rng.pick(DIRECTIVES),
         _ => rng.pick(MARKS),

@@ -5,7 +5,7 @@
 mod files;
 mod ini;
 mod parts;
-mod table;
+pub(super) mod table;
 #[cfg(test)]
 mod tests;
 

@@ -5,7 +5,6 @@ use crate::interpreter::Interpreter;
 use crate::interpreter::scope::Slot;
 use crate::math::DVec3;
 use crate::scene::Object;
-use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::value::{Thing, Value};
 use crate::world::Probe;
@@ -19,20 +18,19 @@ const MAX_PROBES: usize = 256;
 impl<'a> Interpreter<'a> {
     /// `trace(Object, From, Direction [, Normal])`: where the ray meets the object, or the origin; the last argument is
     /// set to the normal there.
-    pub(super) fn trace_object(&mut self, arguments: &'a [Expr], span: Span) -> Result<Value> {
-        let [object, from, direction, normal @ ..] = arguments else {
-            return Diagnostic::err(codes::WRONG_COUNT, span, "`trace` takes an object, a point and a direction");
-        };
+    pub(super) fn trace_object(
+        &mut self,
+        object: &'a Expr,
+        from: &'a Expr,
+        direction: &'a Expr,
+        normal: Option<&'a Expr>,
+    ) -> Result<Value> {
         let probe = self.probe(object)?;
         let (from, direction) = (self.vector_argument(from)?, self.vector_argument(direction)?);
         let found = probe.trace(from, direction);
         let (point, turned) = found.unwrap_or((DVec3::ZERO, DVec3::ZERO));
-        match normal {
-            [] => {}
-            [name] => self.set_result(name, Value::Vector(turned.into()))?,
-            [_, more, ..] => {
-                return Diagnostic::err(codes::WRONG_COUNT, more.span, "`trace` takes four arguments at most");
-            }
+        if let Some(name) = normal {
+            self.set_result(name, Value::Vector(turned.into()))?;
         }
         Ok(Value::Vector(point.into()))
     }

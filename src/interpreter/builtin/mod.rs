@@ -3,6 +3,7 @@
 mod geometry;
 mod numeric;
 mod random;
+mod special;
 mod text;
 mod vector;
 
@@ -21,6 +22,10 @@ const MAX_TEXT: usize = 16_000_000;
 /// A function of values: its name, how many arguments it takes, and what computes it.
 pub(super) struct Builtin {
     name: &'static str,
+    /// Its arguments, for the manual.
+    usage: &'static str,
+    /// One line for the manual.
+    summary: &'static str,
     arity: std::ops::RangeInclusive<usize>,
     run: fn(&Arguments) -> Result<Value>,
 }
@@ -97,8 +102,9 @@ impl Arguments {
 impl<'a> Interpreter<'a> {
     /// Calls the built-in function of this name.
     pub(super) fn builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
-        if let Some(result) = self.special(name, arguments, span) {
-            return result;
+        if let Some(special) = special::TABLE.iter().find(|f| f.name == name) {
+            check_count(name, &special.arity, arguments.len(), span)?;
+            return (special.run)(self, arguments, span);
         }
         let Some(function) = Function::find(name) else {
             return Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet"));
@@ -108,17 +114,7 @@ impl<'a> Interpreter<'a> {
         for argument in arguments {
             self.argument_values(argument, &mut values)?;
         }
-        if !arity.contains(&values.len()) {
-            let (low, high) = (arity.start(), arity.end());
-            let takes = match high {
-                &usize::MAX => format!("at least {low}"),
-                high if low == high => low.to_string(),
-                high => format!("{low} to {high}"),
-            };
-            let plural = if takes == "1" { "" } else { "s" };
-            let message = format!("`{name}` takes {takes} argument{plural}, found {}", values.len());
-            return Diagnostic::err(codes::WRONG_COUNT, span, message);
-        }
+        check_count(name, &arity, values.len(), span)?;
         if let ("div" | "mod", Some((Value::Float(0.0), at))) = (name, values.last()) {
             self.division_by_zero(*at);
         }
@@ -147,48 +143,28 @@ impl<'a> Interpreter<'a> {
         out.extend(values.into_iter().map(|value| (value, argument.span)));
         Ok(())
     }
+}
 
-    /// Functions that look at more than values.
-    fn special(&mut self, name: &str, arguments: &'a [Expr], span: Span) -> Option<Result<Value>> {
-        match (name, arguments) {
-            ("defined", [Expr { kind: ExprKind::Name(symbol), .. }]) => {
-                Some(Ok(Value::Float(f64::from(self.scopes.get(*symbol).is_some()))))
-            }
-            ("select", [condition, rest @ ..]) if rest.len() == 2 || rest.len() == 3 => {
-                Some(self.select(condition, rest))
-            }
-            ("file_exists", [path]) => Some(self.file_exists(path)),
-            ("dimensions", [array]) => Some(self.array_argument(array).map(|a| Value::Float(a.sizes.len() as f64))),
-            ("dimension_size", [array, dimension]) => Some(self.dimension_size(array, dimension)),
-            ("trace", arguments) => Some(self.trace_object(arguments, span)),
-            ("inside", [object, point]) => Some(self.inside_object(object, point)),
-            ("min_extent", [object]) => Some(self.extent(object, false)),
-            ("max_extent", [object]) => Some(self.extent(object, true)),
-            ("seed", [start]) => Some(self.seed(start)),
-            ("rand", [stream]) => Some(self.rand(stream)),
-            ("defined", _) => Some(Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name")),
-            _ => None,
-        }
+/// An error unless the function takes so many arguments.
+fn check_count(name: &str, arity: &std::ops::RangeInclusive<usize>, found: usize, span: Span) -> Result<()> {
+    if arity.contains(&found) {
+        return Ok(());
     }
+    let (low, high) = (arity.start(), arity.end());
+    let takes = match high {
+        &usize::MAX => format!("at least {low}"),
+        high if low == high => low.to_string(),
+        high => format!("{low} to {high}"),
+    };
+    let plural = if takes == "1" { "" } else { "s" };
+    let message = format!("`{name}` takes {takes} argument{plural}, found {found}");
+    Diagnostic::err(codes::WRONG_COUNT, span, message)
+}
 
-    /// A file that may not be read is not there.
-    fn file_exists(&mut self, path: &'a Expr) -> Result<Value> {
-        let name = self.text_value(path)?;
-        let found = self.options.search.find(&name).filter(|path| self.options.sandbox.may_read(path));
-        Ok(Value::Float(f64::from(found.is_some())))
-    }
-
-    /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or ≥ 0 without D), else D. Only that one is evaluated.
-    fn select(&mut self, condition: &'a Expr, rest: &'a [Expr]) -> Result<Value> {
-        let a = self.number(condition)?;
-        match rest {
-            [b, _] | [b, _, _] if a < 0.0 => self.eval(b),
-            [_, c] => self.eval(c),
-            [_, c, _] if a == 0.0 => self.eval(c),
-            [.., d] => self.eval(d),
-            [] => Ok(Value::Float(0.0)),
-        }
-    }
+/// Every function of scripts that is in none of `function { }`'s tables: name, arguments, one line.
+pub(super) fn usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    let plain = [vector::TABLE, text::TABLE].into_iter().flatten().map(|f| (f.name, f.usage, f.summary));
+    plain.chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
 }
 
 fn float(x: f64) -> Result<Value> {

@@ -8,11 +8,15 @@ use std::fmt::Write;
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "asc",
+        usage: "(Text)",
+        summary: "the number of the first character; 0 of an empty text",
         arity: 1..=1,
         run: |a| float(a.text(0)?.chars().next().map_or(0.0, |c| f64::from(u32::from(c)))),
     },
     Builtin {
         name: "chr",
+        usage: "(Number)",
+        summary: "the character of this number (Unicode)",
         arity: 1..=1,
         run: |a| match char::from_u32(a.float(0)? as u32) {
             Some(c) => text(c.to_string()),
@@ -21,22 +25,74 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "concat",
+        usage: "(Text, …)",
+        summary: "all of them behind one another",
         arity: 1..=usize::MAX,
         run: |a| (0..a.len()).map(|i| a.text(i)).collect::<Result<String>>().and_then(text),
     },
     Builtin {
         name: "str",
+        usage: "(Number, Width, Digits)",
+        summary: "a number as text: at least so wide, with so many digits behind the point; a width below 0 fills with zeros",
         arity: 3..=3,
         run: |a| text(format_number(a.float(0)?, a.float(1)? as i64, a.float(2)? as i64)),
     },
-    Builtin { name: "datetime", arity: 1..=2, run: datetime },
-    Builtin { name: "strcmp", arity: 2..=2, run: |a| float(compare(a.text(0)?, a.text(1)?)) },
-    Builtin { name: "strlen", arity: 1..=1, run: |a| float(a.text(0)?.chars().count() as f64) },
-    Builtin { name: "strlwr", arity: 1..=1, run: |a| text(a.text(0)?.to_lowercase()) },
-    Builtin { name: "strupr", arity: 1..=1, run: |a| text(a.text(0)?.to_uppercase()) },
-    Builtin { name: "substr", arity: 3..=3, run: substr },
-    Builtin { name: "val", arity: 1..=1, run: |a| float(leading_number(a.text(0)?)) },
-    Builtin { name: "vstr", arity: 5..=5, run: vstr },
+    Builtin {
+        name: "datetime",
+        usage: "(Days [, Format])",
+        summary: "days since the beginning of 2000 as a date; the format is that of C's `strftime`",
+        arity: 1..=2,
+        run: datetime,
+    },
+    Builtin {
+        name: "strcmp",
+        usage: "(Text, Text)",
+        summary: "0 if they are the same; below 0 if the first comes first in the dictionary, else above 0",
+        arity: 2..=2,
+        run: |a| float(compare(a.text(0)?, a.text(1)?)),
+    },
+    Builtin {
+        name: "strlen",
+        usage: "(Text)",
+        summary: "how many characters it has",
+        arity: 1..=1,
+        run: |a| float(a.text(0)?.chars().count() as f64),
+    },
+    Builtin {
+        name: "strlwr",
+        usage: "(Text)",
+        summary: "in small letters",
+        arity: 1..=1,
+        run: |a| text(a.text(0)?.to_lowercase()),
+    },
+    Builtin {
+        name: "strupr",
+        usage: "(Text)",
+        summary: "in capitals",
+        arity: 1..=1,
+        run: |a| text(a.text(0)?.to_uppercase()),
+    },
+    Builtin {
+        name: "substr",
+        usage: "(Text, From, Count)",
+        summary: "so many characters, the first being number 1",
+        arity: 3..=3,
+        run: substr,
+    },
+    Builtin {
+        name: "val",
+        usage: "(Text)",
+        summary: "the number that the text begins with",
+        arity: 1..=1,
+        run: |a| float(leading_number(a.text(0)?)),
+    },
+    Builtin {
+        name: "vstr",
+        usage: "(Count, Vector, Separator, Width, Digits)",
+        summary: "a vector as text; each number as in `str`",
+        arity: 5..=5,
+        run: vstr,
+    },
 ];
 
 fn text(s: String) -> Result<Value> {

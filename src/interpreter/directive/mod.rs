@@ -6,6 +6,7 @@ mod file;
 mod include;
 mod macros;
 mod message;
+pub mod table;
 mod version;
 
 pub(super) use file::OpenFile;

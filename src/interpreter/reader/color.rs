@@ -6,13 +6,38 @@ use crate::color::{Color, Gamma, Rgb, transfer};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
 use crate::source::Span;
-use crate::value::{FloatOrColor, Reader, Value, VecN};
+use crate::value::words::word;
+use crate::value::{FloatOrColor, Kind, Reader, Value, VecN, WordSpec};
 
 /// The words that begin a colour.
-pub(super) const COLOR_WORDS: &[&str] = &[
-    "color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft", "red", "green", "blue",
-    "filter", "transmit", "alpha",
+pub const COLOR_WORDS: &[WordSpec] = &[
+    word(
+        "color",
+        Kind::Nothing,
+        "",
+        "may stand before any colour; alone before a vector: red, green, blue, filter, transmit",
+    ),
+    word("colour", Kind::Nothing, "", "the same"),
+    word("rgb", Kind::Vector, "", "red, green and blue, as the scene computes with them"),
+    word("rgbf", Kind::Vector, "", "and how much light it lets through in its own colour"),
+    word("rgbt", Kind::Vector, "", "and how much light it lets through unchanged"),
+    word("rgbft", Kind::Vector, "", "and both"),
+    word("srgb", Kind::Vector, "", "red, green and blue as painting programs count them"),
+    word("srgbf", Kind::Vector, "", "with filter"),
+    word("srgbt", Kind::Vector, "", "with transmit"),
+    word("srgbft", Kind::Vector, "", "with both"),
+    word("red", Kind::Float, "0", "this component alone; several may follow one another"),
+    word("green", Kind::Float, "0", "this component alone"),
+    word("blue", Kind::Float, "0", "this component alone"),
+    word("filter", Kind::Float, "0", "how much light it lets through in its own colour; also behind a colour"),
+    word("transmit", Kind::Float, "0", "how much light it lets through unchanged; also behind a colour"),
+    word("alpha", Kind::Float, "0", "an old spelling of `filter`"),
 ];
+
+/// Does a colour begin with this word?
+pub(super) fn begins_color(word: &str) -> bool {
+    COLOR_WORDS.iter().any(|w| w.name == word)
+}
 
 impl Interpreter<'_> {
     /// The colour that an expression gives after one of the words `rgb`, `rgbt` …: a number stands for as many components
@@ -73,7 +98,7 @@ impl Interpreter<'_> {
     /// `color` alone, `color rgb <…>`, `rgb <…>`, `<…>`, `color red 1 green 0.5`, `color Red filter 0.5`.
     pub(super) fn read_color(&mut self) -> Result<Color> {
         let mut word = match self.peek()? {
-            Token::Word(word) if COLOR_WORDS.contains(&word) => {
+            Token::Word(word) if begins_color(word) => {
                 self.advance();
                 word
             }
@@ -81,7 +106,7 @@ impl Interpreter<'_> {
         };
         if matches!(word, "color" | "colour")
             && let Token::Word(next) = self.peek()?
-            && COLOR_WORDS.contains(&next)
+            && begins_color(next)
         {
             self.advance();
             word = next;

@@ -17,7 +17,8 @@ use crate::math::{DVec2, DVec3, Transform};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{FloatOrColor, Language, Next, Reader, Thing, Value, VecN};
-use color::COLOR_WORDS;
+pub use color::COLOR_WORDS;
+use color::begins_color;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -55,7 +56,7 @@ impl<'a> Interpreter<'a> {
                     None => Err(self.unexpected_token("a value").into()),
                 }
             }
-            Token::Word(word) if COLOR_WORDS.contains(&word) => {
+            Token::Word(word) if begins_color(word) => {
                 let color = self.color()?;
                 Ok((Value::Color(color), span))
             }
@@ -267,7 +268,7 @@ impl Reader for Interpreter<'_> {
 
     fn at_color(&mut self) -> Result<bool> {
         Ok(match self.peek()? {
-            Token::Word(word) => COLOR_WORDS.contains(&word),
+            Token::Word(word) => begins_color(word),
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 matches!(self.next_of_name(*symbol), Next::Value)
                     && !matches!(self.scopes.get(*symbol), Some(Slot::Value(Value::Text(_))))

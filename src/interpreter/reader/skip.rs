@@ -3,7 +3,7 @@
 use super::super::Interpreter;
 use super::super::scope::Slot;
 use super::super::stream::Token;
-use super::color::COLOR_WORDS;
+use super::color::begins_color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::syntax::ast::{Block, Expr, ExprKind};
 use crate::value::{Next, Reader, Value, VecN};
@@ -33,7 +33,7 @@ impl Interpreter<'_> {
         loop {
             match Reader::next(self)? {
                 Next::Value => drop(self.value_here()),
-                Next::Word(word) if COLOR_WORDS.contains(&word) => drop(self.read_color()?),
+                Next::Word(word) if begins_color(word) => drop(self.read_color()?),
                 Next::Function => drop(self.rvalue()?),
                 Next::Entry | Next::Group => self.advance(),
                 Next::Thing("color_map" | "pigment" | "texture" | "normal") => drop(self.take_thing()?),

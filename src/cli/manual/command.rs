@@ -1,0 +1,69 @@
+//! The command line and the codes of messages.
+
+use super::{code, table};
+use crate::cli::Cli;
+use crate::cli::povray::table::{Effect, ROWS, Row, Takes};
+use crate::diagnostic::codes::ALL;
+use clap::{Arg, CommandFactory};
+
+pub(super) fn options() -> String {
+    let command = Cli::command();
+    let global = command.get_arguments().filter(|a| a.is_global_set()).map(option_row);
+    let mut text = format!("## For every command\n\n{}", table(["option", ""], global));
+    for sub in command.get_subcommands().filter(|c| !c.is_hide_set()) {
+        let about = sub.get_about().map(ToString::to_string).unwrap_or_default();
+        let rows = sub.get_arguments().filter(|a| !a.is_hide_set() && !a.is_global_set()).map(option_row);
+        text += &format!("## durer {}\n\n{about}.\n\n{}", sub.get_name(), table(["option", ""], rows));
+    }
+    text + "## POV-Ray's options\n\n\
+            They stand on the command line as switches (`+W640`; `-` for `+` switches off) or as in an INI file (`Width=640`), \
+            in any letter case. What durer can't obey gets a warning with the reason.\n\n"
+        + &table(["switch", "INI", "in durer", "switched off"], ROWS.iter().map(povray_row))
+}
+
+fn option_row(arg: &Arg) -> [String; 2] {
+    let values =
+        arg.get_value_names().unwrap_or_default().iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+    let takes = arg.get_action().takes_values();
+    let name = match (arg.get_short(), arg.get_long()) {
+        (Some(short), Some(long)) => format!("-{short}, --{long}"),
+        (None, Some(long)) => format!("--{long}"),
+        (Some(short), None) => format!("-{short}"),
+        (None, None) => String::new(),
+    };
+    let shown = if takes { format!("{name} {values}") } else { name };
+    let default = arg.get_default_values().first().map(|d| format!(" [default: {}]", d.to_string_lossy()));
+    let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
+    // Angle brackets are Markdown's.
+    [code(shown.trim()), help.replace('<', "&lt;") + &default.unwrap_or_default()]
+}
+
+fn povray_row(row: &Row) -> [String; 4] {
+    let value = match row.takes {
+        Takes::Nothing => "",
+        Takes::Number => "N",
+        Takes::MaybeNumber => "[N]",
+        Takes::Text => "TEXT",
+        Takes::MaybeText => "[TEXT]",
+    };
+    let switch = if row.switch.is_empty() { String::new() } else { code(&format!("+{}{value}", row.switch)) };
+    let ini = if row.ini.is_empty() { String::new() } else { code(row.ini) };
+    let (on, off) = (effect(&row.on), effect(&row.off));
+    let off = if off == on { String::new() } else { off };
+    [switch, ini, on, off]
+}
+
+fn effect(effect: &Effect) -> String {
+    match effect {
+        Effect::Same => "nothing to do".into(),
+        Effect::Option(option) | Effect::Flag(option) => code(option),
+        Effect::Part(_) => "obeyed".into(),
+        Effect::Lacks(why) => format!("ignored: {why}"),
+    }
+}
+
+pub(super) fn codes() -> String {
+    let intro = "Every message has a code. `durer explain E0203` prints what stands here. `E…` is an error, `W…` a warning.\n\n";
+    let each = ALL.iter().map(|e| format!("## {}: {}\n\n{}\n\n", e.code, e.title, e.text));
+    intro.to_string() + each.collect::<String>().trim_end() + "\n"
+}

@@ -1,0 +1,97 @@
+//! Blocks and their words.
+
+use super::{code, kind, list, section, table, word_table};
+use crate::pattern::{self, CellPattern, FieldPattern, Modifiers};
+use crate::syntax::word::contextual;
+use crate::value::Spec;
+use crate::value::words::TRANSFORMS;
+use crate::{camera, interpreter, light, scene, shape, texture};
+
+pub(super) fn scene() -> String {
+    let shapes = list(shape::SPECS.iter().map(|s| s.name));
+    let later = list(scene::NOT_DRAWN);
+    section(&interpreter::STATEMENTS, "Outside of all braces", &[])
+        + &format!("[Shapes](shapes.md): {shapes}.\n\n")
+        + &format!("Shapes that are read and not drawn yet: {later}.\n")
+}
+
+pub(super) fn shapes() -> String {
+    let intro = "Behind what is listed here, every shape takes what [any object](objects.md) takes.\n\n";
+    let each = shape::SPECS.iter().map(|spec| shape_section(spec)).collect::<String>();
+    let later = list(scene::NOT_DRAWN);
+    format!("{intro}{each}## Not drawn yet\n\n{later}.\n")
+}
+
+fn shape_section(spec: &Spec) -> String {
+    let params = spec.params.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
+    let mut text =
+        format!("## {}\n\n`{} {{ {params} … }}`: {}.\n\n", spec.name, spec.name, spec.summary.trim_end_matches('.'));
+    if !spec.params.is_empty() {
+        let row = |p: &crate::value::Param| [p.name.to_string(), kind(p.kind).into(), p.summary.into()];
+        text += &table(["in this order", "is a", ""], spec.params.iter().map(row));
+    }
+    if !spec.words.is_empty() {
+        text += &word_table(spec.words, contextual(spec.name));
+    }
+    text
+}
+
+pub(super) fn objects() -> String {
+    let moves = word_table(TRANSFORMS, &[]);
+    let intro = "`union`, `merge`, `intersection` and `difference` take objects, `object` takes one, and a shape what \
+                 [its own page](shapes.md) says; then each takes these words.\n\n";
+    let transforms = format!("## Transforms\n\nObeyed in the order in which they are written.\n\n{moves}");
+    intro.to_string() + &section(&scene::words::MODIFIERS, "Any object", &[]) + &transforms
+}
+
+pub(super) fn cameras() -> String {
+    section(&camera::words::PERSPECTIVE, "POV-Ray's camera", &[])
+        + &section(&camera::words::LECTURE, "durer's own camera", contextual("camera"))
+}
+
+pub(super) fn lights() -> String {
+    section(&light::words::LIGHT, "light_source", &[])
+}
+
+pub(super) fn colors() -> String {
+    let words = word_table(interpreter::COLOR_WORDS, &[]);
+    format!(
+        "A colour has five numbers: red, green, blue, filter and transmit. A number in a vector's place stands for all of \
+         them that the word names.\n\n{words}"
+    )
+}
+
+pub(super) fn pigments() -> String {
+    let modifiers = word_table(Modifiers::WORDS, &[]);
+    let cells = CellPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
+    let fields = FieldPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
+    let later = list(pattern::NOT_DRAWN);
+    section(&texture::words::PIGMENT, "pigment", &[])
+        + "# Patterns of cells\n\nEach kind of cell has a colour, or a pigment, of its own.\n\n"
+        + &cells
+        + "# Patterns of numbers\n\nEach point has a number, which `color_map` turns into a colour.\n\n"
+        + &fields
+        + &format!("## Words of all patterns of numbers\n\n{modifiers}# Patterns that are not drawn yet\n\n{later}.\n")
+}
+
+fn pattern_section(spec: &Spec) -> String {
+    let params = spec.params.iter().map(|p| format!(" {}", p.name)).collect::<String>();
+    let summary = spec.summary;
+    let mut text = format!("## {}\n\n{}: {summary}.\n\n", spec.name, code(&format!("{}{params}", spec.name)));
+    if !spec.words.is_empty() {
+        text += &word_table(spec.words, &[]);
+    }
+    text
+}
+
+pub(super) fn finishes() -> String {
+    use texture::words::{FINISH, INTERIOR, REFLECTION, TEXTURE};
+    let blocks = [&TEXTURE, &FINISH, &REFLECTION, &INTERIOR];
+    blocks.map(|block| section(block, block.block, &[])).concat()
+}
+
+pub(super) fn settings() -> String {
+    section(&scene::words::SETTINGS, "global_settings", &[])
+        + "Without `assumed_gamma`, durer does what POV-Ray does for the file's `#version`. Write \
+           `global_settings { assumed_gamma 1 }` into every new scene.\n"
+}

@@ -1,0 +1,110 @@
+//! The reference pages of the manual (`docs/src/reference/`), made of the tables that the readers obey. `tests/manual.rs`
+//! compares them with the files; `UPDATE_DOCS=1 cargo test --test manual` writes these anew.
+
+mod command;
+mod functions;
+mod language;
+mod words;
+
+use crate::value::{Kind, Vocabulary, WordSpec};
+
+/// One page.
+#[derive(Debug)]
+pub struct Page {
+    /// Its name in `docs/src/reference/`.
+    pub file: &'static str,
+    /// In Markdown.
+    pub text: String,
+}
+
+/// All pages, in the order of the manual.
+pub fn pages() -> Vec<Page> {
+    let page = |file, title: &str, body: String| Page { file, text: format!("{GENERATED}\n\n# {title}\n\n{body}") };
+    vec![
+        page("words.md", "Every word", words::index()),
+        page("scene.md", "A scene's blocks", language::scene()),
+        page("shapes.md", "Shapes", language::shapes()),
+        page("objects.md", "Objects and transforms", language::objects()),
+        page("cameras.md", "Cameras", language::cameras()),
+        page("lights.md", "Lights", language::lights()),
+        page("colors.md", "Colours", language::colors()),
+        page("pigments.md", "Pigments and patterns", language::pigments()),
+        page("finishes.md", "Textures, finishes, interiors", language::finishes()),
+        page("settings.md", "Global settings", language::settings()),
+        page("directives.md", "Directives", functions::directives()),
+        page("functions.md", "Functions", functions::functions()),
+        page("constants.md", "Constants", functions::constants()),
+        page("options.md", "Commands and options", command::options()),
+        page("codes.md", "Messages", command::codes()),
+    ]
+}
+
+const GENERATED: &str = "<!-- Made of durer's tables by `UPDATE_DOCS=1 cargo test --test manual`: change those. -->";
+
+/// A table; cells may hold `|`.
+fn table<const N: usize>(head: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
+    let line = |cells: &[String]| format!("| {} |\n", cells.iter().map(|c| cell(c)).collect::<Vec<_>>().join(" | "));
+    let head = line(&head.map(String::from)) + &"|---".repeat(N) + "|\n";
+    rows.into_iter().fold(head, |text, row| text + &line(&row)) + "\n"
+}
+
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|").replace('\n', " ")
+}
+
+fn code(text: &str) -> String {
+    if text.is_empty() { String::new() } else { format!("`{text}`") }
+}
+
+/// Words in backticks, with commas.
+fn list(words: impl IntoIterator<Item = impl AsRef<str>>) -> String {
+    words.into_iter().map(|w| code(w.as_ref())).collect::<Vec<_>>().join(", ")
+}
+
+/// What stands behind a word.
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Nothing => "",
+        Kind::Flag => "nothing, `on` or `off`",
+        Kind::Float => "number",
+        Kind::Vector2 => "vector of two",
+        Kind::Vector => "vector",
+        Kind::Vectors => "vectors",
+        Kind::Color => "colour",
+        Kind::Text => "text",
+        Kind::Block => "block",
+    }
+}
+
+/// A table of words; those of `own` are durer's.
+fn word_table(words: &[WordSpec], own: &[&str]) -> String {
+    let row = |w: &WordSpec| {
+        let mark = if own.contains(&w.name) { " *(durer's own)*" } else { "" };
+        [code(w.name) + mark, kind(w.kind).into(), w.default.into(), w.summary.into()]
+    };
+    table(["word", "takes", "default", ""], words.iter().map(row))
+}
+
+/// A section about a block.
+fn section(block: &Vocabulary, title: &str, own: &[&str]) -> String {
+    let mut text = format!("## {title}\n\n{}.\n\n{}", sentence(block.summary), word_table(block.words, own));
+    if block.moves {
+        text += "It takes the [transforms](objects.md#transforms) too.\n\n";
+    }
+    if !block.idle.is_empty() {
+        text += &format!("Read, and without effect in durer: {}.\n\n", list(block.idle));
+    }
+    if !block.not_drawn.is_empty() {
+        text +=
+            &format!("Read and left out with warning W0201, until durer draws them: {}.\n\n", list(block.not_drawn));
+    }
+    text
+}
+
+/// With a capital.
+fn sentence(text: &str) -> String {
+    let mut chars = text.chars();
+    let first = chars.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    // `durer` stays small wherever it stands.
+    if text.starts_with("durer") { text.into() } else { first + chars.as_str() }
+}

@@ -1,0 +1,130 @@
+//! Functions that look at more than values: at names, arrays, objects, files, or at only one of their arguments.
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::interpreter::Interpreter;
+use crate::source::Span;
+use crate::syntax::ast::{Expr, ExprKind};
+use crate::value::Value;
+use std::ops::RangeInclusive;
+
+/// A row of the table.
+pub(super) struct Special {
+    /// As it is typed.
+    pub name: &'static str,
+    /// Its arguments, for the manual.
+    pub usage: &'static str,
+    /// One line for the manual.
+    pub summary: &'static str,
+    /// How many arguments it takes.
+    pub arity: RangeInclusive<usize>,
+    /// What computes it.
+    pub run: for<'a> fn(&mut Interpreter<'a>, &'a [Expr], Span) -> Result<Value>,
+}
+
+pub(super) const TABLE: &[Special] = &[
+    Special {
+        name: "defined",
+        usage: "(Name)",
+        summary: "is there something of this name?",
+        arity: 1..=1,
+        run: |me, a, span| me.is_defined(&a[0], span),
+    },
+    Special {
+        name: "select",
+        usage: "(A, B, C [, D])",
+        summary: "B if A < 0, C if A = 0, D if A > 0; without D, C if A >= 0. Only the one is computed",
+        arity: 3..=4,
+        run: |me, a, _| me.select(&a[0], &a[1..]),
+    },
+    Special {
+        name: "file_exists",
+        usage: "(Text)",
+        summary: "is there a file of this name that the scene may read?",
+        arity: 1..=1,
+        run: |me, a, _| me.file_exists(&a[0]),
+    },
+    Special {
+        name: "dimensions",
+        usage: "(Array)",
+        summary: "how many indices it takes",
+        arity: 1..=1,
+        run: |me, a, _| me.array_argument(&a[0]).map(|array| Value::Float(array.sizes.len() as f64)),
+    },
+    Special {
+        name: "dimension_size",
+        usage: "(Array, N)",
+        summary: "how many elements it has along its N-th index, counted from 1",
+        arity: 2..=2,
+        run: |me, a, _| me.dimension_size(&a[0], &a[1]),
+    },
+    Special {
+        name: "trace",
+        usage: "(Object, From, Direction [, Normal])",
+        summary: "where a ray meets the object; the name Normal is set to the surface's normal there, or to <0, 0, 0> if it misses",
+        arity: 3..=4,
+        run: |me, a, _| me.trace_object(&a[0], &a[1], &a[2], a.get(3)),
+    },
+    Special {
+        name: "inside",
+        usage: "(Object, Point)",
+        summary: "is the point in the object?",
+        arity: 2..=2,
+        run: |me, a, _| me.inside_object(&a[0], &a[1]),
+    },
+    Special {
+        name: "min_extent",
+        usage: "(Object)",
+        summary: "the corner of the box around it with the smallest x, y and z",
+        arity: 1..=1,
+        run: |me, a, _| me.extent(&a[0], false),
+    },
+    Special {
+        name: "max_extent",
+        usage: "(Object)",
+        summary: "the opposite corner",
+        arity: 1..=1,
+        run: |me, a, _| me.extent(&a[0], true),
+    },
+    Special {
+        name: "seed",
+        usage: "(Number)",
+        summary: "a new stream of random numbers, the same for the same number",
+        arity: 1..=1,
+        run: |me, a, _| me.seed(&a[0]),
+    },
+    Special {
+        name: "rand",
+        usage: "(Stream)",
+        summary: "the stream's next number, from 0 to 1",
+        arity: 1..=1,
+        run: |me, a, _| me.rand(&a[0]),
+    },
+];
+
+impl<'a> Interpreter<'a> {
+    fn is_defined(&mut self, name: &'a Expr, span: Span) -> Result<Value> {
+        match &name.kind {
+            ExprKind::Name(symbol) => Ok(Value::Float(f64::from(self.scopes.get(*symbol).is_some()))),
+            _ => Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name"),
+        }
+    }
+
+    /// A file that may not be read is not there.
+    fn file_exists(&mut self, path: &'a Expr) -> Result<Value> {
+        let name = self.text_value(path)?;
+        let found = self.options.search.find(&name).filter(|path| self.options.sandbox.may_read(path));
+        Ok(Value::Float(f64::from(found.is_some())))
+    }
+
+    /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or ≥ 0 without D), else D. Only that one is evaluated.
+    fn select(&mut self, condition: &'a Expr, rest: &'a [Expr]) -> Result<Value> {
+        let a = self.number(condition)?;
+        match rest {
+            [b, _] | [b, _, _] if a < 0.0 => self.eval(b),
+            [_, c] => self.eval(c),
+            [_, c, _] if a == 0.0 => self.eval(c),
+            [.., d] => self.eval(d),
+            [] => Ok(Value::Float(0.0)),
+        }
+    }
+}

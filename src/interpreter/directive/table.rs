@@ -1,0 +1,141 @@
+//! What the manual says of each directive; a test holds it against the words that the lexer knows.
+
+/// A directive in the manual.
+#[derive(Debug)]
+pub struct Entry {
+    /// Behind the `#`; several share an entry.
+    pub names: &'static [&'static str],
+    /// How it is written.
+    pub form: &'static str,
+    /// One line.
+    pub summary: &'static str,
+    /// A few lines that run.
+    pub example: &'static str,
+}
+
+const fn entry(
+    names: &'static [&'static str],
+    form: &'static str,
+    summary: &'static str,
+    example: &'static str,
+) -> Entry {
+    Entry { names, form, summary, example }
+}
+
+/// All directives, in the order in which one learns them.
+pub const TABLE: &[Entry] = &[
+    entry(
+        &["declare"],
+        "#declare Name = value;",
+        "gives a name to a number, vector, colour, text, array, function, spline, or to any block; or gives it a new value",
+        "#declare Radius = 2;\n#declare Ball = sphere { 0, Radius }",
+    ),
+    entry(
+        &["local"],
+        "#local Name = value;",
+        "the same, but the name ends with the macro or file it stands in",
+        "#macro Ring(R)\n  #local Thin = R / 10;\n  torus { R, Thin }\n#end\nRing(1)",
+    ),
+    entry(&["undef"], "#undef Name", "forgets a name", "#declare A = 1;\n#undef A"),
+    entry(
+        &["if", "elseif", "else", "end"],
+        "#if (condition) … #elseif (condition) … #else … #end",
+        "reads the part whose condition holds; 0 is false",
+        "#declare A = 3;\n#if (A > 2)\n  sphere { 0, A }\n#else\n  box { 0, A }\n#end",
+    ),
+    entry(
+        &["ifdef", "ifndef"],
+        "#ifdef (Name) … #else … #end",
+        "is there something of this name? `#ifndef` asks the opposite",
+        "#ifndef (Quick)\n  #declare Quick = no;\n#end",
+    ),
+    entry(
+        &["while"],
+        "#while (condition) … #end",
+        "reads its body again as long as the condition holds",
+        "#declare I = 0;\n#while (I < 3)\n  sphere { I * x, 0.4 }\n  #declare I = I + 1;\n#end",
+    ),
+    entry(
+        &["for"],
+        "#for (Name, from, to [, step]) … #end",
+        "counts, the last number among them",
+        "#for (I, 0, 10, 2)\n  sphere { I * x, 0.4 }\n#end",
+    ),
+    entry(
+        &["break"],
+        "#break",
+        "leaves the loop, the macro or the `#switch` around it",
+        "#for (I, 1, 100)\n  #if (I * I > 50) #break #end\n#end",
+    ),
+    entry(
+        &["switch", "case", "range"],
+        "#switch (value) #case (number) … #break #range (low, high) … #break #else … #end",
+        "goes on at the first case that fits, up to the next `#break`",
+        "#declare N = 5;\n#switch (N)\n  #case (0) sphere { 0, 1 } #break\n  #range (1, 9) box { 0, 1 } #break\n  #else torus { 1, 0.2 }\n#end",
+    ),
+    entry(
+        &["macro"],
+        "#macro Name(A, B, …) … #end",
+        "a piece of scene with parameters; `Name(1, 2)` puts it where it stands",
+        "#macro Pill(A, B, R)\n  sphere { A, R } sphere { B, R } cylinder { A, B, R }\n#end\nunion { Pill(0, 2*y, 0.5) }",
+    ),
+    entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\""),
+    entry(&["version"], "#version number;", "the version of the language that the file is written in", "#version 3.7;"),
+    entry(
+        &["default"],
+        "#default { texture, pigment, finish or camera }",
+        "what all objects that follow look like where they don't say",
+        "#default { finish { ambient 0 specular 0.3 } }",
+    ),
+    entry(
+        &["debug", "render", "statistics"],
+        "#debug text",
+        "prints to standard error",
+        "#debug concat(\"pi is \", str(pi, 0, 3), \"\\n\")",
+    ),
+    entry(
+        &["warning"],
+        "#warning text",
+        "prints a warning, with its place",
+        "#if (clock > 1) #warning \"the clock runs fast\" #end",
+    ),
+    entry(
+        &["error"],
+        "#error text",
+        "prints an error, with its place, and ends the run",
+        "#if (clock > 9) #error \"too late\" #end",
+    ),
+    entry(
+        &["fopen"],
+        "#fopen Name text read | write | append",
+        "opens a file of numbers and texts",
+        "#fopen F \"manual_fopen.tmp\" write\n#fclose F",
+    ),
+    entry(
+        &["write"],
+        "#write (Name, value, …)",
+        "writes values; texts are written without quotes, so put in commas and quotes yourself",
+        "#fopen F \"manual_write.tmp\" write\n#write (F, 1, \",\", <1, 2, 3>, \"\\n\")\n#fclose F",
+    ),
+    entry(
+        &["read"],
+        "#read (Name, A, B, …)",
+        "declares A, B … to be the next values in the file; at its end the name `Name` is forgotten",
+        "#fopen F \"manual_read.tmp\" write\n#write (F, \"1, 2, 3\")\n#fclose F\n#fopen F \"manual_read.tmp\" read\n#while (defined(F))\n  #read (F, A)\n#end",
+    ),
+    entry(&["fclose"], "#fclose Name", "closes the file", "#fopen F \"manual_fclose.tmp\" write\n#fclose F"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_directive_has_an_entry() {
+        let mut told: Vec<_> = TABLE.iter().flat_map(|e| e.names).copied().collect();
+        let mut known: Vec<_> = crate::syntax::directive_names().collect();
+        told.sort_unstable();
+        known.sort_unstable();
+        assert_eq!(told, known);
+    }
+}

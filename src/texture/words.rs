@@ -1,0 +1,141 @@
+//! The words of `pigment`, `finish`, `texture` and `interior`: what the readers obey and the manual lists.
+
+use crate::pattern::{CellPattern, FieldPattern, Modifiers, WORDS_NOT_DRAWN};
+use crate::value::Kind::{Block, Color, Flag, Float};
+use crate::value::words::word;
+use crate::value::{Spec, Vocabulary};
+
+/// `pigment { … }`, beside colours, patterns and [`Modifiers::WORDS`].
+pub const PIGMENT: Vocabulary = Vocabulary {
+    block: "pigment",
+    summary: "the colour of every point: one colour, or a pattern with its colours",
+    words: &[
+        word(
+            "color_map",
+            Block,
+            "black to white",
+            "`[number color]` entries: which colour each number of the pattern gets",
+        ),
+        word("colour_map", Block, "", "the same"),
+        word("quick_color", Color, "", "drawn in its place with `--quality 5` and less"),
+        word("quick_colour", Color, "", "the same"),
+    ],
+    moves: true,
+    idle: &[],
+    not_drawn: WORDS_NOT_DRAWN,
+};
+
+/// All words of a pigment, those of colours and patterns among them.
+pub fn pigment_names() -> Vec<&'static str> {
+    let colors = ["color", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "red", "green", "blue", "filter", "transmit"];
+    let specs = || CellPattern::SPECS.iter().chain(FieldPattern::SPECS);
+    let patterns = specs().map(|s| s.name).chain(Modifiers::WORDS.iter().map(|w| w.name));
+    let own = specs().flat_map(|s: &&Spec| s.word_names());
+    colors.into_iter().chain(patterns).chain(PIGMENT.names()).chain(own).collect()
+}
+
+/// `texture { … }`
+pub const TEXTURE: Vocabulary = Vocabulary {
+    block: "texture",
+    summary: "what a surface looks like; several behind one another are layers, the last on top",
+    words: &[
+        word("pigment", Block, "black", "its colour"),
+        word("finish", Block, "see `finish`", "its answer to light"),
+    ],
+    moves: true,
+    idle: &[],
+    not_drawn: &[
+        "normal",
+        "uv_mapping",
+        "texture_map",
+        "material_map",
+        "checker",
+        "hexagon",
+        "brick",
+        "gradient",
+        "tiles",
+        "frequency",
+        "phase",
+        "ramp_wave",
+        "triangle_wave",
+        "sine_wave",
+        "scallop_wave",
+        "cubic_wave",
+        "poly_wave",
+        "color_map",
+        "texture",
+    ],
+};
+
+/// `finish { … }`
+pub const FINISH: Vocabulary = Vocabulary {
+    block: "finish",
+    summary: "how a surface answers to light",
+    words: &[
+        word("ambient", Color, "0.1", "light that comes from everywhere, times `ambient_light` of `global_settings`"),
+        word("emission", Color, "0", "light of its own; it lights nothing else"),
+        word(
+            "diffuse",
+            Float,
+            "0.6",
+            "how much of a light is scattered; `albedo` before it, and a second number for light from behind",
+        ),
+        word("brilliance", Float, "1", "above 1, light that falls at a slant counts for less"),
+        word(
+            "phong",
+            Float,
+            "0",
+            "strength of a highlight, brightest in the mirrored ray; `albedo` may stand before the number",
+        ),
+        word("phong_size", Float, "40", "how small that highlight is"),
+        word("specular", Float, "0", "strength of a highlight of the other kind; `albedo` may stand before the number"),
+        word("roughness", Float, "0.05", "how large that highlight is: 0.0005 is polished, 1 is dull"),
+        word("metallic", Float, "0; 1 without a number", "how much the highlights take the pigment's colour"),
+        word("crand", Float, "0", "grain, for rough stone"),
+        word("reflection", Color, "0", "how much is mirrored; in braces with the words of `reflection`"),
+        word("reflection_exponent", Float, "1", "old spelling of `exponent` in `reflection { }`"),
+        word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through"),
+        word("ior", Float, "", "as in `interior`, which is newer"),
+        word("refraction", Float, "", "of old scenes: changes nothing"),
+        word("caustics", Float, "", "of old scenes: changes nothing"),
+        word("fade_distance", Float, "", "of old scenes: changes nothing"),
+        word("fade_power", Float, "", "of old scenes: changes nothing"),
+    ],
+    moves: false,
+    idle: &[],
+    not_drawn: &["irid", "subsurface"],
+};
+
+/// `finish { reflection { … } }`
+pub const REFLECTION: Vocabulary = Vocabulary {
+    block: "reflection",
+    summary: "a mirror: `{ colour }`, or `{ colour seen straight on, colour seen at a slant }`",
+    words: &[
+        word("fresnel", Flag, "off", "the angle counts as for glass and water, by the `ior` of the interior"),
+        word("falloff", Float, "1", "how late the second colour comes in"),
+        word("exponent", Float, "1", "of the light that is mirrored"),
+        word("metallic", Float, "0; 1 without a number", "how much the mirror takes the pigment's colour"),
+    ],
+    moves: false,
+    idle: &[],
+    not_drawn: &[],
+};
+
+/// `interior { … }`
+pub const INTERIOR: Vocabulary = Vocabulary {
+    block: "interior",
+    summary: "what fills a shape",
+    words: &[word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond")],
+    moves: false,
+    idle: &[],
+    not_drawn: &[
+        "dispersion",
+        "dispersion_samples",
+        "caustics",
+        "fade_distance",
+        "fade_power",
+        "fade_color",
+        "fade_colour",
+        "media",
+    ],
+};

@@ -1,0 +1,74 @@
+//! The words of blocks that are no member of a family: `finish`, `camera`, `light_source` … One table feeds the reader, the
+//! messages and the manual.
+
+use super::{Kind, WordSpec};
+
+/// All words of one block.
+#[derive(Debug)]
+pub struct Vocabulary {
+    /// The word in front of the brace.
+    pub block: &'static str,
+    /// One line for the manual.
+    pub summary: &'static str,
+    /// What is obeyed.
+    pub words: &'static [WordSpec],
+    /// Does it take [`TRANSFORMS`] too?
+    pub moves: bool,
+    /// What is read and changes nothing in durer.
+    pub idle: &'static [&'static str],
+    /// What is read, and left out of the picture with a warning.
+    pub not_drawn: &'static [&'static str],
+}
+
+impl Vocabulary {
+    /// Is the word obeyed?
+    pub fn obeys(&self, word: &str) -> bool {
+        self.words.iter().any(|w| w.name == word)
+    }
+
+    /// Is it read and left out with a warning?
+    pub fn leaves_out(&self, word: &str) -> bool {
+        self.not_drawn.contains(&word)
+    }
+
+    /// All names, in the order in which messages list them. They show a dozen: transforms shall be among these.
+    pub fn names(&self) -> Vec<&'static str> {
+        let (first, rest) = self.words.split_at(self.words.len().min(6));
+        let moves = TRANSFORMS.iter().filter(|_| self.moves);
+        let words = first.iter().chain(moves).chain(rest).map(|w| w.name);
+        words.chain(self.idle.iter().copied()).chain(self.not_drawn.iter().copied()).collect()
+    }
+}
+
+/// A row of a table of words.
+pub const fn word(name: &'static str, kind: Kind, default: &'static str, summary: &'static str) -> WordSpec {
+    WordSpec { name, kind, default, summary }
+}
+
+/// What moves things; they are obeyed in the order in which they are written.
+pub const TRANSFORMS: &[WordSpec] = &[
+    word("translate", Kind::Vector, "", "moves by this vector"),
+    word("rotate", Kind::Vector, "", "turns about the x axis, then y, then z, by these angles in degrees; left-handed"),
+    word("scale", Kind::Vector, "", "stretches along the axes; one number is for all three"),
+    word("matrix", Kind::Block, "", "twelve numbers: where the three axes and the origin go to"),
+    word(
+        "transform",
+        Kind::Block,
+        "",
+        "several of these in braces, or a declared one; `inverse` among them undoes those before it",
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_come_in_the_order_of_the_table() {
+        const WORDS: &[WordSpec] = &[word("radius", Kind::Float, "1", "")];
+        let table =
+            Vocabulary { block: "thing", summary: "", words: WORDS, moves: true, idle: &["old"], not_drawn: &["new"] };
+        assert_eq!(table.names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
+        assert!(table.obeys("radius") && !table.obeys("new") && table.leaves_out("new"));
+    }
+}

@@ -1,0 +1,247 @@
+//! The manual says what is so. Its reference pages are those that durer's tables give; every example is run, every picture is
+//! drawn, every command line is understood. `UPDATE_DOCS=1 cargo test --test manual` writes pages and pictures anew.
+//!
+//! What stands behind the three backticks of an example:
+//!
+//! ```text
+//! pov                    runs without an error or a warning; `<!-- prints -->` and a block of text behind it: what it prints
+//! pov,error=E0203        gives this error
+//! pov,warns=W0103+W0209  gives these warnings
+//! pov,picture=name       is drawn, and looks like `pictures/name.png`, which the chapter shows
+//! pov,file=name.inc      is the file `examples/name.inc`
+//! sh                     lines that begin with `durer` are command lines
+//! ```
+
+use clap::Parser;
+use durer::diagnostic::{Diagnostic, Severity};
+use durer::image_io::{self, Encoding, Format};
+use durer::interpreter::Options;
+use durer::render;
+use durer::snapshot::{Tolerance, Verdict, compare};
+use durer::source::{Sandbox, SearchPath, Sources};
+use libtest_mimic::{Arguments, Failed, Trial};
+use std::path::{Path, PathBuf};
+
+const SIZE: (usize, usize) = (240, 180);
+
+fn main() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/src");
+    // What examples write goes there.
+    std::env::set_current_dir(env!("CARGO_TARGET_TMPDIR")).ok();
+    let mut trials = vec![];
+    for page in durer::cli::manual::pages() {
+        let path = source.join("reference").join(page.file);
+        trials.push(Trial::test(format!("reference::{}", page.file), move || same_file(&path, &page.text)));
+    }
+    for path in chapters(&source) {
+        let name = path.strip_prefix(&source).unwrap_or(&path).display().to_string();
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        for block in blocks(&text).into_iter().filter(|b| b.is("pov") || b.is("sh")) {
+            let (source, text) = (source.clone(), text.clone());
+            trials.push(Trial::test(format!("{name}:{}", block.line), move || block.run(&source, &text)));
+        }
+        let source = source.clone();
+        trials.push(Trial::test(format!("{name}: links"), move || links(&path, &text, &source)));
+    }
+    trials.push(Trial::test("SUMMARY.md: every page", move || in_summary(&source)));
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+/// A page that nobody lists, nobody finds.
+fn in_summary(source: &Path) -> Result<(), Failed> {
+    let summary = std::fs::read_to_string(source.join("SUMMARY.md"))?;
+    let names = chapters(source).into_iter().filter_map(|p| Some(p.strip_prefix(source).ok()?.display().to_string()));
+    let missing =
+        names.filter(|n| n != "SUMMARY.md").find(|n| !summary.contains(&format!("({})", n.replace('\\', "/"))));
+    missing.map_or(Ok(()), |name| Err(format!("{name} is not in SUMMARY.md").into()))
+}
+
+fn updating() -> bool {
+    std::env::var_os("UPDATE_DOCS").is_some()
+}
+
+fn same_file(path: &Path, text: &str) -> Result<(), Failed> {
+    if updating() {
+        return Ok(std::fs::write(path, text)?);
+    }
+    let stored = std::fs::read_to_string(path).unwrap_or_default().replace("\r\n", "\n");
+    let first = stored.lines().zip(text.lines()).find(|(a, b)| a != b);
+    match first {
+        _ if stored == text => Ok(()),
+        Some((stored, now)) => Err(format!("stored: {stored}\nnow:    {now}\n(UPDATE_DOCS=1 takes it)").into()),
+        None => Err("it is longer or shorter than the file (UPDATE_DOCS=1 takes it)".into()),
+    }
+}
+
+/// All Markdown files.
+fn chapters(source: &Path) -> Vec<PathBuf> {
+    let files = |folder: &Path| {
+        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+        entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "md")).collect::<Vec<_>>()
+    };
+    let mut all = [files(source), files(&source.join("reference"))].concat();
+    all.sort();
+    all
+}
+
+/// What stands between two rows of backticks.
+struct Block {
+    /// Behind the first row.
+    flags: Vec<String>,
+    text: String,
+    /// What has to be printed.
+    prints: Option<String>,
+    /// Where it begins.
+    line: usize,
+}
+
+fn blocks(text: &str) -> Vec<Block> {
+    let (mut out, mut open, mut expected) = (Vec::<Block>::new(), None::<Block>, false);
+    for (i, line) in text.lines().enumerate() {
+        match (&mut open, line.strip_prefix("```")) {
+            (None, Some(flags)) => {
+                let flags = flags.split(',').map(|f| f.trim().to_string()).collect();
+                open = Some(Block { flags, text: String::new(), prints: None, line: i + 1 });
+            }
+            (Some(_), Some(_)) => {
+                let block = open.take();
+                match (expected, out.last_mut()) {
+                    (true, Some(last)) => last.prints = block.map(|b| b.text),
+                    _ => out.extend(block),
+                }
+                expected = false;
+            }
+            (Some(block), None) => block.text += &format!("{line}\n"),
+            (None, None) => expected |= line.trim() == "<!-- prints -->",
+        }
+    }
+    out
+}
+
+impl Block {
+    fn is(&self, flag: &str) -> bool {
+        self.flags.iter().any(|f| f == flag)
+    }
+
+    fn value(&self, name: &str) -> Option<&str> {
+        self.flags.iter().find_map(|f| f.strip_prefix(name)?.strip_prefix('='))
+    }
+
+    fn run(&self, source: &Path, chapter: &str) -> Result<(), Failed> {
+        if self.is("sh") {
+            return commands(&self.text);
+        }
+        if let Some(file) = self.value("file") {
+            return same_file(&source.join("examples").join(file), &self.text);
+        }
+        durer::on_big_stack(|| self.run_scene(source, chapter))
+    }
+
+    fn run_scene(&self, source: &Path, chapter: &str) -> Result<(), Failed> {
+        let options = options(&source.join("examples"));
+        let sources = Sources::default();
+        let (mut printed, path) = (String::new(), source.join("examples/example.pov"));
+        let Some(file) = sources.add("example.pov", Some(&path), self.text.clone()) else { return Ok(()) };
+        let built = durer::build(&sources, file, &options, &mut |text| printed.push_str(text));
+        let tell = |d: &Diagnostic| {
+            let line = sources.place(d.span()).map_or(0, |place| place.line);
+            format!("line {line}: {} {}", d.code, d.message)
+        };
+        let told: Vec<&Diagnostic> = built.diagnostics.iter().filter(|d| d.code.0 != "W0206").collect();
+        let codes = |severity| told.iter().filter(move |d| d.severity == severity).map(|d| d.code.0);
+        let warnings = self.value("warns").into_iter().flat_map(|w| w.split('+'));
+        if !codes(Severity::Error).eq(self.value("error")) || !codes(Severity::Warning).eq(warnings) {
+            return Err(format!("{}\n{}", self.text, told.iter().map(|d| tell(d) + "\n").collect::<String>()).into());
+        }
+        if let Some(expected) = self.prints.as_ref().filter(|expected| expected.trim_end() != printed.trim_end()) {
+            return Err(format!("{}\nexpected:\n{expected}printed:\n{printed}", self.text).into());
+        }
+        match (self.value("picture"), &built.world) {
+            (Some(name), Some(world)) => picture(source, chapter, name, world),
+            (Some(_), None) => Err("no picture without a scene".into()),
+            (None, _) => Ok(()),
+        }
+    }
+}
+
+fn options(folder: &Path) -> Options {
+    let search = SearchPath::new(folder, &[]);
+    Options {
+        sandbox: Sandbox::around(&search),
+        search,
+        declares: vec![],
+        timing: Default::default(),
+        input_name: "example.pov".into(),
+        size: SIZE,
+        max_steps: 10_000_000,
+        max_time: None,
+        max_memory: None,
+    }
+}
+
+fn picture(source: &Path, chapter: &str, name: &str, world: &durer::world::World) -> Result<(), Failed> {
+    if !chapter.contains(&format!("(pictures/{name}.png)")) {
+        return Err(format!("the chapter does not show pictures/{name}.png").into());
+    }
+    let drawing = render::Options {
+        width: SIZE.0,
+        height: SIZE.1,
+        antialias: Some(0.1),
+        quality: 9,
+        threads: 1,
+        region: None,
+        frame: 0,
+        alpha: false,
+    };
+    let (drawn, _) = render::render(world, &drawing, &render::Unwatched).map_err(|e| format!("{e:?}"))?;
+    let path = source.join("pictures").join(format!("{name}.png"));
+    let drawn = drawn.over_black();
+    let stored = image_io::decode_file(&path).ok().map(|pixels| pixels.to_frame());
+    let comparison = stored.map(|stored| compare(&stored, &drawn, Tolerance::default()));
+    if comparison.is_some_and(|c| c.verdict != Verdict::Differs) {
+        return Ok(());
+    }
+    if updating() {
+        let bytes = image_io::encode(&drawn, &Encoding::new(Format::Png)).map_err(|e| format!("{e:?}"))?;
+        return Ok(std::fs::write(path, bytes)?);
+    }
+    Err(format!("pictures/{name}.png: {comparison:?} (UPDATE_DOCS=1 takes it)").into())
+}
+
+/// Are these command lines of durer's?
+fn commands(text: &str) -> Result<(), Failed> {
+    for line in text.lines().map(|line| line.split(" #").next().unwrap_or_default().trim()) {
+        let words: Vec<&str> =
+            line.split_whitespace().map(|w| w.trim_matches('\'')).take_while(|w| *w != "|").collect();
+        let povray = words.iter().any(|w| w.starts_with('+') || w.contains('[') || w.contains(".pov"));
+        if words.first() == Some(&"durer") && !povray {
+            durer::cli::Cli::try_parse_from(&words).map_err(|e| format!("{line}\n{e}"))?;
+        }
+    }
+    Ok(())
+}
+
+/// Does what a chapter links to exist?
+fn links(path: &Path, text: &str, source: &Path) -> Result<(), Failed> {
+    let folder = path.parent().unwrap_or(source);
+    let targets = text.match_indices("](").filter_map(|(i, _)| text[i + 2..].split(')').next());
+    let missing = targets.filter(|t| !t.starts_with("http") && !t.starts_with('#')).find(|target| {
+        let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
+        let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
+        !folder.join(file).exists() || !anchor.is_empty() && !anchors(&text).any(|a| a == anchor)
+    });
+    missing.map_or(Ok(()), |target| Err(format!("there is no {target}").into()))
+}
+
+/// The names of a page's headings, as mdBook makes them.
+fn anchors(text: &str) -> impl Iterator<Item = String> {
+    let name = |line: &str| {
+        let words = line.trim_start_matches('#').trim().to_lowercase();
+        words
+            .chars()
+            .filter(|c| c.is_alphanumeric() || "-_ ".contains(*c))
+            .map(|c| if c == ' ' { '-' } else { c })
+            .collect()
+    };
+    text.lines().filter(|line| line.starts_with('#')).map(name).collect::<Vec<String>>().into_iter()
+}
