@@ -237,13 +237,28 @@ impl<'a> Interpreter<'a> {
             }
             _ => return Err(self.unexpected_token("an open file").into()),
         };
+        // The binary form of the value that follows the word.
+        let mut form = None;
         loop {
             match self.peek()? {
                 Token::End => return Ok(()),
-                // 3.7 takes these words and writes text all the same.
-                Token::Word(_) => self.advance(),
+                Token::Word(word) if Binary::of(word).is_some() => {
+                    self.advance();
+                    form = Binary::of(word);
+                }
+                Token::Word(_) => return Err(self.unexpected_token("a value").into()),
                 _ => {
                     let (value, at) = self.value_here()?;
+                    if let Some(form) = form.take() {
+                        let numbers = numbers_of(&value);
+                        if numbers.is_empty() {
+                            let message = format!("expected numbers, found {}", value.describe());
+                            return Diagnostic::err(codes::WRONG_TYPE, at, message);
+                        }
+                        let bytes: Vec<u8> = numbers.iter().flat_map(|x| form.bytes(*x)).collect();
+                        self.write_bytes(index, &bytes, span)?;
+                        continue;
+                    }
                     let text = match value {
                         Value::Text(text) => text.to_string(),
                         Value::Float(x) => general(x),
@@ -254,21 +269,21 @@ impl<'a> Interpreter<'a> {
                             return Diagnostic::err(codes::WRONG_TYPE, at, message);
                         }
                     };
-                    self.write_text(index, &text, span)?;
+                    self.write_bytes(index, text.as_bytes(), span)?;
                 }
             }
         }
     }
 
-    fn write_text(&mut self, index: usize, text: &str, span: Span) -> Result<()> {
-        self.written += text.len() as u64;
+    fn write_bytes(&mut self, index: usize, bytes: &[u8], span: Span) -> Result<()> {
+        self.written += bytes.len() as u64;
         if self.written > MAX_WRITTEN {
             let message = format!("the scene writes more than {} GB", MAX_WRITTEN >> 30);
             return self.limit(codes::MEMORY_LIMIT, span, message, "does a loop write without end?");
         }
         let file = &mut self.files[index];
         let written = match &mut file.access {
-            Access::Write(out) => out.write_all(text.as_bytes()),
+            Access::Write(out) => out.write_all(bytes),
             _ => {
                 let message = format!("`{}` is open for reading: it can't be written", file.name);
                 return Diagnostic::err(codes::WRONG_TYPE, span, message);
@@ -278,6 +293,54 @@ impl<'a> Interpreter<'a> {
             let message = format!("`{}` can't be written: {error}", file.name);
             Box::new(Diagnostic::new(codes::UNREADABLE_INCLUDE, span, message))
         })
+    }
+}
+
+/// `uint16be` and its kin: whole numbers as bytes.
+#[derive(Clone, Copy)]
+struct Binary {
+    size: usize,
+    signed: bool,
+    big_endian: bool,
+}
+
+impl Binary {
+    fn of(word: &str) -> Option<Self> {
+        let (signed, rest) = match word.strip_prefix("uint") {
+            Some(rest) => (false, rest),
+            None => (true, word.strip_prefix("sint")?),
+        };
+        let (bits, big_endian) = match rest.strip_suffix("be") {
+            Some(bits) => (bits, true),
+            None => (rest.strip_suffix("le").unwrap_or(rest), false),
+        };
+        let size = match bits {
+            "8" => 1,
+            "16" => 2,
+            "32" => 4,
+            _ => return None,
+        };
+        Some(Self { size, signed, big_endian })
+    }
+
+    /// The nearest whole number in the range.
+    fn bytes(self, x: f64) -> Vec<u8> {
+        let values = (1_i64 << (8 * self.size)) as f64;
+        let (low, high) = if self.signed { (-values / 2.0, values / 2.0 - 1.0) } else { (0.0, values - 1.0) };
+        let bytes = (x.round().clamp(low, high) as i64).to_le_bytes();
+        let mut out = bytes[..self.size].to_vec();
+        if self.big_endian {
+            out.reverse();
+        }
+        out
+    }
+}
+
+fn numbers_of(value: &Value) -> Vec<f64> {
+    match value {
+        Value::Float(x) => vec![*x],
+        Value::Vector(v) => v.c[..v.len as usize].to_vec(),
+        _ => vec![],
     }
 }
 
@@ -380,6 +443,19 @@ fn general(x: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn whole_numbers_as_bytes() {
+        let bytes = |word, x| Binary::of(word).map(|form| form.bytes(x));
+        assert_eq!(bytes("uint8", 65.0), Some(vec![65]));
+        assert_eq!(bytes("uint8", 300.0), Some(vec![255]));
+        assert_eq!(bytes("sint8", -1.7), Some(vec![0xfe]));
+        assert_eq!(bytes("uint16be", 258.0), Some(vec![1, 2]));
+        assert_eq!(bytes("uint16le", 258.0), Some(vec![2, 1]));
+        assert_eq!(bytes("sint16be", -2.0), Some(vec![255, 254]));
+        assert_eq!(bytes("sint32le", 5.0), Some(vec![5, 0, 0, 0]));
+        assert_eq!(bytes("float", 5.0), None);
+    }
 
     #[test]
     fn numbers_as_c_writes_them() {
