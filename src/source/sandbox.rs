@@ -15,7 +15,9 @@ pub struct Sandbox {
 impl Sandbox {
     /// Reads where includes are looked for, writes below the current folder.
     pub fn around(search: &super::SearchPath) -> Self {
-        Self { read: search.folders.clone(), write: vec![PathBuf::from(".")] }
+        // Fonts are nobody's secret, and include folders hold links to them.
+        let fonts = FONTS.iter().map(PathBuf::from);
+        Self { read: search.folders.iter().cloned().chain(fonts).collect(), write: vec![PathBuf::from(".")] }
     }
 
     /// May this file be read?
@@ -29,6 +31,9 @@ impl Sandbox {
         resolved(path).is_ok_and(|path| is_below(&path, &self.write))
     }
 }
+
+/// Where systems keep their fonts.
+const FONTS: &[&str] = &["/usr/share/fonts", "/usr/local/share/fonts", "/Library/Fonts", "/System/Library/Fonts"];
 
 /// Without links and `..`; the last name of a file that is not there yet is taken as it is.
 fn resolved(path: &Path) -> io::Result<PathBuf> {

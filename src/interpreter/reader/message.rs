@@ -35,6 +35,15 @@ impl Interpreter<'_> {
             }
             Ok(Token::Key(_) | Token::Colon) => format!("`{}`", self.sources.snippet(span)),
             Ok(Token::Group(_)) => "`{`".to_string(),
+            Ok(Token::Element(e))
+                if let Some(slot @ Slot::Faulty(_)) = self.element.as_ref().and_then(|place| self.scopes.at(place)) =>
+            {
+                let slot = slot.clone();
+                return match self.slot_value(slot, e.span) {
+                    Err(fault) => *fault,
+                    Ok(_) => self.expected(e.span, expected, "an element"),
+                };
+            }
             Ok(Token::Element(e)) => format!("`{}`", self.sources.snippet(e.span)),
             Ok(Token::Function(_)) => "a function".to_string(),
             Ok(Token::End) => match self.blocks.last() {
