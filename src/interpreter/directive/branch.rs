@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::eval::SMALL;
+use crate::interpreter::operators::SMALL;
 use crate::interpreter::scope::Slot;
 use crate::interpreter::stream::FrameKind;
 use crate::source::Span;

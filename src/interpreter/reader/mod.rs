@@ -7,7 +7,8 @@ mod transform;
 
 pub(super) use transform::TransformThing;
 
-use super::eval::{SMALL, as_float};
+use super::eval::as_float;
+use super::operators::SMALL;
 use super::scope::Slot;
 use super::stream::{FrameKind, Token};
 use super::{Interpreter, hints};

@@ -1,5 +1,8 @@
 //! `function { … }` and its calls: names are looked up where the function is declared, and what is left is arithmetic.
 
+mod call;
+mod sampler;
+
 use super::Interpreter;
 use super::scope::Slot;
 use super::stream::Token;
@@ -8,72 +11,17 @@ use crate::function::{
     self, Binary, Body, Callee, Function, Gives, Graph, Id, Node, Program, Sampler, Spline, SplineKind, internal,
     numeric,
 };
-use crate::math::{DVec3, Transform};
 use crate::source::Span;
 use crate::syntax::ast::{self, *};
 use crate::texture::Pigment;
 use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN};
+use sampler::{PatternSampler, PigmentSampler, TransformSampler};
 use std::any::Any;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU8;
 
 /// Functions with more operations than this are called, not copied into those that use them.
 const MAX_COPIED: usize = 500;
-
-/// `function { pigment { … } }`
-#[derive(Debug)]
-struct PigmentSampler(Pigment);
-
-impl Sampler for PigmentSampler {
-    fn arity(&self) -> usize {
-        3
-    }
-
-    fn gives(&self) -> Gives {
-        Gives::Color
-    }
-
-    fn sample(&self, p: &[f64]) -> [f64; 5] {
-        self.0.at(DVec3::new(p[0], p[1], p[2])).to_array()
-    }
-}
-
-/// `function { pattern { … } }`: a pigment without colours.
-#[derive(Debug)]
-struct PatternSampler(Pigment);
-
-impl Sampler for PatternSampler {
-    fn arity(&self) -> usize {
-        3
-    }
-
-    fn gives(&self) -> Gives {
-        Gives::Number
-    }
-
-    fn sample(&self, p: &[f64]) -> [f64; 5] {
-        [self.0.number_at(DVec3::new(p[0], p[1], p[2])), 0.0, 0.0, 0.0, 0.0]
-    }
-}
-
-/// `function { transform { … } }`
-#[derive(Debug)]
-struct TransformSampler(Transform);
-
-impl Sampler for TransformSampler {
-    fn arity(&self) -> usize {
-        3
-    }
-
-    fn gives(&self) -> Gives {
-        Gives::Vector(3)
-    }
-
-    fn sample(&self, p: &[f64]) -> [f64; 5] {
-        let v = self.0.point(DVec3::new(p[0], p[1], p[2]));
-        [v.x, v.y, v.z, 0.0, 0.0]
-    }
-}
 
 /// The function under construction.
 struct Compiler {
@@ -469,69 +417,6 @@ impl<'a> Interpreter<'a> {
             }
         }
     }
-
-    /// A call of a function or spline in a script.
-    pub(super) fn call_value(&mut self, name: Symbol, arguments: &'a [Element], span: Span) -> Result<Value> {
-        if let Some(spline) = self.thing_of::<Spline>(name) {
-            return self.call_spline(&spline, arguments, span);
-        }
-        let Some(function) = self.thing_of::<Function>(name) else {
-            self.name_value(name, span)?;
-            let text = self.names.text(name);
-            return Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"));
-        };
-        let numbers = self.call_numbers(arguments, span)?;
-        self.check_count(name, numbers.len(), function.arity(), span)?;
-        Ok(answer(&function, &numbers))
-    }
-
-    /// A call of an array's element.
-    pub(super) fn call_thing(&mut self, thing: &Value, arguments: &'a [Element], span: Span) -> Result<Value> {
-        if let Value::Thing(thing) = thing {
-            if let Some(spline) = downcast::<Spline>(thing) {
-                return self.call_spline(&spline, arguments, span);
-            }
-            if let Some(function) = downcast::<Function>(thing) {
-                let numbers = self.call_numbers(arguments, span)?;
-                if numbers.len() == function.arity() {
-                    return Ok(answer(&function, &numbers));
-                }
-                let message = format!("this function takes {} arguments, found {}", function.arity(), numbers.len());
-                return Diagnostic::err(codes::WRONG_COUNT, span, message);
-            }
-        }
-        Diagnostic::err(codes::NOT_CALLABLE, span, format!("{} can't be called", thing.describe()))
-    }
-
-    fn call_numbers(&mut self, arguments: &'a [Element], span: Span) -> Result<Vec<f64>> {
-        // The common case, without a frame.
-        if arguments.iter().all(|a| self.is_plain(a)) {
-            let number = |a: &'a Element| match &a.kind {
-                ElementKind::Expr(e) => self.number(e),
-                _ => Ok(0.0),
-            };
-            return arguments.iter().map(number).collect();
-        }
-        self.numbers_in(arguments, span)
-    }
-
-    /// `S(0.5)`, `S(0.5, cubic_spline)`
-    fn call_spline(&mut self, spline: &Spline, arguments: &'a [Element], span: Span) -> Result<Value> {
-        self.enclosed(None, arguments, span, |me| {
-            let t = me.float()?;
-            let kind = match me.peek()? {
-                Token::Word(word) if SplineKind::of(word).is_some() => {
-                    me.advance();
-                    SplineKind::of(word).unwrap_or(spline.kind)
-                }
-                _ => spline.kind,
-            };
-            match me.peek()? {
-                Token::End => Ok(Value::Vector(VecN { c: spline.at(t, kind), len: spline.len })),
-                _ => Err(me.unexpected_token("one number and, at most, the kind of spline").into()),
-            }
-        })
-    }
 }
 
 /// Which numbers of an answer are meant.
@@ -571,15 +456,6 @@ impl Compiler {
 
 fn too_large<T>(span: Span) -> Result<T> {
     Diagnostic::err(codes::TOO_DEEP, span, "this function has more than 60000 operations")
-}
-
-fn answer(function: &Function, numbers: &[f64]) -> Value {
-    let c = function.call(numbers);
-    match function.gives() {
-        Gives::Number => Value::Float(c[0]),
-        Gives::Vector(len) => Value::Vector(VecN { c, len }),
-        Gives::Color => Value::Color(crate::color::Color::from_array(c)),
-    }
 }
 
 fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
