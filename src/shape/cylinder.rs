@@ -6,8 +6,8 @@
 //! cylinder { <0, 0, 0>, <0, 2, 0>, 0.5 open pigment { color rgb <0.5, 0.5, 0.6> } }
 //! ```
 
-use super::frustum::Frustum;
-use super::{Hit, Hits, Kernel, Readable, finite};
+use super::frustum::{Frustum, frustum_kernel};
+use super::{Hit, Hits, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
@@ -66,35 +66,12 @@ impl Readable for Cylinder {
     }
 }
 
-impl Kernel for Cylinder {
-    fn bounds(&self) -> Aabb {
-        self.0.bounds()
-    }
-
-    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.0.hits(ray, range, out);
-    }
-
-    fn inside(&self, p: DVec3) -> bool {
-        self.0.inside(p)
-    }
-
-    fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
-        self.0.normal(p, hit.part)
-    }
-
-    fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
-        self.0.uv(p, hit.part)
-    }
-
-    fn uv_mapped(&self) -> bool {
-        false
-    }
-}
+frustum_kernel!(Cylinder);
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shape::Kernel;
     use crate::shape::frustum::{BASE, CAP, WALL};
     use crate::shape::testing::{all, assert_hits, read};
 

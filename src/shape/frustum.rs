@@ -147,3 +147,35 @@ impl Frustum {
         DVec2::new(if u < 0.0 { u + 1.0 } else { u }, v)
     }
 }
+
+/// A shape that is a frustum under another name.
+macro_rules! frustum_kernel {
+    ($shape:ident) => {
+        impl $crate::shape::Kernel for $shape {
+            fn bounds(&self) -> Aabb {
+                self.0.bounds()
+            }
+
+            fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+                self.0.hits(ray, range, out);
+            }
+
+            fn inside(&self, p: DVec3) -> bool {
+                self.0.inside(p)
+            }
+
+            fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
+                self.0.normal(p, hit.part)
+            }
+
+            fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
+                self.0.uv(p, hit.part)
+            }
+
+            fn uv_mapped(&self) -> bool {
+                false
+            }
+        }
+    };
+}
+pub(super) use frustum_kernel;
