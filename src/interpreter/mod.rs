@@ -22,7 +22,7 @@ use crate::diagnostic::{Diagnostic, Label, Result, Severity, codes};
 use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::Names;
-use crate::syntax::ast::{Ast, Chain, Element, Symbol};
+use crate::syntax::ast::{Chain, Element, Symbol};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
 pub use directive::table as directives;
@@ -109,7 +109,6 @@ pub fn interpret_with(
 pub(crate) struct Interpreter<'a> {
     sources: &'a Sources,
     names: &'a Names,
-    asts: &'a elsa::FrozenVec<Box<Ast>>,
     parsed: &'a ParsedFiles,
     options: &'a Options,
     debug: &'a mut dyn FnMut(&str),
@@ -164,7 +163,6 @@ impl<'a> Interpreter<'a> {
         Self {
             sources,
             names: &parsed.names,
-            asts: &parsed.asts,
             parsed,
             options,
             debug,

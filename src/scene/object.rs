@@ -1,6 +1,6 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
-use super::extent::transform_box;
+use super::extent::moved_box;
 use super::words::MODIFIERS;
 use super::{Defaults, Undrawn, Weight};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -406,7 +406,7 @@ impl Object {
     pub fn transform_by(&mut self, step: &Transform) {
         self.transform = self.transform.then(step);
         if let Some(group) = &mut self.group_box {
-            **group = transform_box(step, group);
+            **group = moved_box(step, group);
         }
         for painted in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
             if let Some(moved) = &mut painted.moved {

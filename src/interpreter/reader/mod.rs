@@ -7,7 +7,7 @@ mod transform;
 
 pub(super) use transform::TransformThing;
 
-use super::eval::as_float;
+use super::eval::{as_float, as_vector};
 use super::operators::SMALL;
 use super::scope::Slot;
 use super::stream::{FrameKind, Token};
@@ -71,18 +71,6 @@ impl<'a> Interpreter<'a> {
             Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
             _ => Next::Value,
         }
-    }
-
-    fn as_vector(&self, value: &Value, span: Span) -> Result<DVec3> {
-        let vector = match value {
-            Value::Float(x) => DVec3::splat(*x),
-            Value::Vector(v) if v.len <= 3 => v.xyz(),
-            other => {
-                let message = format!("expected a vector of three numbers, found {}", other.describe());
-                return Diagnostic::err(codes::WRONG_TYPE, span, message);
-            }
-        };
-        finite(vector, span)
     }
 }
 
@@ -207,7 +195,7 @@ impl Reader for Interpreter<'_> {
     fn vector(&mut self) -> Result<DVec3> {
         self.at_value("a vector")?;
         let (value, span) = self.value_here()?;
-        self.as_vector(&value, span)
+        finite(as_vector(&value, span)?, span)
     }
 
     fn vector2(&mut self) -> Result<DVec2> {
