@@ -14,20 +14,58 @@ pub(super) enum Quick {
     Vector(VecN),
 }
 
-impl Quick {
+/// What the short way gives: a number alone, which is fastest, or either.
+pub(super) trait Short: Sized {
+    fn float(x: f64) -> Self;
+    fn vector(v: VecN) -> Option<Self>;
+    /// Both with an operator between them; `None` where [`super::operators::apply`] has something to say.
+    fn combined(self, op: Operator, right: Self) -> Option<Self>;
+    fn prefixed(self, prefix: Prefix) -> Option<Self>;
+
     fn of(value: &Value) -> Option<Self> {
         match value {
-            Value::Float(x) => Some(Quick::Float(*x)),
-            Value::Vector(v) => Some(Quick::Vector(*v)),
+            Value::Float(x) => Some(Self::float(*x)),
+            Value::Vector(v) => Self::vector(*v),
             _ => None,
         }
     }
+}
 
-    /// Both with an operator between them; `None` where [`super::operators::apply`] has something to say.
-    fn combined(self, op: Operator, right: Quick) -> Option<Quick> {
+impl Short for f64 {
+    fn float(x: f64) -> Self {
+        x
+    }
+
+    fn vector(_: VecN) -> Option<Self> {
+        None
+    }
+
+    fn combined(self, op: Operator, right: f64) -> Option<Self> {
+        let warns = op == Operator::Div && right == 0.0;
+        if warns { None } else { Some(on_floats(op, self, right)) }
+    }
+
+    fn prefixed(self, prefix: Prefix) -> Option<Self> {
+        Some(match prefix {
+            Prefix::Minus => -self,
+            Prefix::Plus => self,
+            Prefix::Not => f64::from(self.abs() <= SMALL),
+        })
+    }
+}
+
+impl Short for Quick {
+    fn float(x: f64) -> Self {
+        Quick::Float(x)
+    }
+
+    fn vector(v: VecN) -> Option<Self> {
+        Some(Quick::Vector(v))
+    }
+
+    fn combined(self, op: Operator, right: Quick) -> Option<Self> {
         let (a, b) = match (self, right) {
-            (Quick::Float(_), Quick::Float(0.0)) if op == Operator::Div => return None,
-            (Quick::Float(a), Quick::Float(b)) => return Some(Quick::Float(on_floats(op, a, b))),
+            (Quick::Float(a), Quick::Float(b)) => return a.combined(op, b).map(Quick::Float),
             _ if !op.multiplies() && !op.adds() => return None,
             (Quick::Float(x), Quick::Vector(b)) => (VecN::splat(x, b.len), b),
             (Quick::Vector(a), Quick::Float(x)) => (a, VecN::splat(x, a.len)),
@@ -37,65 +75,64 @@ impl Quick {
         if warns { None } else { Some(Quick::Vector(on_vectors(op, a, b))) }
     }
 
-    fn prefixed(self, prefix: Prefix) -> Option<Quick> {
-        match (prefix, self) {
-            (Prefix::Minus, Quick::Float(x)) => Some(Quick::Float(-x)),
-            (Prefix::Plus, value) => Some(value),
-            (Prefix::Not, Quick::Float(x)) => Some(Quick::Float(f64::from(x.abs() <= SMALL))),
-            _ => None,
+    fn prefixed(self, prefix: Prefix) -> Option<Self> {
+        match self {
+            Quick::Float(x) => x.prefixed(prefix).map(Quick::Float),
+            Quick::Vector(_) => None,
         }
     }
 }
 
 impl Interpreter<'_> {
-    /// The short way to a number. `None` says that the long way has to be gone.
+    /// The short way to a number.
     pub(super) fn simple(&self, e: &Expr) -> Option<f64> {
-        match self.quick(e)? {
-            Quick::Float(x) => Some(x),
-            Quick::Vector(_) => None,
-        }
+        self.quick(e)
     }
 
     /// The short way for what most expressions are: numbers and vectors, and nothing that has an effect or needs a message.
-    pub(super) fn quick(&self, e: &Expr) -> Option<Quick> {
+    /// `None` says that the long way has to be gone.
+    pub(super) fn quick<T: Short>(&self, e: &Expr) -> Option<T> {
         match &e.kind {
-            ExprKind::Number(x) => Some(Quick::Float(*x)),
-            ExprKind::Literal(data) if (2..=5).contains(&data.len()) => Some(Quick::Vector(VecN::from_slice(data))),
+            ExprKind::Number(x) => Some(T::float(*x)),
+            ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
             ExprKind::Vector(parts) => self.quick_vector(parts),
             ExprKind::Paren(inner) => self.quick(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Slot::Value(value)) if self.deprecated.is_empty() => Quick::of(value),
-                None => Quick::of(self.constants.get(symbol.0 as usize)?.as_ref()?),
+                Some(Slot::Value(value)) if self.deprecated.is_empty() => T::of(value),
+                None => T::of(self.constants.get(symbol.0 as usize)?.as_ref()?),
                 _ => None,
             },
-            ExprKind::Prefix(prefix, inner) => self.quick(inner)?.prefixed(*prefix),
+            ExprKind::Prefix(prefix, inner) => self.quick::<T>(inner)?.prefixed(*prefix),
             ExprKind::Chain(chain) => {
-                let first = self.quick(&chain.first)?;
+                let first: T = self.quick(&chain.first)?;
                 chain.rest.iter().try_fold(first, |left, (op, operand)| left.combined(*op, self.quick(operand)?))
             }
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
                 self.quick(if self.simple(condition)?.abs() > SMALL { yes } else { no })
             }
-            ExprKind::Builtin(name, arguments) => self.quick_call(name, arguments).map(Quick::Float),
+            ExprKind::Builtin(name, arguments) => self.quick_call(name, arguments).map(T::float),
             ExprKind::Index(array, indices) => match &**indices {
                 [index] => self.quick_element(array, index),
                 _ => None,
             },
-            ExprKind::Dot(base, name, _) => self.quick_component(base, name).map(Quick::Float),
+            ExprKind::Dot(base, name, _) => self.quick_component(base, name).map(T::float),
             _ => None,
         }
     }
 
-    fn quick_vector(&self, parts: &[Element]) -> Option<Quick> {
-        let mut out = VecN { c: [0.0; 5], len: u8::try_from(parts.len()).ok().filter(|n| (2..=5).contains(n))? };
+    fn quick_vector<T: Short>(&self, parts: &[Element]) -> Option<T> {
+        if !(2..=5).contains(&parts.len()) {
+            return None;
+        }
+        let mut out = VecN { c: [0.0; 5], len: parts.len() as u8 };
         for (slot, part) in out.c.iter_mut().zip(parts) {
             match &part.kind {
                 ElementKind::Expr(e) => *slot = self.simple(e)?,
                 _ => return None,
             }
         }
-        Some(Quick::Vector(out))
+        T::vector(out)
     }
 
     /// `V.x` of a name alone, which could be a dictionary.
@@ -130,12 +167,12 @@ impl Interpreter<'_> {
         }
     }
 
-    fn quick_element(&self, array: &Expr, index: &Expr) -> Option<Quick> {
+    fn quick_element<T: Short>(&self, array: &Expr, index: &Expr) -> Option<T> {
         let ExprKind::Name(symbol) = array.kind else { return None };
         let i = self.simple(index).filter(|i| *i >= 0.0)?;
         match self.scopes.get(symbol)? {
             Slot::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
-                Some(Slot::Value(value)) => Quick::of(value),
+                Some(Slot::Value(value)) => T::of(value),
                 _ => None,
             },
             _ => None,

@@ -22,6 +22,8 @@ pub(in crate::interpreter) struct OpenFile {
     name: String,
     path: PathBuf,
     access: Access,
+    /// Where it was opened.
+    span: Span,
 }
 
 #[derive(Debug)]
@@ -104,7 +106,7 @@ impl<'a> Interpreter<'a> {
                 .into();
         };
         let file = self.source_file(&path, name, span)?;
-        Ok(OpenFile { name: name.into(), path, access: Access::Read { file, at: 0 } })
+        Ok(OpenFile { name: name.into(), path, access: Access::Read { file, at: 0 }, span })
     }
 
     fn open_to_write(&mut self, name: &str, append: bool, span: Span) -> Result<OpenFile> {
@@ -119,7 +121,8 @@ impl<'a> Interpreter<'a> {
         match file {
             Ok(file) => {
                 self.parsed.forget(&path);
-                Ok(OpenFile { name: name.into(), path, access: Access::Write(std::io::BufWriter::new(file)) })
+                let access = Access::Write(std::io::BufWriter::new(file));
+                Ok(OpenFile { name: name.into(), path, access, span })
             }
             Err(error) => Err(unwritable(&path, &error, span).into()),
         }
@@ -148,7 +151,7 @@ impl<'a> Interpreter<'a> {
 
     /// Closes what the scene has left open.
     pub(in crate::interpreter) fn close_files(&mut self) {
-        (0..self.files.len()).for_each(|index| self.flush(index, Span::NONE));
+        (0..self.files.len()).for_each(|index| self.flush(index, self.files[index].span));
     }
 
     fn file_number(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
