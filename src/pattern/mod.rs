@@ -3,9 +3,11 @@
 
 mod brick;
 mod checker;
+mod function;
 mod gradient;
 mod hexagon;
 mod modifiers;
+mod object;
 mod placed;
 mod space;
 mod spot;
@@ -14,9 +16,11 @@ mod warp;
 
 pub use brick::Brick;
 pub use checker::Checker;
+pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use hexagon::Hexagon;
 pub use modifiers::{Modifiers, Wave};
+pub use object::ObjectPattern;
 pub use placed::{Kind, Pattern};
 pub use space::{Space, Step};
 pub use spot::{Field, Spot};
@@ -120,9 +124,9 @@ macro_rules! cells {
     };
 }
 
-cells! { Checker Hexagon Brick }
+cells! { Checker Hexagon Brick ObjectPattern }
 
-fields! { Gradient }
+fields! { Gradient FunctionPattern }
 
 /// Patterns of the language that are not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
@@ -138,7 +142,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "density_file",
     "dents",
     "facets",
-    "function",
     "granite",
     "image_pattern",
     "julia",
@@ -146,7 +149,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "magnet",
     "mandel",
     "marble",
-    "object",
     "onion",
     "pavement",
     "pigment_pattern",

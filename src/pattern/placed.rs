@@ -1,6 +1,8 @@
 //! A pattern where it lies: what pigments, normals and textures have in common.
 
-use super::{CellPattern, Cells, Field, FieldPattern, Modifiers, Space, Spot, Turbulent, Warp};
+use super::{
+    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Spot, Turbulent, Warp,
+};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
@@ -83,6 +85,7 @@ impl Pattern {
                 r.take()?;
                 self.kind = Kind::Average;
             }
+            Next::Function => self.kind = Kind::Field(FieldPattern::FunctionPattern(FunctionPattern::read(r)?)),
             Next::Word(word) | Next::Block(word) => return self.read_name(word, r),
             _ => return Ok(false),
         }

@@ -2,7 +2,7 @@
 //! "Normal Maps", "Texture Maps").
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::pattern::{CellPattern, Cells};
+use crate::pattern::{CellPattern, Cells, Kind, Pattern};
 use crate::value::{Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use smallvec::SmallVec;
@@ -87,8 +87,18 @@ where
     }
 }
 
-/// Reads the things for the cells of a pattern, in braces or declared, up to as many as it has; commas may stand between.
-pub fn read_list<T: Entry>(r: &mut dyn Reader, pattern: &CellPattern, default: &dyn Fn(usize) -> T) -> Result<Vec<T>> {
+/// Reads the things for the cells of a pattern whose name was just read, in braces or declared, up to as many as it has;
+/// `None` if it was no such name. Those of an object stand inside the object's braces.
+pub fn read_list<T: Entry>(
+    r: &mut dyn Reader,
+    name: Next,
+    pattern: &Pattern,
+    default: &dyn Fn(&CellPattern, usize) -> T,
+) -> Result<Option<Parts<T>>> {
+    let (Next::Word(word) | Next::Block(word), Kind::Cells(pattern)) = (name, &pattern.kind) else { return Ok(None) };
+    if !CellPattern::is_name(word) {
+        return Ok(None);
+    }
     let mut list = vec![];
     while list.len() < pattern.count() {
         if r.next()? == Next::Block(T::BLOCK) {
@@ -101,8 +111,11 @@ pub fn read_list<T: Entry>(r: &mut dyn Reader, pattern: &CellPattern, default: &
             break;
         }
     }
-    list.extend((list.len()..pattern.count()).map(default));
-    Ok(list)
+    if matches!(name, Next::Block(_)) {
+        r.leave()?;
+    }
+    list.extend((list.len()..pattern.count()).map(|cell| default(pattern, cell)));
+    Ok(Some(Parts::List(list.into())))
 }
 
 /// What a pattern makes of them.

@@ -136,11 +136,8 @@ impl Texture {
                 self.top().pigment.read_element(r, next)?;
             }
             next if draft.pattern.read_element(next, r)? => {
-                if let (Next::Word(word) | Next::Block(word), Kind::Cells(pattern)) = (next, &draft.pattern.kind)
-                    && CellPattern::is_name(word)
-                {
-                    let list = blend::read_list(r, pattern, &|_| base.clone())?;
-                    draft.parts = Some(Parts::List(list.into()));
+                if let Some(list) = blend::read_list(r, next, &draft.pattern, &|_, _| base.clone())? {
+                    draft.parts = Some(list);
                 }
             }
             Next::Word(word) | Next::Block(word) if TEXTURE.leaves_out(word) || crate::pattern::is_not_drawn(word) => {

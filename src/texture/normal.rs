@@ -72,12 +72,14 @@ impl Normal {
 
     fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
         if self.pattern.read_element(next, r)? {
-            return match next {
-                Next::Word(word) | Next::Block(word) if CellPattern::is_name(word) => self.read_list(r),
-                Next::Word(word) | Next::Block(word) if FieldPattern::is_name(word) => self.read_amount(r),
-                Next::Function => self.read_amount(r),
-                _ => Ok(()),
-            };
+            let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
+            if matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function {
+                self.read_amount(r)?;
+            }
+            if let Some(list) = blend::read_list(r, next, &self.pattern, &|_, _| Normal::default())? {
+                self.relief = Relief::Normals(list);
+            }
+            return Ok(());
         }
         match next {
             Next::Word("bump_size") => {
@@ -114,14 +116,6 @@ impl Normal {
         if let Some(amount) = r.optional_float()? {
             self.amount = amount;
         }
-        Ok(())
-    }
-
-    fn read_list(&mut self, r: &mut dyn Reader) -> Result<()> {
-        self.read_amount(r)?;
-        let Kind::Cells(pattern) = &self.pattern.kind else { return Ok(()) };
-        let list = blend::read_list(r, pattern, &|_| Normal::default())?;
-        self.relief = Relief::Normals(Parts::List(list.into()));
         Ok(())
     }
 

@@ -68,10 +68,11 @@ impl Pigment {
     /// Reads one element of a pigment: of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
         if self.pattern.read_element(next, r)? {
-            return match next {
-                Next::Word(word) | Next::Block(word) if CellPattern::is_name(word) => self.read_list(r),
-                _ => Ok(()),
-            };
+            let default = |cells: &CellPattern, cell| Pigment::solid(cells.default_color(cell));
+            if let Some(list) = blend::read_list(r, next, &self.pattern, &default)? {
+                self.paint = Paint::Pigments(list);
+            }
+            return Ok(());
         }
         match next {
             Next::Block("color_map" | "colour_map") => {
@@ -101,14 +102,6 @@ impl Pigment {
             }
             _ => Err(r.unknown_word("pigment", &pigment_names()).into()),
         }
-    }
-
-    /// `checker color A, color B` or `checker pigment { … } pigment { … }`; what is missing gets the pattern's own colours.
-    fn read_list(&mut self, r: &mut dyn Reader) -> Result<()> {
-        let Kind::Cells(pattern) = &self.pattern.kind else { return Ok(()) };
-        let list = blend::read_list(r, pattern, &|cell| Pigment::solid(pattern.default_color(cell)))?;
-        self.paint = Paint::Pigments(Parts::List(list.into()));
-        Ok(())
     }
 
     /// A pattern of numbers without a map shows colours of its own.
