@@ -21,7 +21,7 @@ pub use gradient::Gradient;
 pub use hexagon::Hexagon;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
-pub use placed::{Kind, Pattern};
+pub use placed::{Kind, Pattern, read_noise_generator};
 pub use space::{Space, Step};
 pub use spot::{Field, Spot};
 pub use turbulence::Turbulent;

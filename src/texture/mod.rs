@@ -11,7 +11,7 @@ pub mod words;
 
 pub use blend::{Map, Parts, Shares};
 pub use color_map::ColorMap;
-pub use finish::{Finish, Reflection};
+pub use finish::{Finish, Irid, Reflection};
 pub use interior::Interior;
 pub use layers::{Choice, Layer, Material, Texture};
 pub use normal::{Normal, Relief, Slope, SlopeMap};

@@ -101,6 +101,7 @@ pub const FINISH: Vocabulary = Vocabulary {
         word("crand", Float, "0", "grain, for rough stone"),
         word("reflection", Color, "0", "how much is mirrored; in braces with the words of `reflection`"),
         word("reflection_exponent", Float, "1", "old spelling of `exponent` in `reflection { }`"),
+        word("irid", Block, "", "the colours of a thin film, as on soap bubbles"),
         word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through"),
         word("ior", Float, "", "as in `interior`, which is newer"),
         word("refraction", Float, "", "of old scenes: changes nothing"),
@@ -110,7 +111,20 @@ pub const FINISH: Vocabulary = Vocabulary {
     ],
     moves: false,
     idle: &[],
-    not_drawn: &["irid", "subsurface"],
+    not_drawn: &["subsurface"],
+};
+
+/// `finish { irid { … } }`
+pub const IRID: Vocabulary = Vocabulary {
+    block: "irid",
+    summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
+    words: &[
+        word("thickness", Float, "0", "of the film, in the units of `irid_wavelength`"),
+        word("turbulence", Float, "0", "how much the thickness varies"),
+    ],
+    moves: false,
+    idle: &[],
+    not_drawn: &[],
 };
 
 /// `finish { reflection { … } }`
@@ -132,17 +146,15 @@ pub const REFLECTION: Vocabulary = Vocabulary {
 pub const INTERIOR: Vocabulary = Vocabulary {
     block: "interior",
     summary: "what fills a shape",
-    words: &[word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond")],
+    words: &[
+        word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond"),
+        word("fade_distance", Float, "0", "how far light goes until it has lost half; 0 if it loses nothing"),
+        word("fade_power", Float, "0", "how fast light fades; 1 to 2 is usual, from 1000 on it fades exponentially"),
+        word("fade_color", Color, "0", "what is left of light that has gone far"),
+        word("fade_colour", Color, "", "the same"),
+        word("caustics", Float, "0", "makes shadows bright where light falls straight in; larger is narrower"),
+    ],
     moves: false,
     idle: &[],
-    not_drawn: &[
-        "dispersion",
-        "dispersion_samples",
-        "caustics",
-        "fade_distance",
-        "fade_power",
-        "fade_color",
-        "fade_colour",
-        "media",
-    ],
+    not_drawn: &["dispersion", "dispersion_samples", "media"],
 };

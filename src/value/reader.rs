@@ -140,7 +140,7 @@ impl<R: Reader + ?Sized> ReaderExt for R {
     }
 
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>> {
-        if !matches!(self.next()?, Next::Thing(_) | Next::Function) {
+        if !matches!(self.next()?, Next::Thing(_)) {
             return Ok(None);
         }
         let (thing, span) = self.take_thing()?;
