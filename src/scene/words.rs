@@ -50,9 +50,15 @@ pub const SETTINGS: Vocabulary = Vocabulary {
             "2 for `#version` 3.5 and later",
             "which noise functions are made of: 1, 2 or 3",
         ),
+        word(
+            "irid_wavelength",
+            Color,
+            "<0.7, 0.52, 0.48>",
+            "of red, green and blue light, in the units of `irid`'s `thickness`",
+        ),
         word("ambient_light", Color, "1", "the light that `finish { ambient }` answers to"),
     ],
     moves: false,
-    idle: &["charset", "hf_gray_16", "irid_wavelength", "max_intersections", "mm_per_unit", "number_of_waves"],
+    idle: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit", "number_of_waves"],
     not_drawn: &["photons", "radiosity", "subsurface"],
 };

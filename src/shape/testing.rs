@@ -5,7 +5,7 @@ use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{FloatOrColor, Language, Next, Reader, Said, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Reader, Said, Solid, Thing, Value, VecN};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -143,6 +143,10 @@ impl Reader for Words {
 
     fn language(&self) -> Language {
         Language { version: 370, bare_textures: false, assumed_gamma: None }
+    }
+
+    fn solid(&mut self) -> Result<Arc<dyn Solid>> {
+        Err(self.unexpected("no object").into())
     }
 
     fn find_file(&mut self, _: &str, _: Span) -> Result<Option<std::path::PathBuf>> {

@@ -17,6 +17,7 @@ pub const PIGMENT: Vocabulary = Vocabulary {
             "`[number color]` entries: which colour each number of the pattern gets",
         ),
         word("colour_map", Block, "", "the same"),
+        word("pigment_map", Block, "", "`[number pigment]` entries: which pigment each number of the pattern gets"),
         word("quick_color", Color, "", "drawn in its place with `--quality 5` and less"),
         word("quick_colour", Color, "", "the same"),
     ],
@@ -40,31 +41,37 @@ pub const TEXTURE: Vocabulary = Vocabulary {
     summary: "what a surface looks like; several behind one another are layers, the last on top",
     words: &[
         word("pigment", Block, "black", "its colour"),
+        word("normal", Block, "", "its bumps"),
         word("finish", Block, "see `finish`", "its answer to light"),
+        word("texture_map", Block, "", "behind a pattern: which texture each of its numbers gets"),
+        word("uv_mapping", Flag, "off", "it sees the place on the surface, (u, v, 0), instead of the point"),
+        word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
+        word("tiles", Block, "", "of old scenes: a checker of two textures, `tiles { texture … tile2 texture … }`"),
     ],
     moves: true,
     idle: &[],
-    not_drawn: &[
-        "normal",
-        "uv_mapping",
-        "texture_map",
-        "material_map",
-        "checker",
-        "hexagon",
-        "brick",
-        "gradient",
-        "tiles",
-        "frequency",
-        "phase",
-        "ramp_wave",
-        "triangle_wave",
-        "sine_wave",
-        "scallop_wave",
-        "cubic_wave",
-        "poly_wave",
-        "color_map",
-        "texture",
+    not_drawn: &["material_map"],
+};
+
+/// `normal { … }`, beside patterns and their words.
+pub const NORMAL: Vocabulary = Vocabulary {
+    block: "normal",
+    summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
+    words: &[
+        word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number behind the pattern's name"),
+        word(
+            "accuracy",
+            Float,
+            "0.02",
+            "the distance at which heights are compared, for patterns without bumps of their own",
+        ),
+        word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
+        word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
+        word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
     ],
+    moves: true,
+    idle: &[],
+    not_drawn: &["bump_map"],
 };
 
 /// `finish { … }`
@@ -94,6 +101,7 @@ pub const FINISH: Vocabulary = Vocabulary {
         word("crand", Float, "0", "grain, for rough stone"),
         word("reflection", Color, "0", "how much is mirrored; in braces with the words of `reflection`"),
         word("reflection_exponent", Float, "1", "old spelling of `exponent` in `reflection { }`"),
+        word("irid", Block, "", "the colours of a thin film, as on soap bubbles"),
         word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through"),
         word("ior", Float, "", "as in `interior`, which is newer"),
         word("refraction", Float, "", "of old scenes: changes nothing"),
@@ -103,7 +111,20 @@ pub const FINISH: Vocabulary = Vocabulary {
     ],
     moves: false,
     idle: &[],
-    not_drawn: &["irid", "subsurface"],
+    not_drawn: &["subsurface"],
+};
+
+/// `finish { irid { … } }`
+pub const IRID: Vocabulary = Vocabulary {
+    block: "irid",
+    summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
+    words: &[
+        word("thickness", Float, "0", "of the film, in the units of `irid_wavelength`"),
+        word("turbulence", Float, "0", "how much the thickness varies"),
+    ],
+    moves: false,
+    idle: &[],
+    not_drawn: &[],
 };
 
 /// `finish { reflection { … } }`
@@ -125,17 +146,15 @@ pub const REFLECTION: Vocabulary = Vocabulary {
 pub const INTERIOR: Vocabulary = Vocabulary {
     block: "interior",
     summary: "what fills a shape",
-    words: &[word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond")],
+    words: &[
+        word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond"),
+        word("fade_distance", Float, "0", "how far light goes until it has lost half; 0 if it loses nothing"),
+        word("fade_power", Float, "0", "how fast light fades; 1 to 2 is usual, from 1000 on it fades exponentially"),
+        word("fade_color", Color, "0", "what is left of light that has gone far"),
+        word("fade_colour", Color, "", "the same"),
+        word("caustics", Float, "0", "makes shadows bright where light falls straight in; larger is narrower"),
+    ],
     moves: false,
     idle: &[],
-    not_drawn: &[
-        "dispersion",
-        "dispersion_samples",
-        "caustics",
-        "fade_distance",
-        "fade_power",
-        "fade_color",
-        "fade_colour",
-        "media",
-    ],
+    not_drawn: &["dispersion", "dispersion_samples", "media"],
 };

@@ -30,7 +30,8 @@ pub fn lower(scene: &Scene) -> Result<World> {
         camera: scene.camera.clone(),
         geometry: Geometry::new(roots),
         see_through: objects.iter().any(|o| !o.opaque),
-        bends: interiors.iter().any(|&ior| ior != 1.0),
+        bends: interiors.iter().any(|interior| interior.ior != 1.0),
+        colors_light: interiors.iter().any(Interior::colors_light),
         parts,
         objects,
         materials,
@@ -38,8 +39,10 @@ pub fn lower(scene: &Scene) -> Result<World> {
         lights,
         background: scene.background.unwrap_or(Color { transmit: 1.0, ..Color::BLACK }),
         gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
+        noise: scene.settings.noise_generator.unwrap_or_default(),
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
+        irid_wavelength: scene.settings.irid_wavelength,
     })
 }
 
@@ -87,7 +90,7 @@ struct Lowering {
     materials: Vec<Material>,
     /// By the address of the texture, which the scene keeps alive.
     material_numbers: FxHashMap<*const Texture, u32>,
-    interiors: Vec<f64>,
+    interiors: Vec<Interior>,
     lights: Vec<Lamp>,
 }
 
@@ -149,7 +152,7 @@ impl Lowering {
     }
 
     fn add_interior(&mut self, interior: &Interior) -> u32 {
-        self.interiors.push(interior.ior);
+        self.interiors.push(Interior { undrawn: vec![], ..interior.clone() });
         self.interiors.len() as u32 - 1
     }
 
