@@ -6,6 +6,7 @@ mod checker;
 mod function;
 mod gradient;
 mod hexagon;
+pub mod image;
 mod modifiers;
 mod object;
 mod placed;
@@ -19,6 +20,7 @@ pub use checker::Checker;
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use hexagon::Hexagon;
+pub use image::{ImagePattern, MaterialMap};
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
@@ -124,9 +126,9 @@ macro_rules! cells {
     };
 }
 
-cells! { Checker Hexagon Brick ObjectPattern }
+cells! { Checker Hexagon Brick ObjectPattern MaterialMap }
 
-fields! { Gradient FunctionPattern }
+fields! { Gradient FunctionPattern ImagePattern }
 
 /// Patterns of the language that are not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
@@ -143,7 +145,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "dents",
     "facets",
     "granite",
-    "image_pattern",
     "julia",
     "leopard",
     "magnet",
@@ -181,19 +182,12 @@ pub const WORDS_NOT_DRAWN: &[&str] = &[
     "exponent",
     "exterior",
     "form",
-    "image_map",
     "interior",
-    "interpolate",
-    "map_type",
     "metric",
     "offset",
-    "once",
     "orientation",
     "size",
     "solid",
-    "use_alpha",
-    "use_color",
-    "use_index",
 ];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
