@@ -208,13 +208,13 @@ fn straight_on_is_no_new_level() {
 
 /// A ramp of brightness along y from 0 at 0 to 1 at 100, on the plane z = 10.
 fn ruler() -> durer::scene::Object {
-    use durer::pattern::{FieldPattern, Gradient, Modifiers};
+    use durer::pattern::{FieldPattern, Gradient, Kind, Pattern, Space};
     use durer::texture::{ColorMap, Paint};
-    let pattern = FieldPattern::Gradient(Gradient { direction: Y });
-    let map = std::sync::Arc::new(ColorMap::black_to_white());
-    let paint = Paint::Mapped { pattern, modifiers: Modifiers::default(), map };
-    let scale = durer::math::Transform::scale(DVec3::splat(100.0)).unwrap();
-    let pigment = Pigment { paint, transform: scale, quick_color: None };
+    let kind = Kind::Field(FieldPattern::Gradient(Gradient { direction: Y }));
+    let map = ColorMap { entries: vec![(0.0, Color::BLACK), (1.0, Color::WHITE)] };
+    let transform = durer::math::Transform::scale(DVec3::splat(100.0)).unwrap();
+    let pattern = Pattern { kind, space: Space { transform, ..Space::default() }, ..Pattern::default() };
+    let pigment = Pigment { pattern, paint: Paint::Colors(std::sync::Arc::new(map)), quick_color: None };
     plane(-Z, -10.0).textured(texture([(pigment, glowing())]))
 }
 

@@ -8,11 +8,11 @@ use common::*;
 use durer::color::{Color, Rgb};
 use durer::diagnostic::codes;
 use durer::math::{DVec3, Transform};
-use durer::pattern::{CellPattern, Checker};
+use durer::pattern::{CellPattern, Checker, Kind, Pattern};
 use durer::render::{Cancelled, Region, Watch, pick, render};
 use durer::scene::{CsgOp, Object, ObjectKind, Scene};
 use durer::source::Span;
-use durer::texture::{Finish, Paint, Pigment};
+use durer::texture::{Finish, Paint, Parts, Pigment};
 use durer::world::lower;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -22,7 +22,8 @@ fn scaled(x: f64, y: f64, z: f64) -> Transform {
 
 fn checker(a: Color, b: Color) -> Pigment {
     let pigments = vec![Pigment::solid(a), Pigment::solid(b)];
-    Pigment { paint: Paint::Cells { pattern: CellPattern::Checker(Checker {}), pigments }, ..Pigment::default() }
+    let pattern = Pattern { kind: Kind::Cells(CellPattern::Checker(Checker {})), ..Pattern::default() };
+    Pigment { pattern, paint: Paint::Pigments(Parts::List(pigments.into())), quick_color: None }
 }
 
 #[test]

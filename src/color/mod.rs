@@ -47,6 +47,20 @@ impl Color {
         1.0 - self.filter - self.transmit
     }
 
+    /// What it lets pass of the light from behind: filter · rgb + transmit.
+    pub fn passing(&self) -> Rgb {
+        self.rgb * self.filter + self.transmit
+    }
+
+    /// self + t·other, in all five numbers.
+    pub fn plus(self, other: Color, t: f64) -> Color {
+        Color {
+            rgb: self.rgb + other.rgb * t,
+            filter: self.filter + other.filter * t,
+            transmit: self.transmit + other.transmit * t,
+        }
+    }
+
     /// (1-t)·self + t·other, in all five numbers.
     pub fn lerp(self, other: Color, t: f64) -> Color {
         Color {

@@ -9,22 +9,17 @@ use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_layers, read_material};
 use crate::syntax::ast::{Block, Expr, ExprKind, Name};
 use crate::syntax::word;
-use crate::texture::{ColorMap, Finish, Interior, Pigment};
+use crate::texture::{ColorMap, Finish, Interior, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
 
 /// Blocks that may be declared, and whose kind is not read yet.
 const LATER: &[&str] = &[
-    "normal",
     "media",
     "density",
     "fog",
     "rainbow",
     "sky_sphere",
-    "pigment_map",
-    "normal_map",
-    "slope_map",
-    "texture_map",
     "density_map",
     "warp",
     "radiosity",
@@ -103,7 +98,19 @@ impl<'a> Interpreter<'a> {
         let expected = "something that can be declared";
         if !matches!(
             word,
-            "pigment" | "finish" | "interior" | "material" | "color_map" | "colour_map" | "camera" | "transform"
+            "pigment"
+                | "normal"
+                | "finish"
+                | "interior"
+                | "material"
+                | "color_map"
+                | "colour_map"
+                | "pigment_map"
+                | "normal_map"
+                | "slope_map"
+                | "texture_map"
+                | "camera"
+                | "transform"
         ) {
             return Err(self.unexpected_token(expected).into());
         }
@@ -111,7 +118,12 @@ impl<'a> Interpreter<'a> {
         let base = &defaults.texture.layers[0];
         let thing: Arc<dyn Thing> = match word {
             "pigment" => Arc::new(Pigment::read(self, &base.pigment)?),
+            "normal" => Arc::new(Normal::read(self, base.normal.as_deref())?),
             "finish" => Arc::new(Finish::read(self, &base.finish)?),
+            "pigment_map" => Arc::new(PigmentMap::read_entries(self)?),
+            "normal_map" => Arc::new(NormalMap::read_entries(self)?),
+            "slope_map" => Arc::new(SlopeMap::read_entries(self)?),
+            "texture_map" => Arc::new(TextureMap::read_entries(self)?),
             "interior" => Arc::new(Interior::read(self)?),
             "material" => Arc::new(read_material(self, &defaults)?),
             "camera" => Arc::new(Camera::read(self, at)?),

@@ -4,6 +4,7 @@ use super::stream::Token;
 use super::{Interpreter, compat, hints};
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::noise::NoiseGenerator;
 use crate::scene::{Object, is_object};
 use crate::source::Span;
 use crate::value::words::word;
@@ -134,6 +135,8 @@ impl Interpreter<'_> {
     pub(super) fn finish_scene(&mut self) {
         self.scene.version = self.language.version;
         let version = self.version_stated.then_some(self.language.version);
+        let generator = self.noise_generator.load(std::sync::atomic::Ordering::Relaxed);
+        self.scene.settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
         self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
         if !self.camera_stated && self.error_count() == 0 {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { gradient y color_map { [0 color rgb 0] [1 color rgb 1] } scale 2 translate -y } }
 //! ```
 
-use super::{Field, Readable};
+use super::{Field, Readable, Spot};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::value::{Kind, Param, Reader, Spec};
@@ -40,9 +40,9 @@ impl Readable for Gradient {
 }
 
 impl Field for Gradient {
-    fn value(&self, p: DVec3) -> f64 {
+    fn value(&self, at: &Spot) -> f64 {
         // Negative numbers keep their sign here; frequency and phase bring them into [0, 1].
-        let along = p.dot(self.direction);
+        let along = at.p.dot(self.direction);
         if along > 0.0 { along % 1.0 } else { along }
     }
 }

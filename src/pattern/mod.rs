@@ -3,15 +3,29 @@
 
 mod brick;
 mod checker;
+mod function;
 mod gradient;
 mod hexagon;
 mod modifiers;
+mod object;
+mod placed;
+mod space;
+mod spot;
+mod turbulence;
+mod warp;
 
 pub use brick::Brick;
 pub use checker::Checker;
+pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use hexagon::Hexagon;
 pub use modifiers::{Modifiers, Wave};
+pub use object::ObjectPattern;
+pub use placed::{Kind, Pattern};
+pub use space::{Space, Step};
+pub use spot::{Field, Spot};
+pub use turbulence::Turbulent;
+pub use warp::{TurbulenceWarp, Warp};
 
 use crate::color::Color;
 use crate::diagnostic::Result;
@@ -27,12 +41,6 @@ pub trait Cells {
     fn cell(&self, p: DVec3) -> usize;
     /// What cells are painted that the author gives nothing for.
     fn default_color(&self, cell: usize) -> Color;
-}
-
-/// A pattern that gives every point a number, which a map turns into colour.
-pub trait Field {
-    /// The number before frequency, phase and wave; mostly in [0, 1].
-    fn value(&self, p: DVec3) -> f64;
 }
 
 /// Reads a pattern's own words.
@@ -63,6 +71,9 @@ macro_rules! family {
                 None
             }
 
+            /// Is there a pattern of this name?
+            pub fn is_name(word: &str) -> bool { Self::SPECS.iter().any(|s| s.name == word) }
+
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $($enum::$name(_) => &$name::SPEC),* } }
 
@@ -77,55 +88,50 @@ macro_rules! family {
     };
 }
 
-family! {
-    /// Any pattern of cells.
-    CellPattern: Checker Hexagon Brick
+macro_rules! fields {
+    ($($name:ident)*) => {
+        family! {
+            /// Any pattern of numbers.
+            FieldPattern: $($name)*
+        }
+
+        impl Field for FieldPattern {
+            fn value(&self, at: &Spot) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
+            fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
+                match self { $(FieldPattern::$name(f) => f.stirred(at, by)),* }
+            }
+            fn default_colors(&self) -> Vec<(f64, Color)> {
+                match self { $(FieldPattern::$name(f) => f.default_colors()),* }
+            }
+        }
+    };
 }
 
-family! {
-    /// Any pattern of numbers.
-    FieldPattern: Gradient
+macro_rules! cells {
+    ($($name:ident)*) => {
+        family! {
+            /// Any pattern of cells.
+            CellPattern: $($name)*
+        }
+
+        impl Cells for CellPattern {
+            fn count(&self) -> usize { match self { $(CellPattern::$name(c) => c.count()),* } }
+            fn cell(&self, p: DVec3) -> usize { match self { $(CellPattern::$name(c) => c.cell(p)),* } }
+            fn default_color(&self, cell: usize) -> Color {
+                match self { $(CellPattern::$name(c) => c.default_color(cell)),* }
+            }
+        }
+    };
 }
 
-impl Cells for CellPattern {
-    fn count(&self) -> usize {
-        match self {
-            CellPattern::Checker(p) => p.count(),
-            CellPattern::Hexagon(p) => p.count(),
-            CellPattern::Brick(p) => p.count(),
-        }
-    }
+cells! { Checker Hexagon Brick ObjectPattern }
 
-    fn cell(&self, p: DVec3) -> usize {
-        match self {
-            CellPattern::Checker(c) => c.cell(p),
-            CellPattern::Hexagon(c) => c.cell(p),
-            CellPattern::Brick(c) => c.cell(p),
-        }
-    }
-
-    fn default_color(&self, cell: usize) -> Color {
-        match self {
-            CellPattern::Checker(p) => p.default_color(cell),
-            CellPattern::Hexagon(p) => p.default_color(cell),
-            CellPattern::Brick(p) => p.default_color(cell),
-        }
-    }
-}
-
-impl Field for FieldPattern {
-    fn value(&self, p: DVec3) -> f64 {
-        match self {
-            FieldPattern::Gradient(f) => f.value(p),
-        }
-    }
-}
+fields! { Gradient FunctionPattern }
 
 /// Patterns of the language that are not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
     "agate",
     "aoi",
-    "average",
     "boxed",
     "bozo",
     "bumps",
@@ -136,7 +142,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "density_file",
     "dents",
     "facets",
-    "function",
     "granite",
     "image_pattern",
     "julia",
@@ -144,7 +149,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "magnet",
     "mandel",
     "marble",
-    "object",
     "onion",
     "pavement",
     "pigment_pattern",
@@ -167,10 +171,8 @@ pub const NOT_DRAWN: &[&str] = &[
 
 /// Words about patterns that are not drawn yet.
 pub const WORDS_NOT_DRAWN: &[&str] = &[
-    "accuracy",
     "agate_turb",
     "altitude",
-    "bump_size",
     "control0",
     "control1",
     "coords",
@@ -182,31 +184,22 @@ pub const WORDS_NOT_DRAWN: &[&str] = &[
     "image_map",
     "interior",
     "interpolate",
-    "lambda",
     "map_type",
     "metric",
-    "no_bump_scale",
-    "noise_generator",
-    "normal_map",
-    "octaves",
     "offset",
-    "omega",
     "once",
     "orientation",
-    "pigment_map",
     "size",
-    "slope_map",
     "solid",
-    "texture_map",
-    "tile2",
-    "tiles",
-    "turbulence",
     "use_alpha",
     "use_color",
     "use_index",
-    "uv_mapping",
-    "warp",
 ];
+
+/// Is it a pattern, or a word about one, that is not drawn yet?
+pub fn is_not_drawn(word: &str) -> bool {
+    NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word)
+}
 
 /// Added before `floor`, so that a surface at a whole number lies on one side (measured on POV-Ray 3.7).
 const EDGE: f64 = 1e-10;

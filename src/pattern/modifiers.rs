@@ -7,10 +7,11 @@ use serde::Serialize;
 use std::f64::consts::PI;
 
 /// How a number in [0, 1) becomes another.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Wave {
     /// As it is.
+    #[default]
     Ramp,
     /// Up and down again.
     Triangle,
@@ -24,21 +25,15 @@ pub enum Wave {
     Poly(f64),
 }
 
-/// Frequency, phase, wave.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+/// Frequency, phase, wave. Numbers are kept in single precision, as in POV-Ray (seen from the 8th digit on).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Modifiers {
-    /// How often the map is run through in a unit; 0 leaves the pattern as it is.
-    pub frequency: f64,
+    /// How often the map is run through in a unit; 0 leaves the pattern as it is. Unless said, 1 for numbers and 0 for cells.
+    pub frequency: Option<f64>,
     /// Where the map begins.
     pub phase: f64,
     /// The wave's shape.
     pub wave: Wave,
-}
-
-impl Default for Modifiers {
-    fn default() -> Self {
-        Self { frequency: 1.0, phase: 0.0, wave: Wave::Ramp }
-    }
 }
 
 /// POV-Ray 3.7 wraps at this rather than at 1, as was measured: 3.9375 below 0 comes out at 0.0625 + 0.00003.
@@ -60,32 +55,40 @@ impl Modifiers {
     /// Reads what follows one of [`Self::WORDS`]; the word itself is consumed.
     pub fn read_word(&mut self, word: &str, r: &mut dyn Reader) -> Result<()> {
         match word {
-            "frequency" => self.frequency = r.float()?,
-            "phase" => self.phase = r.float()?,
+            "frequency" => self.frequency = Some(single(r.float()?)),
+            "phase" => self.phase = single(r.float()?),
             "ramp_wave" => self.wave = Wave::Ramp,
             "triangle_wave" => self.wave = Wave::Triangle,
             "sine_wave" => self.wave = Wave::Sine,
             "scallop_wave" => self.wave = Wave::Scallop,
             "cubic_wave" => self.wave = Wave::Cubic,
-            _ => self.wave = Wave::Poly(r.optional_float()?.unwrap_or(1.0)),
+            _ => self.wave = Wave::Poly(single(r.optional_float()?.unwrap_or(1.0))),
         }
         Ok(())
     }
 
-    /// The pattern's number as the map sees it.
+    /// The pattern's number as the map sees it. A frequency of 0 leaves it as it is, but the wave still works on it.
     pub fn apply(&self, raw: f64) -> f64 {
-        if self.frequency == 0.0 {
-            return raw;
-        }
-        let wrapped = (raw * self.frequency + self.phase) % PERIOD;
-        let v = if wrapped < 0.0 { wrapped + 1.0 } else { wrapped };
+        let frequency = self.frequency.unwrap_or(1.0);
+        let shifted = if frequency == 0.0 { raw } else { (raw * frequency + self.phase) % PERIOD };
+        let v = if shifted < 0.0 { shifted - shifted.floor() } else { shifted };
         match self.wave {
             Wave::Ramp => v,
-            Wave::Triangle => 1.0 - (2.0 * v - 1.0).abs(),
+            Wave::Triangle => (1.0 - (2.0 * v - 1.0).abs()).max(0.0),
             Wave::Sine => (1.0 + fp::sin(2.0 * PI * v)) / 2.0,
             Wave::Scallop => fp::sin(PI * v).abs(),
             Wave::Cubic => v * v * (3.0 - 2.0 * v),
             Wave::Poly(exponent) => fp::pow(v, exponent),
         }
     }
+
+    /// The number of a cell as the list sees it: cells have no frequency unless it is said.
+    pub fn apply_to_cell(&self, cell: usize) -> f64 {
+        let cells = Self { frequency: Some(self.frequency.unwrap_or(0.0)), ..*self };
+        cells.apply(cell as f64)
+    }
+}
+
+fn single(x: f64) -> f64 {
+    f64::from(x as f32)
 }

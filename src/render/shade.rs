@@ -40,9 +40,11 @@ impl Tracer<'_> {
         let to_lamp = lamp.location - site.point;
         let distance = to_lamp.length();
         let l = to_lamp / distance;
-        let cos = site.normal.dot(l);
-        let side = if cos > 0.0 { answers_front } else { answers_back };
-        if !site.layers.iter().any(|shown| side(shown.layer, site.part.double_illuminate)) || distance == 0.0 {
+        let answers = |shown: &Shown| {
+            let side = if shown.normal.dot(l) > 0.0 { answers_front } else { answers_back };
+            side(shown.layer, site.part.double_illuminate)
+        };
+        if !site.layers.iter().any(answers) || distance == 0.0 {
             return Rgb::ZERO;
         }
         let mut light = lamp.strength(distance);
@@ -52,12 +54,12 @@ impl Tracer<'_> {
         if light == Rgb::ZERO {
             return Rgb::ZERO;
         }
-        let at = Incidence { dir, normal: site.normal, to_lamp: l, cos };
         let mut sum = Rgb::ZERO;
         for shown in &site.layers {
+            let at = Incidence { dir, normal: shown.normal, to_lamp: l, cos: shown.normal.dot(l) };
             let grain = if shown.layer.crand == 0.0 { 0.0 } else { shown.layer.crand * self.random() };
             sum += shown.weight * scattered(shown, &at, grain, site.part.double_illuminate);
-            if cos > 0.0 && !lamp.shadowless {
+            if at.cos > 0.0 && !lamp.shadowless {
                 sum += shown.weight * highlight(shown, &at);
             }
         }

@@ -1,8 +1,10 @@
 //! A place on a surface: what is painted there.
 
 use crate::color::{Color, Rgb};
-use crate::math::{DVec3, Ray};
-use crate::world::{Coat, Found, Layer, Part, World};
+use crate::math::{DVec2, DVec3, Ray};
+use crate::pattern::Spot;
+use crate::texture::Normal;
+use crate::world::{Coat, Found, Layer, Material, Part, World};
 use smallvec::SmallVec;
 
 /// A layer of the texture at a place.
@@ -12,6 +14,8 @@ pub(super) struct Shown<'w> {
     pub color: Color,
     /// What the layers above let pass of it.
     pub weight: Rgb,
+    /// With its bumps; length 1, in world space.
+    pub normal: DVec3,
 }
 
 /// The place where a ray meets a surface.
@@ -37,17 +41,60 @@ impl<'w> Site<'w> {
         let (normal, cos) = if against > 0.0 { (-surface.normal, against) } else { (surface.normal, -against) };
         let coat = coat(part, against > 0.0);
         let material = &world.materials[coat.material as usize];
-        let local = coat.local(surface.point);
-        let (mut layers, mut pass) = (SmallVec::new(), Rgb::ONE);
+        let spot = Spot {
+            p: coat.local(surface.point),
+            uv: if material.uv { found.mapped_uv(&surface) } else { DVec2::ZERO },
+            normal,
+            ray: ray.dir,
+            noise: world.noise,
+        };
+        let mut painter = Painter { coat, quick, layers: SmallVec::new() };
+        let pass = painter.paint(material, &spot, Rgb::ONE);
+        Self { part, point: surface.point, normal, cos, layers: painter.layers, pass }
+    }
+}
+
+/// Collects what is painted at a place.
+struct Painter<'w> {
+    coat: &'w Coat,
+    quick: bool,
+    layers: SmallVec<[Shown<'w>; 2]>,
+}
+
+impl<'w> Painter<'w> {
+    /// Adds the layers of a material that counts for `weight`; gives what passes them.
+    fn paint(&mut self, material: &'w Material, spot: &Spot, weight: Rgb) -> Rgb {
+        let mut pass = Rgb::ONE;
         for layer in &material.layers {
-            let color = layer.color(local, quick);
-            layers.push(Shown { layer, color, weight: pass });
-            pass *= passing(&color);
+            match &layer.choice {
+                Some(choice) => {
+                    let (number, inner) = choice.pattern.see(spot);
+                    let mut passed = Rgb::ZERO;
+                    for (part, share) in choice.parts.shares(number, choice.averages()) {
+                        passed += share * self.paint(part, &inner, weight * pass * share);
+                    }
+                    pass *= passed;
+                }
+                None => {
+                    let color = layer.color(spot, self.quick);
+                    let normal = layer.normal.as_ref().map_or(spot.normal, |bumps| self.bumped(bumps, spot));
+                    self.layers.push(Shown { layer, color, weight: weight * pass, normal });
+                    pass *= color.passing();
+                }
+            }
             if pass == Rgb::ZERO {
                 break;
             }
         }
-        Self { part, point: surface.point, normal, cos, layers, pass }
+        pass
+    }
+
+    /// The normal that light sees.
+    fn bumped(&self, bumps: &Normal, spot: &Spot) -> DVec3 {
+        let Some(place) = &self.coat.place else { return bumps.perturb(spot, spot.normal) };
+        // Into the texture's space by Mᵀ, back by M⁻ᵀ.
+        let local = place.inverse().normal(spot.normal).normalize_or(spot.normal);
+        place.normal(bumps.perturb(spot, local)).normalize_or(spot.normal)
     }
 }
 
@@ -56,17 +103,34 @@ fn coat(part: &Part, from_inside: bool) -> &Coat {
     part.inside.as_ref().filter(|_| from_inside).unwrap_or(&part.outside)
 }
 
-/// What a colour lets pass of the light from behind: filter · rgb + transmit.
-pub(super) fn passing(color: &Color) -> Rgb {
-    color.rgb * color.filter + color.transmit
-}
-
 /// What all layers at the place where `ray` meets `found` let pass.
 pub(super) fn pass(world: &World, ray: &Ray, found: &Found) -> Rgb {
     let part = &world.parts[found.leaf.id as usize];
     let from_inside = part.inside.is_some() && ray.dir.dot(found.surface(ray).normal) > 0.0;
     let coat = coat(part, from_inside);
     let material = &world.materials[coat.material as usize];
-    let local = if material.solid { DVec3::ZERO } else { coat.local(ray.at(found.t())) };
-    material.layers.iter().fold(Rgb::ONE, |pass, layer| pass * passing(&layer.color(local, false)))
+    if material.solid {
+        return material.pass;
+    }
+    let surface = found.surface(ray);
+    let spot = Spot {
+        p: coat.local(surface.point),
+        uv: if material.uv { found.mapped_uv(&surface) } else { DVec2::ZERO },
+        normal: surface.normal,
+        ray: ray.dir,
+        noise: world.noise,
+    };
+    pass_of(material, &spot)
+}
+
+/// What passes the layers of a material.
+fn pass_of(material: &Material, spot: &Spot) -> Rgb {
+    material.layers.iter().fold(Rgb::ONE, |pass, layer| match &layer.choice {
+        Some(choice) => {
+            let (number, inner) = choice.pattern.see(spot);
+            let shares = choice.parts.shares(number, choice.averages());
+            pass * shares.iter().fold(Rgb::ZERO, |sum, (part, share)| sum + *share * pass_of(part, &inner))
+        }
+        None => pass * layer.color(spot, false).passing(),
+    })
 }

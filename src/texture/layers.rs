@@ -1,10 +1,11 @@
 //! `texture` and `material` (manual, "Texture", "Material").
 
-use super::pigment::Draft;
+use super::blend::{self, Entry, Map, Parts};
 use super::words::{FINISH, TEXTURE};
-use super::{Finish, Interior, Pigment};
+use super::{Finish, Interior, Normal, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
+use crate::pattern::{CellPattern, Kind, Pattern};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -14,8 +15,36 @@ use std::sync::Arc;
 pub struct Layer {
     /// Its colour.
     pub pigment: Pigment,
+    /// Its bumps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub normal: Option<Arc<Normal>>,
     /// Its answer to light.
     pub finish: Finish,
+    /// Other textures, of which a pattern shows now this, now that, in place of all the above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub choice: Option<Box<Choice>>,
+}
+
+/// A pattern and the textures among which it chooses (manual, "Patterned Textures").
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Choice {
+    /// What tells points apart, and where it lies.
+    pub pattern: Pattern,
+    /// The textures.
+    pub parts: Parts<Texture>,
+}
+
+impl Layer {
+    /// Moves the layer after all it has been moved before.
+    fn transform(&mut self, by: &Transform) {
+        self.pigment.pattern.transform(by);
+        if let Some(normal) = &mut self.normal {
+            Arc::make_mut(normal).pattern.transform(by);
+        }
+        if let Some(choice) = &mut self.choice {
+            choice.pattern.transform(by);
+        }
+    }
 }
 
 /// Layers from the lowest to the topmost.
@@ -31,62 +60,102 @@ impl Default for Texture {
     }
 }
 
+/// What is known of a texture while it is read.
+#[derive(Default)]
+struct Draft {
+    /// Of the textures to choose from.
+    pattern: Pattern,
+    parts: Option<Parts<Texture>>,
+    /// `uv_mapping` in front of what it is for.
+    uv: bool,
+}
+
 impl Texture {
     /// Reads what stands between the braces, on top of `base` (the default texture).
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
         let mut out = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
-        let bare = r.language().bare_textures;
-        let mut draft: Option<Draft> = None;
-        // Textures stand inside a texture only behind the pattern that chooses among them.
-        let mut chooses = false;
+        let mut draft = Draft::default();
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Block("texture") | Next::Thing("texture") if !chooses => {
-                    return Err(r.unknown_word("texture", &TEXTURE.names()).into());
-                }
-                next if out.read_part(r, next, base)? => {}
-                Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-                | Next::Block("transform")
-                | Next::Thing("transform") => {
-                    if let Some(step) = r.transform()? {
-                        out.transform(&step);
-                    }
-                }
-                Next::Word(word) if bare && FINISH.obeys(word) => {
-                    let top = out.layers.len() - 1;
-                    out.layers[top].finish.read_word(word, r)?;
-                }
-                // A lone number was the texture's grain.
-                Next::Value if bare && draft.is_none() && !chooses => drop(r.float()?),
-                next @ (Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map"))
-                    if bare && !matches!(next, Next::Word("tiles" | "texture_map" | "material_map" | "uv_mapping")) =>
-                {
-                    let top = out.layers.len() - 1;
-                    draft.get_or_insert_with(|| Draft::of(&out.layers[top].pigment.paint)).read_element(r, next)?;
-                }
-                Next::Word(word) | Next::Block(word)
-                    if TEXTURE.leaves_out(word)
-                        || crate::pattern::NOT_DRAWN.contains(&word)
-                        || crate::pattern::WORDS_NOT_DRAWN.contains(&word) =>
-                {
-                    r.skip_unsupported(word)?;
-                    chooses = true;
-                }
-                _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),
+                next => out.read_element(r, next, &mut draft, base)?,
             }
         }
-        if let (Some(draft), Some(layer)) = (draft, out.layers.last_mut()) {
-            layer.pigment.paint = draft.finish();
+        let top = out.top();
+        top.pigment.finish();
+        if let Some(parts) = draft.parts {
+            top.choice = Some(Box::new(Choice { pattern: draft.pattern, parts }));
+        }
+        if draft.uv {
+            out.set_uv();
         }
         Ok(out)
     }
 
+    fn read_element(&mut self, r: &mut dyn Reader, next: Next, draft: &mut Draft, base: &Texture) -> Result<()> {
+        let bare = r.language().bare_textures;
+        match next {
+            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
+            | Next::Block("transform")
+            | Next::Thing("transform") => {
+                if let Some(step) = r.transform()? {
+                    self.transform(&step);
+                    draft.pattern.transform(&step);
+                }
+            }
+            Next::Word("uv_mapping") => {
+                r.take()?;
+                draft.uv = r.flag()?;
+            }
+            Next::Word("no_bump_scale") => {
+                r.take()?;
+                let on = r.flag()?;
+                for layer in &mut self.layers {
+                    if let Some(normal) = &mut layer.normal {
+                        Arc::make_mut(normal).bump_scale = !on;
+                    }
+                }
+            }
+            Next::Block("texture_map") => {
+                r.take()?;
+                draft.parts = Some(Parts::Map(Arc::new(Map::read_entries(r)?)));
+                r.leave()?;
+            }
+            Next::Block("tiles") => {
+                r.take()?;
+                draft.parts = Some(read_tiles(r, &mut draft.pattern)?);
+                r.leave()?;
+            }
+            Next::Word(word) if bare && FINISH.obeys(word) => self.top().finish.read_word(word, r)?,
+            // A lone number was the texture's grain.
+            Next::Value if bare => drop(r.float()?),
+            next if self.read_part(r, next, base)? => {}
+            // Before 3.0, what belongs to the pigment could stand here.
+            Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map") if bare => {
+                self.top().pigment.read_element(r, next)?;
+            }
+            next if draft.pattern.read_element(next, r)? => {
+                if let Some(list) = blend::read_list(r, next, &draft.pattern, &|_, _| base.clone())? {
+                    draft.parts = Some(list);
+                }
+            }
+            Next::Word(word) | Next::Block(word) if TEXTURE.leaves_out(word) || crate::pattern::is_not_drawn(word) => {
+                r.skip_unsupported(word)?;
+            }
+            _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),
+        }
+        Ok(())
+    }
+
+    fn top(&mut self) -> &mut Layer {
+        let top = self.layers.len() - 1;
+        &mut self.layers[top]
+    }
+
     /// Reads a `pigment`, `normal` or `finish`, in braces or declared; false if something else comes next.
     pub fn read_part(&mut self, r: &mut dyn Reader, next: Next, base: &Texture) -> Result<bool> {
-        let top = self.layers.len() - 1;
-        let layer = &mut self.layers[top];
+        let layer = self.top();
         match next {
             Next::Block("pigment") => {
                 r.take()?;
@@ -98,8 +167,15 @@ impl Texture {
                 layer.finish = Finish::read(r, &layer.finish)?;
                 r.leave()?;
             }
-            Next::Block("normal") => r.skip_unsupported("normal")?,
-            Next::Thing("normal") => drop(r.take_thing()?),
+            Next::Block("normal") => {
+                r.take()?;
+                layer.normal = Some(Arc::new(Normal::read(r, base.layers[0].normal.as_deref())?));
+                r.leave()?;
+            }
+            Next::Thing("normal") => match r.thing::<Normal>()? {
+                Some(normal) => layer.normal = Some(normal),
+                None => return Ok(false),
+            },
             Next::Thing("pigment") => match r.thing::<Pigment>()? {
                 Some(pigment) => layer.pigment = (*pigment).clone(),
                 None => return Ok(false),
@@ -116,8 +192,71 @@ impl Texture {
     /// Moves every layer.
     pub fn transform(&mut self, by: &Transform) {
         for layer in &mut self.layers {
-            layer.pigment.transform = layer.pigment.transform.then(by);
+            layer.transform(by);
         }
+    }
+
+    /// Every layer sees places on the surface instead of points.
+    fn set_uv(&mut self) {
+        for layer in &mut self.layers {
+            layer.pigment.pattern.uv = true;
+            if let Some(normal) = &mut layer.normal {
+                Arc::make_mut(normal).pattern.uv = true;
+            }
+            if let Some(choice) = &mut layer.choice {
+                choice.pattern.uv = true;
+            }
+        }
+    }
+}
+
+/// `tiles { texture A tile2 texture B }`: a checker of textures in old scenes.
+fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern) -> Result<Parts<Texture>> {
+    let mut list = vec![];
+    loop {
+        match r.next()? {
+            Next::End => break,
+            Next::Word("tile2") => drop(r.take()?),
+            Next::Block("texture") => {
+                r.take()?;
+                list.push(Texture::read(r, &Texture::default())?);
+                r.leave()?;
+            }
+            _ => match r.thing::<Texture>()? {
+                Some(texture) => list.push((*texture).clone()),
+                None => return Err(r.unknown_word("tiles", &["texture", "tile2"]).into()),
+            },
+        }
+    }
+    list.resize(2, Texture::default());
+    pattern.kind = Kind::Cells(CellPattern::Checker(crate::pattern::Checker {}));
+    Ok(Parts::List(list.into()))
+}
+
+impl Entry for Texture {
+    const MAP: &'static str = "texture_map";
+    const BLOCK: &'static str = "texture";
+
+    /// One layer without its braces, or several with them.
+    fn read_entry(r: &mut dyn Reader) -> Result<Self> {
+        let mut out: Option<Texture> = None;
+        while r.next()? == Next::Block("texture") {
+            r.take()?;
+            let layer = Texture::read(r, &Texture::default())?;
+            r.leave()?;
+            match &mut out {
+                Some(out) => out.layers.extend(layer.layers),
+                None => out = Some(layer),
+            }
+        }
+        match out {
+            Some(out) => Ok(out),
+            None => Texture::read(r, &Texture::default()),
+        }
+    }
+
+    fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+        Ok(r.thing::<Texture>()?.map(|texture| (*texture).clone()))
     }
 }
 

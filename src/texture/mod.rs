@@ -1,16 +1,20 @@
 //! What a surface looks like: pigment, finish, texture; what is behind it: interior.
 
+mod blend;
+mod color_map;
 mod finish;
 mod interior;
 mod layers;
-mod map;
+mod normal;
 mod pigment;
 pub mod words;
 
+pub use blend::{Map, Parts, Shares};
+pub use color_map::ColorMap;
 pub use finish::{Finish, Reflection};
 pub use interior::Interior;
-pub use layers::{Layer, Material, Texture};
-pub use map::ColorMap;
+pub use layers::{Choice, Layer, Material, Texture};
+pub use normal::{Normal, Relief, Slope, SlopeMap};
 pub use pigment::{Paint, Pigment};
 
 use crate::value::Thing;
@@ -21,4 +25,12 @@ macro_rules! things {
     })* };
 }
 
-things! { Finish "finish" Interior "interior" ColorMap "color_map" Pigment "pigment" Texture "texture" Material "material" }
+things! { Finish "finish" Interior "interior" ColorMap "color_map" Pigment "pigment" Texture "texture" Material "material"
+Normal "normal" SlopeMap "slope_map" PigmentMap "pigment_map" NormalMap "normal_map" TextureMap "texture_map" }
+
+/// Pigments at numbers.
+pub type PigmentMap = Map<Pigment>;
+/// Normals at numbers.
+pub type NormalMap = Map<Normal>;
+/// Textures at numbers.
+pub type TextureMap = Map<Texture>;

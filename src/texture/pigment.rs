@@ -1,11 +1,11 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
 use super::ColorMap;
+use super::blend::{self, Entry, Map, Parts};
 use super::words::pigment_names;
 use crate::color::Color;
 use crate::diagnostic::Result;
-use crate::math::{DVec3, Transform};
-use crate::pattern::{CellPattern, Cells, Field, FieldPattern, Modifiers, NOT_DRAWN, WORDS_NOT_DRAWN};
+use crate::pattern::{CellPattern, Cells, Field, Kind, NOT_DRAWN, Pattern, Spot, WORDS_NOT_DRAWN};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -14,33 +14,21 @@ use std::sync::Arc;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Paint {
-    /// The same everywhere.
+    /// The same everywhere, where there is no pattern; else what the pattern shows by itself.
     Solid(Color),
-    /// A colour for each kind of cell.
-    Cells {
-        /// Which cell a point is in.
-        pattern: CellPattern,
-        /// As many as the pattern has kinds.
-        pigments: Vec<Pigment>,
-    },
-    /// A number for each point, and a map from numbers to colours.
-    Mapped {
-        /// The number.
-        pattern: FieldPattern,
-        /// What is done to the number.
-        modifiers: Modifiers,
-        /// The colours.
-        map: Arc<ColorMap>,
-    },
+    /// By the pattern's number.
+    Colors(Arc<ColorMap>),
+    /// Other pigments, which move along.
+    Pigments(Parts<Pigment>),
 }
 
 /// Paint in its own space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pigment {
+    /// What tells points apart, and where it lies.
+    pub pattern: Pattern,
     /// What gives the colour.
     pub paint: Paint,
-    /// From the pigment's space to that of its texture.
-    pub transform: Transform,
     /// `quick_color`: shown with quality 5 and below.
     pub quick_color: Option<Color>,
 }
@@ -51,21 +39,10 @@ impl Default for Pigment {
     }
 }
 
-/// A pigment while it is read.
-#[derive(Default)]
-pub(super) struct Draft {
-    cells: Option<CellPattern>,
-    cell_pigments: Vec<Pigment>,
-    field: Option<FieldPattern>,
-    map: Option<Arc<ColorMap>>,
-    modifiers: Modifiers,
-    color: Option<Color>,
-}
-
 impl Pigment {
     /// One colour everywhere.
     pub fn solid(color: Color) -> Self {
-        Self { paint: Paint::Solid(color), transform: Transform::IDENTITY, quick_color: None }
+        Self { pattern: Pattern::default(), paint: Paint::Solid(color), quick_color: None }
     }
 
     /// Reads what stands between the braces, on top of `base` (the default pigment).
@@ -74,55 +51,96 @@ impl Pigment {
             Some(declared) => (*declared).clone(),
             None => base.clone(),
         };
-        let mut draft = Draft::of(&pigment.paint);
-        let mut touched = false;
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-                | Next::Block("transform")
-                | Next::Thing("transform") => {
-                    if let Some(step) = r.transform()? {
-                        pigment.transform = pigment.transform.then(&step);
-                    }
-                }
                 Next::Word("quick_color" | "quick_colour") => {
                     r.take()?;
                     pigment.quick_color = Some(r.color()?);
                 }
-                next => {
-                    draft.read_element(r, next)?;
-                    touched = true;
-                }
+                next => pigment.read_element(r, next)?,
             }
         }
-        if touched {
-            pigment.paint = draft.finish();
-        }
+        pigment.finish();
         Ok(pigment)
     }
 
+    /// Reads one element of a pigment: of its pattern, a map, a list, a colour.
+    pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
+        if self.pattern.read_element(next, r)? {
+            let default = |cells: &CellPattern, cell| Pigment::solid(cells.default_color(cell));
+            if let Some(list) = blend::read_list(r, next, &self.pattern, &default)? {
+                self.paint = Paint::Pigments(list);
+            }
+            return Ok(());
+        }
+        match next {
+            Next::Block("color_map" | "colour_map") => {
+                r.take()?;
+                self.paint = Paint::Colors(Arc::new(ColorMap::read(r)?));
+                r.leave()
+            }
+            Next::Thing("color_map") => {
+                if let Some(map) = r.thing::<ColorMap>()? {
+                    self.paint = Paint::Colors(map);
+                }
+                Ok(())
+            }
+            Next::Block("pigment_map") => {
+                r.take()?;
+                self.paint = Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(r)?)));
+                r.leave()
+            }
+            Next::Word(word) | Next::Block(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
+                r.skip_unsupported(word)
+            }
+            Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
+            Next::Word(_) | Next::Value => {
+                self.paint = Paint::Solid(r.color()?);
+                self.pattern.kind = Kind::Plain;
+                Ok(())
+            }
+            _ => Err(r.unknown_word("pigment", &pigment_names()).into()),
+        }
+    }
+
+    /// A pattern of numbers without a map shows colours of its own.
+    pub(super) fn finish(&mut self) {
+        if let (Kind::Field(field), Paint::Solid(_)) = (&self.pattern.kind, &self.paint) {
+            self.paint = Paint::Colors(Arc::new(Map { entries: field.default_colors() }));
+        }
+    }
+
     /// The colour at a point of the space around it.
-    pub fn at(&self, p: DVec3) -> Color {
-        let inner = || self.transform.inverse_point(p);
+    pub fn at(&self, spot: &Spot) -> Color {
         match &self.paint {
             Paint::Solid(color) => *color,
-            Paint::Cells { pattern, pigments } => {
-                let inner = inner();
-                pigments.get(pattern.cell(inner)).map_or(Color::BLACK, |pigment| pigment.at(inner))
+            Paint::Colors(map) => map.at(self.pattern.see(spot).0),
+            Paint::Pigments(parts) => {
+                let (number, inner) = self.pattern.see(spot);
+                let shares = parts.shares(number, self.pattern.kind == Kind::Average);
+                shares.iter().fold(Color::BLACK, |sum, (pigment, share)| sum.plus(pigment.at(&inner), *share))
             }
-            Paint::Mapped { pattern, modifiers, map } => map.at(modifiers.apply(pattern.value(inner()))),
         }
     }
 
     /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
-    pub fn number_at(&self, p: DVec3) -> f64 {
-        let inner = || self.transform.inverse_point(p);
+    pub fn number_at(&self, spot: &Spot) -> f64 {
+        self.pattern.see(spot).0
+    }
+
+    /// Is it the same everywhere?
+    pub fn as_solid(&self) -> Option<Color> {
         match &self.paint {
-            Paint::Solid(_) => 0.0,
-            Paint::Cells { pattern, .. } => pattern.cell(inner()) as f64,
-            Paint::Mapped { pattern, modifiers, .. } => modifiers.apply(pattern.value(inner())),
+            Paint::Solid(color) => Some(*color),
+            _ => None,
         }
+    }
+
+    /// Does it ask where the point lies on its shape?
+    pub fn asks_uv(&self) -> bool {
+        let inner = matches!(&self.paint, Paint::Pigments(parts) if parts.iter().any(Pigment::asks_uv));
+        self.pattern.uv || inner
     }
 
     /// Does no light pass anywhere?
@@ -130,115 +148,26 @@ impl Pigment {
         let opaque = |c: &Color| c.filter == 0.0 && c.transmit == 0.0;
         match &self.paint {
             Paint::Solid(color) => opaque(color),
-            Paint::Cells { pigments, .. } => pigments.iter().all(Pigment::is_opaque),
-            Paint::Mapped { map, .. } => map.entries.iter().all(|(_, color)| opaque(color)),
+            Paint::Colors(map) => map.entries.iter().all(|(_, color)| opaque(color)),
+            Paint::Pigments(parts) => parts.iter().all(Pigment::is_opaque),
         }
-    }
-
-    /// Moves the pigment after all it has been moved before.
-    pub fn transformed(mut self, by: &Transform) -> Self {
-        self.transform = self.transform.then(by);
-        self
     }
 }
 
-impl Draft {
-    /// A declared pigment that is changed: `pigment { Wood color_map { … } }`.
-    pub(super) fn of(paint: &Paint) -> Self {
-        match paint.clone() {
-            Paint::Solid(color) => Draft { color: Some(color), ..Draft::default() },
-            Paint::Cells { pattern, pigments } => {
-                Draft { cells: Some(pattern), cell_pigments: pigments, ..Draft::default() }
-            }
-            Paint::Mapped { pattern, modifiers, map } => {
-                Draft { field: Some(pattern), map: Some(map), modifiers, ..Draft::default() }
-            }
-        }
+impl Entry for Pigment {
+    const MAP: &'static str = "pigment_map";
+    const BLOCK: &'static str = "pigment";
+
+    fn read_entry(r: &mut dyn Reader) -> Result<Self> {
+        Self::read(r, &Self::default())
     }
 
-    pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
-        match next {
-            Next::Word(word) if self.is_own_word(word) => {
-                r.take()?;
-                match (&mut self.cells, &mut self.field) {
-                    (Some(pattern), _) => pattern.read_word(word, r),
-                    (_, Some(pattern)) => pattern.read_word(word, r),
-                    _ => Ok(()),
-                }
-            }
-            Next::Word(word) if Modifiers::WORDS.iter().any(|w| w.name == word) => {
-                r.take()?;
-                self.modifiers.read_word(word, r)
-            }
-            Next::Word(word) if CellPattern::SPECS.iter().any(|s| s.name == word) => self.read_cells(r, word),
-            Next::Word(word) if FieldPattern::SPECS.iter().any(|s| s.name == word) => {
-                r.take()?;
-                if let Some(pattern) = FieldPattern::read(word, r) {
-                    (self.field, self.cells) = (Some(pattern?), None);
-                }
-                Ok(())
-            }
-            Next::Block("color_map" | "colour_map") => {
-                r.take()?;
-                self.map = Some(Arc::new(ColorMap::read(r)?));
-                r.leave()
-            }
-            Next::Function => r.skip_unsupported("function"),
-            Next::Word(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
-                r.skip_unsupported(word)
-            }
-            Next::Block(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
-                r.skip_unsupported(word)
-            }
-            Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
-            Next::Word(_) | Next::Value => {
-                self.color = Some(r.color()?);
-                (self.field, self.cells) = (None, None);
-                Ok(())
-            }
-            _ => Err(r.unknown_word("pigment", &pigment_names()).into()),
-        }
-    }
-
-    fn is_own_word(&self, word: &str) -> bool {
-        let spec = self.cells.as_ref().map(CellPattern::spec).or(self.field.as_ref().map(FieldPattern::spec));
-        spec.is_some_and(|s| s.words.iter().any(|w| w.name == word))
-    }
-
-    /// `checker color A, color B` or `checker pigment { … } pigment { … }`; what is missing gets the defaults.
-    fn read_cells(&mut self, r: &mut dyn Reader, word: &str) -> Result<()> {
-        r.take()?;
-        let Some(pattern) = CellPattern::read(word, r).transpose()? else { return Ok(()) };
-        let mut pigments = vec![];
-        for cell in 0..pattern.count() {
-            let pigment = if r.next()? == Next::Block("pigment") {
-                r.take()?;
-                let pigment = Pigment::read(r, &Pigment::default())?;
-                r.leave()?;
-                pigment
-            } else if let Some(declared) = r.thing::<Pigment>()? {
-                (*declared).clone()
-            } else if r.at_color()? {
-                Pigment::solid(r.color()?)
-            } else {
-                Pigment::solid(pattern.default_color(cell))
-            };
-            pigments.push(pigment);
-        }
-        (self.cells, self.cell_pigments, self.field) = (Some(pattern), pigments, None);
-        Ok(())
-    }
-
-    pub(super) fn finish(self) -> Paint {
-        match (self.cells, self.field, self.map) {
-            (Some(pattern), ..) => Paint::Cells { pattern, pigments: self.cell_pigments },
-            (_, Some(pattern), map) => {
-                let map = map.unwrap_or_else(|| Arc::new(ColorMap::black_to_white()));
-                Paint::Mapped { pattern, modifiers: self.modifiers, map }
-            }
-            // A pattern that is not drawn yet, with its map: the map's middle stands for it.
-            (_, _, Some(map)) => Paint::Solid(map.at(0.5)),
-            _ => Paint::Solid(self.color.unwrap_or(Color::BLACK)),
-        }
+    /// A colour will do.
+    fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+        Ok(match r.thing::<Pigment>()? {
+            Some(pigment) => Some((*pigment).clone()),
+            None if r.at_color()? => Some(Self::solid(r.color()?)),
+            None => None,
+        })
     }
 }

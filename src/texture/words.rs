@@ -17,6 +17,7 @@ pub const PIGMENT: Vocabulary = Vocabulary {
             "`[number color]` entries: which colour each number of the pattern gets",
         ),
         word("colour_map", Block, "", "the same"),
+        word("pigment_map", Block, "", "`[number pigment]` entries: which pigment each number of the pattern gets"),
         word("quick_color", Color, "", "drawn in its place with `--quality 5` and less"),
         word("quick_colour", Color, "", "the same"),
     ],
@@ -40,31 +41,37 @@ pub const TEXTURE: Vocabulary = Vocabulary {
     summary: "what a surface looks like; several behind one another are layers, the last on top",
     words: &[
         word("pigment", Block, "black", "its colour"),
+        word("normal", Block, "", "its bumps"),
         word("finish", Block, "see `finish`", "its answer to light"),
+        word("texture_map", Block, "", "behind a pattern: which texture each of its numbers gets"),
+        word("uv_mapping", Flag, "off", "it sees the place on the surface, (u, v, 0), instead of the point"),
+        word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
+        word("tiles", Block, "", "of old scenes: a checker of two textures, `tiles { texture … tile2 texture … }`"),
     ],
     moves: true,
     idle: &[],
-    not_drawn: &[
-        "normal",
-        "uv_mapping",
-        "texture_map",
-        "material_map",
-        "checker",
-        "hexagon",
-        "brick",
-        "gradient",
-        "tiles",
-        "frequency",
-        "phase",
-        "ramp_wave",
-        "triangle_wave",
-        "sine_wave",
-        "scallop_wave",
-        "cubic_wave",
-        "poly_wave",
-        "color_map",
-        "texture",
+    not_drawn: &["material_map"],
+};
+
+/// `normal { … }`, beside patterns and their words.
+pub const NORMAL: Vocabulary = Vocabulary {
+    block: "normal",
+    summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
+    words: &[
+        word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number behind the pattern's name"),
+        word(
+            "accuracy",
+            Float,
+            "0.02",
+            "the distance at which heights are compared, for patterns without bumps of their own",
+        ),
+        word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
+        word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
+        word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
     ],
+    moves: true,
+    idle: &[],
+    not_drawn: &["bump_map"],
 };
 
 /// `finish { … }`

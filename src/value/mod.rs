@@ -7,6 +7,6 @@ mod spec;
 pub mod words;
 
 pub use kinds::{Thing, Value, VecN};
-pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt};
+pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt, Solid};
 pub use spec::{Kind, Param, Spec, WordSpec};
 pub use words::Vocabulary;

@@ -50,6 +50,12 @@ pub enum FloatOrColor {
     Color(Color),
 }
 
+/// Something with an inside.
+pub trait Solid: std::fmt::Debug + Send + Sync {
+    /// Is the point in it?
+    fn contains(&self, p: DVec3) -> bool;
+}
+
 /// A family's view of the text.
 pub trait Reader {
     /// What comes next; nothing is consumed. Commas and semicolons are passed over.
@@ -66,8 +72,10 @@ pub trait Reader {
     fn leave(&mut self) -> Result<()>;
     /// Consumes an expression.
     fn value(&mut self) -> Result<(Value, Span)>;
-    /// Consumes the declared thing announced by [`Next::Thing`].
+    /// Consumes the declared thing announced by [`Next::Thing`], or the function announced by [`Next::Function`].
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
+    /// Consumes an object, written out or declared, of which only the inside matters.
+    fn solid(&mut self) -> Result<Arc<dyn Solid>>;
     /// A number; a vector is an error.
     fn float(&mut self) -> Result<f64>;
     /// A number if an expression comes next.
@@ -126,7 +134,7 @@ impl<R: Reader + ?Sized> ReaderExt for R {
     }
 
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>> {
-        if !matches!(self.next()?, Next::Thing(_)) {
+        if !matches!(self.next()?, Next::Thing(_) | Next::Function) {
             return Ok(None);
         }
         let (thing, span) = self.take_thing()?;

@@ -105,6 +105,11 @@ impl Found<'_> {
         self.leaf.shape.uv(object_point, &self.hit)
     }
 
+    /// What `uv_mapping` sees: shapes without a mapping of their own show the x and y of the point in the world.
+    pub fn mapped_uv(&self, surface: &Surface) -> DVec2 {
+        if self.leaf.shape.uv_mapped() { self.uv(surface.object_point) } else { surface.point.truncate() }
+    }
+
     /// Point and normal of this hit of `ray`, in world space (lecture, "Ray – transformed object
     /// intersection": points by M, normals by M⁻ᵀ).
     pub fn surface(&self, ray: &Ray) -> Surface {

@@ -1,9 +1,10 @@
 //! Textures as a ray needs them: layers with all constants worked out.
 
 use crate::color::{Color, Rgb};
-use crate::math::DVec3;
-use crate::texture::{Finish, Paint, Pigment, Reflection, Texture};
+use crate::pattern::{Kind, Pattern, Spot};
+use crate::texture::{self, Map, Normal, Parts, Pigment, Reflection, Texture};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// A lowered texture.
 #[derive(Clone, Debug, Serialize)]
@@ -12,13 +13,37 @@ pub struct Material {
     pub layers: Box<[Layer]>,
     /// Does no light pass anywhere?
     pub opaque: bool,
-    /// Is the colour of every layer the same everywhere? Then it needs no point.
+    /// Is every layer the same everywhere? Then it needs no point.
     pub solid: bool,
+    /// What passes it, where it is the same everywhere.
+    pub pass: Rgb,
+    /// Does it ask where the point lies on its shape?
+    pub uv: bool,
+}
+
+/// A pattern and the materials among which it chooses.
+#[derive(Clone, Debug, Serialize)]
+pub struct Choice {
+    /// What tells points apart.
+    pub pattern: Pattern,
+    /// The materials.
+    pub parts: Parts<Material>,
+}
+
+impl Choice {
+    /// Does it show all of them at once?
+    pub fn averages(&self) -> bool {
+        self.pattern.kind == Kind::Average
+    }
 }
 
 /// A lowered layer.
 #[derive(Clone, Debug, Serialize)]
 pub struct Layer {
+    /// Other materials in its place.
+    pub choice: Option<Box<Choice>>,
+    /// Its bumps.
+    pub normal: Option<Arc<Normal>>,
     /// Its colour.
     pub ink: Ink,
     /// Its colour where quality is low (`quick_color`).
@@ -67,17 +92,47 @@ pub struct Lobe {
 impl Material {
     /// Lowers a texture under the scene's `ambient_light`.
     pub fn new(texture: &Texture, ambient_light: Rgb) -> Self {
-        let lower = |l: &crate::texture::Layer| Layer::new(&l.pigment, &l.finish, ambient_light);
-        let layers: Box<[Layer]> = texture.layers.iter().rev().map(lower).collect();
-        // One layer that lets nothing pass is enough.
-        let opaque = texture.layers.iter().any(|l| l.pigment.is_opaque());
-        let solid = layers.iter().all(|l| matches!(l.ink, Ink::Solid(_)));
-        Self { layers, opaque, solid }
+        let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, ambient_light)).collect();
+        Self {
+            // One layer that lets nothing pass is enough.
+            opaque: texture.layers.iter().any(is_opaque),
+            solid: layers.iter().all(|l| matches!(l.ink, Ink::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
+            pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.passing()).product(),
+            uv: texture.layers.iter().any(asks_uv),
+            layers,
+        }
     }
 }
 
+fn is_opaque(layer: &texture::Layer) -> bool {
+    match &layer.choice {
+        Some(choice) => choice.parts.iter().all(|part| part.layers.iter().any(is_opaque)),
+        None => layer.pigment.is_opaque(),
+    }
+}
+
+fn asks_uv(layer: &texture::Layer) -> bool {
+    let choice = layer.choice.as_ref();
+    layer.pigment.asks_uv()
+        || layer.normal.as_ref().is_some_and(|normal| normal.asks_uv())
+        || choice.is_some_and(|c| c.pattern.uv || c.parts.iter().any(|part| part.layers.iter().any(asks_uv)))
+}
+
+fn lower_choice(choice: &texture::Choice, ambient_light: Rgb) -> Choice {
+    let lower = |texture: &Texture| Material::new(texture, ambient_light);
+    let parts = match &choice.parts {
+        Parts::Map(map) => {
+            let entries = map.entries.iter().map(|(number, texture)| (*number, lower(texture))).collect();
+            Parts::Map(Arc::new(Map { entries }))
+        }
+        Parts::List(list) => Parts::List(list.iter().map(lower).collect()),
+    };
+    Choice { pattern: choice.pattern.clone(), parts }
+}
+
 impl Layer {
-    fn new(pigment: &Pigment, f: &Finish, ambient_light: Rgb) -> Self {
+    fn new(layer: &texture::Layer, ambient_light: Rgb) -> Self {
+        let texture::Layer { pigment, normal, finish: f, choice } = layer;
         let albedo = |on: bool, factor: f64| if on { factor } else { 1.0 };
         // `albedo` scales each lobe by one over its integral over the half sphere (measured on POV-Ray 3.7).
         let diffuse = albedo(f.diffuse_albedo, (f.brilliance + 1.0) / 2.0);
@@ -85,9 +140,11 @@ impl Layer {
         let n = 1.0 / f.roughness;
         let specular = albedo(f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - (-n / 2.0).exp2())));
         Self {
-            ink: match pigment.paint {
-                Paint::Solid(color) => Ink::Solid(color),
-                _ => Ink::Pattern(Box::new(pigment.clone())),
+            choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, ambient_light))),
+            normal: normal.clone().filter(|normal| !normal.is_flat()),
+            ink: match pigment.as_solid() {
+                Some(color) => Ink::Solid(color),
+                None => Ink::Pattern(Box::new(pigment.clone())),
             },
             quick: pigment.quick_color,
             glow: f.ambient * ambient_light + f.emission,
@@ -103,11 +160,11 @@ impl Layer {
         }
     }
 
-    /// Its colour at a point of the texture's space; `quick` as the lower qualities show it: nothing is see-through.
-    pub fn color(&self, p: DVec3, quick: bool) -> Color {
+    /// Its colour at a spot in the texture's space; `quick` as the lower qualities show it: nothing is see-through.
+    pub fn color(&self, spot: &Spot, quick: bool) -> Color {
         let real = || match &self.ink {
             Ink::Solid(color) => *color,
-            Ink::Pattern(pigment) => pigment.at(p),
+            Ink::Pattern(pigment) => pigment.at(spot),
         };
         if quick { Color::opaque(self.quick.unwrap_or_else(real).rgb) } else { real() }
     }

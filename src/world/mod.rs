@@ -13,13 +13,14 @@ mod probe;
 pub use geometry::Geometry;
 pub use leaf::{Found, FoundList, Leaf, Surface};
 pub use lower::lower;
-pub use material::{Ink, Layer, Lobe, Material};
+pub use material::{Choice, Ink, Layer, Lobe, Material};
 pub use node::{Node, NodeKind};
 pub use probe::Probe;
 
 use crate::camera::Camera;
 use crate::color::Gamma;
 use crate::color::{Color, Rgb};
+use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
 use serde::Serialize;
@@ -39,6 +40,8 @@ pub struct World {
     pub materials: Vec<Material>,
     /// Index of refraction, by number of the interior.
     pub interiors: Vec<f64>,
+    /// The noise of patterns that do not say which.
+    pub noise: NoiseGenerator,
     /// All lamps.
     pub lights: Vec<Lamp>,
     /// What rays see that hit nothing.

@@ -5,6 +5,13 @@ use super::lower::lower_alone;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, Range, Ray, tolerance};
 use crate::scene::Object;
+use crate::value::Solid;
+
+impl Solid for Probe {
+    fn contains(&self, p: DVec3) -> bool {
+        self.inside(p)
+    }
+}
 
 /// One declared object, ready for rays.
 #[derive(Debug)]

@@ -88,7 +88,7 @@ pub fn lamp(location: DVec3, color: f64) -> Object {
 }
 
 pub fn texture(layers: impl IntoIterator<Item = (Pigment, Finish)>) -> Painted {
-    let layers = layers.into_iter().map(|(pigment, finish)| Layer { pigment, finish }).collect();
+    let layers = layers.into_iter().map(|(pigment, finish)| Layer { pigment, finish, ..Layer::default() }).collect();
     Painted::new(Arc::new(Texture { layers }), &Transform::IDENTITY)
 }
 

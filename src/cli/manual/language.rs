@@ -1,7 +1,7 @@
 //! Blocks and their words.
 
 use super::{code, kind, list, section, table, word_table};
-use crate::pattern::{self, CellPattern, FieldPattern, Modifiers};
+use crate::pattern::{self, CellPattern, FieldPattern, Modifiers, Turbulent, Warp};
 use crate::syntax::word::contextual;
 use crate::value::Spec;
 use crate::value::words::TRANSFORMS;
@@ -62,7 +62,8 @@ pub(super) fn colors() -> String {
 }
 
 pub(super) fn pigments() -> String {
-    let modifiers = word_table(Modifiers::WORDS, &[]);
+    let modifiers = word_table(Modifiers::WORDS, &[]) + &word_table(Turbulent::WORDS, &[]);
+    let warps = Warp::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let cells = CellPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let fields = FieldPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let later = list(pattern::NOT_DRAWN);
@@ -71,7 +72,11 @@ pub(super) fn pigments() -> String {
         + &cells
         + "# Patterns of numbers\n\nEach point has a number, which `color_map` turns into a colour.\n\n"
         + &fields
-        + &format!("## Words of all patterns of numbers\n\n{modifiers}# Patterns that are not drawn yet\n\n{later}.\n")
+        + &format!(
+            "## Words of all patterns of numbers\n\n{modifiers}# Warps\n\n`warp {{ … }}` moves \
+                    points in ways that no matrix can; it stands among the transforms, which are obeyed in the order in \
+                    which they are written.\n\n{warps}# Patterns that are not drawn yet\n\n{later}.\n"
+        )
 }
 
 fn pattern_section(spec: &Spec) -> String {
@@ -85,8 +90,8 @@ fn pattern_section(spec: &Spec) -> String {
 }
 
 pub(super) fn finishes() -> String {
-    use texture::words::{FINISH, INTERIOR, REFLECTION, TEXTURE};
-    let blocks = [&TEXTURE, &FINISH, &REFLECTION, &INTERIOR];
+    use texture::words::{FINISH, INTERIOR, NORMAL, REFLECTION, TEXTURE};
+    let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &INTERIOR];
     blocks.map(|block| section(block, block.block, &[])).concat()
 }
 

@@ -1,7 +1,7 @@
 //! The index: every word of the language, and where it belongs.
 
 use super::{code, list, table};
-use crate::pattern::{self, CellPattern, FieldPattern, Modifiers};
+use crate::pattern::{self, CellPattern, FieldPattern, Modifiers, Turbulent, Warp};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
 use crate::value::words::TRANSFORMS;
 use crate::value::{Spec, Vocabulary, WordSpec};
@@ -69,8 +69,8 @@ fn add_words(index: &mut Index, words: &'static [WordSpec], place: &str) {
 }
 
 fn blocks(index: &mut Index) {
-    use texture::words::{FINISH, INTERIOR, PIGMENT, REFLECTION, TEXTURE};
-    let blocks: [(&'static Vocabulary, &str, &str); 10] = [
+    use texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT, REFLECTION, TEXTURE};
+    let blocks: [(&'static Vocabulary, &str, &str); 11] = [
         (&interpreter::STATEMENTS, "the scene", "scene.md"),
         (&scene::words::MODIFIERS, "objects", "objects.md"),
         (&camera::words::PERSPECTIVE, "`camera`", "cameras.md"),
@@ -78,6 +78,7 @@ fn blocks(index: &mut Index) {
         (&light::words::LIGHT, "`light_source`", "lights.md"),
         (&PIGMENT, "`pigment`", "pigments.md"),
         (&TEXTURE, "`texture`", "finishes.md"),
+        (&NORMAL, "`normal`", "finishes.md"),
         (&FINISH, "`finish`", "finishes.md"),
         (&REFLECTION, "`reflection`", "finishes.md"),
         (&INTERIOR, "`interior`", "finishes.md"),
@@ -92,7 +93,12 @@ fn blocks(index: &mut Index) {
     add_words(index, settings.words, "[`global_settings`](settings.md)");
     settings.idle.iter().for_each(|word| add(index, word, "[`global_settings`](settings.md), without effect"));
     settings.not_drawn.iter().for_each(|word| add(index, word, "[`global_settings`](settings.md), not drawn yet"));
-    for (inner, page) in [("finish", "finishes.md"), ("interior", "finishes.md"), ("reflection", "finishes.md")] {
+    for (inner, page) in [
+        ("finish", "finishes.md"),
+        ("normal", "finishes.md"),
+        ("interior", "finishes.md"),
+        ("reflection", "finishes.md"),
+    ] {
         add(index, inner, &format!("[a block]({page})"));
     }
 }
@@ -107,7 +113,9 @@ fn families(index: &mut Index) {
     family(shape::SPECS, "shape", "shapes.md");
     family(CellPattern::SPECS, "pattern", "pigments.md");
     family(FieldPattern::SPECS, "pattern", "pigments.md");
+    family(Warp::SPECS, "warp", "pigments.md");
     add_words(index, Modifiers::WORDS, "[patterns](pigments.md)");
+    add_words(index, Turbulent::WORDS, "[patterns](pigments.md)");
     add_words(index, TRANSFORMS, "[transforms](objects.md#transforms)");
     pattern::NOT_DRAWN.iter().for_each(|word| add(index, word, "[a pattern](pigments.md), not drawn yet"));
     scene::NOT_DRAWN.iter().for_each(|word| add(index, word, "[a shape](shapes.md#not-drawn-yet), not drawn yet"));

@@ -108,13 +108,13 @@ impl<'a> Interpreter<'a> {
                 let base = self.defaults.texture.layers[0].pigment.clone();
                 let pigment = Pigment::read(self, &base)?;
                 self.leave()?;
-                Arc::new(PigmentSampler(pigment))
+                Arc::new(PigmentSampler(pigment, self.noise_generator.clone()))
             }
             "pattern" => {
                 self.take()?;
                 let pattern = Pigment::read(self, &Pigment::default())?;
                 self.leave()?;
-                Arc::new(PatternSampler(pattern))
+                Arc::new(PatternSampler(pattern, self.noise_generator.clone()))
             }
             "transform" => {
                 self.take()?;

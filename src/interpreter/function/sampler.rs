@@ -1,12 +1,24 @@
 //! Functions made of a pigment, a pattern or a transform.
 
 use crate::function::{Gives, Sampler};
+use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
+use crate::pattern::Spot;
 use crate::texture::Pigment;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU8, Ordering};
+
+/// The number of the scene's noise generator, which may still change.
+pub(super) type SceneNoise = Arc<AtomicU8>;
+
+fn spot(p: &[f64], noise: &SceneNoise) -> Spot {
+    let generator = NoiseGenerator::from_number(f64::from(noise.load(Ordering::Relaxed)));
+    Spot::free(DVec3::new(p[0], p[1], p[2]), generator)
+}
 
 /// `function { pigment { … } }`
 #[derive(Debug)]
-pub(super) struct PigmentSampler(pub(super) Pigment);
+pub(super) struct PigmentSampler(pub(super) Pigment, pub(super) SceneNoise);
 
 impl Sampler for PigmentSampler {
     fn arity(&self) -> usize {
@@ -18,13 +30,13 @@ impl Sampler for PigmentSampler {
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        self.0.at(DVec3::new(p[0], p[1], p[2])).to_array()
+        self.0.at(&spot(p, &self.1)).to_array()
     }
 }
 
 /// `function { pattern { … } }`: a pigment without colours.
 #[derive(Debug)]
-pub(super) struct PatternSampler(pub(super) Pigment);
+pub(super) struct PatternSampler(pub(super) Pigment, pub(super) SceneNoise);
 
 impl Sampler for PatternSampler {
     fn arity(&self) -> usize {
@@ -36,7 +48,7 @@ impl Sampler for PatternSampler {
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        [self.0.number_at(DVec3::new(p[0], p[1], p[2])), 0.0, 0.0, 0.0, 0.0]
+        [self.0.number_at(&spot(p, &self.1)), 0.0, 0.0, 0.0, 0.0]
     }
 }
 

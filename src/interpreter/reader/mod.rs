@@ -15,9 +15,11 @@ use super::{Interpreter, hints};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::math::{DVec2, DVec3, Transform};
+use crate::scene::Object;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::value::{FloatOrColor, Language, Next, Reader, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Reader, Solid, Thing, Value, VecN};
+use crate::world::Probe;
 pub use color::COLOR_WORDS;
 use color::begins_color;
 use std::path::PathBuf;
@@ -184,6 +186,12 @@ impl Reader for Interpreter<'_> {
                 return Ok((thing, *span));
             }
         }
+        if let Token::Function(_) | Token::Expr(Expr { kind: ExprKind::Function(_), .. }) = self.peek()? {
+            let span = self.here();
+            if let Slot::Value(Value::Thing(thing)) = self.rvalue()? {
+                return Ok((thing, span));
+            }
+        }
         if let Token::Element(e) = self.peek()? {
             let slot = self.take_element()?;
             if let Value::Thing(thing) = self.slot_value(slot, e.span)? {
@@ -191,6 +199,12 @@ impl Reader for Interpreter<'_> {
             }
         }
         Err(self.unexpected_token("a declared thing").into())
+    }
+
+    fn solid(&mut self) -> Result<Arc<dyn Solid>> {
+        let defaults = self.defaults.clone();
+        let object = Object::read(self, &defaults)?;
+        Ok(Arc::new(Probe::new(&object)?))
     }
 
     fn float(&mut self) -> Result<f64> {

@@ -1,0 +1,57 @@
+//! `function { … }`: any formula of x, y and z (manual, "Function Pattern").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { function { abs(sin(8*x) * sin(8*y)) } color_map { [0 color rgb 0] [1 color rgb <1, 0.8, 0.2>] } } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::Function;
+use crate::value::{Reader, ReaderExt, Spec};
+use serde::{Serialize, Serializer};
+use std::sync::Arc;
+
+/// A formula.
+#[derive(Clone, Debug)]
+pub struct FunctionPattern(pub Arc<Function>);
+
+impl PartialEq for FunctionPattern {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Serialize for FunctionPattern {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.parameters.iter())
+    }
+}
+
+impl Readable for FunctionPattern {
+    const SPEC: Spec = Spec {
+        name: "function",
+        summary: "a formula of x, y and z in braces, as in `#declare F = function { … }`",
+        params: &[],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let at = r.span();
+        let Some(function) = r.thing::<Function>()? else { return Err(r.unexpected("`function { … }`").into()) };
+        match function.arity() {
+            3 => Ok(Self(function)),
+            n => {
+                let message = format!("a pattern's function has the parameters x, y and z; this one takes {n}");
+                Diagnostic::err(codes::WRONG_COUNT, at, message)
+            }
+        }
+    }
+}
+
+impl Field for FunctionPattern {
+    fn value(&self, at: &Spot) -> f64 {
+        let [value, ..] = self.0.call(&at.p.to_array());
+        // It begins anew after each 1, which belongs to the numbers below; those under 0 are left to the wave.
+        if value > 1.0 { value % 1.0 } else { value }
+    }
+}

@@ -1,0 +1,161 @@
+//! A pattern where it lies: what pigments, normals and textures have in common.
+
+use super::{
+    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Spot, Turbulent, Warp,
+};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::noise::NoiseGenerator;
+use crate::math::{DVec3, Transform};
+use crate::value::{Next, Reader};
+use serde::Serialize;
+
+/// What tells points apart.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// Nothing: it is the same everywhere.
+    #[default]
+    Plain,
+    /// A number for each point, and a map from numbers to what is seen.
+    Field(FieldPattern),
+    /// A list from which each cell takes its own.
+    Cells(CellPattern),
+    /// `average`: all entries of the map at once, by their weights.
+    Average,
+}
+
+/// A pattern with all that is said of it, but for its colours.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Pattern {
+    /// What tells points apart.
+    pub kind: Kind,
+    /// What is done to its numbers.
+    pub modifiers: Modifiers,
+    /// Where it lies.
+    pub space: Space,
+    /// Which noise it is made of, if it says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub noise: Option<NoiseGenerator>,
+    /// `uv_mapping`: it sees the place on the surface, (u, v, 0), instead of the point.
+    pub uv: bool,
+}
+
+impl Pattern {
+    /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; else false.
+    pub fn read_element(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        match next {
+            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
+            | Next::Block("transform")
+            | Next::Thing("transform") => {
+                if let Some(step) = r.transform()? {
+                    self.space.then(&step);
+                }
+            }
+            Next::Word(word) if self.is_own_word(word) => {
+                r.take()?;
+                match &mut self.kind {
+                    Kind::Field(pattern) => pattern.read_word(word, r)?,
+                    Kind::Cells(pattern) => pattern.read_word(word, r)?,
+                    Kind::Plain | Kind::Average => {}
+                }
+            }
+            Next::Word(word) if Modifiers::WORDS.iter().any(|w| w.name == word) => {
+                r.take()?;
+                self.modifiers.read_word(word, r)?;
+            }
+            Next::Word(word) if Turbulent::WORDS.iter().any(|w| w.name == word) => {
+                r.take()?;
+                self.space.turbulence_mut().read_word(word, r)?;
+            }
+            Next::Word("noise_generator") => {
+                r.take()?;
+                self.noise = Some(read_noise_generator(r)?);
+            }
+            Next::Word("uv_mapping") => {
+                r.take()?;
+                self.uv = r.flag()?;
+            }
+            Next::Block("warp") => {
+                r.take()?;
+                let warp = Warp::read(r)?;
+                r.leave()?;
+                self.space.warp(warp);
+            }
+            Next::Word("average") => {
+                r.take()?;
+                self.kind = Kind::Average;
+            }
+            Next::Function => self.kind = Kind::Field(FieldPattern::FunctionPattern(FunctionPattern::read(r)?)),
+            Next::Word(word) | Next::Block(word) => return self.read_name(word, r),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Reads what follows the name of a pattern; false if it is none.
+    fn read_name(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<bool> {
+        if FieldPattern::is_name(word) {
+            r.take()?;
+            if let Some(pattern) = FieldPattern::read(word, r) {
+                self.kind = Kind::Field(pattern?);
+            }
+        } else if CellPattern::is_name(word) {
+            r.take()?;
+            if let Some(pattern) = CellPattern::read(word, r) {
+                self.kind = Kind::Cells(pattern?);
+            }
+        } else {
+            return Ok(false);
+        }
+        Ok(true)
+    }
+
+    fn is_own_word(&self, word: &str) -> bool {
+        let spec = match &self.kind {
+            Kind::Field(pattern) => pattern.spec(),
+            Kind::Cells(pattern) => pattern.spec(),
+            Kind::Plain | Kind::Average => return false,
+        };
+        spec.words.iter().any(|w| w.name == word)
+    }
+
+    /// Moves it after all it has been moved before.
+    pub fn transform(&mut self, by: &Transform) {
+        self.space.then(by);
+    }
+
+    /// The number that the map sees, or that of the cell; and the spot as the pattern's own entries see it.
+    pub fn see(&self, spot: &Spot) -> (f64, Spot) {
+        let p = if self.uv { DVec3::new(spot.uv.x, spot.uv.y, 0.0) } else { spot.p };
+        let mut inner = spot.at(self.space.unwarped(p));
+        if let Some(turbulence) = &self.space.turbulence {
+            if let Kind::Field(field) = &self.kind
+                && let Some(value) = field.stirred(&self.own(&inner), turbulence)
+            {
+                return (self.modifiers.apply(value), inner);
+            }
+            inner.p = turbulence.displace(inner.p);
+        }
+        let number = match &self.kind {
+            Kind::Field(field) => self.modifiers.apply(field.value(&self.own(&inner))),
+            Kind::Cells(cells) => self.modifiers.apply_to_cell(cells.cell(inner.p)),
+            Kind::Plain | Kind::Average => 0.0,
+        };
+        (number, inner)
+    }
+
+    /// The spot with the pattern's own noise.
+    fn own(&self, inner: &Spot) -> Spot {
+        Spot { noise: self.noise.unwrap_or(inner.noise), ..*inner }
+    }
+}
+
+/// `noise_generator N`, after the word.
+pub fn read_noise_generator(r: &mut dyn Reader) -> Result<NoiseGenerator> {
+    let (at, n) = (r.span(), r.float()?);
+    if (1.0..4.0).contains(&n) {
+        return Ok(NoiseGenerator::from_number(n));
+    }
+    let message = format!("there are noise generators 1, 2 and 3, but none with the number {n}");
+    Diagnostic::err(codes::BAD_ARGUMENT, at, message)
+}

@@ -1,0 +1,86 @@
+//! Where a pattern lies: transforms and warps in the order in which they are written, then `turbulence` (manual, "Pattern
+//! Modifiers").
+
+use super::{Turbulent, Warp};
+use crate::math::{DVec3, Transform};
+use serde::Serialize;
+
+/// From the space around a pattern to its own.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Space {
+    /// What was written first, with its warps; mostly there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub inner: Vec<Step>,
+    /// The transforms behind the last warp.
+    pub transform: Transform,
+    /// `turbulence`, nearest to the pattern wherever it stands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turbulence: Option<Box<Turbulent>>,
+}
+
+/// One of the steps that move a point.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Step {
+    /// By a matrix.
+    Moved(Transform),
+    /// By anything else.
+    Warped(Warp),
+}
+
+impl Space {
+    /// Moves the pattern after all it has been moved before.
+    pub fn then(&mut self, by: &Transform) {
+        self.transform = self.transform.then(by);
+    }
+
+    /// Adds a warp, which moves along with transforms that come later.
+    pub fn warp(&mut self, warp: Warp) {
+        if !self.transform.is_identity() {
+            self.inner.push(Step::Moved(std::mem::take(&mut self.transform)));
+        }
+        self.inner.push(Step::Warped(warp));
+    }
+
+    /// The `turbulence` words, to be changed.
+    pub fn turbulence_mut(&mut self) -> &mut Turbulent {
+        self.turbulence.get_or_insert_default()
+    }
+
+    /// Where the point lies before `turbulence`.
+    pub fn unwarped(&self, p: DVec3) -> DVec3 {
+        let p = self.transform.inverse_point(p);
+        self.inner.iter().rev().fold(p, |p, step| match step {
+            Step::Moved(transform) => transform.inverse_point(p),
+            Step::Warped(warp) => warp.apply(p),
+        })
+    }
+
+    /// Where the point lies in the pattern's own space.
+    pub fn inside(&self, p: DVec3) -> DVec3 {
+        let p = self.unwarped(p);
+        self.turbulence.as_ref().map_or(p, |t| t.displace(p))
+    }
+
+    /// Does it leave all points where they are?
+    pub fn is_plain(&self) -> bool {
+        self.inner.is_empty() && self.turbulence.is_none() && self.transform.is_identity()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::TurbulenceWarp;
+
+    #[test]
+    fn steps_are_undone_from_the_last_to_the_first() {
+        let mut space = Space::default();
+        space.then(&Transform::translate(DVec3::X));
+        space.warp(Warp::Turbulence(TurbulenceWarp(Turbulent::default())));
+        space.then(&Transform::rotate(DVec3::Z * 90.0));
+        assert_eq!(space.inner.len(), 2);
+        // (0, 3, 0) comes from (3, 0, 0), which comes from (2, 0, 0)
+        assert!(space.inside(DVec3::Y * 3.0).distance(DVec3::X * 2.0) < 1e-12);
+    }
+}

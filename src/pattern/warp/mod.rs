@@ -1,0 +1,71 @@
+//! `warp`: moves points in ways that no matrix can (manual, "Warps"). Adding one is a file here and a row in the table below.
+
+mod turbulence;
+
+pub use turbulence::TurbulenceWarp;
+
+use super::Readable;
+use crate::diagnostic::Result;
+use crate::math::DVec3;
+use crate::value::{Next, Reader, Spec};
+use serde::Serialize;
+
+/// What every warp can do.
+pub trait Bend {
+    /// From the point asked about to the point that the pattern sees.
+    fn apply(&self, p: DVec3) -> DVec3;
+}
+
+macro_rules! warps {
+    ($($variant:ident $name:ident)*) => {
+        /// Any warp.
+        #[derive(Clone, Debug, PartialEq, Serialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum Warp { $(#[doc = concat!("See [`", stringify!($name), "`].")] $variant($name)),* }
+
+        impl Warp {
+            /// Every warp's table.
+            pub const SPECS: &[&Spec] = &[$(&$name::SPEC),*];
+
+            /// From the point asked about to the point that the pattern sees.
+            pub fn apply(&self, p: DVec3) -> DVec3 { match self { $(Warp::$variant(w) => w.apply(p)),* } }
+
+            fn begin(name: &str, r: &mut dyn Reader) -> Option<Result<Warp>> {
+                $(if name == $name::SPEC.name { return Some($name::read(r).map(Warp::$variant)); })*
+                None
+            }
+
+            fn spec(&self) -> &'static Spec { match self { $(Warp::$variant(_) => &$name::SPEC),* } }
+
+            fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+                match self { $(Warp::$variant(w) => w.read_word(word, r)),* }
+            }
+        }
+    };
+}
+
+warps! { Turbulence TurbulenceWarp }
+
+impl Warp {
+    /// Reads what stands between the braces of `warp { … }`.
+    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+        let names: Vec<&'static str> = Self::SPECS.iter().map(|s| s.name).collect();
+        let Next::Word(name) = r.next()? else { return Err(r.unknown_word("warp", &names).into()) };
+        if !names.contains(&name) {
+            return Err(r.unknown_word("warp", &names).into());
+        }
+        r.take()?;
+        let Some(warp) = Self::begin(name, r) else { return Err(r.unknown_word("warp", &names).into()) };
+        let mut warp = warp?;
+        loop {
+            match r.next()? {
+                Next::End => return Ok(warp),
+                Next::Word(word) if warp.spec().words.iter().any(|w| w.name == word) => {
+                    r.take()?;
+                    warp.read_word(word, r)?;
+                }
+                _ => return Err(r.unknown_word("warp", &warp.spec().word_names().collect::<Vec<_>>()).into()),
+            }
+        }
+    }
+}

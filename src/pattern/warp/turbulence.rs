@@ -1,0 +1,40 @@
+//! `warp { turbulence <vector> }`: turbulence that stands where it is written among the transforms (manual, "Turbulence
+//! Warp").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { gradient x warp { turbulence 0.5 octaves 3 } scale 0.25 } }
+//! ```
+
+use super::super::{Readable, Turbulent};
+use super::Bend;
+use crate::diagnostic::Result;
+use crate::math::DVec3;
+use crate::value::{Kind, Param, Reader, Spec};
+use serde::Serialize;
+
+/// Displaces points at random.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TurbulenceWarp(pub Turbulent);
+
+impl Readable for TurbulenceWarp {
+    const SPEC: Spec = Spec {
+        name: "turbulence",
+        summary: "displaces points at random",
+        params: &[Param { name: "amount", kind: Kind::Vector, summary: "how far points are displaced" }],
+        words: Turbulent::WORDS,
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        Ok(Self(Turbulent { amount: r.vector()?, ..Turbulent::default() }))
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        self.0.read_word(word, r)
+    }
+}
+
+impl Bend for TurbulenceWarp {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        self.0.displace(p)
+    }
+}

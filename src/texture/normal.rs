@@ -1,0 +1,167 @@
+//! `normal`: bumps that only light sees (manual, "Normal").
+
+use super::blend::{self, Entry, Map, Parts};
+use super::words::NORMAL;
+use crate::diagnostic::Result;
+use crate::math::DVec3;
+use crate::pattern::{CellPattern, FieldPattern, Kind, Pattern, Spot};
+use crate::value::{Next, Reader, ReaderExt};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// A height and a slope, as a `slope_map` has them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Slope {
+    /// How high the surface seems to be.
+    pub height: f64,
+    /// How fast it rises.
+    pub slope: f64,
+}
+
+/// Heights and slopes at numbers.
+pub type SlopeMap = Map<Slope>;
+
+/// What makes the bumps.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Relief {
+    /// The pattern's number is the height.
+    #[default]
+    Own,
+    /// A map from the pattern's numbers to heights.
+    Slopes(Arc<SlopeMap>),
+    /// Other normals, which move along.
+    Normals(Parts<Normal>),
+}
+
+/// A normal in its own space.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Normal {
+    /// What tells points apart, and where it lies.
+    pub pattern: Pattern,
+    /// What makes the bumps.
+    pub relief: Relief,
+    /// `bump_size`, or the number behind the pattern's name: how deep the bumps seem.
+    pub amount: f64,
+    /// Half the distance of the points that are compared.
+    pub accuracy: f64,
+    /// `no_bump_scale` switches it off: bumps that are scaled get deeper too.
+    pub bump_scale: bool,
+}
+
+impl Default for Normal {
+    fn default() -> Self {
+        Self { pattern: Pattern::default(), relief: Relief::Own, amount: 0.5, accuracy: 0.02, bump_scale: true }
+    }
+}
+
+impl Normal {
+    /// Reads what stands between the braces, on top of `base` (the default normal).
+    pub fn read(r: &mut dyn Reader, base: Option<&Normal>) -> Result<Self> {
+        let mut out = match r.thing::<Normal>()? {
+            Some(declared) => (*declared).clone(),
+            None => base.cloned().unwrap_or_default(),
+        };
+        loop {
+            match r.next()? {
+                Next::End => return Ok(out),
+                next => out.read_element(r, next)?,
+            }
+        }
+    }
+
+    fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
+        if self.pattern.read_element(next, r)? {
+            let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
+            if matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function {
+                self.read_amount(r)?;
+            }
+            if let Some(list) = blend::read_list(r, next, &self.pattern, &|_, _| Normal::default())? {
+                self.relief = Relief::Normals(list);
+            }
+            return Ok(());
+        }
+        match next {
+            Next::Word("bump_size") => {
+                r.take()?;
+                self.amount = r.float()?;
+            }
+            Next::Word("accuracy") => {
+                r.take()?;
+                self.accuracy = r.float()?;
+            }
+            Next::Word("no_bump_scale") => {
+                r.take()?;
+                self.bump_scale = !r.flag()?;
+            }
+            Next::Block("slope_map") => {
+                r.take()?;
+                self.relief = Relief::Slopes(Arc::new(Map::read_entries(r)?));
+                r.leave()?;
+            }
+            Next::Block("normal_map") => {
+                r.take()?;
+                self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(r)?)));
+                r.leave()?;
+            }
+            Next::Word(word) | Next::Block(word) if crate::pattern::is_not_drawn(word) => r.skip_unsupported(word)?,
+            _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),
+        }
+        Ok(())
+    }
+
+    /// The number behind the pattern's name.
+    fn read_amount(&mut self, r: &mut dyn Reader) -> Result<()> {
+        self.relief = Relief::Own;
+        if let Some(amount) = r.optional_float()? {
+            self.amount = amount;
+        }
+        Ok(())
+    }
+
+    /// Does it ask where the point lies on its shape?
+    pub fn asks_uv(&self) -> bool {
+        let inner = matches!(&self.relief, Relief::Normals(parts) if parts.iter().any(Normal::asks_uv));
+        self.pattern.uv || inner
+    }
+
+    /// The normal with its bumps, at a spot in the texture's space; `normal` in the same space.
+    pub fn perturb(&self, _spot: &Spot, normal: DVec3) -> DVec3 {
+        normal
+    }
+
+    /// Does it change no normal at all?
+    pub fn is_flat(&self) -> bool {
+        match &self.relief {
+            Relief::Normals(parts) => parts.iter().all(Normal::is_flat),
+            _ => matches!(self.pattern.kind, Kind::Plain) || self.amount == 0.0,
+        }
+    }
+}
+
+impl Entry for Normal {
+    const MAP: &'static str = "normal_map";
+    const BLOCK: &'static str = "normal";
+
+    fn read_entry(r: &mut dyn Reader) -> Result<Self> {
+        Self::read(r, None)
+    }
+
+    fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+        Ok(r.thing::<Normal>()?.map(|normal| (*normal).clone()))
+    }
+}
+
+impl Entry for Slope {
+    const MAP: &'static str = "slope_map";
+    const BLOCK: &'static str = "<height, slope>";
+
+    fn read_entry(r: &mut dyn Reader) -> Result<Self> {
+        let pair = r.vector2()?;
+        Ok(Self { height: pair.x, slope: pair.y })
+    }
+
+    fn declared(_: &mut dyn Reader) -> Result<Option<Self>> {
+        Ok(None)
+    }
+}
