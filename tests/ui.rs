@@ -40,6 +40,7 @@ fn run(scene: &Path) -> Result<(), Failed> {
         .args(command(scene)?)
         .current_dir(scene.parent().unwrap_or(Path::new(".")))
         .env_remove("DURER_INCLUDE")
+        .env("DURER_FONTS", "fonts")
         .stdin(Stdio::null())
         .output()?;
     let exit = output.status.code().map_or("killed".into(), |code| code.to_string());

@@ -5,7 +5,7 @@ use super::Window;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
 use crate::source::Span;
-use crate::value::Reader;
+use crate::value::{Reader, Said};
 use serde::Serialize;
 
 /// As it was written.
@@ -23,6 +23,9 @@ pub struct LectureCamera {
     pub fov_y: Option<f64>,
     /// Applied to all of it in the end.
     pub transform: Transform,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<Said>,
 }
 
 impl Default for LectureCamera {
@@ -34,6 +37,7 @@ impl Default for LectureCamera {
             fov_x: None,
             fov_y: None,
             transform: Transform::IDENTITY,
+            undrawn: vec![],
         }
     }
 }

@@ -71,7 +71,7 @@ impl Camera {
                 }
             }
         }
-        let mut other_kind = false;
+        let mut undrawn = vec![];
         let mut lecture: Option<LectureCamera> = None;
         let mut transform = Transform::IDENTITY;
         loop {
@@ -97,8 +97,7 @@ impl Camera {
                     povray.read_word(word, at, r)?;
                 }
                 Next::Word(word) | Next::Block(word) if PERSPECTIVE.leaves_out(word) => {
-                    other_kind = true;
-                    r.skip_unsupported(word)?
+                    undrawn.push(r.keep_undrawn(word)?);
                 }
                 _ => return Err(r.unknown_word("camera", &words::names()).into()),
             }
@@ -106,15 +105,17 @@ impl Camera {
         match lecture {
             Some(mut camera) => {
                 camera.transform = transform;
+                camera.undrawn = undrawn;
                 camera.check(source)?;
                 Ok(Camera::Lecture(camera))
             }
             None => {
                 povray.transform = povray.transform.then(&transform);
-                if other_kind {
+                if !undrawn.is_empty() {
                     // Another kind of camera may see more than half a turn; the perspective that stands for it can't.
                     povray.angle = povray.angle.map(|a| a.clamp(1.0, 120.0));
                 }
+                povray.undrawn.extend(undrawn);
                 povray.check(source)?;
                 Ok(Camera::Perspective(povray))
             }

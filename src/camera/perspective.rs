@@ -5,7 +5,7 @@ use super::Window;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
 use crate::source::Span;
-use crate::value::Reader;
+use crate::value::{Reader, Said};
 use serde::Serialize;
 
 /// As it was written.
@@ -29,6 +29,9 @@ pub struct Perspective {
     pub angle_span: Span,
     /// Applied to all of it in the end.
     pub transform: Transform,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<Said>,
 }
 
 impl Default for Perspective {
@@ -44,6 +47,7 @@ impl Default for Perspective {
             angle: None,
             angle_span: Span::NONE,
             transform: Transform::IDENTITY,
+            undrawn: vec![],
         }
     }
 }
@@ -62,7 +66,10 @@ impl Perspective {
                 self.angle = (angle != 0.0).then_some(angle);
                 self.angle_span = at;
                 // The vertical angle of other kinds of cameras, which are not drawn yet.
-                r.optional_float()?;
+                if let Some(vertical) = r.optional_float()? {
+                    let all = vec![angle, vertical];
+                    self.undrawn.push(Said::Block("angle", Box::new([Said::Numbers { width: 1, all }])));
+                }
             }
             _ => {}
         }

@@ -259,7 +259,7 @@ impl Graph {
         ids[other.result as usize]
     }
 
-    /// Between which numbers the result lies while the parameters lie in these intervals.
+    /// Between which numbers the result lies while the parameters lie in these intervals and every operation gives a number.
     pub fn bounds(&self, parameters: &[Interval]) -> Interval {
         let mut all: Vec<Interval> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {

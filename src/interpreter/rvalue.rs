@@ -29,16 +29,6 @@ const LATER: &[&str] = &[
     "texture_list",
 ];
 
-/// A declared thing that is not drawn yet; the word of its block.
-#[derive(Debug)]
-struct NotDrawn(&'static str);
-
-impl Thing for NotDrawn {
-    fn kind(&self) -> &'static str {
-        self.0
-    }
-}
-
 impl<'a> Interpreter<'a> {
     /// The next complete value.
     pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
@@ -92,8 +82,7 @@ impl<'a> Interpreter<'a> {
             return Ok(Arc::<Object>::from(Object::read(self, &defaults)?));
         }
         if LATER.contains(&word) {
-            self.skip_unsupported(word)?;
-            return Ok(Arc::new(NotDrawn(word)));
+            return Ok(Arc::new(self.keep_undrawn(word)?));
         }
         let expected = "something that can be declared";
         if !matches!(

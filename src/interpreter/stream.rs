@@ -33,7 +33,7 @@ pub(super) struct Frame<'a> {
     pub(super) elements: &'a [Element],
     pub(super) at: usize,
     /// Index within a literal list, and of its first number.
-    item: (usize, usize),
+    pub(super) item: (usize, usize),
     pub(super) kind: FrameKind<'a>,
     /// The whole of what is being read: block, call, directive.
     pub(super) span: Span,

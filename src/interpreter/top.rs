@@ -71,7 +71,9 @@ impl Interpreter<'_> {
             return self.top_object();
         }
         if STATEMENTS.leaves_out(word) {
-            return self.skip_unsupported(word);
+            let said = self.keep_undrawn(word)?;
+            self.scene.undrawn.push(said);
+            return Ok(());
         }
         if !matches!(word, "camera" | "background" | "global_settings" | "default") {
             return Err(self.stray_block(word).into());

@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagnostic::{Result, codes};
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
-use crate::value::{Next, Reader, Thing};
+use crate::value::{Next, Reader, Said, Thing};
 use serde::Serialize;
 use words::LIGHT;
 
@@ -24,6 +24,9 @@ pub struct Light {
     pub fade_distance: f64,
     /// How fast it fades; 0: it does not.
     pub fade_power: f64,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<Said>,
     /// The text that made it.
     pub source: Span,
 }
@@ -39,7 +42,8 @@ impl Light {
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let location = r.vector()?;
         let color = r.color()?.rgb;
-        let mut light = Self { location, color, shadowless: false, fade_distance: 0.0, fade_power: 0.0, source };
+        let mut light =
+            Self { location, color, shadowless: false, fade_distance: 0.0, fade_power: 0.0, undrawn: vec![], source };
         loop {
             match r.next()? {
                 Next::End => return Ok(light),
@@ -56,7 +60,9 @@ impl Light {
                         light.transform(&step);
                     }
                 }
-                Next::Word(word) | Next::Block(word) if LIGHT.leaves_out(word) => r.skip_unsupported(word)?,
+                Next::Word(word) | Next::Block(word) if LIGHT.leaves_out(word) => {
+                    light.undrawn.push(r.keep_undrawn(word)?)
+                }
                 _ => return Err(r.unknown_word("light_source", &LIGHT.names()).into()),
             }
         }

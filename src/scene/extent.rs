@@ -17,7 +17,7 @@ impl Object {
         let own = match &self.kind {
             ObjectKind::Shape(shape) => shape_box(shape, &self.transform),
             ObjectKind::Csg(..) => self.group_box.as_deref().copied().unwrap_or(HUGE),
-            ObjectKind::Undrawn(b) => transform_box(&self.transform, b),
+            ObjectKind::Undrawn(shape) => transform_box(&self.transform, &shape.bounds),
             ObjectKind::Light(_) => HUGE,
         };
         let bounds = [&self.clipped_by, &self.bounded_by].into_iter().flatten();

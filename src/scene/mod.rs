@@ -9,11 +9,13 @@ pub mod words;
 
 pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, Painted, is_object, read_layers, read_material};
 pub use settings::Settings;
+pub use undrawn::Undrawn;
 pub use weight::Weight;
 
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::texture::Texture;
+use crate::value::Said;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -30,6 +32,9 @@ pub struct Scene {
     pub background: Option<Color>,
     /// Objects and lights in the order they were written.
     pub objects: Vec<Object>,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<Said>,
 }
 
 /// What `#default` has set for all that follows.

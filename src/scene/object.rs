@@ -2,14 +2,14 @@
 
 use super::extent::transform_box;
 use super::words::MODIFIERS;
-use super::{Defaults, Weight};
+use super::{Defaults, Undrawn, Weight};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::{Aabb, Transform};
 use crate::shape::{self, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
-use crate::value::{Next, Reader, ReaderExt, Thing};
+use crate::value::{Next, Reader, ReaderExt, Said, Thing};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -23,8 +23,8 @@ pub enum ObjectKind {
     Csg(CsgOp, Arc<[Object]>),
     /// A light, which a union may carry along.
     Light(Arc<Light>),
-    /// A shape that is not drawn yet, and the box that stands for it where scripts ask.
-    Undrawn(Aabb),
+    /// A shape that is not drawn yet.
+    Undrawn(Arc<Undrawn>),
 }
 
 /// How a CSG object is made of its parts.
@@ -83,6 +83,9 @@ pub struct Object {
     pub bounded_by: Option<Arc<[Object]>>,
     /// Switches.
     pub flags: Flags,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<Said>,
     /// The word it was written with.
     pub word: &'static str,
     /// The text that made it.
@@ -181,11 +184,18 @@ impl Object {
             clipped_by: None,
             bounded_by: None,
             flags: Flags::default(),
+            undrawn: vec![],
             word,
             source,
             default_texture: defaults.texture.clone(),
             group_box: None,
         }
+    }
+
+    /// A shape whose block is being read.
+    pub(super) fn unfinished(word: &'static str, source: Span, defaults: &Defaults) -> Self {
+        let nothing = ObjectKind::Csg(CsgOp::Union, Arc::default());
+        Self { weight: Weight::SHAPE, ..Self::new(nothing, word, source, defaults) }
     }
 
     /// Reads what stands between the braces of a block of this name.
@@ -211,7 +221,7 @@ impl Object {
         }
         let Some(shape) = shape::read(word, r) else { return Err(r.unexpected("an object").into()) };
         let mut shape = shape?;
-        let mut object = Box::new(Self::new(ObjectKind::Shape(Arc::new(shape.clone())), word, source, defaults));
+        let mut object = Box::new(Self::unfinished(word, source, defaults));
         object.read_modifiers(Some(&mut shape), r, defaults)?;
         shape.finish(source, r)?;
         object.kind = ObjectKind::Shape(Arc::new(shape));
@@ -302,7 +312,9 @@ impl Object {
                     self.set_material(&material);
                 }
             }
-            Next::Word(word) | Next::Block(word) if MODIFIERS.leaves_out(word) => r.skip_unsupported(word)?,
+            Next::Word(word) | Next::Block(word) if MODIFIERS.leaves_out(word) => {
+                self.undrawn.push(r.keep_undrawn(word)?);
+            }
             _ => return self.read_surface(next, r, defaults),
         }
         Ok(true)

@@ -4,7 +4,7 @@ use super::words::SETTINGS;
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
-use crate::value::{Next, Reader};
+use crate::value::{Next, Reader, Said};
 use serde::Serialize;
 
 /// All numbers of `global_settings`.
@@ -20,6 +20,9 @@ pub struct Settings {
     pub ambient_light: Rgb,
     /// The noise that patterns and functions are made of, if the scene says which.
     pub noise_generator: Option<NoiseGenerator>,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<Said>,
 }
 
 impl Default for Settings {
@@ -30,6 +33,7 @@ impl Default for Settings {
             adc_bailout: 1.0 / 255.0,
             ambient_light: Rgb::ONE,
             noise_generator: None,
+            undrawn: vec![],
         }
     }
 }
@@ -63,10 +67,6 @@ impl Settings {
                     }
                     self.noise_generator = Some(NoiseGenerator::from_number(n));
                 }
-                Next::Word("irid_wavelength") => {
-                    r.take()?;
-                    r.color()?;
-                }
                 Next::Word("adc_bailout") => {
                     r.take()?;
                     self.adc_bailout = r.float()?;
@@ -76,15 +76,16 @@ impl Settings {
                     self.ambient_light = r.color()?.rgb;
                 }
                 Next::Word(word) if SETTINGS.idle.contains(&word) => {
+                    let mut row = vec![];
                     r.take()?;
-                    while matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
-                        match r.next()? {
-                            Next::Value => drop(r.value()?),
-                            _ => drop(r.take()?),
-                        }
+                    while r.at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
+                        r.pass(&mut row)?;
                     }
+                    self.undrawn.push(Said::Block(word, row.into()));
                 }
-                Next::Word(word) | Next::Block(word) if SETTINGS.leaves_out(word) => r.skip_unsupported(word)?,
+                Next::Word(word) | Next::Block(word) if SETTINGS.leaves_out(word) => {
+                    self.undrawn.push(r.keep_undrawn(word)?);
+                }
                 _ => return Err(r.unknown_word("global_settings", &SETTINGS.names()).into()),
             }
         }

@@ -21,11 +21,14 @@ pub struct Weight {
 }
 
 impl Weight {
+    /// Of one shape.
+    pub const SHAPE: Self = Self { depth: 0, shapes: 1 };
+
     /// Of an object that is made of this.
     pub fn of(kind: &ObjectKind) -> Self {
         match kind {
             ObjectKind::Csg(_, parts) => Self::default().around(parts),
-            _ => Self { depth: 0, shapes: 1 },
+            _ => Self::SHAPE,
         }
     }
 

@@ -5,7 +5,7 @@ use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{FloatOrColor, Language, Next, Reader, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Reader, Said, Thing, Value, VecN};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -106,7 +106,7 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn skip_unsupported(&mut self, _: &str) -> Result<()> {
+    fn keep_undrawn(&mut self, _: &'static str) -> Result<Said> {
         unreachable!()
     }
 
@@ -149,7 +149,11 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn pass(&mut self, _: &mut dyn FnMut(&Value)) -> Result<()> {
+    fn similar_font(&mut self, _: &str) -> Option<std::path::PathBuf> {
+        unreachable!()
+    }
+
+    fn pass(&mut self, _: &mut Vec<Said>) -> Result<()> {
         unreachable!()
     }
 

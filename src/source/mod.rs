@@ -1,6 +1,7 @@
 //! The files of a scene: their text, places in them, and where they may be looked for.
 
 mod files;
+pub mod fonts;
 mod read;
 mod sandbox;
 mod search;

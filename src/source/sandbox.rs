@@ -16,8 +16,7 @@ impl Sandbox {
     /// Reads where includes are looked for, writes below the current folder.
     pub fn around(search: &super::SearchPath) -> Self {
         // Fonts are nobody's secret, and include folders hold links to them.
-        let fonts = FONTS.iter().map(PathBuf::from);
-        Self { read: search.folders.iter().cloned().chain(fonts).collect(), write: vec![PathBuf::from(".")] }
+        Self { read: search.folders.iter().chain(&search.fonts).cloned().collect(), write: vec![PathBuf::from(".")] }
     }
 
     /// May this file be read?
@@ -31,9 +30,6 @@ impl Sandbox {
         resolved(path).is_ok_and(|path| is_below(&path, &self.write))
     }
 }
-
-/// Where systems keep their fonts.
-const FONTS: &[&str] = &["/usr/share/fonts", "/usr/local/share/fonts", "/Library/Fonts", "/System/Library/Fonts"];
 
 /// Without links and `..`; the last name of a file that is not there yet is taken as it is.
 fn resolved(path: &Path) -> io::Result<PathBuf> {

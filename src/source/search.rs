@@ -7,6 +7,8 @@ use std::path::{Component, Path, PathBuf};
 pub struct SearchPath {
     /// The scene's own folder first, then the current one, `-I`, `DURER_INCLUDE`, an installed POV-Ray.
     pub folders: Vec<PathBuf>,
+    /// Where fonts are looked for that stand for missing ones.
+    pub fonts: Vec<PathBuf>,
 }
 
 /// A file that was looked for.
@@ -32,12 +34,15 @@ impl SearchPath {
             folders.extend(std::env::split_paths(&list));
         }
         folders.extend(INSTALLED.iter().map(PathBuf::from).filter(|p| p.is_dir()));
-        Self { folders }
+        let installed = folders.iter().filter(|folder| is_installed(folder)).cloned();
+        let fonts = super::fonts::folders().into_iter().chain(installed).collect();
+        Self { folders, fonts }
     }
 
     /// As on a machine without POV-Ray.
     pub fn without_installed(mut self) -> Self {
-        self.folders.retain(|folder| !INSTALLED.iter().any(|installed| folder == Path::new(installed)));
+        self.folders.retain(|folder| !is_installed(folder));
+        self.fonts.retain(|folder| !is_installed(folder));
         self
     }
 
@@ -111,6 +116,10 @@ fn same_letters(folder: &Path, name: &str) -> Option<String> {
     names.filter(|entry| entry.to_lowercase() == name.to_lowercase()).min()
 }
 
+fn is_installed(folder: &Path) -> bool {
+    INSTALLED.iter().any(|installed| folder == Path::new(installed))
+}
+
 /// Where distributions put POV-Ray's include files.
 const INSTALLED: &[&str] = &[
     "/usr/share/povray-3.7/include",
@@ -130,7 +139,7 @@ mod tests {
             std::fs::create_dir_all(path.parent().unwrap()).unwrap();
             std::fs::write(path, "").unwrap();
         }
-        let search = SearchPath { folders: vec![folder.path().into()] };
+        let search = SearchPath { folders: vec![folder.path().into()], fonts: vec![] };
         (folder, search)
     }
 

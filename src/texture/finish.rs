@@ -3,7 +3,7 @@
 use super::words::{FINISH, REFLECTION};
 use crate::color::Rgb;
 use crate::diagnostic::Result;
-use crate::value::{Next, Reader, ReaderExt};
+use crate::value::{Next, Reader, ReaderExt, Said};
 use serde::Serialize;
 
 /// All numbers of a finish.
@@ -44,6 +44,9 @@ pub struct Finish {
     /// The index of refraction, where an old scene says it here and no `interior` does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<Said>,
 }
 
 /// All numbers of a mirror.
@@ -83,6 +86,7 @@ impl Default for Finish {
             reflection: Reflection::default(),
             conserve_energy: false,
             ior: None,
+            undrawn: vec![],
         }
     }
 }
@@ -111,7 +115,9 @@ impl Finish {
                     f.reflection = Reflection::read(r)?;
                     r.leave()?;
                 }
-                Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => r.skip_unsupported(word)?,
+                Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => {
+                    f.undrawn.push(r.keep_undrawn(word)?)
+                }
                 _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),
             }
         }

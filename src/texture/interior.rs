@@ -2,7 +2,7 @@
 
 use super::words::INTERIOR;
 use crate::diagnostic::Result;
-use crate::value::{Next, Reader, ReaderExt};
+use crate::value::{Next, Reader, ReaderExt, Said};
 use serde::Serialize;
 
 /// What light meets inside.
@@ -10,11 +10,14 @@ use serde::Serialize;
 pub struct Interior {
     /// Index of refraction.
     pub ior: f64,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<Said>,
 }
 
 impl Default for Interior {
     fn default() -> Self {
-        Self { ior: 1.0 }
+        Self { ior: 1.0, undrawn: vec![] }
     }
 }
 
@@ -33,7 +36,9 @@ impl Interior {
                     r.take()?;
                     out.ior = r.float()?;
                 }
-                Next::Word(word) | Next::Block(word) if INTERIOR.leaves_out(word) => r.skip_unsupported(word)?,
+                Next::Word(word) | Next::Block(word) if INTERIOR.leaves_out(word) => {
+                    out.undrawn.push(r.keep_undrawn(word)?);
+                }
                 _ => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
             }
         }

@@ -49,6 +49,12 @@ pub trait Thing: Any + Send + Sync + std::fmt::Debug {
     fn kind(&self) -> &'static str;
 }
 
+/// The thing itself, if it is of this type.
+pub fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
+    let any: Arc<dyn Any + Send + Sync> = thing.clone();
+    any.downcast::<T>().ok()
+}
+
 /// A value of the language.
 #[derive(Clone, Debug)]
 pub enum Value {

@@ -3,10 +3,12 @@
 
 mod kinds;
 mod reader;
+mod said;
 mod spec;
 pub mod words;
 
-pub use kinds::{Thing, Value, VecN};
+pub use kinds::{Thing, Value, VecN, downcast};
 pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt, Solid};
+pub use said::Said;
 pub use spec::{Kind, Param, Spec, WordSpec};
 pub use words::Vocabulary;

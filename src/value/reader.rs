@@ -1,7 +1,7 @@
 //! The trait through which a family reads its own words. The interpreter implements it, so that
 //! directives and macro calls have already run when a family sees what comes next.
 
-use super::{Thing, Value};
+use super::{Said, Thing, Value, downcast};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result};
 use crate::math::{DVec2, DVec3, Transform};
@@ -103,11 +103,17 @@ pub trait Reader {
     /// Version and gamma in force here.
     fn language(&self) -> Language;
     /// Consumes a word or block that is known but not drawn yet, with all that belongs to it, and tells so.
-    fn skip_unsupported(&mut self, what: &str) -> Result<()>;
-    /// Consumes whatever comes next with all that is in it, and shows the values.
-    fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()>;
+    fn keep_undrawn(&mut self, what: &'static str) -> Result<Said>;
+    /// The same where nobody keeps it.
+    fn skip_unsupported(&mut self, what: &'static str) -> Result<()> {
+        self.keep_undrawn(what).map(drop)
+    }
+    /// Consumes whatever comes next with all that is in it, and keeps it behind what was said before.
+    fn pass(&mut self, row: &mut Vec<Said>) -> Result<()>;
     /// The file of this name where scenes look for theirs, if it is there and may be read; `at` is the name's place.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
+    /// A font of the system that looks like the one of this name, which is not there.
+    fn similar_font(&mut self, name: &str) -> Option<PathBuf>;
     /// Tells the user something without stopping.
     fn report(&mut self, diagnostic: Diagnostic);
     /// An error about what comes next: "expected …, found …".
@@ -138,10 +144,9 @@ impl<R: Reader + ?Sized> ReaderExt for R {
             return Ok(None);
         }
         let (thing, span) = self.take_thing()?;
-        let any: Arc<dyn std::any::Any + Send + Sync> = thing.clone();
-        match any.downcast::<T>() {
-            Ok(thing) => Ok(Some(thing)),
-            Err(_) => Diagnostic::err(
+        match downcast::<T>(&thing) {
+            Some(thing) => Ok(Some(thing)),
+            None => Diagnostic::err(
                 crate::diagnostic::codes::WRONG_TYPE,
                 span,
                 format!("{} can't stand here", Value::Thing(thing).describe()),

@@ -104,8 +104,8 @@ impl Lowering {
             }
             ObjectKind::Shape(shape) => Some(self.lower_shape(object, shape, &own)?),
             // Scripts that ask get an answer; nothing is seen.
-            ObjectKind::Undrawn(b) if self.asked => {
-                let stand_in = Arc::new(Shape::Cuboid(Cuboid::new(b.min, b.max)));
+            ObjectKind::Undrawn(shape) if self.asked => {
+                let stand_in = Arc::new(Shape::Cuboid(Cuboid::new(shape.bounds.min, shape.bounds.max)));
                 Some(self.lower_shape(object, &stand_in, &own)?)
             }
             ObjectKind::Undrawn(_) => None,
@@ -136,7 +136,7 @@ impl Lowering {
         let texture = look(&object.texture)?;
         // Old scenes name the index of refraction in the finish.
         let ior_of = |painted: &Painted| painted.texture.layers.iter().find_map(|layer| layer.finish.ior);
-        let old_ior = || object.texture.as_ref().and_then(ior_of).map(|ior| Interior { ior });
+        let old_ior = || object.texture.as_ref().and_then(ior_of).map(|ior| Interior { ior, ..Interior::default() });
         let interior = object.interior.as_deref().cloned().or_else(old_ior);
         // What a group says of its inside does not belong to a part's own texture.
         let inherited = if texture.is_none() { around.inside.clone() } else { None };

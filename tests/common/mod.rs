@@ -44,6 +44,7 @@ pub fn object(kind: ObjectKind, word: &'static str) -> Object {
         clipped_by: None,
         bounded_by: None,
         flags: Flags::default(),
+        undrawn: vec![],
         word,
         source: Span::NONE,
         default_texture: Arc::default(),
@@ -82,6 +83,7 @@ pub fn lamp(location: DVec3, color: f64) -> Object {
         shadowless: false,
         fade_distance: 0.0,
         fade_power: 0.0,
+        undrawn: vec![],
         source: Span::NONE,
     };
     object(ObjectKind::Light(Arc::new(light)), "light_source")
@@ -125,7 +127,7 @@ impl Looks for Object {
     }
 
     fn filled(mut self, ior: f64) -> Self {
-        self.interior = Some(Arc::new(Interior { ior }));
+        self.interior = Some(Arc::new(Interior { ior, ..Interior::default() }));
         self
     }
 }

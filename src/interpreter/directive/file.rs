@@ -237,10 +237,14 @@ impl<'a> Interpreter<'a> {
             }
             _ => return Err(self.unexpected_token("an open file").into()),
         };
-        // The binary form of the value that follows the word.
+        // The binary form of the values that follow the word up to a comma; with one behind the word itself it says nothing.
         let mut form = None;
         loop {
-            match self.peek()? {
+            let token = self.peek()?;
+            if self.behind_comma() {
+                form = None;
+            }
+            match token {
                 Token::End => return Ok(()),
                 Token::Word(word) if Binary::of(word).is_some() => {
                     self.advance();
@@ -249,7 +253,7 @@ impl<'a> Interpreter<'a> {
                 Token::Word(_) => return Err(self.unexpected_token("a value").into()),
                 _ => {
                     let (value, at) = self.value_here()?;
-                    if let Some(form) = form.take() {
+                    if let Some(form) = form {
                         let numbers = numbers_of(&value);
                         if numbers.is_empty() {
                             let message = format!("expected numbers, found {}", value.describe());
@@ -273,6 +277,24 @@ impl<'a> Interpreter<'a> {
                 }
             }
         }
+    }
+
+    /// Does a comma stand between what was read last and what comes next? The tree keeps none.
+    fn behind_comma(&self) -> bool {
+        // What comes next is the element at hand, or the first of a body whose call or directive has been passed.
+        let mut back = 1;
+        for frame in self.frames.iter().rev() {
+            if frame.item.0 > 0 {
+                return true;
+            }
+            if let Some(before) = frame.at.checked_sub(back).and_then(|i| frame.elements.get(i)) {
+                let Some((file, range)) = self.sources.locate(before.span) else { return false };
+                let text = self.sources.text(file);
+                return text[skip(text, range.end, |_| false)..].starts_with(',');
+            }
+            back = 2;
+        }
+        false
     }
 
     fn write_bytes(&mut self, index: usize, bytes: &[u8], span: Span) -> Result<()> {
@@ -356,10 +378,15 @@ fn file_name(elements: &[Element]) -> Option<Symbol> {
 }
 
 /// Over blanks, commas and comments.
-fn skip_blanks(text: &str, mut at: usize) -> usize {
+fn skip_blanks(text: &str, at: usize) -> usize {
+    skip(text, at, |c| c == ',')
+}
+
+/// Over blanks, comments and these characters.
+fn skip(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
     loop {
         let rest = &text[at..];
-        let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || c == ',').len();
+        let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || also(c)).len();
         let comment = match &rest.as_bytes()[blank..] {
             [b'/', b'/', ..] => rest[blank..].find(['\n', '\r']).unwrap_or(rest.len() - blank),
             [b'/', b'*', ..] => rest[blank..].find("*/").map_or(rest.len() - blank, |i| i + 2),

@@ -39,6 +39,11 @@ pub(super) fn begins_color(word: &str) -> bool {
     COLOR_WORDS.iter().any(|w| w.name == word)
 }
 
+/// Does it name one number of a colour alone?
+pub(super) fn is_component(word: &str) -> bool {
+    matches!(word, "red" | "green" | "blue" | "filter" | "transmit" | "alpha")
+}
+
 impl Interpreter<'_> {
     /// The colour that an expression gives after one of the words `rgb`, `rgbt` …: a number stands for as many components
     /// as the word has letters, and the two last of `rgbt` are swapped into place.
@@ -49,7 +54,9 @@ impl Interpreter<'_> {
 
     /// `filter 0.5` and its kin after a colour.
     fn color_components(&mut self, color: &mut Color) -> Result<()> {
-        while let Token::Word(word @ ("red" | "green" | "blue" | "filter" | "transmit" | "alpha")) = self.peek_on()? {
+        while let Token::Word(word) = self.peek_on()?
+            && is_component(word)
+        {
             self.advance();
             let x = self.float()?;
             set_component(color, word, x);
@@ -113,7 +120,7 @@ impl Interpreter<'_> {
         }
         let mut color = Color::BLACK;
         match word {
-            "red" | "green" | "blue" | "filter" | "transmit" | "alpha" => {
+            word if is_component(word) => {
                 let x = self.float()?;
                 set_component(&mut color, word, x);
             }

@@ -16,9 +16,9 @@ use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
-use crate::source::Span;
+use crate::source::{Span, fonts};
 use crate::syntax::ast::*;
-use crate::value::{FloatOrColor, Language, Next, Reader, Solid, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Reader, Said, Solid, Thing, Value, VecN};
 use crate::world::Probe;
 pub use color::COLOR_WORDS;
 use color::begins_color;
@@ -321,8 +321,12 @@ impl Reader for Interpreter<'_> {
         self.find_read_file(name, at)
     }
 
-    fn pass(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()> {
-        self.pass_over(seen)
+    fn similar_font(&mut self, name: &str) -> Option<PathBuf> {
+        fonts::similar(name, &self.options.search.fonts, |path| self.options.sandbox.may_read(path))
+    }
+
+    fn pass(&mut self, row: &mut Vec<Said>) -> Result<()> {
+        self.pass_over(row)
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
@@ -338,8 +342,8 @@ impl Reader for Interpreter<'_> {
         self.tell_unknown_word(block, takes)
     }
 
-    fn skip_unsupported(&mut self, what: &str) -> Result<()> {
-        self.skip_with_warning(what)
+    fn keep_undrawn(&mut self, what: &'static str) -> Result<Said> {
+        self.keep_with_warning(what)
     }
 }
 

@@ -1,16 +1,16 @@
-//! Passing over what is known and not drawn yet.
+//! Passing over what is known and not drawn yet; what was said is kept.
 
 use super::super::Interpreter;
 use super::super::scope::Slot;
 use super::super::stream::Token;
-use super::color::begins_color;
+use super::color::{begins_color, is_component};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::syntax::ast::{Block, Expr, ExprKind};
-use crate::value::{Next, Reader, Value, VecN};
+use crate::value::{Next, Reader, Said};
 
 impl Interpreter<'_> {
     /// A word or block with all that belongs to it.
-    pub(super) fn skip_with_warning(&mut self, what: &str) -> Result<()> {
+    pub(super) fn keep_with_warning(&mut self, what: &'static str) -> Result<Said> {
         let token = self.peek()?;
         let (word, span) = match token {
             Token::Block(Block { name, .. }) | Token::Open(name) => (name.word.unwrap_or(what), name.span),
@@ -19,72 +19,80 @@ impl Interpreter<'_> {
         };
         self.report(Diagnostic::new(codes::UNSUPPORTED, span, format!("`{word}` is not drawn yet: it is left out")));
         match token {
-            Token::Block(_) | Token::Open(_) | Token::Function(_) | Token::Expr(_) => self.pass_over(&mut |_| {})?,
+            Token::Block(_) | Token::Open(_) => self.enclosed_said(word),
+            Token::Function(_) | Token::Expr(_) => {
+                let mut row = vec![];
+                self.pass_over(&mut row)?;
+                Ok(Said::Block(word, row.into()))
+            }
             _ => {
                 self.advance();
-                self.skip_arguments()?;
+                let row = self.arguments_said()?;
+                Ok(if row.is_empty() { Said::Word(word) } else { Said::Block(word, row.into()) })
             }
         }
-        Ok(())
     }
 
     /// The values, entries and texts after a word.
-    fn skip_arguments(&mut self) -> Result<()> {
+    fn arguments_said(&mut self) -> Result<Vec<Said>> {
+        let mut row = vec![];
         loop {
             match Reader::next(self)? {
-                Next::Value => drop(self.value_here()),
-                Next::Word(word) if begins_color(word) => drop(self.read_color()?),
-                Next::Function => drop(self.rvalue()?),
-                Next::Entry | Next::Group => self.advance(),
-                Next::Thing("color_map" | "pigment" | "texture" | "normal") => drop(self.take_thing()?),
-                _ => return Ok(()),
+                Next::Value | Next::Function | Next::Entry | Next::Group => self.pass_over(&mut row)?,
+                Next::Word(word) if begins_color(word) => row.push(Said::Color(self.read_color()?)),
+                Next::Thing("color_map" | "pigment" | "texture" | "normal") => self.pass_over(&mut row)?,
+                _ => return Ok(row),
             }
         }
     }
 
+    /// A block, entry or group to its end.
+    fn enclosed_said(&mut self, word: &'static str) -> Result<Said> {
+        self.take()?;
+        let mut row = vec![];
+        while !matches!(self.peek()?, Token::End) {
+            self.pass_over(&mut row)?;
+        }
+        self.leave()?;
+        Ok(Said::Block(word, row.into()))
+    }
+
     /// Whatever comes next, with all that is in it. Directives run and values are computed, so that mistakes are found.
-    pub(super) fn pass_over(&mut self, seen: &mut dyn FnMut(&Value)) -> Result<()> {
+    pub(super) fn pass_over(&mut self, row: &mut Vec<Said>) -> Result<()> {
         match self.peek()? {
-            Token::Block(_) | Token::Open(_) | Token::Entry(_) | Token::Group(_) => {
-                self.take()?;
-                while !matches!(self.peek()?, Token::End) {
-                    self.pass_over(seen)?;
-                }
-                self.leave()
+            Token::Block(Block { name, .. }) | Token::Open(name) => {
+                row.push(self.enclosed_said(name.word.unwrap_or("block"))?);
             }
+            Token::Entry(_) => row.push(self.enclosed_said("entry")?),
+            Token::Group(_) => row.push(self.enclosed_said("group")?),
             Token::Numbers(data) => {
                 self.advance();
-                if (2..=5).contains(&data.len()) {
-                    seen(&Value::Vector(VecN::from_slice(data)));
-                }
-                Ok(())
+                Said::push_numbers(row, data);
             }
             // `<a, b, … >` of a quartic has more numbers than a vector.
-            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 => {
+            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) => {
                 self.advance();
-                Ok(())
+                Said::push_numbers(row, data);
             }
             Token::Expr(Expr { kind: ExprKind::Vector(parts), span }) => {
                 self.advance();
                 let data = self.numbers_in(parts, *span)?;
-                if (2..=5).contains(&data.len()) {
-                    seen(&Value::Vector(VecN::from_slice(&data)));
-                }
-                Ok(())
+                Said::push_numbers(row, &data);
             }
             Token::Expr(_) | Token::Element(_) | Token::Function(_) => {
                 if let Slot::Value(value) = self.rvalue()? {
-                    seen(&value);
+                    Said::push_value(row, &value);
                 }
-                Ok(())
             }
-            Token::Word(_) => {
+            Token::Word(word) if begins_color(word) && !is_component(word) => row.push(Said::Color(self.read_color()?)),
+            Token::Word(word) => {
                 self.advance();
-                Ok(())
+                row.push(Said::Word(word));
             }
             Token::Values(_) | Token::Key(_) | Token::Colon | Token::End => {
-                Err(self.unexpected_token("a word, a value or a block").into())
+                return Err(self.unexpected_token("a word, a value or a block").into());
             }
         }
+        Ok(())
     }
 }

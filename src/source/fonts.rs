@@ -1,0 +1,210 @@
+//! Fonts that stand for those that a scene names and that are not there.
+
+use std::path::{Path, PathBuf};
+
+/// How letters look, as far as the name of a file tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Style {
+    family: Family,
+    bold: bool,
+    italic: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Family {
+    Mono,
+    Sans,
+    Serif,
+}
+
+/// Parts of names, in small letters, that tell the family; the first that is found counts, and `Sans` where none is.
+const FAMILIES: &[(&str, Family)] = &[
+    ("cour", Family::Mono),
+    ("mono", Family::Mono),
+    ("crystal", Family::Mono),
+    ("consol", Family::Mono),
+    ("typewriter", Family::Mono),
+    ("lucon", Family::Mono),
+    ("fixed", Family::Mono),
+    ("sans", Family::Sans),
+    ("times", Family::Serif),
+    ("timrom", Family::Serif),
+    ("roman", Family::Serif),
+    ("serif", Family::Serif),
+    ("georgia", Family::Serif),
+    ("garamond", Family::Serif),
+    ("pala", Family::Serif),
+    ("book", Family::Serif),
+    ("century", Family::Serif),
+    ("cambria", Family::Serif),
+    ("antiqua", Family::Serif),
+    ("bodoni", Family::Serif),
+];
+
+/// Families whose files on Windows say their weight by a few letters: `arialbd`, `verdanaz`.
+const SHORT: &[&str] = &[
+    "arial", "times", "cour", "verdana", "georgia", "trebuc", "tahoma", "calibri", "cambria", "consola", "pala",
+    "comic",
+];
+
+/// Those letters: bold, italic.
+const ENDINGS: &[(&str, bool, bool)] = &[
+    ("bd", true, false),
+    ("b", true, false),
+    ("i", false, true),
+    ("it", false, true),
+    ("bi", true, true),
+    ("z", true, true),
+];
+
+/// Fonts that are taken rather than others: those of the lengths that Windows' fonts have come first.
+const PREFERRED: &[&str] = &["liberation", "dejavu", "free", "noto", "timrom", "cyrvetic", "crystal"];
+
+/// Parts of the names of fonts that nobody would take for plain letters.
+const ODD: &[&str] =
+    &["condensed", "narrow", "light", "thin", "black", "math", "symbol", "emoji", "dingbat", "logo", "icon", "caps"];
+
+impl Style {
+    fn of(name: &str) -> Self {
+        let plain = plain(name);
+        let family = FAMILIES.iter().find(|(part, _)| plain.contains(part)).map_or(Family::Sans, |(_, family)| *family);
+        let holds = |parts: &[&str]| parts.iter().any(|part| plain.contains(part));
+        let (bold, italic) = (holds(&["bold", "black", "heavy"]), holds(&["italic", "oblique", "slanted"]));
+        let ending = SHORT.iter().find_map(|short| plain.strip_prefix(short));
+        let (b, i) = ENDINGS.iter().find(|(e, ..)| ending == Some(e)).map_or((false, false), |(_, b, i)| (*b, *i));
+        Self { family, bold: bold || b, italic: italic || i }
+    }
+}
+
+/// The small letters of a file's name without its ending.
+fn plain(name: &str) -> String {
+    let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
+    stem.chars().filter(|c| c.is_ascii_alphabetic()).map(|c| c.to_ascii_lowercase()).collect()
+}
+
+/// The font in these folders and below them that is most like the one of this name; the same one wherever the same files
+/// lie. `may_read` says which files count.
+pub fn similar(name: &str, folders: &[PathBuf], may_read: impl Fn(&Path) -> bool) -> Option<PathBuf> {
+    let mut files = vec![];
+    folders.iter().for_each(|folder| collect(folder, MAX_DEPTH, &mut files));
+    let wanted = Style::of(name);
+    files.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));
+    files.into_iter().find(|file| may_read(file))
+}
+
+/// Folders inside of each other.
+const MAX_DEPTH: usize = 6;
+/// Files are enough to choose from.
+const MAX_FILES: usize = 20_000;
+
+fn collect(folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    paths.sort();
+    for path in paths {
+        if path.is_dir() && depth > 0 {
+            collect(&path, depth - 1, out);
+        } else if is_font(&path) && out.len() < MAX_FILES {
+            out.push(path);
+        }
+    }
+}
+
+fn is_font(path: &Path) -> bool {
+    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    ["ttf", "otf", "ttc"].iter().any(|e| ending.eq_ignore_ascii_case(e)) && path.is_file()
+}
+
+/// How much a font differs from what is wanted; what counts most comes first.
+fn difference(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let (style, plain) = (Style::of(&name), plain(&name));
+    let odd = ODD.iter().any(|part| plain.contains(part));
+    let rank = PREFERRED.iter().position(|p| plain.starts_with(p)).unwrap_or(PREFERRED.len());
+    (odd, style.family != wanted.family, style.bold != wanted.bold, style.italic != wanted.italic, rank, plain)
+}
+
+/// Where fonts are looked for: the folders of `DURER_FONTS`, or those of the system and the user.
+pub fn folders() -> Vec<PathBuf> {
+    if let Some(list) = std::env::var_os("DURER_FONTS") {
+        return std::env::split_paths(&list).collect();
+    }
+    let home = std::env::var_os("HOME").map(PathBuf::from);
+    let own = home.iter().flat_map(|home| [home.join(".fonts"), home.join(".local/share/fonts")]);
+    SYSTEM.iter().map(PathBuf::from).chain(own).collect()
+}
+
+/// Where systems keep their fonts.
+const SYSTEM: &[&str] = &["/usr/share/fonts", "/usr/local/share/fonts", "/Library/Fonts", "/System/Library/Fonts"];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DEJAVU: &[&str] = &[
+        "DejaVuMathTeXGyre",
+        "DejaVuSans",
+        "DejaVuSans-Bold",
+        "DejaVuSans-BoldOblique",
+        "DejaVuSans-ExtraLight",
+        "DejaVuSansCondensed",
+        "DejaVuSansMono",
+        "DejaVuSansMono-Bold",
+        "DejaVuSerif",
+        "DejaVuSerif-BoldItalic",
+        "DejaVuSerif-Italic",
+        "OpenSymbol",
+    ];
+
+    fn folder(names: &[&str]) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("truetype")).unwrap();
+        for name in names {
+            std::fs::write(folder.path().join("truetype").join(format!("{name}.ttf")), "").unwrap();
+        }
+        folder
+    }
+
+    fn found(name: &str, folders: &[&tempfile::TempDir]) -> Option<String> {
+        let folders: Vec<PathBuf> = folders.iter().map(|f| f.path().to_path_buf()).collect();
+        let file = similar(name, &folders, |_| true)?;
+        Some(file.file_stem()?.to_str()?.to_string())
+    }
+
+    #[test]
+    fn the_style_is_kept() {
+        let fonts = folder(DEJAVU);
+        for (name, like) in [
+            ("timrom.ttf", "DejaVuSerif"),
+            ("timesi.ttf", "DejaVuSerif-Italic"),
+            ("Times New Roman Bold Italic.otf", "DejaVuSerif-BoldItalic"),
+            ("arial.ttf", "DejaVuSans"),
+            ("c:\\windows\\fonts\\arialbd.ttf", "DejaVuSans-Bold"),
+            ("VERDANAZ.TTF", "DejaVuSans-BoldOblique"),
+            ("cyrvetic", "DejaVuSans"),
+            ("cour.ttf", "DejaVuSansMono"),
+            ("CourierNew-Bold.ttf", "DejaVuSansMono-Bold"),
+            ("crystal.ttf", "DejaVuSansMono"),
+            ("no_such_font.ttf", "DejaVuSans"),
+        ] {
+            assert_eq!(found(name, &[&fonts]).as_deref(), Some(like), "{name}");
+        }
+    }
+
+    #[test]
+    fn some_are_preferred() {
+        let (dejavu, others) = (folder(DEJAVU), folder(&["AArdvark", "LiberationSans-Regular", "LiberationSerif"]));
+        assert_eq!(found("arial", &[&dejavu, &others]).as_deref(), Some("LiberationSans-Regular"));
+        assert_eq!(found("arial", &[&others, &dejavu]).as_deref(), Some("LiberationSans-Regular"));
+        assert_eq!(found("arialbd", &[&others, &dejavu]).as_deref(), Some("DejaVuSans-Bold"));
+        assert_eq!(found("cour", &[&folder(&["AArdvark"])]).as_deref(), Some("AArdvark"));
+    }
+
+    #[test]
+    fn without_fonts_there_is_none() {
+        assert_eq!(found("arial.ttf", &[&folder(&[])]), None);
+        let fonts = folder(DEJAVU);
+        assert_eq!(similar("arial.ttf", &[fonts.path().into()], |_| false), None);
+    }
+}

@@ -1,0 +1,101 @@
+//! What is not drawn yet is kept in the Scene, and its dump shows it.
+
+#![allow(clippy::unwrap_used)]
+
+use durer::interpreter::{Options, Outcome, interpret};
+use durer::source::{Sandbox, SearchPath, Sources};
+use std::path::PathBuf;
+
+fn outcome(text: &str, fonts: Vec<PathBuf>) -> Outcome {
+    let options = Options {
+        sandbox: Sandbox { read: fonts.clone(), write: vec![] },
+        search: SearchPath { folders: vec![], fonts },
+        declares: vec![],
+        timing: Default::default(),
+        input_name: String::new(),
+        size: (4, 3),
+        max_steps: 1_000_000,
+        max_time: None,
+        max_memory: None,
+    };
+    durer::on_big_stack(|| {
+        let sources = Sources::default();
+        let file = sources.add("scene", None, text.to_string()).unwrap();
+        interpret(&sources, file, &options, &mut |_| {})
+    })
+}
+
+fn dump(text: &str) -> String {
+    serde_json::to_string(&outcome(text, vec![]).scene.expect("a scene")).unwrap()
+}
+
+#[track_caller]
+fn holds(dump: &str, part: &str) {
+    assert!(dump.contains(part), "{part} is not in\n{dump}");
+}
+
+#[test]
+fn the_dump_shows_what_is_not_drawn() {
+    let dump = dump(
+        r#"
+        #version 3.7;
+        global_settings { assumed_gamma 1 number_of_waves 7 radiosity { count 17 recursion_limit 1+1 } }
+        #declare Red = rgb <1, 0, 0>;
+        fog { fog_type 2 distance 123 color Red }
+        sky_sphere { pigment { gradient y color_map { [0 rgb 0.25] [1 rgbt <0, 0, 1, 0.5>] } } }
+        camera { fisheye angle 160 location <0, 0, -5> look_at 0 aperture 0.4 focal_point <0, 0, 0.75> }
+        light_source { 5*y, rgb 1 area_light 4*x, <0, 0, 4>, 5, 6 adaptive 2 jitter spotlight point_at <1, 2, 3> }
+        blob { threshold 0.65 sphere { <1, 0, 0>, 1.5, 2 pigment { Red } } pigment { Red } }
+        #declare Dust = media { scattering { 3, rgb 0.125 } };
+        sphere {
+          0, 1 hollow photons { target 0.75 }
+          finish { irid { 0.35 thickness 0.5 } }
+          interior { media { Dust } fade_distance 4.5 }
+        }
+        "#,
+    );
+    holds(&dump, r#"{"number_of_waves":[7.0]}"#);
+    holds(&dump, r#"{"radiosity":["count",17.0,"recursion_limit",2.0]}"#);
+    holds(&dump, r#"{"fog":["fog_type",2.0,"distance",123.0,{"rgb":[1.0,0.0,0.0]}]}"#);
+    holds(&dump, r#"{"entry":[0.0,{"rgb":[0.25,0.25,0.25]}]},{"entry":[1.0,{"rgbft":[0.0,0.0,1.0,0.0,0.5]}]}"#);
+    holds(&dump, r#""undrawn":["fisheye",{"aperture":[0.4]},{"focal_point":[[0.0,0.0,0.75]]}]"#);
+    holds(&dump, r#"{"area_light":[[4.0,0.0,0.0],[0.0,0.0,4.0],5.0,6.0]},{"adaptive":[2.0]},"jitter","spotlight""#);
+    holds(&dump, r#"{"point_at":[[1.0,2.0,3.0]]}"#);
+    holds(&dump, r#""said":["threshold",0.65,{"sphere":[[1.0,0.0,0.0],1.5,2.0,{"pigment":[{"rgb":[1.0,0.0,0.0]}]}]}]"#);
+    holds(&dump, r#"{"photons":["target",0.75]}"#);
+    holds(&dump, r#"{"irid":[0.35,"thickness",0.5]}"#);
+    holds(&dump, r#"{"media":[{"media":[{"scattering":[3.0,{"rgb":[0.125,0.125,0.125]}]}]}]},{"fade_distance":[4.5]}"#);
+}
+
+#[test]
+fn a_scene_that_is_drawn_shows_nothing_of_it() {
+    let dump = dump("#version 3.7; camera { location -5*z } light_source { y, 1 } sphere { 0, 1 finish { phong 1 } }");
+    assert!(!dump.contains("undrawn") && !dump.contains("said"), "{dump}");
+}
+
+#[test]
+fn a_text_names_the_font_that_is_there() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["DejaVuSans.ttf", "DejaVuSerif-Bold.ttf"] {
+        std::fs::write(folder.path().join(name), "").unwrap();
+    }
+    let text =
+        "#version 3.7; camera { location -5*z } text { ttf \"timesbd\" \"Dürer\" 0.25, <0, 0, 0> pigment { rgb 1 } }";
+    let told = |outcome: &Outcome| {
+        let told = outcome.diagnostics.iter().find(|d| d.code == durer::diagnostic::codes::FONT_MISSING);
+        told.unwrap().message.clone()
+    };
+    let with = outcome(text, vec![folder.path().into()]);
+    assert_eq!(told(&with), "the font `timesbd` was not found: `DejaVuSerif-Bold.ttf` stands for it");
+    let json = serde_json::to_string(&with.scene.unwrap()).unwrap();
+    let file = folder.path().join("DejaVuSerif-Bold.ttf");
+    let file = serde_json::to_string(&file).unwrap();
+    holds(
+        &json,
+        &format!(
+            r#""said":[{{"ttf":[{{"text":"timesbd"}},{{"text":{file}}}]}},{{"text":"Dürer"}},0.25,[0.0,0.0,0.0]]"#
+        ),
+    );
+    let without = outcome(text, vec![]);
+    assert_eq!(told(&without), "the font `timesbd` was not found, and there is no other one that could stand for it");
+}
