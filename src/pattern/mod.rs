@@ -1,31 +1,48 @@
 //! Patterns: a number, or the index of a cell, for each point of space. Adding one is a file here and a row in the
 //! tables below.
 
+mod boxed;
 mod brick;
 mod checker;
+mod cubic;
+mod cylindrical;
 mod function;
 mod gradient;
 mod hexagon;
 mod modifiers;
 mod object;
 mod placed;
+mod planar;
 mod space;
+mod spherical;
 mod spot;
+mod square;
+mod triangular;
 mod turbulence;
 mod warp;
 
+pub use boxed::Boxed;
 pub use brick::Brick;
 pub use checker::Checker;
+pub use cubic::Cubic;
+pub use cylindrical::Cylindrical;
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use hexagon::Hexagon;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use placed::{Kind, Pattern};
+pub use planar::Planar;
 pub use space::{Space, Step};
+pub use spherical::Spherical;
 pub use spot::{Field, Spot};
+pub use square::Square;
+pub use triangular::Triangular;
 pub use turbulence::Turbulent;
-pub use warp::{TurbulenceWarp, Warp};
+pub use warp::{
+    BlackHole, CubicWarp, CylindricalWarp, Layout, PlanarWarp, Repeat, SphericalWarp, ToroidalWarp, TurbulenceWarp,
+    Warp,
+};
 
 use crate::color::Color;
 use crate::diagnostic::Result;
@@ -124,21 +141,21 @@ macro_rules! cells {
     };
 }
 
-cells! { Checker Hexagon Brick ObjectPattern }
+cells! { Checker Hexagon Brick ObjectPattern Cubic Square Triangular }
 
-fields! { Gradient FunctionPattern }
+fields! {
+    Gradient FunctionPattern
+    Planar Boxed Spherical Cylindrical
+}
 
 /// Patterns of the language that are not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
     "agate",
     "aoi",
-    "boxed",
     "bozo",
     "bumps",
     "cells",
     "crackle",
-    "cubic",
-    "cylindrical",
     "density_file",
     "dents",
     "facets",
@@ -152,18 +169,14 @@ pub const NOT_DRAWN: &[&str] = &[
     "onion",
     "pavement",
     "pigment_pattern",
-    "planar",
     "quilted",
     "radial",
     "ripples",
     "slope",
-    "spherical",
     "spiral1",
     "spiral2",
     "spotted",
-    "square",
     "tiling",
-    "triangular",
     "waves",
     "wood",
     "wrinkles",
