@@ -1,6 +1,7 @@
 //! Patterns: a number, or the index of a cell, for each point of space. Adding one is a file here and a row in the
 //! tables below.
 
+pub mod bitmap;
 mod boxed;
 mod brick;
 mod checker;
@@ -9,7 +10,6 @@ mod cylindrical;
 mod function;
 mod gradient;
 mod hexagon;
-pub mod image;
 mod modifiers;
 mod object;
 mod placed;
@@ -22,6 +22,7 @@ mod triangular;
 mod turbulence;
 mod warp;
 
+pub use bitmap::{ImagePattern, MaterialMap};
 pub use boxed::Boxed;
 pub use brick::Brick;
 pub use checker::Checker;
@@ -30,7 +31,6 @@ pub use cylindrical::Cylindrical;
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use hexagon::Hexagon;
-pub use image::{ImagePattern, MaterialMap};
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
