@@ -1,31 +1,50 @@
 //! Patterns: a number, or the index of a cell, for each point of space. Adding one is a file here and a row in the
 //! tables below.
 
+mod boxed;
 mod brick;
 mod checker;
+mod cubic;
+mod cylindrical;
 mod function;
 mod gradient;
 mod hexagon;
+pub mod image;
 mod modifiers;
 mod object;
 mod placed;
+mod planar;
 mod space;
+mod spherical;
 mod spot;
+mod square;
+mod triangular;
 mod turbulence;
 mod warp;
 
+pub use boxed::Boxed;
 pub use brick::Brick;
 pub use checker::Checker;
+pub use cubic::Cubic;
+pub use cylindrical::Cylindrical;
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use hexagon::Hexagon;
+pub use image::{ImagePattern, MaterialMap};
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
+pub use planar::Planar;
 pub use space::{Space, Step};
+pub use spherical::Spherical;
 pub use spot::{Field, Spot};
+pub use square::Square;
+pub use triangular::Triangular;
 pub use turbulence::Turbulent;
-pub use warp::{TurbulenceWarp, Warp};
+pub use warp::{
+    BlackHole, CubicWarp, CylindricalWarp, Layout, PlanarWarp, Repeat, SphericalWarp, ToroidalWarp, TurbulenceWarp,
+    Warp,
+};
 
 use crate::color::Color;
 use crate::diagnostic::Result;
@@ -124,26 +143,25 @@ macro_rules! cells {
     };
 }
 
-cells! { Checker Hexagon Brick ObjectPattern }
+cells! { Checker Hexagon Brick ObjectPattern MaterialMap Cubic Square Triangular }
 
-fields! { Gradient FunctionPattern }
+fields! {
+    Gradient FunctionPattern ImagePattern
+    Planar Boxed Spherical Cylindrical
+}
 
 /// Patterns of the language that are not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
     "agate",
     "aoi",
-    "boxed",
     "bozo",
     "bumps",
     "cells",
     "crackle",
-    "cubic",
-    "cylindrical",
     "density_file",
     "dents",
     "facets",
     "granite",
-    "image_pattern",
     "julia",
     "leopard",
     "magnet",
@@ -152,18 +170,14 @@ pub const NOT_DRAWN: &[&str] = &[
     "onion",
     "pavement",
     "pigment_pattern",
-    "planar",
     "quilted",
     "radial",
     "ripples",
     "slope",
-    "spherical",
     "spiral1",
     "spiral2",
     "spotted",
-    "square",
     "tiling",
-    "triangular",
     "waves",
     "wood",
     "wrinkles",
@@ -181,19 +195,12 @@ pub const WORDS_NOT_DRAWN: &[&str] = &[
     "exponent",
     "exterior",
     "form",
-    "image_map",
     "interior",
-    "interpolate",
-    "map_type",
     "metric",
     "offset",
-    "once",
     "orientation",
     "size",
     "solid",
-    "use_alpha",
-    "use_color",
-    "use_index",
 ];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?

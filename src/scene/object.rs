@@ -53,6 +53,7 @@ pub struct Flags {
     pub inverse: bool,
     pub double_illuminate: bool,
     pub cutaway_textures: bool,
+    pub uv_mapping: bool,
 }
 
 /// An object as it was written. Cheap to copy: what is large is shared.
@@ -247,6 +248,7 @@ impl Object {
         loop {
             let next = r.next()?;
             if next == Next::End {
+                self.map_texture_by_uv();
                 return Ok(());
             }
             if let (Next::Word(word), Some(shape)) = (next, shape.as_deref_mut())
@@ -261,6 +263,13 @@ impl Object {
                 let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
                 return Err(r.unknown_word(self.word, &words).into());
             }
+        }
+    }
+
+    /// `uv_mapping` of an object is its texture's.
+    fn map_texture_by_uv(&mut self) {
+        if let Some(painted) = self.texture.as_mut().filter(|_| self.flags.uv_mapping) {
+            Arc::make_mut(&mut painted.texture).set_uv();
         }
     }
 
@@ -322,6 +331,7 @@ impl Object {
             "inverse" => &mut f.inverse,
             "double_illuminate" => &mut f.double_illuminate,
             "cutaway_textures" => &mut f.cutaway_textures,
+            "uv_mapping" => &mut f.uv_mapping,
             _ => return None,
         })
     }

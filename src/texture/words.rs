@@ -1,7 +1,7 @@
 //! The words of `pigment`, `finish`, `texture` and `interior`: what the readers obey and the manual lists.
 
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, WORDS_NOT_DRAWN};
-use crate::value::Kind::{Block, Color, Flag, Float};
+use crate::value::Kind::{Block, Color, Flag, Float, Nothing};
 use crate::value::words::word;
 use crate::value::{Spec, Vocabulary};
 
@@ -18,12 +18,31 @@ pub const PIGMENT: Vocabulary = Vocabulary {
         ),
         word("colour_map", Block, "", "the same"),
         word("pigment_map", Block, "", "`[number pigment]` entries: which pigment each number of the pattern gets"),
+        word("image_map", Block, "", "a picture"),
         word("quick_color", Color, "", "drawn in its place with `--quality 5` and less"),
         word("quick_colour", Color, "", "the same"),
     ],
     moves: true,
     idle: &[],
     not_drawn: WORDS_NOT_DRAWN,
+};
+
+/// `image_map { … }`
+pub const IMAGE_MAP: Vocabulary = Vocabulary {
+    block: "image_map",
+    summary: "a picture as the colours of a surface: a file's name, or `function W, H { … }`, and these words",
+    words: &[
+        word("map_type", Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus"),
+        word("once", Nothing, "", "it is there once, not again and again"),
+        word("interpolate", Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance"),
+        word("filter", Float, "0", "`filter all A` or, for one colour of a palette, `filter N, A`"),
+        word("transmit", Float, "0", "`transmit all A` or, for one colour of a palette, `transmit N, A`"),
+        word("gamma", Float, "", "how the file's numbers stand to light, instead of what the file says; or `srgb`"),
+        word("premultiplied", Flag, "", "the file's colours are multiplied with alpha already"),
+    ],
+    moves: false,
+    idle: &[],
+    not_drawn: &[],
 };
 
 /// All words of a pigment, those of colours and patterns among them.
@@ -46,11 +65,12 @@ pub const TEXTURE: Vocabulary = Vocabulary {
         word("texture_map", Block, "", "behind a pattern: which texture each of its numbers gets"),
         word("uv_mapping", Flag, "off", "it sees the place on the surface, (u, v, 0), instead of the point"),
         word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
+        word("material_map", Block, "", "a picture whose numbers choose among textures"),
         word("tiles", Block, "", "of old scenes: a checker of two textures, `tiles { texture … tile2 texture … }`"),
     ],
     moves: true,
     idle: &[],
-    not_drawn: &["material_map"],
+    not_drawn: &[],
 };
 
 /// `normal { … }`, beside patterns and their words.
@@ -67,11 +87,12 @@ pub const NORMAL: Vocabulary = Vocabulary {
         ),
         word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
         word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
+        word("bump_map", Block, "", "a picture whose brightness is the height"),
         word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
     ],
     moves: true,
     idle: &[],
-    not_drawn: &["bump_map"],
+    not_drawn: &[],
 };
 
 /// `finish { … }`

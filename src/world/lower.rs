@@ -288,6 +288,8 @@ fn joined(own: Flags, around: Flags) -> Flags {
         inverse: own.inverse,
         double_illuminate: own.double_illuminate || around.double_illuminate,
         cutaway_textures: own.cutaway_textures || around.cutaway_textures,
+        // It has been said to the object's texture when it was read.
+        ..own
     }
 }
 
