@@ -56,9 +56,8 @@ fn compare(setting: &str, rows: &str) -> Result<(), Failed> {
 /// A scene that prints the pattern's numbers.
 fn scene(setting: &str, rows: &[Vec<f64>]) -> String {
     let (settings, pattern) = setting.rsplit_once('|').unwrap_or(("", setting));
-    let call = |row: &Vec<f64>| {
-        format!("#debug concat(str(F({:?}, {:?}, {:?}), 0, 17), \"\\n\")\n", row[0], row[1], row[2])
-    };
+    let call =
+        |row: &Vec<f64>| format!("#debug concat(str(F({:?}, {:?}, {:?}), 0, 17), \"\\n\")\n", row[0], row[1], row[2]);
     format!(
         "#version 3.7;\nglobal_settings {{ assumed_gamma 1 {settings} }}\n\
          #declare F = function {{ pattern {{ {pattern} }} }}\n{}",

@@ -1,31 +1,69 @@
 //! Patterns: a number, or the index of a cell, for each point of space. Adding one is a file here and a row in the
 //! tables below.
 
+mod agate;
+mod bozo;
 mod brick;
+mod bumps;
+mod cells;
 mod checker;
+mod crackle;
+mod dents;
 mod function;
 mod gradient;
+mod granite;
 mod hexagon;
+mod leopard;
+mod marble;
 mod modifiers;
 mod object;
+mod onion;
 mod placed;
+mod quilted;
+mod radial;
+mod ripples;
 mod space;
+mod spiral1;
+mod spiral2;
 mod spot;
+mod spotted;
 mod turbulence;
 mod warp;
+mod waves;
+mod wood;
+mod wrinkles;
 
+pub use agate::Agate;
+pub use bozo::Bozo;
 pub use brick::Brick;
+pub use bumps::Bumps;
+pub use cells::RandomCells;
 pub use checker::Checker;
+pub use crackle::Crackle;
+pub use dents::Dents;
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
+pub use granite::Granite;
 pub use hexagon::Hexagon;
+pub use leopard::Leopard;
+pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
+pub use onion::Onion;
 pub use placed::{Kind, Pattern};
+pub use quilted::Quilted;
+pub use radial::Radial;
+pub use ripples::Ripples;
 pub use space::{Space, Step};
-pub use spot::{Field, Spot};
+pub use spiral1::Spiral1;
+pub use spiral2::Spiral2;
+pub use spot::{Field, Said, Spot};
+pub use spotted::Spotted;
 pub use turbulence::Turbulent;
 pub use warp::{TurbulenceWarp, Warp};
+pub use waves::Waves;
+pub use wood::Wood;
+pub use wrinkles::Wrinkles;
 
 use crate::color::Color;
 use crate::diagnostic::Result;
@@ -97,6 +135,10 @@ macro_rules! fields {
 
         impl Field for FieldPattern {
             fn value(&self, at: &Spot) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
+            fn value_as(&self, at: &Spot, said: &Said) -> f64 {
+                match self { $(FieldPattern::$name(f) => f.value_as(at, said)),* }
+            }
+            fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
             fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
                 match self { $(FieldPattern::$name(f) => f.stirred(at, by)),* }
             }
@@ -126,71 +168,49 @@ macro_rules! cells {
 
 cells! { Checker Hexagon Brick ObjectPattern }
 
-fields! { Gradient FunctionPattern }
+fields! {
+    Gradient FunctionPattern
+    Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves Wood
+    Wrinkles
+}
 
 /// Patterns of the language that are not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
-    "agate",
     "aoi",
     "boxed",
-    "bozo",
-    "bumps",
-    "cells",
-    "crackle",
     "cubic",
     "cylindrical",
     "density_file",
-    "dents",
     "facets",
-    "granite",
     "image_pattern",
     "julia",
-    "leopard",
     "magnet",
     "mandel",
-    "marble",
-    "onion",
     "pavement",
     "pigment_pattern",
     "planar",
-    "quilted",
-    "radial",
-    "ripples",
     "slope",
     "spherical",
-    "spiral1",
-    "spiral2",
-    "spotted",
     "square",
     "tiling",
     "triangular",
-    "waves",
-    "wood",
-    "wrinkles",
 ];
 
 /// Words about patterns that are not drawn yet.
 pub const WORDS_NOT_DRAWN: &[&str] = &[
-    "agate_turb",
     "altitude",
-    "control0",
-    "control1",
     "coords",
     "cube",
     "df3",
     "exponent",
     "exterior",
-    "form",
     "image_map",
     "interior",
     "interpolate",
     "map_type",
-    "metric",
-    "offset",
     "once",
     "orientation",
     "size",
-    "solid",
     "use_alpha",
     "use_color",
     "use_index",

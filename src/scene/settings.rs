@@ -4,6 +4,7 @@ use super::words::SETTINGS;
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
+use crate::pattern::Spot;
 use crate::value::{Next, Reader, Said};
 use serde::Serialize;
 
@@ -20,6 +21,8 @@ pub struct Settings {
     pub ambient_light: Rgb,
     /// The noise that patterns and functions are made of, if the scene says which.
     pub noise_generator: Option<NoiseGenerator>,
+    /// How many sources the patterns `ripples` and `waves` have.
+    pub number_of_waves: usize,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub undrawn: Vec<Said>,
@@ -33,6 +36,7 @@ impl Default for Settings {
             adc_bailout: 1.0 / 255.0,
             ambient_light: Rgb::ONE,
             noise_generator: None,
+            number_of_waves: Spot::WAVES,
             undrawn: vec![],
         }
     }
@@ -66,6 +70,10 @@ impl Settings {
                         return Diagnostic::err(codes::BAD_ARGUMENT, at, message);
                     }
                     self.noise_generator = Some(NoiseGenerator::from_number(n));
+                }
+                Next::Word("number_of_waves") => {
+                    r.take()?;
+                    self.number_of_waves = r.float()?.max(1.0) as usize;
                 }
                 Next::Word("adc_bailout") => {
                     r.take()?;

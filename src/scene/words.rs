@@ -50,9 +50,10 @@ pub const SETTINGS: Vocabulary = Vocabulary {
             "2 for `#version` 3.5 and later",
             "which noise functions are made of: 1, 2 or 3",
         ),
+        word("number_of_waves", Float, "10", "how many sources the patterns `ripples` and `waves` have"),
         word("ambient_light", Color, "1", "the light that `finish { ambient }` answers to"),
     ],
     moves: false,
-    idle: &["charset", "hf_gray_16", "irid_wavelength", "max_intersections", "mm_per_unit", "number_of_waves"],
+    idle: &["charset", "hf_gray_16", "irid_wavelength", "max_intersections", "mm_per_unit"],
     not_drawn: &["photons", "radiosity", "subsurface"],
 };
