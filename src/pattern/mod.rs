@@ -6,6 +6,7 @@ mod brick;
 mod checker;
 mod cubic;
 mod cylindrical;
+mod fractal;
 mod function;
 mod gradient;
 mod hexagon;
@@ -26,6 +27,7 @@ pub use brick::Brick;
 pub use checker::Checker;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
+pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use hexagon::Hexagon;
@@ -146,6 +148,7 @@ cells! { Checker Hexagon Brick ObjectPattern Cubic Square Triangular }
 fields! {
     Gradient FunctionPattern
     Planar Boxed Spherical Cylindrical
+    Mandel Julia Magnet
 }
 
 /// Patterns of the language that are not drawn yet.
@@ -161,10 +164,7 @@ pub const NOT_DRAWN: &[&str] = &[
     "facets",
     "granite",
     "image_pattern",
-    "julia",
     "leopard",
-    "magnet",
-    "mandel",
     "marble",
     "onion",
     "pavement",
