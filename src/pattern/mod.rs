@@ -10,6 +10,7 @@ mod fractal;
 mod function;
 mod gradient;
 mod hexagon;
+pub mod image;
 mod modifiers;
 mod object;
 mod placed;
@@ -31,9 +32,10 @@ pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use hexagon::Hexagon;
+pub use image::{ImagePattern, MaterialMap};
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
-pub use placed::{Kind, Pattern};
+pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
 pub use space::{Space, Step};
 pub use spherical::Spherical;
@@ -143,10 +145,10 @@ macro_rules! cells {
     };
 }
 
-cells! { Checker Hexagon Brick ObjectPattern Cubic Square Triangular }
+cells! { Checker Hexagon Brick ObjectPattern MaterialMap Cubic Square Triangular }
 
 fields! {
-    Gradient FunctionPattern
+    Gradient FunctionPattern ImagePattern
     Planar Boxed Spherical Cylindrical
     Mandel Julia Magnet
 }
@@ -163,7 +165,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "dents",
     "facets",
     "granite",
-    "image_pattern",
     "leopard",
     "marble",
     "onion",
@@ -194,19 +195,12 @@ pub const WORDS_NOT_DRAWN: &[&str] = &[
     "exponent",
     "exterior",
     "form",
-    "image_map",
     "interior",
-    "interpolate",
-    "map_type",
     "metric",
     "offset",
-    "once",
     "orientation",
     "size",
     "solid",
-    "use_alpha",
-    "use_color",
-    "use_index",
 ];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?

@@ -30,7 +30,8 @@ pub fn lower(scene: &Scene) -> Result<World> {
         camera: scene.camera.clone(),
         geometry: Geometry::new(roots),
         see_through: objects.iter().any(|o| !o.opaque),
-        bends: interiors.iter().any(|&ior| ior != 1.0),
+        bends: interiors.iter().any(|interior| interior.ior != 1.0),
+        colors_light: interiors.iter().any(Interior::colors_light),
         parts,
         objects,
         materials,
@@ -41,6 +42,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
         noise: scene.settings.noise_generator.unwrap_or_default(),
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
+        irid_wavelength: scene.settings.irid_wavelength,
     })
 }
 
@@ -88,7 +90,7 @@ struct Lowering {
     materials: Vec<Material>,
     /// By the address of the texture, which the scene keeps alive.
     material_numbers: FxHashMap<*const Texture, u32>,
-    interiors: Vec<f64>,
+    interiors: Vec<Interior>,
     lights: Vec<Lamp>,
 }
 
@@ -150,7 +152,7 @@ impl Lowering {
     }
 
     fn add_interior(&mut self, interior: &Interior) -> u32 {
-        self.interiors.push(interior.ior);
+        self.interiors.push(Interior { undrawn: vec![], ..interior.clone() });
         self.interiors.len() as u32 - 1
     }
 
@@ -286,6 +288,8 @@ fn joined(own: Flags, around: Flags) -> Flags {
         inverse: own.inverse,
         double_illuminate: own.double_illuminate || around.double_illuminate,
         cutaway_textures: own.cutaway_textures || around.cutaway_textures,
+        // It has been said to the object's texture when it was read.
+        ..own
     }
 }
 
