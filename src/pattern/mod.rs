@@ -13,6 +13,7 @@ mod crackle;
 mod cubic;
 mod cylindrical;
 mod dents;
+mod fractal;
 mod function;
 mod gradient;
 mod granite;
@@ -53,6 +54,7 @@ pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
 pub use dents::Dents;
+pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use granite::Granite;
@@ -191,12 +193,11 @@ fields! {
     Gradient FunctionPattern ImagePattern
     Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
-    Wood Wrinkles
+    Wood Wrinkles Mandel Julia Magnet
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] =
-    &["aoi", "density_file", "facets", "julia", "magnet", "mandel", "pavement", "pigment_pattern", "slope", "tiling"];
+pub const NOT_DRAWN: &[&str] = &["aoi", "density_file", "facets", "pavement", "pigment_pattern", "slope", "tiling"];
 
 /// Words about patterns that are not drawn yet.
 pub const WORDS_NOT_DRAWN: &[&str] =
