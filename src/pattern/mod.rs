@@ -23,6 +23,7 @@ mod marble;
 mod modifiers;
 mod object;
 mod onion;
+mod pigment;
 mod placed;
 mod planar;
 mod quilted;
@@ -64,6 +65,7 @@ pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use onion::Onion;
+pub use pigment::PigmentPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
 pub use quilted::Quilted;
@@ -190,14 +192,14 @@ macro_rules! cells {
 cells! { Checker Hexagon Brick ObjectPattern MaterialMap Cubic Square Triangular }
 
 fields! {
-    Gradient FunctionPattern ImagePattern
+    Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
     Wood Wrinkles Mandel Julia Magnet
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &["aoi", "density_file", "facets", "pavement", "pigment_pattern", "slope", "tiling"];
+pub const NOT_DRAWN: &[&str] = &["aoi", "density_file", "facets", "pavement", "slope", "tiling"];
 
 /// Words about patterns that are not drawn yet.
 pub const WORDS_NOT_DRAWN: &[&str] =
