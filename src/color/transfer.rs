@@ -16,6 +16,34 @@ pub enum Gamma {
     Raw,
 }
 
+impl Gamma {
+    /// The light that a number stands for.
+    pub fn decode(self, v: f64) -> f64 {
+        match self {
+            Gamma::Power(g) => fp::pow(v.max(0.0), g),
+            Gamma::Srgb => srgb_decode(v),
+            Gamma::Raw => v,
+        }
+    }
+
+    /// The number that stands for this light.
+    pub fn encode(self, light: f64) -> f64 {
+        match self {
+            Gamma::Power(g) => fp::pow(light.max(0.0), 1.0 / g),
+            Gamma::Srgb => srgb_encode(light),
+            Gamma::Raw => light,
+        }
+    }
+
+    /// Do both mean the same? What they do to a number is undone exactly then.
+    pub fn agrees(self, other: Gamma) -> bool {
+        match (self, other) {
+            (Gamma::Power(a), Gamma::Power(b)) => (a - b).abs() < 1e-3,
+            (a, b) => a == b,
+        }
+    }
+}
+
 /// Linear light in [0, 1] to the sRGB curve (IEC 61966-2-1).
 pub fn srgb_encode(x: f64) -> f64 {
     if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * fp::pow(x, 1.0 / 2.4) - 0.055 }

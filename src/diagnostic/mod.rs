@@ -92,6 +92,12 @@ impl Diagnostic {
         self
     }
 
+    /// The same about this place, for faults that were found below the text.
+    pub fn at(mut self, span: Span) -> Box<Self> {
+        self.labels = vec![Label { span, text: String::new() }];
+        Box::new(self)
+    }
+
     /// The place of the fault.
     pub fn span(&self) -> Span {
         self.labels.first().map_or(Span::NONE, |l| l.span)

@@ -5,30 +5,13 @@ use super::numeric::{self, Kernel};
 use super::{Function, Interval, Program, Sampler, internal::Internal};
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator};
+use crate::syntax::ast::Operator;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// An operation in its [`Graph`]; operands have smaller numbers.
 pub type Id = u32;
-
-/// An operator of two numbers. Inside functions comparisons are exact, and all but 0 is true (measured on POV-Ray 3.7).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum Binary {
-    Add,
-    Sub,
-    Mul,
-    Div,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    Equal,
-    NotEqual,
-    And,
-    Or,
-}
 
 /// One operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -42,7 +25,7 @@ pub enum Node {
     /// A row of it for two.
     Two(u8, Id, Id),
     /// An operator.
-    Binary(Binary, Id, Id),
+    Binary(Operator, Id, Id),
     /// The second if the first is not 0, else the third; only that one is computed.
     Choice(Id, Id, Id),
     /// A component of what [`Graph::callees`] gives.
@@ -81,48 +64,47 @@ pub struct Graph {
     known: FxHashMap<Node, Id>,
 }
 
-impl Binary {
-    /// The operator for two numbers.
-    pub fn apply(self, a: f64, b: f64) -> f64 {
-        use Binary::*;
-        match self {
-            Add => a + b,
-            Sub => a - b,
-            Mul => a * b,
-            Div => a / b,
-            Less => f64::from(a < b),
-            LessEqual => f64::from(a <= b),
-            Greater => f64::from(a > b),
-            GreaterEqual => f64::from(a >= b),
-            Equal => f64::from(a == b),
-            NotEqual => f64::from(a != b),
-            And => f64::from(a != 0.0 && b != 0.0),
-            Or => f64::from(a != 0.0 || b != 0.0),
-        }
+/// The operator for two numbers. Inside functions comparisons are exact, and all but 0 is true (measured on POV-Ray 3.7).
+pub(super) fn operate(op: Operator, a: f64, b: f64) -> f64 {
+    use Operator::*;
+    match op {
+        Add => a + b,
+        Sub => a - b,
+        Mul => a * b,
+        Div => a / b,
+        Less => f64::from(a < b),
+        LessEqual => f64::from(a <= b),
+        Greater => f64::from(a > b),
+        GreaterEqual => f64::from(a >= b),
+        Equal => f64::from(a == b),
+        NotEqual => f64::from(a != b),
+        And => f64::from(a != 0.0 && b != 0.0),
+        Or => f64::from(a != 0.0 || b != 0.0),
     }
+}
 
-    fn bounds(self, a: Interval, b: Interval, same: bool) -> Interval {
-        use Binary::*;
-        let sure = |yes: bool, no: bool| match (yes, no) {
-            (true, _) => Interval::point(1.0),
-            (_, true) => Interval::point(0.0),
-            _ => Interval::TRUTH,
-        };
-        match self {
-            Add => a + b,
-            Sub if same => Interval::point(0.0),
-            Sub => a + -b,
-            Mul if same => a.square(),
-            Mul => a * b,
-            Div => a * b.recip(),
-            Less => sure(a.hi < b.lo, a.lo >= b.hi),
-            LessEqual => sure(a.hi <= b.lo, a.lo > b.hi),
-            Greater => sure(a.lo > b.hi, a.hi <= b.lo),
-            GreaterEqual => sure(a.lo >= b.hi, a.hi < b.lo),
-            Equal => sure(false, a.hi < b.lo || a.lo > b.hi),
-            NotEqual => sure(a.hi < b.lo || a.lo > b.hi, false),
-            And | Or => Interval::TRUTH,
-        }
+/// The same for intervals; `same` says that both are one number.
+fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool) -> Interval {
+    use Operator::*;
+    let sure = |yes: bool, no: bool| match (yes, no) {
+        (true, _) => Interval::point(1.0),
+        (_, true) => Interval::point(0.0),
+        _ => Interval::TRUTH,
+    };
+    match op {
+        Add => a + b,
+        Sub if same => Interval::point(0.0),
+        Sub => a + -b,
+        Mul if same => a.square(),
+        Mul => a * b,
+        Div => a * b.recip(),
+        Less => sure(a.hi < b.lo, a.lo >= b.hi),
+        LessEqual => sure(a.hi <= b.lo, a.lo > b.hi),
+        Greater => sure(a.lo > b.hi, a.hi <= b.lo),
+        GreaterEqual => sure(a.lo >= b.hi, a.hi < b.lo),
+        Equal => sure(false, a.hi < b.lo || a.lo > b.hi),
+        NotEqual => sure(a.hi < b.lo || a.lo > b.hi, false),
+        And | Or => Interval::TRUTH,
     }
 }
 
@@ -223,7 +205,7 @@ impl Graph {
         Some(match node {
             Node::One(row, a) => one(*row, self.known(*a)?),
             Node::Two(row, a, b) => two(*row, self.known(*a)?, self.known(*b)?),
-            Node::Binary(op, a, b) => op.apply(self.known(*a)?, self.known(*b)?),
+            Node::Binary(op, a, b) => operate(*op, self.known(*a)?, self.known(*b)?),
             _ => return None,
         })
     }
@@ -269,7 +251,7 @@ impl Graph {
                 Node::Parameter(i) => parameters[*i as usize],
                 Node::One(row, a) => (numeric::TABLE[*row as usize].bounds)(at(a), at(a)),
                 Node::Two(row, a, b) => (numeric::TABLE[*row as usize].bounds)(at(a), at(b)),
-                Node::Binary(op, a, b) => op.bounds(at(a), at(b), a == b),
+                Node::Binary(op, a, b) => operator_bounds(*op, at(a), at(b), a == b),
                 Node::Choice(condition, yes, no) => match at(condition) {
                     c if !c.contains(0.0) => at(yes),
                     c if c.lo == 0.0 && c.hi == 0.0 => at(no),

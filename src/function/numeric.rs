@@ -16,6 +16,23 @@ pub enum Kernel {
     Many(fn(f64, f64) -> f64),
 }
 
+/// For which numbers a script can compute a function; in `function { }` the others give what is no number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// All.
+    All,
+    /// -1 to 1, and others are brought there.
+    Arc,
+    /// 0 and above.
+    FromZero,
+    /// Above 0.
+    AboveZero,
+    /// Not 0 twice; why.
+    NotBothZero(&'static str),
+    /// All, but a second number of 0 divides by it.
+    Divides,
+}
+
 /// A row of the table.
 #[derive(Debug)]
 pub struct Numeric {
@@ -23,6 +40,8 @@ pub struct Numeric {
     pub name: &'static str,
     /// What computes it.
     pub kernel: Kernel,
+    /// What it takes.
+    pub domain: Domain,
     /// Its bounds; the second is that of the first where it takes but one.
     pub bounds: fn(Interval, Interval) -> Interval,
     /// One line for the manual.
@@ -35,7 +54,7 @@ const fn one(
     bounds: fn(Interval, Interval) -> Interval,
     summary: &'static str,
 ) -> Numeric {
-    Numeric { name, kernel: Kernel::One(f), bounds, summary }
+    Numeric { name, kernel: Kernel::One(f), domain: Domain::All, bounds, summary }
 }
 
 const fn two(
@@ -44,7 +63,7 @@ const fn two(
     bounds: fn(Interval, Interval) -> Interval,
     summary: &'static str,
 ) -> Numeric {
-    Numeric { name, kernel: Kernel::Two(f), bounds, summary }
+    Numeric { name, kernel: Kernel::Two(f), domain: Domain::All, bounds, summary }
 }
 
 const fn many(
@@ -53,7 +72,13 @@ const fn many(
     bounds: fn(Interval, Interval) -> Interval,
     summary: &'static str,
 ) -> Numeric {
-    Numeric { name, kernel: Kernel::Many(f), bounds, summary }
+    Numeric { name, kernel: Kernel::Many(f), domain: Domain::All, bounds, summary }
+}
+
+impl Numeric {
+    const fn of(self, domain: Domain) -> Self {
+        Self { domain, ..self }
+    }
 }
 
 /// Bounds that say nothing.
@@ -64,12 +89,13 @@ fn any(_: Interval, _: Interval) -> Interval {
 /// All of them. The arcs are not clamped here: outside of [-1, 1] they are not a number.
 pub const TABLE: &[Numeric] = &[
     one("abs", f64::abs, |a, _| a.abs(), "the distance from 0"),
-    one("acos", f64::acos, any, "the angle in radians whose cosine it is"),
+    one("acos", f64::acos, any, "the angle in radians whose cosine it is").of(Domain::Arc),
     one("acosh", f64::acosh, any, "the inverse of cosh"),
-    one("asin", f64::asin, any, "the angle in radians whose sine it is"),
+    one("asin", f64::asin, any, "the angle in radians whose sine it is").of(Domain::Arc),
     one("asinh", f64::asinh, |a, _| a.growing(f64::asinh), "the inverse of sinh"),
     one("atan", f64::atan, |a, _| a.growing(f64::atan), "the angle in radians whose tangent it is"),
-    two("atan2", fp::atan2, |_, _| Interval::new(-3.2, 3.2), "the angle in radians of the point (B, A)"),
+    two("atan2", fp::atan2, |_, _| Interval::new(-3.2, 3.2), "the angle in radians of the point (B, A)")
+        .of(Domain::NotBothZero("<0, 0> has no direction")),
     one("atanh", f64::atanh, any, "the inverse of tanh"),
     many("bitwise_and", |a, b| bits(a, b, |a, b| a & b), any, "bits that are in all of the whole numbers"),
     many("bitwise_or", |a, b| bits(a, b, |a, b| a | b), any, "bits that are in any of the whole numbers"),
@@ -78,25 +104,29 @@ pub const TABLE: &[Numeric] = &[
     one("cos", fp::cos, |a, _| a.cos(), "the cosine of an angle in radians"),
     one("cosh", f64::cosh, |a, _| a.abs().growing(f64::cosh), "the hyperbolic cosine"),
     one("degrees", f64::to_degrees, |a, _| a.growing(f64::to_degrees), "radians to degrees"),
-    two("div", |a, b| (a / b).trunc(), any, "the whole part of A/B"),
+    two("div", |a, b| (a / b).trunc(), any, "the whole part of A/B").of(Domain::Divides),
     one("exp", fp::exp, |a, _| a.growing(fp::exp), "e to the power of A"),
     one("floor", f64::floor, |a, _| Interval { lo: a.lo.floor(), hi: a.hi.floor() }, "the next whole number below"),
     one("int", f64::trunc, |a, _| Interval { lo: a.lo.trunc(), hi: a.hi.trunc() }, "the number without its fraction"),
-    one("ln", fp::ln, |a, _| if a.lo > 0.0 { a.growing(fp::ln) } else { Interval::ALL }, "the natural logarithm"),
+    one("ln", fp::ln, |a, _| if a.lo > 0.0 { a.growing(fp::ln) } else { Interval::ALL }, "the natural logarithm")
+        .of(Domain::AboveZero),
     one(
         "log",
         f64::log10,
         |a, _| if a.lo > 0.0 { a.growing(f64::log10) } else { Interval::ALL },
         "the logarithm of base 10",
-    ),
+    )
+    .of(Domain::AboveZero),
     many("max", f64::max, |a, b| Interval { lo: a.lo.max(b.lo), hi: a.hi.max(b.hi) }, "the largest"),
     many("min", f64::min, |a, b| Interval { lo: a.lo.min(b.lo), hi: a.hi.min(b.hi) }, "the smallest"),
-    two("mod", |a, b| a % b, any, "what A/B leaves over, with the sign of A"),
-    two("pow", fp::pow, Interval::pow, "A to the power of B"),
+    two("mod", |a, b| a % b, any, "what A/B leaves over, with the sign of A").of(Domain::Divides),
+    two("pow", fp::pow, Interval::pow, "A to the power of B")
+        .of(Domain::NotBothZero("0 to the power of 0 is not defined")),
     one("radians", f64::to_radians, |a, _| a.growing(f64::to_radians), "degrees to radians"),
     one("sin", fp::sin, |a, _| a.sin(), "the sine of an angle in radians"),
     one("sinh", f64::sinh, |a, _| a.growing(f64::sinh), "the hyperbolic sine"),
-    one("sqrt", f64::sqrt, |a, _| if a.lo >= 0.0 { a.growing(f64::sqrt) } else { Interval::ALL }, "the square root"),
+    one("sqrt", f64::sqrt, |a, _| if a.lo >= 0.0 { a.growing(f64::sqrt) } else { Interval::ALL }, "the square root")
+        .of(Domain::FromZero),
     one("tan", fp::tan, any, "the tangent of an angle in radians"),
     one("tanh", f64::tanh, |a, _| a.growing(f64::tanh), "the hyperbolic tangent"),
 ];
@@ -117,17 +147,16 @@ impl Numeric {
     /// Why a script can't compute it for these numbers; functions then give what is no number. The second number is the
     /// first again where it takes but one.
     pub fn fault(&self, a: f64, b: f64) -> Option<String> {
-        Some(match self.name {
-            "sqrt" if a < 0.0 => format!("{a} has no square root"),
-            "ln" | "log" if a <= 0.0 => format!("`{}` takes numbers above 0, not {a}", self.name),
-            "pow" if a == 0.0 && b == 0.0 => "0 to the power of 0 is not defined".into(),
-            "atan2" if a == 0.0 && b == 0.0 => "<0, 0> has no direction".into(),
-            _ => return None,
-        })
+        match self.domain {
+            Domain::FromZero if a < 0.0 => Some(format!("{a} has no square root")),
+            Domain::AboveZero if a <= 0.0 => Some(format!("`{}` takes numbers above 0, not {a}", self.name)),
+            Domain::NotBothZero(why) if a == 0.0 && b == 0.0 => Some(why.into()),
+            _ => None,
+        }
     }
 
     /// The arguments as scripts take them: those of the arcs are brought into their range.
     pub fn clamped(&self, a: f64) -> f64 {
-        if matches!(self.name, "asin" | "acos") { a.clamp(-1.0, 1.0) } else { a }
+        if self.domain == Domain::Arc { a.clamp(-1.0, 1.0) } else { a }
     }
 }

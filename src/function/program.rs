@@ -1,9 +1,8 @@
 //! Bytecode: the operations of a [`Graph`] in an order in which they can be computed, each into a register of its own.
 
-#[cfg(test)]
-use super::graph;
-use super::graph::{Binary, Graph, Id, Node};
+use super::graph::{self, Graph, Id, Node};
 use super::numeric::{self, Kernel};
+use crate::syntax::ast::Operator;
 
 /// The number of a register: first the parameters, then the constants, then results.
 type Register = u16;
@@ -16,7 +15,7 @@ enum Step {
     Mul(Register, Register, Register),
     Div(Register, Register, Register),
     /// Any other operator.
-    Binary(Binary, Register, Register, Register),
+    Binary(Operator, Register, Register, Register),
     One(fn(f64) -> f64, Register, Register),
     Two(fn(f64, f64) -> f64, Register, Register, Register),
     Copy(Register, Register),
@@ -105,7 +104,7 @@ impl Program {
                 Step::Sub(to, a, b) => r[to as usize] = r[a as usize] - r[b as usize],
                 Step::Mul(to, a, b) => r[to as usize] = r[a as usize] * r[b as usize],
                 Step::Div(to, a, b) => r[to as usize] = r[a as usize] / r[b as usize],
-                Step::Binary(op, to, a, b) => r[to as usize] = op.apply(r[a as usize], r[b as usize]),
+                Step::Binary(op, to, a, b) => r[to as usize] = graph::operate(op, r[a as usize], r[b as usize]),
                 Step::One(f, to, a) => r[to as usize] = f(r[a as usize]),
                 Step::Two(f, to, a, b) => r[to as usize] = f(r[a as usize], r[b as usize]),
                 Step::Copy(to, a) => r[to as usize] = r[a as usize],
@@ -169,10 +168,10 @@ impl Writer<'_> {
                 let (a, b) = (self.write(*a), self.write(*b));
                 let to = self.register();
                 self.steps.push(match op {
-                    Binary::Add => Step::Add(to, a, b),
-                    Binary::Sub => Step::Sub(to, a, b),
-                    Binary::Mul => Step::Mul(to, a, b),
-                    Binary::Div => Step::Div(to, a, b),
+                    Operator::Add => Step::Add(to, a, b),
+                    Operator::Sub => Step::Sub(to, a, b),
+                    Operator::Mul => Step::Mul(to, a, b),
+                    Operator::Div => Step::Div(to, a, b),
                     op => Step::Binary(*op, to, a, b),
                 });
                 to
@@ -228,7 +227,7 @@ pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
             Node::Parameter(i) => p[*i as usize],
             Node::One(row, a) => graph::one(*row, at(a)),
             Node::Two(row, a, b) => graph::two(*row, at(a), at(b)),
-            Node::Binary(op, a, b) => op.apply(at(a), at(b)),
+            Node::Binary(op, a, b) => graph::operate(*op, at(a), at(b)),
             Node::Choice(c, yes, no) => at(if at(c) != 0.0 { yes } else { no }),
             Node::Call(callee, component, list) => {
                 let list: Vec<f64> = list.iter().map(at).collect();
@@ -256,7 +255,7 @@ mod tests {
         for &(kind, a, b, c, x) in recipe {
             let pick = |i: u32| ids[i as usize % ids.len()];
             let (a, b, c) = (pick(a), pick(b), pick(c));
-            use Binary::*;
+            use Operator::*;
             let id = match kind % 24 {
                 0 => graph.constant(x),
                 1 => graph.add(Node::Choice(a, b, c)),
@@ -319,12 +318,12 @@ mod tests {
         let mut g = Graph::default();
         let (x, y) = (g.add(Node::Parameter(0)), g.add(Node::Parameter(1)));
         let zero = g.constant(0.0);
-        let below = g.add(Node::Binary(Binary::Less, x, zero));
-        let product = g.add(Node::Binary(Binary::Mul, x, y));
-        let square = g.add(Node::Binary(Binary::Mul, product, product));
-        let rest = g.add(Node::Binary(Binary::Sub, square, product));
+        let below = g.add(Node::Binary(Operator::Less, x, zero));
+        let product = g.add(Node::Binary(Operator::Mul, x, y));
+        let square = g.add(Node::Binary(Operator::Mul, product, product));
+        let rest = g.add(Node::Binary(Operator::Sub, square, product));
         let choice = g.add(Node::Choice(below, product, rest));
-        g.result = g.add(Node::Binary(Binary::Add, choice, product));
+        g.result = g.add(Node::Binary(Operator::Add, choice, product));
         let program = Program::new(g, 2).unwrap();
         assert_eq!(program.run(&[-2.0, 3.0]), -12.0);
         assert_eq!(program.run(&[2.0, 3.0]), 36.0);

@@ -36,8 +36,13 @@ pub enum Samples {
 /// Decodes a file (E0002, E0003, E0007).
 pub fn decode_file(path: &Path) -> Result<Pixels> {
     let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+    decode_bytes(&bytes, path)
+}
+
+/// Decodes the bytes of a file (E0007).
+pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Pixels> {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
-    decode(&bytes, ending).map_err(|reason| {
+    decode(bytes, ending).map_err(|reason| {
         let reason = reason.lines().next().unwrap_or_default();
         let text = format!("`{}` can't be decoded: {reason}", path.display());
         Box::new(Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text))

@@ -186,16 +186,11 @@ impl<'a> Interpreter<'a> {
         };
         let Some(place) = self.dictionary_place(base)? else { return Ok(None) };
         let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
-        match self.scopes.at(&place) {
-            Some(Slot::Array(array)) if array.keys.is_some() => {
-                let key = self.names.text(*symbol);
-                let found = array.keys.iter().flatten().position(|k| **k == *key);
-                match found {
-                    Some(i) => Ok(Some(place.element(&[i]))),
-                    None => Err(self.missing_key(&array.clone(), key, name.span)),
-                }
-            }
-            _ => Ok(None),
+        let Some(dictionary) = self.scopes.dictionary(&place) else { return Ok(None) };
+        let key = self.names.text(*symbol);
+        match dictionary.key_index(key) {
+            Some(i) => Ok(Some(place.element(&[i]))),
+            None => Err(self.missing_key(dictionary, key, name.span)),
         }
     }
 
@@ -243,16 +238,30 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// The same for what gets a value: a dictionary's key may be new.
+    pub(super) fn new_element_place(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<Place> {
+        match base.kind {
+            ExprKind::Name(symbol) => self.new_place(symbol, base.span, indices),
+            _ => self.element_place(base, indices),
+        }
+    }
+
     /// The same for a name and its place in the text.
-    pub(super) fn place_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+    pub(super) fn new_place(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+        let place = self.scopes.resolve(symbol);
+        match place.filter(|place| self.scopes.dictionary(place).is_some()) {
+            Some(place) => self.key_place(place, indices, true),
+            None => self.place_of(symbol, span, indices),
+        }
+    }
+
+    fn place_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
         let Some(place) = self.scopes.resolve(symbol) else {
             self.name_value(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
-        if let Some(Slot::Array(array)) = self.scopes.at(&place)
-            && array.keys.is_some()
-        {
-            return self.key_place(place, indices);
+        if self.scopes.dictionary(&place).is_some() {
+            return self.key_place(place, indices, false);
         }
         let numbers = indices.iter().map(|e| self.number(e)).collect::<Result<Vec<f64>>>()?;
         let mut path = vec![];
@@ -288,17 +297,34 @@ impl<'a> Interpreter<'a> {
         Ok(place.element(&path))
     }
 
-    /// An element of a dictionary by its key, which is added if it is new.
-    fn key_place(&mut self, place: Place, indices: &'a [Expr]) -> Result<Place> {
+    /// An element of a dictionary by its keys, of which the last is added if it is new and `adds` says so.
+    fn key_place(&mut self, place: Place, indices: &'a [Expr], adds: bool) -> Result<Place> {
         let mut place = place;
-        for e in indices {
+        for (i, e) in indices.iter().enumerate() {
             let key = self.text_value(e)?;
-            let Some(next) = self.scopes.add_key(&place, &key) else {
+            let Some(dictionary) = self.scopes.dictionary(&place) else {
                 return Diagnostic::err(codes::WRONG_TYPE, e.span, "this is no dictionary: it has no keys");
             };
-            place = next;
+            let index = match dictionary.key_index(&key) {
+                Some(index) => index,
+                None if adds && i + 1 == indices.len() => self.scopes.add_key(&place, &key),
+                None => return Err(self.missing_key(dictionary, &key, e.span)),
+            };
+            place = place.element(&[index]);
         }
         Ok(place)
+    }
+
+    /// Has the dictionary that is kept here a value under these keys?
+    pub(super) fn has_keys(&mut self, mut place: Place, indices: &'a [Expr]) -> Result<bool> {
+        for e in indices {
+            let key = self.text_value(e)?;
+            match self.scopes.dictionary(&place).and_then(|d| d.key_index(&key)) {
+                Some(index) => place = place.element(&[index]),
+                None => return Ok(false),
+            }
+        }
+        Ok(self.scopes.at(&place).is_some())
     }
 
     /// How many elements a dimension has; the first is 1.

@@ -23,6 +23,11 @@ pub fn noise_generator(version: u32) -> u8 {
 /// The newest language that is known at least in part.
 pub const NEWEST_VERSION: u32 = 380;
 
+/// Do picture files that say nothing of their numbers follow the sRGB curve? (Measured on POV-Ray 3.7.)
+pub fn has_srgb_files(version: u32) -> bool {
+    version >= 370
+}
+
 /// How numbers relate to light in a scene without `assumed_gamma`, by the version in force at its end: measured on
 /// POV-Ray 3.7, which leaves scenes of older versions, and of none, without any conversion.
 pub fn gamma_without_setting(version: Option<u32>) -> Gamma {

@@ -6,6 +6,7 @@ use super::quick::Quick;
 use super::scope::Slot;
 use super::stream::{FrameKind, Token};
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::word;
@@ -368,6 +369,18 @@ fn vector_value(data: &[f64], span: Span) -> Result<Value> {
     match data.len() {
         2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
         n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a vector has two to five numbers, this has {n}")),
+    }
+}
+
+/// Three numbers; one stands for all, and shorter vectors are filled with zeros.
+pub(super) fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
+    match value {
+        Value::Float(x) => Ok(DVec3::splat(*x)),
+        Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
+        other => {
+            let message = format!("expected a vector of three numbers, found {}", other.describe());
+            Diagnostic::err(codes::WRONG_TYPE, span, message)
+        }
     }
 }
 

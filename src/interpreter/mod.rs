@@ -19,10 +19,11 @@ mod timing;
 mod top;
 
 use crate::diagnostic::{Diagnostic, Label, Result, Severity, codes};
+use crate::image_io::Picture;
 use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::Names;
-use crate::syntax::ast::{Ast, Chain, Element, Symbol};
+use crate::syntax::ast::{Chain, Element, Symbol};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
 pub use directive::table as directives;
@@ -109,7 +110,6 @@ pub fn interpret_with(
 pub(crate) struct Interpreter<'a> {
     sources: &'a Sources,
     names: &'a Names,
-    asts: &'a elsa::FrozenVec<Box<Ast>>,
     parsed: &'a ParsedFiles,
     options: &'a Options,
     debug: &'a mut dyn FnMut(&str),
@@ -124,6 +124,8 @@ pub(crate) struct Interpreter<'a> {
     random: Vec<u32>,
     /// Declared objects that were asked by rays, by their addresses.
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
+    /// Decoded picture files.
+    pictures: FxHashMap<PathBuf, Arc<Picture>>,
     /// Files by the numbers in [`scope::Slot::File`].
     files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
@@ -164,7 +166,6 @@ impl<'a> Interpreter<'a> {
         Self {
             sources,
             names: &parsed.names,
-            asts: &parsed.asts,
             parsed,
             options,
             debug,
@@ -175,6 +176,7 @@ impl<'a> Interpreter<'a> {
             constants: vec![],
             random: vec![],
             probes: FxHashMap::default(),
+            pictures: FxHashMap::default(),
             files: vec![],
             written: 0,
             frames: vec![],
@@ -186,7 +188,13 @@ impl<'a> Interpreter<'a> {
             steps: 0,
             text_made: 0,
             started: Instant::now(),
-            language: Language { version: compat::DEFAULT_VERSION, bare_textures: false, assumed_gamma: None },
+            language: Language {
+                version: compat::DEFAULT_VERSION,
+                bare_textures: false,
+                assumed_gamma: None,
+                other_gamma: compat::gamma_without_setting(None),
+                srgb_files: false,
+            },
             noise_generator: Arc::new(AtomicU8::new(compat::noise_generator(compat::DEFAULT_VERSION))),
             version_stated: false,
             camera_stated: false,

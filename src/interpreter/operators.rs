@@ -37,6 +37,14 @@ pub(super) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
     }
 }
 
+/// The numbers of a vector or colour; a number is a vector of one component.
+pub(super) fn numbers_of(value: &Value) -> Option<VecN> {
+    match value {
+        Value::Float(x) => Some(VecN::splat(*x, 1)),
+        value => five_numbers(value).map(|(v, _)| v),
+    }
+}
+
 pub(super) fn from_numbers(v: VecN, color: bool) -> Value {
     if color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
 }
@@ -75,15 +83,10 @@ pub(super) fn apply(
                 (None, _, left, _) if !matches!(left, Value::Float(_)) => return wrong(left, left_span),
                 _ => return wrong(&right, right_span),
             };
-            let len = a.len.max(b.len);
-            let mut out = VecN { c: [0.0; 5], len };
-            for i in 0..len as usize {
-                out.c[i] = on_floats(op, a.c[i], b.c[i]);
-            }
-            if op == Div && b.c[..b.len as usize].contains(&0.0) {
+            if op == Div && holds_zero(&b) {
                 me.division_by_zero(right_span);
             }
-            Ok(from_numbers(out, color))
+            Ok(from_numbers(on_vectors(op, a, b), color))
         }
         (Value::Float(_), _) => wrong_comparison(op, &right, right_span),
         _ => wrong_comparison(op, &left, left_span),
@@ -116,6 +119,20 @@ pub(super) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
     }
 }
 
+/// One by one; the shorter vector is filled with zeros.
+pub(super) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
+    let mut out = VecN { c: [0.0; 5], len: a.len.max(b.len) };
+    for i in 0..out.len as usize {
+        out.c[i] = on_floats(op, a.c[i], b.c[i]);
+    }
+    out
+}
+
+/// Is one of its numbers zero, so that nothing can be divided by it?
+pub(super) fn holds_zero(v: &VecN) -> bool {
+    v.c[..v.len as usize].contains(&0.0)
+}
+
 /// Which of five numbers a component is.
 pub(super) fn component_index(name: &Name) -> Option<usize> {
     Some(match name.word? {
@@ -130,13 +147,8 @@ pub(super) fn component_index(name: &Name) -> Option<usize> {
 
 /// `.x`, `.red`, `.gray` and the like.
 pub(super) fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
-    let (v, color) = match value {
-        // A number is a vector of one component.
-        Value::Float(x) => (VecN { c: [*x, 0.0, 0.0, 0.0, 0.0], len: 1 }, false),
-        value => five_numbers(value).ok_or_else(|| {
-            let message = format!("{} has no components", value.describe());
-            Box::new(Diagnostic::new(codes::WRONG_TYPE, span, message))
-        })?,
+    let Some(v) = numbers_of(value) else {
+        return Diagnostic::err(codes::WRONG_TYPE, span, format!("{} has no components", value.describe()));
     };
     if name.word == Some("gray") {
         return Ok(Value::Float(gray(v.xyz())));
@@ -145,7 +157,7 @@ pub(super) fn component(value: &Value, name: &Name, span: Span) -> Result<Value>
         let d = Diagnostic::new(codes::NO_COMPONENT, name.span, "no vector has a component of this name");
         return d.help("vectors have x y z u v t, colours red green blue filter transmit gray").into();
     };
-    if index >= v.len as usize && !color {
+    if index >= v.len as usize && !matches!(value, Value::Color(_)) {
         let message = format!("{} has no `.{}`", value.describe(), name.word.unwrap_or(""));
         return Diagnostic::err(codes::NO_COMPONENT, name.span, message);
     }

@@ -61,8 +61,12 @@ pub(super) struct Array<'a> {
 impl Array<'_> {
     /// Has the dictionary a value of this name?
     pub(super) fn has_key(&self, key: &str) -> bool {
-        let index = self.keys.iter().flatten().position(|k| **k == *key);
-        index.is_some_and(|i| self.items[i].is_some())
+        self.key_index(key).is_some_and(|i| self.items[i].is_some())
+    }
+
+    /// Which of a dictionary's elements is called so.
+    pub(super) fn key_index(&self, key: &str) -> Option<usize> {
+        self.keys.iter().flatten().position(|k| **k == *key)
     }
 }
 
@@ -185,23 +189,31 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// The place of a dictionary's element; it need not have a value yet.
-    pub(super) fn add_key(&mut self, place: &Place, key: &str) -> Option<Place> {
-        let mut target = &mut self.bindings.get_mut(place.symbol.0 as usize)?.get_mut(place.depth)?.slot;
-        for &i in place.path() {
-            let Slot::Array(array) = target else { return None };
-            target = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
+    /// The dictionary that is kept here, if one is.
+    pub(super) fn dictionary(&self, place: &Place) -> Option<&Array<'a>> {
+        match self.at(place)? {
+            Slot::Array(array) if array.keys.is_some() => Some(array),
+            _ => None,
         }
-        let Slot::Array(array) = target else { return None };
+    }
+
+    /// A new element of the dictionary that is kept here, without a value yet: its index.
+    pub(super) fn add_key(&mut self, place: &Place, key: &str) -> usize {
+        let Some(Slot::Array(array)) = self.at_mut(place) else { return 0 };
         let array = Rc::make_mut(array);
-        let keys = array.keys.as_mut()?;
-        let index = keys.iter().position(|k| **k == *key).unwrap_or_else(|| {
-            keys.push(key.into());
-            array.items.push(None);
-            array.sizes = Box::new([array.items.len()]);
-            array.items.len() - 1
-        });
-        Some(place.element(&[index]))
+        array.keys.get_or_insert_default().push(key.into());
+        array.items.push(None);
+        array.sizes = Box::new([array.items.len()]);
+        array.items.len() - 1
+    }
+
+    fn at_mut(&mut self, place: &Place) -> Option<&mut Slot<'a>> {
+        let mut slot = &mut self.bindings.get_mut(place.symbol.0 as usize)?.get_mut(place.depth)?.slot;
+        for &i in place.path() {
+            let Slot::Array(array) = slot else { return None };
+            slot = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
+        }
+        Some(slot)
     }
 
     /// The warnings that wait for the use of a name.

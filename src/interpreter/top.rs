@@ -135,6 +135,7 @@ impl Interpreter<'_> {
 
     /// What is settled only when the whole text has run.
     pub(super) fn finish_scene(&mut self) {
+        self.close_files();
         self.scene.version = self.language.version;
         let version = self.version_stated.then_some(self.language.version);
         let generator = self.noise_generator.load(std::sync::atomic::Ordering::Relaxed);

@@ -10,7 +10,7 @@ pub mod tolerance;
 mod transform;
 
 pub use aabb::Aabb;
-pub use glam::{DMat3, DVec2, DVec3};
+pub use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 pub use poly::{Roots, solve_between, solve_cubic, solve_quadratic, solve_quartic, stable_pair};
 pub use ray::{Range, Ray};
 pub use transform::{Singular, Transform};

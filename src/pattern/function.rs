@@ -7,7 +7,7 @@
 use super::{Field, Readable, Spot};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Function;
-use crate::value::{Reader, ReaderExt, Spec};
+use crate::value::{Reader, Spec, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -36,8 +36,10 @@ impl Readable for FunctionPattern {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        let at = r.span();
-        let Some(function) = r.thing::<Function>()? else { return Err(r.unexpected("`function { … }`").into()) };
+        let (thing, at) = r.take_thing()?;
+        let Some(function) = downcast::<Function>(&thing) else {
+            return Diagnostic::err(codes::WRONG_TYPE, at, "expected `function { … }`");
+        };
         match function.arity() {
             3 => Ok(Self(function)),
             n => {

@@ -2,31 +2,39 @@
 //! tables below.
 
 mod agate;
+mod boxed;
 mod bozo;
 mod brick;
 mod bumps;
 mod cells;
 mod checker;
 mod crackle;
+mod cubic;
+mod cylindrical;
 mod dents;
 mod function;
 mod gradient;
 mod granite;
 mod hexagon;
+pub mod image;
 mod leopard;
 mod marble;
 mod modifiers;
 mod object;
 mod onion;
 mod placed;
+mod planar;
 mod quilted;
 mod radial;
 mod ripples;
 mod space;
+mod spherical;
 mod spiral1;
 mod spiral2;
 mod spot;
 mod spotted;
+mod square;
+mod triangular;
 mod turbulence;
 mod warp;
 mod waves;
@@ -34,33 +42,44 @@ mod wood;
 mod wrinkles;
 
 pub use agate::Agate;
+pub use boxed::Boxed;
 pub use bozo::Bozo;
 pub use brick::Brick;
 pub use bumps::Bumps;
 pub use cells::RandomCells;
 pub use checker::Checker;
 pub use crackle::Crackle;
+pub use cubic::Cubic;
+pub use cylindrical::Cylindrical;
 pub use dents::Dents;
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use granite::Granite;
 pub use hexagon::Hexagon;
+pub use image::{ImagePattern, MaterialMap};
 pub use leopard::Leopard;
 pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use onion::Onion;
-pub use placed::{Kind, Pattern};
+pub use placed::{Kind, Pattern, read_noise_generator};
+pub use planar::Planar;
 pub use quilted::Quilted;
 pub use radial::Radial;
 pub use ripples::Ripples;
 pub use space::{Space, Step};
+pub use spherical::Spherical;
 pub use spiral1::Spiral1;
 pub use spiral2::Spiral2;
-pub use spot::{Field, Said, Spot};
+pub use spot::{Field, Spot, Words};
 pub use spotted::Spotted;
+pub use square::Square;
+pub use triangular::Triangular;
 pub use turbulence::Turbulent;
-pub use warp::{TurbulenceWarp, Warp};
+pub use warp::{
+    BlackHole, CubicWarp, CylindricalWarp, Layout, PlanarWarp, Repeat, SphericalWarp, ToroidalWarp, TurbulenceWarp,
+    Warp,
+};
 pub use waves::Waves;
 pub use wood::Wood;
 pub use wrinkles::Wrinkles;
@@ -135,8 +154,8 @@ macro_rules! fields {
 
         impl Field for FieldPattern {
             fn value(&self, at: &Spot) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
-            fn value_as(&self, at: &Spot, said: &Said) -> f64 {
-                match self { $(FieldPattern::$name(f) => f.value_as(at, said)),* }
+            fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+                match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
             fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
@@ -166,55 +185,22 @@ macro_rules! cells {
     };
 }
 
-cells! { Checker Hexagon Brick ObjectPattern }
+cells! { Checker Hexagon Brick ObjectPattern MaterialMap Cubic Square Triangular }
 
 fields! {
-    Gradient FunctionPattern
+    Gradient FunctionPattern ImagePattern
+    Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves Wood
     Wrinkles
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &[
-    "aoi",
-    "boxed",
-    "cubic",
-    "cylindrical",
-    "density_file",
-    "facets",
-    "image_pattern",
-    "julia",
-    "magnet",
-    "mandel",
-    "pavement",
-    "pigment_pattern",
-    "planar",
-    "slope",
-    "spherical",
-    "square",
-    "tiling",
-    "triangular",
-];
+pub const NOT_DRAWN: &[&str] =
+    &["aoi", "density_file", "facets", "julia", "magnet", "mandel", "pavement", "pigment_pattern", "slope", "tiling"];
 
 /// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] = &[
-    "altitude",
-    "coords",
-    "cube",
-    "df3",
-    "exponent",
-    "exterior",
-    "image_map",
-    "interior",
-    "interpolate",
-    "map_type",
-    "once",
-    "orientation",
-    "size",
-    "use_alpha",
-    "use_color",
-    "use_index",
-];
+pub const WORDS_NOT_DRAWN: &[&str] =
+    &["altitude", "coords", "cube", "df3", "exponent", "exterior", "interior", "orientation", "size"];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
 pub fn is_not_drawn(word: &str) -> bool {

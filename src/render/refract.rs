@@ -1,6 +1,7 @@
 //! Borders between what fills the objects: indices of refraction, Snell's law, Fresnel's formula.
 
 use crate::math::DVec3;
+use crate::texture::Interior;
 use smallvec::SmallVec;
 
 /// The interiors that a ray is in, the last entered on top.
@@ -24,8 +25,8 @@ impl Border {
     pub const NONE: Border = Border { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
     /// The border of interior `own` for a ray in `inside`: a ray that is in it leaves it, any other enters it.
-    pub fn new(inside: &Interiors, own: u32, iors: &[f64]) -> Self {
-        let ior = |i: Option<&u32>| i.and_then(|&i| iors.get(i as usize)).copied().unwrap_or(1.0);
+    pub fn new(inside: &Interiors, own: u32, interiors: &[Interior]) -> Self {
+        let ior = |i: Option<&u32>| i.and_then(|&i| interiors.get(i as usize)).map_or(1.0, |interior| interior.ior);
         let (n1, own_ior) = (ior(inside.last()), ior(Some(&own)));
         let Some(at) = inside.iter().rposition(|&i| i == own) else {
             return Self { n1, n2: own_ior, mirror: (n1, own_ior), leaves: None };
@@ -35,6 +36,11 @@ impl Border {
         // (measured on 3.7: glass in glass mirrors nothing on its far side).
         let behind = if inside.len() == 1 { 1.0 } else { n1 };
         Self { n1, n2, mirror: (own_ior, behind), leaves: Some(at) }
+    }
+
+    /// Does the ray leave what it meets?
+    pub fn leaves(&self) -> bool {
+        self.leaves.is_some()
     }
 
     /// Is a ray bent here?
@@ -117,7 +123,7 @@ mod tests {
     #[test]
     fn overlapping_glasses() {
         // A 1.5 and B 1.2 overlap: in A, in both, in B, out
-        let iors = [1.5, 1.2];
+        let iors = [1.5, 1.2].map(|ior| Interior { ior, ..Interior::default() });
         let mut inside = Interiors::new();
         let mut seen = vec![];
         for own in [0, 1, 0, 1] {

@@ -1,5 +1,6 @@
 //! How surfaces answer to light: one function for each term of `finish` (manual, "Finish"; details measured on 3.7).
 
+use super::refract::Interiors;
 use super::site::{Shown, Site};
 use super::trace::Tracer;
 use crate::color::Rgb;
@@ -21,7 +22,7 @@ struct Incidence {
 
 impl Tracer<'_> {
     /// The light that a place sends back along the ray, without what it mirrors and lets pass.
-    pub(super) fn shade(&mut self, dir: DVec3, site: &Site) -> Rgb {
+    pub(super) fn shade(&mut self, dir: DVec3, site: &Site, inside: &Interiors) -> Rgb {
         if !self.setup.quality.lit {
             return site.layers.first().map_or(Rgb::ZERO, |top| top.color.rgb);
         }
@@ -30,13 +31,13 @@ impl Tracer<'_> {
             sum += shown.weight * glow(shown);
         }
         for lamp in &self.setup.world.lights {
-            sum += self.answer(lamp, dir, site);
+            sum += self.answer(lamp, dir, site, inside);
         }
         sum
     }
 
     /// What it answers to one lamp.
-    fn answer(&mut self, lamp: &Lamp, dir: DVec3, site: &Site) -> Rgb {
+    fn answer(&mut self, lamp: &Lamp, dir: DVec3, site: &Site, inside: &Interiors) -> Rgb {
         let to_lamp = lamp.location - site.point;
         let distance = to_lamp.length();
         let l = to_lamp / distance;
@@ -49,7 +50,7 @@ impl Tracer<'_> {
         }
         let mut light = lamp.strength(distance);
         if !lamp.shadowless && self.setup.quality.shadows && light != Rgb::ZERO {
-            light *= self.unshadowed(site.point, l, distance);
+            light *= self.unshadowed(site.point, l, distance, inside);
         }
         if light == Rgb::ZERO {
             return Rgb::ZERO;
@@ -58,10 +59,16 @@ impl Tracer<'_> {
         for shown in &site.layers {
             let at = Incidence { dir, normal: shown.normal, to_lamp: l, cos: shown.normal.dot(l) };
             let grain = if shown.layer.crand == 0.0 { 0.0 } else { shown.layer.crand * self.random() };
-            sum += shown.weight * scattered(shown, &at, grain, site.part.double_illuminate);
+            let mut answer = scattered(shown, &at, grain, site.part.double_illuminate);
             if at.cos > 0.0 && !lamp.shadowless {
-                sum += shown.weight * highlight(shown, &at);
+                answer += highlight(shown, &at);
             }
+            if let Some(irid) = &shown.layer.irid {
+                let world = self.setup.world;
+                let cosines = at.cos + at.normal.dot(-dir);
+                answer *= irid.tint(site.point, cosines, world.irid_wavelength, world.noise);
+            }
+            sum += shown.weight * answer;
         }
         sum * light
     }

@@ -46,7 +46,7 @@ impl<'w> Setup<'w> {
         let q = options.quality;
         let quality = Quality { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8 };
         let mut start = Interiors::new();
-        if world.bends {
+        if world.bends || world.colors_light {
             world
                 .geometry
                 .containing(window.origin, &mut |node| start.push(world.objects[node.object as usize].interior));
@@ -152,13 +152,18 @@ impl<'w> Tracer<'w> {
                 return Sample { rgb: rgb + through * sky, passed: passed * open };
             };
             let site = Site::new(self.setup.world, &path.ray, &found, !self.setup.quality.real);
-            rgb += through * self.shade(path.ray.dir, &site);
-            let border = match self.setup.world.bends {
+            rgb += through * self.shade(path.ray.dir, &site, &path.inside);
+            let world = self.setup.world;
+            let border = match world.bends || world.colors_light {
                 true => Border::new(&path.inside, site.part.interior, &self.setup.world.interiors),
                 false => Border::NONE,
             };
             let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
-            let pass = site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
+            let mut pass = site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
+            if world.colors_light && border.leaves() {
+                // Only what comes in from behind has faded, not what the far side sends back (measured on 3.7).
+                pass *= world.interiors[site.part.interior as usize].fade(found.t());
+            }
             let onward = self.onward(&path, &site, &border, pass);
             if mirrors && !matches!(onward, Onward::Total) {
                 rgb += through * self.mirrored(&path, &site, &border);
@@ -172,7 +177,7 @@ impl<'w> Tracer<'w> {
                     // Straight on it stays on its level (measured on 3.7).
                     path.level += u32::from(border.bends());
                     path.ray = Ray::new(site.point, dir);
-                    if self.setup.world.bends {
+                    if world.bends || world.colors_light {
                         border.cross(&mut path.inside, site.part.interior);
                     }
                     self.rays.transmitted += 1;

@@ -3,8 +3,8 @@
 //! a CSG object's is the union or intersection of its parts', moved as a box by each transform that follows.
 
 use super::{CsgOp, Object, ObjectKind};
-use crate::math::{Aabb, DVec3, Transform};
-use crate::shape::{Kernel, Shape};
+use crate::math::{Aabb, DAffine3, DQuat, DVec3, Transform};
+use crate::shape::{Cone, Cylinder, Kernel, Shape};
 
 /// What POV-Ray tells of things without end.
 const HUGE: Aabb = Aabb { min: DVec3::splat(-1e10), max: DVec3::splat(1e10) };
@@ -17,7 +17,7 @@ impl Object {
         let own = match &self.kind {
             ObjectKind::Shape(shape) => shape_box(shape, &self.transform),
             ObjectKind::Csg(..) => self.group_box.as_deref().copied().unwrap_or(HUGE),
-            ObjectKind::Undrawn(shape) => transform_box(&self.transform, &shape.bounds),
+            ObjectKind::Undrawn(shape) => moved_box(&self.transform, &shape.bounds),
             ObjectKind::Light(_) => HUGE,
         };
         let bounds = [&self.clipped_by, &self.bounded_by].into_iter().flatten();
@@ -94,7 +94,7 @@ fn half_space(normal: DVec3, point: DVec3) -> Aabb {
 
 /// A shape's box in its own frame, and where that frame lies.
 fn shape_box(shape: &Shape, transform: &Transform) -> Aabb {
-    let framed = |axis: DVec3, origin: DVec3, b: Aabb| transform_box(&frame(axis, origin).then(transform), &b);
+    let framed = |axis: DVec3, origin: DVec3, b: Aabb| moved_box(&frame(axis, origin).then(transform), &b);
     match shape {
         Shape::Plane(_) => HUGE,
         Shape::Sphere(s) => {
@@ -107,17 +107,11 @@ fn shape_box(shape: &Shape, transform: &Transform) -> Aabb {
                 let (center, r) = (transform.point(s.center), DVec3::splat(s.radius * axes[0].length()));
                 return Aabb { min: center - r, max: center + r };
             }
-            transform_box(transform, &shape.bounds())
+            moved_box(transform, &shape.bounds())
         }
-        Shape::Cylinder(c) => {
-            let r = c.0.base_radius.max(c.0.cap_radius);
-            let length = (c.0.cap - c.0.base).length();
-            framed(c.0.cap - c.0.base, c.0.base, Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, length) })
-        }
-        Shape::Cone(c) => {
-            let r = c.0.base_radius.max(c.0.cap_radius);
-            let length = (c.0.cap - c.0.base).length();
-            framed(c.0.cap - c.0.base, c.0.base, Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, length) })
+        Shape::Cylinder(Cylinder(c)) | Shape::Cone(Cone(c)) => {
+            let (r, length) = (c.base_radius.max(c.cap_radius), (c.cap - c.base).length());
+            framed(c.cap - c.base, c.base, Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, length) })
         }
         Shape::Disc(d) => {
             let corner = DVec3::new(d.radius, d.radius, THIN);
@@ -126,28 +120,21 @@ fn shape_box(shape: &Shape, transform: &Transform) -> Aabb {
         Shape::Polygon(p) => {
             let thick = p.normal.abs() * THIN;
             let b = shape.bounds();
-            transform_box(transform, &Aabb { min: b.min - thick, max: b.max + thick })
+            moved_box(transform, &Aabb { min: b.min - thick, max: b.max + thick })
         }
-        _ => transform_box(transform, &shape.bounds()),
+        _ => moved_box(transform, &shape.bounds()),
     }
 }
 
 /// The frame whose z axis is turned to `axis` on the shortest way.
 fn frame(axis: DVec3, origin: DVec3) -> Transform {
-    let a = axis.normalize_or(DVec3::Z);
-    let (x, y) = if a.z > -1.0 + 1e-12 {
-        let k = 1.0 / (1.0 + a.z);
-        (DVec3::new(1.0 - a.x * a.x * k, -a.x * a.y * k, -a.x), DVec3::new(-a.x * a.y * k, 1.0 - a.y * a.y * k, -a.y))
-    } else {
-        (DVec3::X, -DVec3::Y)
-    };
-    Transform::from_rows([x, y, a, origin]).unwrap_or_else(|_| Transform::translate(origin))
+    let turn = DQuat::from_rotation_arc(DVec3::Z, axis.normalize_or(DVec3::Z));
+    let turned = Transform::from_affine(DAffine3::from_rotation_translation(turn, origin));
+    turned.unwrap_or_else(|_| Transform::translate(origin))
 }
 
-/// The box around a moved box.
-pub(super) fn transform_box(by: &Transform, b: &Aabb) -> Aabb {
-    if b.min.x <= HUGE.min.x && b.max.x >= HUGE.max.x {
-        return HUGE;
-    }
-    Aabb::from_points(b.corners().map(|corner| by.point(corner)))
+/// The box around a moved box; what has no end has none wherever it is.
+pub(super) fn moved_box(by: &Transform, b: &Aabb) -> Aabb {
+    let endless = b.min.x <= HUGE.min.x && b.max.x >= HUGE.max.x;
+    if endless { HUGE } else { by.aabb(b) }
 }

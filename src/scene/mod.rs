@@ -3,12 +3,14 @@
 mod extent;
 mod object;
 mod settings;
+mod surface;
 mod undrawn;
 mod weight;
 pub mod words;
 
-pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, Painted, is_object, read_layers, read_material};
+pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, is_object};
 pub use settings::Settings;
+pub use surface::{Painted, read_layers, read_material};
 pub use undrawn::Undrawn;
 pub use weight::Weight;
 

@@ -1,8 +1,8 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
-use super::extent::transform_box;
+use super::extent::moved_box;
 use super::words::MODIFIERS;
-use super::{Defaults, Undrawn, Weight};
+use super::{Defaults, Painted, Undrawn, Weight, read_layers, read_material};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::{Aabb, Transform};
@@ -41,15 +41,6 @@ pub enum CsgOp {
     Merge,
 }
 
-/// A texture where it lies on an object.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Painted {
-    /// Shared by all objects that were given it.
-    pub texture: Arc<Texture>,
-    /// How the object was moved after it got the texture, if it had been moved before: else it is the object's own.
-    pub moved: Option<Box<Transform>>,
-}
-
 /// Switches; a CSG object's hold for its parts too.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[allow(missing_docs)]
@@ -62,6 +53,7 @@ pub struct Flags {
     pub inverse: bool,
     pub double_illuminate: bool,
     pub cutaway_textures: bool,
+    pub uv_mapping: bool,
 }
 
 /// An object as it was written. Cheap to copy: what is large is shared.
@@ -256,6 +248,7 @@ impl Object {
         loop {
             let next = r.next()?;
             if next == Next::End {
+                self.map_texture_by_uv();
                 return Ok(());
             }
             if let (Next::Word(word), Some(shape)) = (next, shape.as_deref_mut())
@@ -270,6 +263,13 @@ impl Object {
                 let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
                 return Err(r.unknown_word(self.word, &words).into());
             }
+        }
+    }
+
+    /// `uv_mapping` of an object is its texture's.
+    fn map_texture_by_uv(&mut self) {
+        if let Some(painted) = self.texture.as_mut().filter(|_| self.flags.uv_mapping) {
+            Arc::make_mut(&mut painted.texture).set_uv();
         }
     }
 
@@ -331,6 +331,7 @@ impl Object {
             "inverse" => &mut f.inverse,
             "double_illuminate" => &mut f.double_illuminate,
             "cutaway_textures" => &mut f.cutaway_textures,
+            "uv_mapping" => &mut f.uv_mapping,
             _ => return None,
         })
     }
@@ -406,7 +407,7 @@ impl Object {
     pub fn transform_by(&mut self, step: &Transform) {
         self.transform = self.transform.then(step);
         if let Some(group) = &mut self.group_box {
-            **group = transform_box(step, group);
+            **group = moved_box(step, group);
         }
         for painted in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
             if let Some(moved) = &mut painted.moved {
@@ -420,80 +421,6 @@ impl Object {
                 o
             };
             *bound = bound.as_ref().map(|parts| parts.iter().map(moved).collect());
-        }
-    }
-}
-
-impl Painted {
-    /// On an object that has been moved so before.
-    pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
-        Self { texture, moved: (!before.is_identity()).then(|| Box::new(Transform::IDENTITY)) }
-    }
-
-    /// The space around the object from the texture's, given that from the object's.
-    pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
-        self.moved.as_deref().unwrap_or(object)
-    }
-}
-
-/// One or more `texture` blocks in a row: layers, the first is the lowest.
-pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
-    let mut layers = vec![];
-    let mut next = r.next()?;
-    loop {
-        match next {
-            Next::Block("texture") => {
-                r.take()?;
-                layers.extend(Texture::read(r, &defaults.texture)?.layers);
-                r.leave()?;
-            }
-            Next::Thing("texture") => match r.thing::<Texture>()? {
-                Some(texture) => layers.extend(texture.layers.iter().cloned()),
-                None => break,
-            },
-            _ => break,
-        }
-        next = r.continued()?;
-    }
-    Ok(Texture { layers })
-}
-
-/// Reads what stands between the braces of a `material`.
-pub fn read_material(r: &mut dyn Reader, defaults: &Defaults) -> Result<Material> {
-    let mut out = Material::default();
-    loop {
-        match r.next()? {
-            Next::End => return Ok(out),
-            Next::Thing("material") => {
-                if let Some(declared) = r.thing::<Material>()? {
-                    out = (*declared).clone();
-                }
-            }
-            Next::Block("texture") | Next::Thing("texture") => out.texture = Some(Arc::new(read_layers(r, defaults)?)),
-            Next::Block("interior_texture") => {
-                r.take()?;
-                out.interior_texture = Some(Arc::new(Texture::read(r, &defaults.texture)?));
-                r.leave()?;
-            }
-            Next::Block("interior") => {
-                r.take()?;
-                out.interior = Some(Arc::new(Interior::read(r)?));
-                r.leave()?;
-            }
-            Next::Thing("interior") => out.interior = r.thing::<Interior>()?,
-            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-            | Next::Block("transform")
-            | Next::Thing("transform") => {
-                if let Some(step) = r.transform()? {
-                    for texture in [&mut out.texture, &mut out.interior_texture].into_iter().flatten() {
-                        Arc::make_mut(texture).transform(&step);
-                    }
-                }
-            }
-            _ => {
-                let words = ["texture", "interior_texture", "interior", "translate", "rotate", "scale", "transform"];
-                return Err(r.unknown_word("material", &words).into());
-            }
         }
     }
 }

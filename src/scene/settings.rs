@@ -4,7 +4,7 @@ use super::words::SETTINGS;
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
-use crate::pattern::Spot;
+use crate::pattern::{Spot, read_noise_generator};
 use crate::value::{Next, Reader, Said};
 use serde::Serialize;
 
@@ -19,6 +19,8 @@ pub struct Settings {
     pub adc_bailout: f64,
     /// The light that `finish { ambient }` answers to.
     pub ambient_light: Rgb,
+    /// The wavelengths of red, green and blue in the units of `irid { thickness }`.
+    pub irid_wavelength: Rgb,
     /// The noise that patterns and functions are made of, if the scene says which.
     pub noise_generator: Option<NoiseGenerator>,
     /// How many sources the patterns `ripples` and `waves` have.
@@ -35,6 +37,7 @@ impl Default for Settings {
             max_trace_level: 5,
             adc_bailout: 1.0 / 255.0,
             ambient_light: Rgb::ONE,
+            irid_wavelength: Rgb::new(0.7, 0.52, 0.48),
             noise_generator: None,
             number_of_waves: Spot::WAVES,
             undrawn: vec![],
@@ -64,12 +67,7 @@ impl Settings {
                 }
                 Next::Word("noise_generator") => {
                     r.take()?;
-                    let (at, n) = (r.span(), r.float()?);
-                    if !(1.0..4.0).contains(&n) {
-                        let message = format!("there are noise generators 1, 2 and 3, but none with the number {n}");
-                        return Diagnostic::err(codes::BAD_ARGUMENT, at, message);
-                    }
-                    self.noise_generator = Some(NoiseGenerator::from_number(n));
+                    self.noise_generator = Some(read_noise_generator(r)?);
                 }
                 Next::Word("number_of_waves") => {
                     r.take()?;
@@ -78,6 +76,10 @@ impl Settings {
                 Next::Word("adc_bailout") => {
                     r.take()?;
                     self.adc_bailout = r.float()?;
+                }
+                Next::Word("irid_wavelength") => {
+                    r.take()?;
+                    self.irid_wavelength = r.color()?.rgb;
                 }
                 Next::Word("ambient_light") => {
                     r.take()?;

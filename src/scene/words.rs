@@ -11,6 +11,7 @@ pub const MODIFIERS: Vocabulary = Vocabulary {
     words: &[
         word("pigment", Block, "black", "its colour, as `texture { pigment { … } }` says it too"),
         word("texture", Block, "", "what it looks like; several are layers, the last on top"),
+        word("normal", Block, "", "its bumps"),
         word("finish", Block, "", "its answer to light"),
         word("interior", Block, "", "what fills it"),
         word("material", Block, "", "texture, interior texture and interior in one"),
@@ -22,13 +23,14 @@ pub const MODIFIERS: Vocabulary = Vocabulary {
         word("no_reflection", Flag, "off", "it is not seen in mirrors"),
         word("no_radiosity", Flag, "off", "it is not seen by radiosity, which is not drawn yet"),
         word("hollow", Flag, "off", "media and fog, which are not drawn yet, are inside too"),
+        word("uv_mapping", Flag, "off", "its texture sees the place on the surface, (u, v, 0), instead of the point"),
         word("inverse", Flag, "off", "inside and outside change places"),
         word("double_illuminate", Flag, "off", "light on the far side of a surface shows on this side"),
         word("cutaway_textures", Flag, "off", "a cut shows the texture of what was cut"),
     ],
     moves: true,
     idle: &["sturm", "hierarchy", "split_union", "all_intersections"],
-    not_drawn: &["normal", "photons", "uv_mapping"],
+    not_drawn: &["photons"],
 };
 
 /// `global_settings { … }`
@@ -51,9 +53,15 @@ pub const SETTINGS: Vocabulary = Vocabulary {
             "which noise functions are made of: 1, 2 or 3",
         ),
         word("number_of_waves", Float, "10", "how many sources the patterns `ripples` and `waves` have"),
+        word(
+            "irid_wavelength",
+            Color,
+            "<0.7, 0.52, 0.48>",
+            "of red, green and blue light, in the units of `irid`'s `thickness`",
+        ),
         word("ambient_light", Color, "1", "the light that `finish { ambient }` answers to"),
     ],
     moves: false,
-    idle: &["charset", "hf_gray_16", "irid_wavelength", "max_intersections", "mm_per_unit"],
+    idle: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
     not_drawn: &["photons", "radiosity", "subsurface"],
 };

@@ -1,11 +1,11 @@
 //! For the tests of shapes: all hits in order, and a reader of numbers and words without an interpreter.
 
 use super::{Hit, Hits, Kernel, Readable};
-use crate::color::Color;
+use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{FloatOrColor, Language, Next, Reader, Said, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Reader, Said, Solid, Thing, Value, VecN};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -142,7 +142,25 @@ impl Reader for Words {
     }
 
     fn language(&self) -> Language {
-        Language { version: 370, bare_textures: false, assumed_gamma: None }
+        Language {
+            version: 370,
+            bare_textures: false,
+            assumed_gamma: None,
+            other_gamma: Gamma::Power(1.0),
+            srgb_files: true,
+        }
+    }
+
+    fn solid(&mut self) -> Result<Arc<dyn Solid>> {
+        Err(self.unexpected("no object").into())
+    }
+
+    fn picture(&mut self) -> Result<Arc<crate::image_io::Picture>> {
+        Err(self.unexpected("no picture").into())
+    }
+
+    fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
+        Ok(None)
     }
 
     fn find_file(&mut self, _: &str, _: Span) -> Result<Option<std::path::PathBuf>> {

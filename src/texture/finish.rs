@@ -1,10 +1,13 @@
 //! `finish`: how a surface answers to light (manual, "Finish").
 
-use super::words::{FINISH, REFLECTION};
+use super::words::{FINISH, IRID, REFLECTION};
 use crate::color::Rgb;
 use crate::diagnostic::Result;
+use crate::math::noise::{NoiseGenerator, Turbulence, turbulence};
+use crate::math::{DVec3, fp};
 use crate::value::{Next, Reader, ReaderExt, Said};
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// All numbers of a finish.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -39,6 +42,9 @@ pub struct Finish {
     pub crand: f64,
     /// Mirror.
     pub reflection: Reflection,
+    /// A thin film on top.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub irid: Option<Irid>,
     /// Takes from the light that passes what the mirror gives.
     pub conserve_energy: bool,
     /// The index of refraction, where an old scene says it here and no `interior` does.
@@ -47,6 +53,17 @@ pub struct Finish {
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub undrawn: Vec<Said>,
+}
+
+/// `irid`: the colours of a thin film (manual, "Iridescence").
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Irid {
+    /// How much of it is seen.
+    pub amount: f64,
+    /// Of the film, in the units of `irid_wavelength`.
+    pub thickness: f64,
+    /// How much the thickness varies.
+    pub turbulence: f64,
 }
 
 /// All numbers of a mirror.
@@ -84,6 +101,7 @@ impl Default for Finish {
             metallic: 0.0,
             crand: 0.0,
             reflection: Reflection::default(),
+            irid: None,
             conserve_energy: false,
             ior: None,
             undrawn: vec![],
@@ -113,6 +131,11 @@ impl Finish {
                 Next::Block("reflection") => {
                     r.take()?;
                     f.reflection = Reflection::read(r)?;
+                    r.leave()?;
+                }
+                Next::Block("irid") => {
+                    r.take()?;
+                    f.irid = Some(Irid::read(r)?);
                     r.leave()?;
                 }
                 Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => {
@@ -158,6 +181,34 @@ impl Finish {
             }
         }
         Ok(())
+    }
+}
+
+impl Irid {
+    /// `irid { amount … }`
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut out = Self { amount: r.float()?, thickness: 0.0, turbulence: 0.0 };
+        loop {
+            match r.next()? {
+                Next::End => return Ok(out),
+                Next::Word(word) if IRID.obeys(word) => {
+                    r.take()?;
+                    let x = r.float()?;
+                    if word == "thickness" { out.thickness = x } else { out.turbulence = x }
+                }
+                _ => return Err(r.unknown_word("irid", &IRID.names()).into()),
+            }
+        }
+    }
+
+    /// The factor for light that falls and is seen under angles of these cosines (fitted on 3.7): 1 + a·cos(2π·path/λ).
+    pub fn tint(&self, p: DVec3, cosines: f64, wavelength: Rgb, noise: NoiseGenerator) -> Rgb {
+        let mut thickness = self.thickness;
+        if self.turbulence != 0.0 {
+            let series = Turbulence::new(2.0, 0.5, 5.0);
+            thickness *= 1.0 + self.turbulence * (2.0 * turbulence(p, series, noise) - 1.0);
+        }
+        wavelength.map(|lambda| 1.0 + self.amount * fp::cos(TAU * thickness * cosines / lambda))
     }
 }
 

@@ -5,7 +5,7 @@ use super::words::{FINISH, TEXTURE};
 use super::{Finish, Interior, Normal, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
-use crate::pattern::{CellPattern, Kind, Pattern};
+use crate::pattern::{CellPattern, Kind, MaterialMap, Pattern, Readable};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -135,6 +135,11 @@ impl Texture {
             Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map") if bare => {
                 self.top().pigment.read_element(r, next)?;
             }
+            Next::Block("material_map") => {
+                r.take()?;
+                draft.parts = Some(read_material_map(r, &mut draft.pattern)?);
+                r.leave()?;
+            }
             next if draft.pattern.read_element(next, r)? => {
                 if let Some(list) = blend::read_list(r, next, &draft.pattern, &|_, _| base.clone())? {
                     draft.parts = Some(list);
@@ -197,7 +202,7 @@ impl Texture {
     }
 
     /// Every layer sees places on the surface instead of points.
-    fn set_uv(&mut self) {
+    pub fn set_uv(&mut self) {
         for layer in &mut self.layers {
             layer.pigment.pattern.uv = true;
             if let Some(normal) = &mut layer.normal {
@@ -229,7 +234,30 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern) -> Result<Parts<Texture
         }
     }
     list.resize(2, Texture::default());
+    // The second is at the origin (measured on POV-Ray 3.7).
+    list.swap(0, 1);
     pattern.kind = Kind::Cells(CellPattern::Checker(crate::pattern::Checker {}));
+    Ok(Parts::List(list.into()))
+}
+
+/// `material_map { "file" … texture … texture … }`
+fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern) -> Result<Parts<Texture>> {
+    let mut map = MaterialMap::read(r)?;
+    let mut list = vec![];
+    loop {
+        match r.next()? {
+            Next::Block("texture") => {
+                r.take()?;
+                list.push(Texture::read(r, &Texture::default())?);
+                r.leave()?;
+            }
+            Next::Thing("texture") => list.extend(Texture::declared(r)?),
+            Next::End if !list.is_empty() => break,
+            _ => return Err(r.unexpected("`texture`").into()),
+        }
+    }
+    map.count = list.len();
+    pattern.kind = Kind::Cells(CellPattern::MaterialMap(map));
     Ok(Parts::List(list.into()))
 }
 

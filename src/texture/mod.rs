@@ -3,6 +3,7 @@
 mod blend;
 mod color_map;
 mod finish;
+mod image_map;
 mod interior;
 mod layers;
 mod normal;
@@ -11,7 +12,8 @@ pub mod words;
 
 pub use blend::{Map, Parts, Shares};
 pub use color_map::ColorMap;
-pub use finish::{Finish, Reflection};
+pub use finish::{Finish, Irid, Reflection};
+pub use image_map::ImageMap;
 pub use interior::Interior;
 pub use layers::{Choice, Layer, Material, Texture};
 pub use normal::{Normal, Relief, Slope, SlopeMap};

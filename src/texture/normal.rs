@@ -4,7 +4,7 @@ use super::blend::{self, Entry, Map, Parts};
 use super::words::NORMAL;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::pattern::{CellPattern, FieldPattern, Kind, Pattern, Spot};
+use crate::pattern::{CellPattern, FieldPattern, ImagePattern, Kind, Pattern, Spot};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -93,6 +93,21 @@ impl Normal {
             Next::Word("no_bump_scale") => {
                 r.take()?;
                 self.bump_scale = !r.flag()?;
+            }
+            Next::Block("bump_map") => {
+                r.take()?;
+                let amount = &mut self.amount;
+                let image = ImagePattern::read_words(r, "bump_map", &mut |r, next| {
+                    let sized = next == Next::Word("bump_size");
+                    if sized {
+                        r.take()?;
+                        *amount = r.float()?;
+                    }
+                    Ok(sized)
+                })?;
+                self.relief = Relief::Own;
+                self.pattern.kind = Kind::Field(FieldPattern::ImagePattern(image));
+                r.leave()?;
             }
             Next::Block("slope_map") => {
                 r.take()?;

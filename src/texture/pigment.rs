@@ -1,8 +1,8 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
-use super::ColorMap;
 use super::blend::{self, Entry, Map, Parts};
 use super::words::pigment_names;
+use super::{ColorMap, ImageMap};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::pattern::{CellPattern, Cells, Field, Kind, NOT_DRAWN, Pattern, Spot, WORDS_NOT_DRAWN};
@@ -20,6 +20,8 @@ pub enum Paint {
     Colors(Arc<ColorMap>),
     /// Other pigments, which move along.
     Pigments(Parts<Pigment>),
+    /// A picture.
+    Image(Arc<ImageMap>),
 }
 
 /// Paint in its own space.
@@ -80,6 +82,12 @@ impl Pigment {
                 self.paint = Paint::Colors(Arc::new(ColorMap::read(r)?));
                 r.leave()
             }
+            Next::Block("image_map") => {
+                r.take()?;
+                self.paint = Paint::Image(Arc::new(ImageMap::read(r)?));
+                self.pattern.kind = Kind::Plain;
+                r.leave()
+            }
             Next::Thing("color_map") => {
                 if let Some(map) = r.thing::<ColorMap>()? {
                     self.paint = Paint::Colors(map);
@@ -116,6 +124,7 @@ impl Pigment {
         match &self.paint {
             Paint::Solid(color) => *color,
             Paint::Colors(map) => map.at(self.pattern.see(spot).0),
+            Paint::Image(image) => image.at(self.pattern.see(spot).1.p),
             Paint::Pigments(parts) => {
                 let (number, inner) = self.pattern.see(spot);
                 let shares = parts.shares(number, self.pattern.kind == Kind::Average);
@@ -150,6 +159,7 @@ impl Pigment {
             Paint::Solid(color) => opaque(color),
             Paint::Colors(map) => map.entries.iter().all(|(_, color)| opaque(color)),
             Paint::Pigments(parts) => parts.iter().all(Pigment::is_opaque),
+            Paint::Image(image) => image.is_opaque(),
         }
     }
 }

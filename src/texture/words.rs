@@ -1,7 +1,7 @@
 //! The words of `pigment`, `finish`, `texture` and `interior`: what the readers obey and the manual lists.
 
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, WORDS_NOT_DRAWN};
-use crate::value::Kind::{Block, Color, Flag, Float};
+use crate::value::Kind::{Block, Color, Flag, Float, Nothing};
 use crate::value::words::word;
 use crate::value::{Spec, Vocabulary};
 
@@ -18,12 +18,31 @@ pub const PIGMENT: Vocabulary = Vocabulary {
         ),
         word("colour_map", Block, "", "the same"),
         word("pigment_map", Block, "", "`[number pigment]` entries: which pigment each number of the pattern gets"),
+        word("image_map", Block, "", "a picture"),
         word("quick_color", Color, "", "drawn in its place with `--quality 5` and less"),
         word("quick_colour", Color, "", "the same"),
     ],
     moves: true,
     idle: &[],
     not_drawn: WORDS_NOT_DRAWN,
+};
+
+/// `image_map { … }`
+pub const IMAGE_MAP: Vocabulary = Vocabulary {
+    block: "image_map",
+    summary: "a picture as the colours of a surface: a file's name, or `function W, H { … }`, and these words",
+    words: &[
+        word("map_type", Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus"),
+        word("once", Nothing, "", "it is there once, not again and again"),
+        word("interpolate", Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance"),
+        word("filter", Float, "0", "`filter all A` or, for one colour of a palette, `filter N, A`"),
+        word("transmit", Float, "0", "`transmit all A` or, for one colour of a palette, `transmit N, A`"),
+        word("gamma", Float, "", "how the file's numbers stand to light, instead of what the file says; or `srgb`"),
+        word("premultiplied", Flag, "", "the file's colours are multiplied with alpha already"),
+    ],
+    moves: false,
+    idle: &[],
+    not_drawn: &[],
 };
 
 /// All words of a pigment, those of colours and patterns among them.
@@ -46,11 +65,12 @@ pub const TEXTURE: Vocabulary = Vocabulary {
         word("texture_map", Block, "", "behind a pattern: which texture each of its numbers gets"),
         word("uv_mapping", Flag, "off", "it sees the place on the surface, (u, v, 0), instead of the point"),
         word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
+        word("material_map", Block, "", "a picture whose numbers choose among textures"),
         word("tiles", Block, "", "of old scenes: a checker of two textures, `tiles { texture … tile2 texture … }`"),
     ],
     moves: true,
     idle: &[],
-    not_drawn: &["material_map"],
+    not_drawn: &[],
 };
 
 /// `normal { … }`, beside patterns and their words.
@@ -67,11 +87,12 @@ pub const NORMAL: Vocabulary = Vocabulary {
         ),
         word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
         word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
+        word("bump_map", Block, "", "a picture whose brightness is the height"),
         word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
     ],
     moves: true,
     idle: &[],
-    not_drawn: &["bump_map"],
+    not_drawn: &[],
 };
 
 /// `finish { … }`
@@ -101,6 +122,7 @@ pub const FINISH: Vocabulary = Vocabulary {
         word("crand", Float, "0", "grain, for rough stone"),
         word("reflection", Color, "0", "how much is mirrored; in braces with the words of `reflection`"),
         word("reflection_exponent", Float, "1", "old spelling of `exponent` in `reflection { }`"),
+        word("irid", Block, "", "the colours of a thin film, as on soap bubbles"),
         word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through"),
         word("ior", Float, "", "as in `interior`, which is newer"),
         word("refraction", Float, "", "of old scenes: changes nothing"),
@@ -110,7 +132,20 @@ pub const FINISH: Vocabulary = Vocabulary {
     ],
     moves: false,
     idle: &[],
-    not_drawn: &["irid", "subsurface"],
+    not_drawn: &["subsurface"],
+};
+
+/// `finish { irid { … } }`
+pub const IRID: Vocabulary = Vocabulary {
+    block: "irid",
+    summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
+    words: &[
+        word("thickness", Float, "0", "of the film, in the units of `irid_wavelength`"),
+        word("turbulence", Float, "0", "how much the thickness varies"),
+    ],
+    moves: false,
+    idle: &[],
+    not_drawn: &[],
 };
 
 /// `finish { reflection { … } }`
@@ -132,17 +167,15 @@ pub const REFLECTION: Vocabulary = Vocabulary {
 pub const INTERIOR: Vocabulary = Vocabulary {
     block: "interior",
     summary: "what fills a shape",
-    words: &[word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond")],
+    words: &[
+        word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond"),
+        word("fade_distance", Float, "0", "how far light goes until it has lost half; 0 if it loses nothing"),
+        word("fade_power", Float, "0", "how fast light fades; 1 to 2 is usual, from 1000 on it fades exponentially"),
+        word("fade_color", Color, "0", "what is left of light that has gone far"),
+        word("fade_colour", Color, "", "the same"),
+        word("caustics", Float, "0", "makes shadows bright where light falls straight in; larger is narrower"),
+    ],
     moves: false,
     idle: &[],
-    not_drawn: &[
-        "dispersion",
-        "dispersion_samples",
-        "caustics",
-        "fade_distance",
-        "fade_power",
-        "fade_color",
-        "fade_colour",
-        "media",
-    ],
+    not_drawn: &["dispersion", "dispersion_samples", "media"],
 };

@@ -4,6 +4,7 @@
 use super::{Said, Thing, Value, downcast};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result};
+use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::source::Span;
 use std::path::PathBuf;
@@ -39,6 +40,10 @@ pub struct Language {
     pub bare_textures: bool,
     /// `global_settings { assumed_gamma … }`, once it has been read.
     pub assumed_gamma: Option<Gamma>,
+    /// What holds without it.
+    pub other_gamma: Gamma,
+    /// Do picture files that say nothing of their numbers follow the sRGB curve?
+    pub srgb_files: bool,
 }
 
 /// What [`Reader::float_or_color`] found.
@@ -114,6 +119,10 @@ pub trait Reader {
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
     /// A font of the system that looks like the one of this name, which is not there.
     fn similar_font(&mut self, name: &str) -> Option<PathBuf>;
+    /// Consumes a picture file's name, and decodes the file; fails where it is not found or not understood.
+    fn picture(&mut self) -> Result<Arc<Picture>>;
+    /// Consumes `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
+    fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>>;
     /// Tells the user something without stopping.
     fn report(&mut self, diagnostic: Diagnostic);
     /// An error about what comes next: "expected …, found …".
@@ -140,7 +149,7 @@ impl<R: Reader + ?Sized> ReaderExt for R {
     }
 
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>> {
-        if !matches!(self.next()?, Next::Thing(_) | Next::Function) {
+        if !matches!(self.next()?, Next::Thing(_)) {
             return Ok(None);
         }
         let (thing, span) = self.take_thing()?;

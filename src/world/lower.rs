@@ -30,7 +30,8 @@ pub fn lower(scene: &Scene) -> Result<World> {
         camera: scene.camera.clone(),
         geometry: Geometry::new(roots),
         see_through: objects.iter().any(|o| !o.opaque),
-        bends: interiors.iter().any(|&ior| ior != 1.0),
+        bends: interiors.iter().any(|interior| interior.ior != 1.0),
+        colors_light: interiors.iter().any(Interior::colors_light),
         parts,
         objects,
         materials,
@@ -42,6 +43,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
         waves: scene.settings.number_of_waves,
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
+        irid_wavelength: scene.settings.irid_wavelength,
     })
 }
 
@@ -89,7 +91,7 @@ struct Lowering {
     materials: Vec<Material>,
     /// By the address of the texture, which the scene keeps alive.
     material_numbers: FxHashMap<*const Texture, u32>,
-    interiors: Vec<f64>,
+    interiors: Vec<Interior>,
     lights: Vec<Lamp>,
 }
 
@@ -151,7 +153,7 @@ impl Lowering {
     }
 
     fn add_interior(&mut self, interior: &Interior) -> u32 {
-        self.interiors.push(interior.ior);
+        self.interiors.push(Interior { undrawn: vec![], ..interior.clone() });
         self.interiors.len() as u32 - 1
     }
 
@@ -287,6 +289,8 @@ fn joined(own: Flags, around: Flags) -> Flags {
         inverse: own.inverse,
         double_illuminate: own.double_illuminate || around.double_illuminate,
         cutaway_textures: own.cutaway_textures || around.cutaway_textures,
+        // It has been said to the object's texture when it was read.
+        ..own
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::color::{Color, Rgb};
 use crate::pattern::{Kind, Pattern, Spot};
-use crate::texture::{self, Map, Normal, Parts, Pigment, Reflection, Texture};
+use crate::texture::{self, Irid, Map, Normal, Parts, Pigment, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -64,6 +64,8 @@ pub struct Layer {
     pub metallic: f64,
     /// Grain of the diffuse light.
     pub crand: f64,
+    /// A thin film on top.
+    pub irid: Option<Irid>,
     /// What it mirrors, if anything.
     pub mirror: Option<Box<Reflection>>,
     /// Takes from the light that passes what the mirror gives.
@@ -155,6 +157,7 @@ impl Layer {
             specular: Lobe { strength: f.specular * specular, exponent: n },
             metallic: f.metallic,
             crand: f.crand,
+            irid: f.irid,
             mirror: (!f.reflection.is_none()).then(|| Box::new(f.reflection.clone())),
             conserve_energy: f.conserve_energy,
         }

@@ -23,6 +23,7 @@ use crate::color::{Color, Rgb};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
+use crate::texture::Interior;
 use serde::Serialize;
 
 /// The lowered scene.
@@ -38,8 +39,8 @@ pub struct World {
     pub objects: Vec<ObjectInfo>,
     /// By [`Coat::material`].
     pub materials: Vec<Material>,
-    /// Index of refraction, by number of the interior.
-    pub interiors: Vec<f64>,
+    /// What fills objects, by number of the interior.
+    pub interiors: Vec<Interior>,
     /// The noise of patterns that do not say which.
     pub noise: NoiseGenerator,
     /// How many sources `ripples` and `waves` have.
@@ -58,6 +59,10 @@ pub struct World {
     pub see_through: bool,
     /// Is any index of refraction not 1?
     pub bends: bool,
+    /// Does light change on its way through any interior, other than by bending?
+    pub colors_light: bool,
+    /// Of the light that `irid` is worked out for.
+    pub irid_wavelength: Rgb,
 }
 
 /// What belongs to a leaf.

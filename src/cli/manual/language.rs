@@ -90,8 +90,8 @@ fn pattern_section(spec: &Spec) -> String {
 }
 
 pub(super) fn finishes() -> String {
-    use texture::words::{FINISH, INTERIOR, NORMAL, REFLECTION, TEXTURE};
-    let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &INTERIOR];
+    use texture::words::{FINISH, INTERIOR, IRID, NORMAL, REFLECTION, TEXTURE};
+    let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &IRID, &INTERIOR];
     blocks.map(|block| section(block, block.block, &[])).concat()
 }
 

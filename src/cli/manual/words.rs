@@ -69,8 +69,8 @@ fn add_words(index: &mut Index, words: &'static [WordSpec], place: &str) {
 }
 
 fn blocks(index: &mut Index) {
-    use texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT, REFLECTION, TEXTURE};
-    let blocks: [(&'static Vocabulary, &str, &str); 11] = [
+    use texture::words::{FINISH, INTERIOR, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
+    let blocks: [(&'static Vocabulary, &str, &str); 12] = [
         (&interpreter::STATEMENTS, "the scene", "scene.md"),
         (&scene::words::MODIFIERS, "objects", "objects.md"),
         (&camera::words::PERSPECTIVE, "`camera`", "cameras.md"),
@@ -81,6 +81,7 @@ fn blocks(index: &mut Index) {
         (&NORMAL, "`normal`", "finishes.md"),
         (&FINISH, "`finish`", "finishes.md"),
         (&REFLECTION, "`reflection`", "finishes.md"),
+        (&IRID, "`irid`", "finishes.md"),
         (&INTERIOR, "`interior`", "finishes.md"),
     ];
     for (block, name, page) in blocks {

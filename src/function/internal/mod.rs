@@ -36,6 +36,9 @@ impl fmt::Debug for Internal {
     }
 }
 
+/// `f_noise3d`: which noise it is, the scene says.
+pub const SCENE_NOISE: u32 = 76;
+
 /// The function of this number.
 pub fn find(number: u32) -> Option<&'static Internal> {
     TABLE.iter().find(|row| row.number == number)

@@ -1,6 +1,6 @@
 //! The functions, by number.
 
-use super::{Internal, algebraic, call, field_bounds, helix, misc, noise, planar, quadric};
+use super::{Internal, SCENE_NOISE, algebraic, call, field_bounds, helix, misc, noise, planar, quadric};
 use crate::function::Interval;
 
 type Bounds = Option<fn(&[Interval]) -> Interval>;
@@ -184,7 +184,7 @@ pub static TABLE: &[Internal] = &[
     row(75, "f_witch_of_agnesi_2d", "The witch of Agnesi along z or swept around y",
         |a| call(a, planar::witch_of_agnesi_2d), FIELD_BOUNDS, &[STRENGTH, "size of the spike", "height of the spike",
         SWITCH, OFFSET, ANGLE]),
-    row(76, "f_noise3d", "Noise from 0 to 1", |a| call(a, noise::noise3d), Some(noise::noise_bounds), &[]),
+    row(SCENE_NOISE, "f_noise3d", "Noise from 0 to 1", |a| call(a, noise::noise3d), Some(noise::noise_bounds), &[]),
     row(78, "f_noise_generator", "Noise from 0 to 1",
         |a| call(a, noise::noise_generator), Some(noise::noise_bounds), &[GENERATOR]),
 ];

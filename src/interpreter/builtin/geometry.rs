@@ -2,13 +2,13 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
+use crate::interpreter::eval::as_vector;
 use crate::interpreter::scope::Slot;
 use crate::math::DVec3;
 use crate::scene::Object;
 use crate::syntax::ast::{Expr, ExprKind};
-use crate::value::{Thing, Value};
+use crate::value::{Thing, Value, downcast};
 use crate::world::Probe;
-use std::any::Any;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -49,14 +49,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn vector_argument(&mut self, e: &'a Expr) -> Result<DVec3> {
-        match self.eval(e)? {
-            Value::Float(x) => Ok(DVec3::splat(x)),
-            Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
-            other => {
-                let message = format!("expected a vector of three numbers, found {}", other.describe());
-                Diagnostic::err(codes::WRONG_TYPE, e.span, message)
-            }
-        }
+        as_vector(&self.eval(e)?, e.span)
     }
 
     /// Gives a name or an array's element a value.
@@ -67,7 +60,7 @@ impl<'a> Interpreter<'a> {
                 Ok(())
             }
             ExprKind::Index(array, indices) => {
-                let place = self.element_place(array, indices)?;
+                let place = self.new_element_place(array, indices)?;
                 self.scopes.set_element(&place, Some(Slot::Value(value)));
                 Ok(())
             }
@@ -94,7 +87,7 @@ impl<'a> Interpreter<'a> {
         };
         let found = value.describe();
         if let Value::Thing(thing) = value
-            && let Ok(object) = (thing as Arc<dyn Any + Send + Sync>).downcast::<Object>()
+            && let Some(object) = downcast::<Object>(&thing)
         {
             return Ok(object);
         }

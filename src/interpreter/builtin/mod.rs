@@ -7,14 +7,20 @@ mod special;
 mod text;
 mod vector;
 
+pub(super) use text::leading_number;
+
 use super::Interpreter;
-use super::eval::as_float;
+use super::eval::{as_float, as_vector};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::numeric::{self as numeric_table, Numeric};
+use crate::function::numeric::{self as numeric_table, Domain, Numeric};
 use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::value::Value;
+use rustc_hash::FxHashMap;
+use special::Special;
+use std::ops::RangeInclusive;
+use std::sync::LazyLock;
 
 /// The longest string.
 const MAX_TEXT: usize = 16_000_000;
@@ -26,37 +32,30 @@ pub(super) struct Builtin {
     usage: &'static str,
     /// One line for the manual.
     summary: &'static str,
-    arity: std::ops::RangeInclusive<usize>,
+    arity: RangeInclusive<usize>,
     run: fn(&Arguments) -> Result<Value>,
 }
 
 /// Where a function is found.
+#[derive(Clone, Copy)]
 enum Function {
+    /// Of numbers.
     Numeric(&'static Numeric),
-    Other(&'static Builtin),
+    /// Of values.
+    Plain(&'static Builtin),
+    /// Of what its arguments are, not only of their values.
+    Special(&'static Special),
 }
 
-impl Function {
-    fn find(name: &str) -> Option<Self> {
-        if let Some(row) = numeric_table::find(name) {
-            return Some(Self::Numeric(&numeric_table::TABLE[row as usize]));
-        }
-        [vector::TABLE, text::TABLE].into_iter().flatten().find(|f| f.name == name).map(Self::Other)
-    }
+/// All functions by their names.
+static FUNCTIONS: LazyLock<FxHashMap<&'static str, Function>> = LazyLock::new(|| {
+    let numeric = numeric_table::TABLE.iter().map(|row| (row.name, Function::Numeric(row)));
+    let special = special::TABLE.iter().map(|row| (row.name, Function::Special(row)));
+    numeric.chain(plain().map(|row| (row.name, Function::Plain(row)))).chain(special).collect()
+});
 
-    fn arity(&self) -> std::ops::RangeInclusive<usize> {
-        match self {
-            Self::Numeric(row) => numeric::arity(row),
-            Self::Other(function) => function.arity.clone(),
-        }
-    }
-
-    fn run(&self, arguments: &Arguments) -> Result<Value> {
-        match self {
-            Self::Numeric(row) => numeric::compute(row, arguments),
-            Self::Other(function) => (function.run)(arguments),
-        }
-    }
+fn plain() -> impl Iterator<Item = &'static Builtin> {
+    [vector::TABLE, text::TABLE].into_iter().flatten()
 }
 
 /// Evaluated arguments with their places.
@@ -70,11 +69,7 @@ impl Arguments {
     }
 
     fn vector(&self, i: usize) -> Result<DVec3> {
-        match &self.values[i].0 {
-            Value::Float(x) => Ok(DVec3::splat(*x)),
-            Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
-            other => self.wrong(i, "a vector of three numbers", other),
-        }
+        as_vector(&self.values[i].0, self.values[i].1)
     }
 
     fn text(&self, i: usize) -> Result<&str> {
@@ -102,51 +97,73 @@ impl Arguments {
 impl<'a> Interpreter<'a> {
     /// Calls the built-in function of this name.
     pub(super) fn builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
-        if let Some(special) = special::TABLE.iter().find(|f| f.name == name) {
-            check_count(name, &special.arity, arguments.len(), span)?;
-            return (special.run)(self, arguments, span);
-        }
-        let Some(function) = Function::find(name) else {
+        let Some(&function) = FUNCTIONS.get(name) else {
             return Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet"));
         };
-        let arity = function.arity();
-        let mut values = Vec::with_capacity(arguments.len());
-        for argument in arguments {
-            self.argument_values(argument, &mut values)?;
+        match function {
+            Function::Special(row) => {
+                check_count(name, &row.arity, arguments.len(), span)?;
+                (row.run)(self, arguments, span)
+            }
+            Function::Numeric(row) => {
+                let arguments = self.given(name, &numeric::arity(row), arguments, span)?;
+                if let (Domain::Divides, Some((Value::Float(0.0), at))) = (row.domain, arguments.values.last()) {
+                    self.division_by_zero(*at);
+                }
+                numeric::compute(row, &arguments)
+            }
+            Function::Plain(row) => {
+                let arguments = self.given(name, &row.arity, arguments, span)?;
+                let value = (row.run)(&arguments)?;
+                self.check_text(&value, span)?;
+                Ok(value)
+            }
         }
-        check_count(name, &arity, values.len(), span)?;
-        if let ("div" | "mod", Some((Value::Float(0.0), at))) = (name, values.last()) {
-            self.division_by_zero(*at);
-        }
-        let value = function.run(&Arguments { values })?;
-        match &value {
+    }
+
+    /// A string must not grow without end.
+    fn check_text(&mut self, value: &Value, span: Span) -> Result<()> {
+        match value {
             Value::Text(text) if text.len() > MAX_TEXT => {
                 let message = format!("this string is longer than {} million bytes", MAX_TEXT / 1_000_000);
                 self.limit(codes::MEMORY_LIMIT, span, message, "does a loop make it longer and longer?")
             }
-            Value::Text(text) => {
-                self.made(text.len(), span)?;
-                Ok(value)
-            }
-            _ => Ok(value),
+            Value::Text(text) => self.made(text.len(), span),
+            _ => Ok(()),
         }
+    }
+
+    /// The values of all arguments, as many as the function takes.
+    fn given(
+        &mut self,
+        name: &str,
+        arity: &RangeInclusive<usize>,
+        arguments: &'a [Expr],
+        span: Span,
+    ) -> Result<Arguments> {
+        let mut values = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            self.argument_values(argument, &mut values)?;
+        }
+        check_count(name, arity, values.len(), span)?;
+        Ok(Arguments { values })
     }
 
     /// One argument; a macro may give several.
     fn argument_values(&mut self, argument: &'a Expr, out: &mut Vec<(Value, Span)>) -> Result<()> {
-        let values = match &argument.kind {
+        match &argument.kind {
             ExprKind::Call(name, arguments) if self.is_macro(*name) => {
-                self.macro_values(*name, arguments, argument.span)?
+                let values = self.macro_values(*name, arguments, argument.span)?;
+                out.extend(values.into_iter().map(|value| (value, argument.span)));
             }
-            _ => vec![self.eval(argument)?],
-        };
-        out.extend(values.into_iter().map(|value| (value, argument.span)));
+            _ => out.push((self.eval(argument)?, argument.span)),
+        }
         Ok(())
     }
 }
 
 /// An error unless the function takes so many arguments.
-fn check_count(name: &str, arity: &std::ops::RangeInclusive<usize>, found: usize, span: Span) -> Result<()> {
+fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Span) -> Result<()> {
     if arity.contains(&found) {
         return Ok(());
     }
@@ -163,8 +180,7 @@ fn check_count(name: &str, arity: &std::ops::RangeInclusive<usize>, found: usize
 
 /// Every function of scripts that is in none of `function { }`'s tables: name, arguments, one line.
 pub(super) fn usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    let plain = [vector::TABLE, text::TABLE].into_iter().flatten().map(|f| (f.name, f.usage, f.summary));
-    plain.chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
+    plain().map(|f| (f.name, f.usage, f.summary)).chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
 }
 
 fn float(x: f64) -> Result<Value> {

@@ -2,7 +2,8 @@
 
 use super::{Arguments, Builtin, float};
 use crate::diagnostic::Result;
-use crate::value::Value;
+use crate::interpreter::operators::numbers_of;
+use crate::value::{Value, VecN};
 use std::fmt::Write;
 
 pub(super) const TABLE: &[Builtin] = &[
@@ -84,7 +85,7 @@ pub(super) const TABLE: &[Builtin] = &[
         usage: "(Text)",
         summary: "the number that the text begins with",
         arity: 1..=1,
-        run: |a| float(leading_number(a.text(0)?)),
+        run: |a| float(leading_number(a.text(0)?.trim_start()).map_or(0.0, |(x, _)| x)),
     },
     Builtin {
         name: "vstr",
@@ -105,12 +106,11 @@ fn compare(a: &str, b: &str) -> f64 {
     codes(a).iter().zip(&codes(b)).map(|(a, b)| a - b).find(|d| *d != 0.0).unwrap_or(0.0)
 }
 
-/// The number that a string begins with; 0 if there is none.
-fn leading_number(s: &str) -> f64 {
-    let s = s.trim_start();
+/// The number that a string begins with, and how long it is.
+pub(in crate::interpreter) fn leading_number(s: &str) -> Option<(f64, usize)> {
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-');
     let end = s.find(|c| !digits(c)).unwrap_or(s.len()).min(400);
-    (1..=end).rev().find_map(|end| s[..end].parse().ok()).unwrap_or(0.0)
+    (1..=end).rev().find_map(|end| s[..end].parse().ok().map(|x| (x, end)))
 }
 
 /// A number as C's printf writes it: a negative width fills with zeros, a negative precision means six digits.
@@ -156,13 +156,8 @@ fn substr(a: &Arguments) -> Result<Value> {
 /// `vstr(N, V, Separator, Width, Precision)`.
 fn vstr(a: &Arguments) -> Result<Value> {
     let n = a.float(0)?.clamp(2.0, 5.0) as usize;
-    let c = match &a.values[1].0 {
-        // A number is a vector of one component.
-        Value::Float(x) => [*x, 0.0, 0.0, 0.0, 0.0],
-        Value::Vector(v) => v.c,
-        Value::Color(c) => c.to_array(),
-        other => return a.wrong(1, "a vector", other),
-    };
+    let value = &a.values[1].0;
+    let Some(VecN { c, .. }) = numbers_of(value) else { return a.wrong(1, "a vector", value) };
     let (separator, width, precision) = (a.text(2)?, a.float(3)? as i64, a.float(4)? as i64);
     let parts: Vec<String> = c[..n].iter().map(|x| format_number(*x, width, precision)).collect();
     text(parts.join(separator))

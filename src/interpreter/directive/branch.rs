@@ -30,13 +30,16 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
+    pub(super) fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
         match &e.kind {
             // The language's own constants are not declared.
             ExprKind::Name(symbol) => Ok(self.scopes.get(*symbol).is_some()),
             ExprKind::Index(array, indices) => {
                 if !self.is_declared(array)? {
                     return Ok(false);
+                }
+                if let Some(place) = self.dictionary_place(array)? {
+                    return self.has_keys(place, indices);
                 }
                 let place = self.element_place(array, indices)?;
                 Ok(self.scopes.at(&place).is_some())

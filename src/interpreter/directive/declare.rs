@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::scope::Slot;
+use crate::interpreter::scope::{Place, Slot};
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::{Declare, Element, Expr, ExprKind, Target};
@@ -28,20 +28,12 @@ impl<'a> Interpreter<'a> {
         if !declare.others.is_empty() {
             return self.declare_several(declare);
         }
-        let place = match target.indices.first() {
-            Some(_) => Some(self.place_of(target.symbol, target.span, &target.indices)?),
-            None => None,
-        };
+        let place = self.target_place(target)?;
         if place.is_none()
             && declare.deprecated.is_none()
             && let Some(x) = self.simple_statement()
         {
-            let slot = Slot::Value(Value::Float(x));
-            if declare.local {
-                self.scopes.set_local(target.symbol, slot, vec![]);
-            } else {
-                self.scopes.set_global(target.symbol, slot, vec![]);
-            }
+            self.bind(declare, target, None, Slot::Value(Value::Float(x)), vec![]);
             return Ok(());
         }
         let mark = self.diagnostics.len();
@@ -67,18 +59,38 @@ impl<'a> Interpreter<'a> {
         // Warnings about a thing wait until it is used; those about a number are told here.
         let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
         let pending = if waits { self.diagnostics.split_off(mark.min(self.diagnostics.len())) } else { vec![] };
-        if let Some(place) = place {
-            self.scopes.set_element(&place, Some(slot));
-            pending.into_iter().for_each(|d| self.report_fault(d));
-        } else if declare.local {
-            self.scopes.set_local(target.symbol, slot, pending);
-        } else {
-            self.scopes.set_global(target.symbol, slot, pending);
-        }
+        self.bind(declare, target, place, slot, pending);
         if let Some((_, why)) = &declare.deprecated {
             self.deprecated.insert(target.symbol, why);
         }
         Ok(())
+    }
+
+    /// Where the array or dictionary keeps what gets a value, if the target is an element.
+    fn target_place(&mut self, target: &'a Target) -> Result<Option<Place>> {
+        if target.indices.is_empty() {
+            return Ok(None);
+        }
+        self.new_place(target.symbol, target.span, &target.indices).map(Some)
+    }
+
+    /// Gives the target its value; `pending` are the warnings that wait for its use.
+    fn bind(
+        &mut self,
+        declare: &Declare,
+        target: &Target,
+        place: Option<Place>,
+        slot: Slot<'a>,
+        pending: Vec<Diagnostic>,
+    ) {
+        match place {
+            Some(place) => {
+                self.scopes.set_element(&place, Some(slot));
+                pending.into_iter().for_each(|d| self.report_fault(d));
+            }
+            None if declare.local => self.scopes.set_local(target.symbol, slot, pending),
+            None => self.scopes.set_global(target.symbol, slot, pending),
+        }
     }
 
     /// `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
@@ -102,14 +114,8 @@ impl<'a> Interpreter<'a> {
             return Diagnostic::err(codes::WRONG_COUNT, span, message);
         }
         for (target, slot) in targets.into_iter().zip(values) {
-            if !target.indices.is_empty() {
-                let place = self.place_of(target.symbol, target.span, &target.indices)?;
-                self.scopes.set_element(&place, Some(slot));
-            } else if declare.local {
-                self.scopes.set_local(target.symbol, slot, vec![]);
-            } else {
-                self.scopes.set_global(target.symbol, slot, vec![]);
-            }
+            let place = self.target_place(target)?;
+            self.bind(declare, target, place, slot, vec![]);
         }
         Ok(())
     }
@@ -117,7 +123,7 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn undef(&mut self, name: &'a Expr) -> Result<()> {
         match &name.kind {
             ExprKind::Name(symbol) => drop(self.scopes.remove(*symbol)),
-            ExprKind::Index(array, indices) => {
+            ExprKind::Index(array, indices) if self.is_declared(name)? => {
                 let place = self.element_place(array, indices)?;
                 self.scopes.set_element(&place, None);
             }

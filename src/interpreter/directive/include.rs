@@ -62,8 +62,14 @@ impl<'a> Interpreter<'a> {
 
     /// A file's tree: read and parsed once, however often it is included.
     fn load(&mut self, path: &Path, name: &str, span: Span) -> Result<&'a Ast> {
-        if let Some(ast) = self.parsed.file(path).and_then(|file| self.parsed.tree(file)) {
-            return Ok(ast);
+        let file = self.source_file(path, name, span)?;
+        self.parse_file(file)
+    }
+
+    /// A file's text: read once, as long as nobody changes it.
+    pub(in crate::interpreter) fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
+        if let Some(file) = self.parsed.file(path) {
+            return Ok(file);
         }
         let text = read_text(path).map_err(|e| {
             let message = file::unreadable(path, &e).message;
@@ -72,9 +78,8 @@ impl<'a> Interpreter<'a> {
         let Some(file) = self.sources.add(name, Some(path), text) else {
             return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
         };
-        let ast = self.parse_file(file)?;
         self.parsed.keep_file(path, file);
-        Ok(ast)
+        Ok(file)
     }
 
     /// The same for a file of the program's own library, under a path that no file has.

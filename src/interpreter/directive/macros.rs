@@ -94,7 +94,7 @@ impl<'a> Interpreter<'a> {
         let rest = match self.split_sums.get(&key) {
             Some(rest) => *rest,
             None => {
-                let rest = &self.asts.push_get(Box::new(rest_of_sum(chain))).elements;
+                let rest = &self.parsed.asts.push_get(Box::new(rest_of_sum(chain))).elements;
                 *self.split_sums.entry(key).or_insert(rest)
             }
         };

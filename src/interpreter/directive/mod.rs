@@ -1,6 +1,7 @@
 //! What a `#` begins: one file a directive, one row below.
 
 mod branch;
+mod data;
 mod declare;
 mod file;
 mod include;

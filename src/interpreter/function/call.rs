@@ -1,13 +1,12 @@
 //! Calls of functions and splines in scripts.
 
-use super::downcast;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Gives, Spline, SplineKind};
 use crate::interpreter::Interpreter;
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::value::{Reader, Value, VecN};
+use crate::value::{Reader, Value, VecN, downcast};
 
 impl<'a> Interpreter<'a> {
     /// A call of a function or spline in a script.

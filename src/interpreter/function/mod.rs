@@ -4,19 +4,18 @@ mod call;
 mod sampler;
 
 use super::Interpreter;
+use super::operators::component_index;
 use super::scope::Slot;
 use super::stream::Token;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{
-    self, Binary, Body, Callee, Function, Gives, Graph, Id, Node, Program, Sampler, Spline, SplineKind, internal,
-    numeric,
+    self, Body, Callee, Function, Gives, Graph, Id, Node, Program, Sampler, Spline, SplineKind, internal, numeric,
 };
 use crate::source::Span;
 use crate::syntax::ast::{self, *};
 use crate::texture::Pigment;
-use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN};
+use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN, downcast};
 use sampler::{PatternSampler, PigmentSampler, TransformSampler};
-use std::any::Any;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU8;
 
@@ -89,7 +88,7 @@ impl<'a> Interpreter<'a> {
                 _ => return Err(self.unexpected_token("an operator or the end of the function").into()),
             };
             *sum = Some(match *sum {
-                Some(before) => c.graph.add(Node::Binary(Binary::Add, before, piece)),
+                Some(before) => c.graph.add(Node::Binary(Operator::Add, before, piece)),
                 None => piece,
             });
         }
@@ -186,16 +185,16 @@ impl<'a> Interpreter<'a> {
                     Prefix::Plus => a,
                     Prefix::Minus => {
                         let minus = c.graph.constant(-1.0);
-                        c.graph.add(Node::Binary(Binary::Mul, a, minus))
+                        c.graph.add(Node::Binary(Operator::Mul, a, minus))
                     }
-                    Prefix::Not => c.graph.add(Node::Binary(Binary::Equal, a, zero)),
+                    Prefix::Not => c.graph.add(Node::Binary(Operator::Equal, a, zero)),
                 })
             }
             ExprKind::Chain(chain) => {
                 let mut left = self.compile(c, &chain.first)?;
                 for (op, operand) in &chain.rest {
                     let right = self.compile(c, operand)?;
-                    left = c.graph.add(Node::Binary(binary(*op), left, right));
+                    left = c.graph.add(Node::Binary(*op, left, right));
                 }
                 Ok(left)
             }
@@ -340,8 +339,8 @@ impl<'a> Interpreter<'a> {
                 let mut sum = c.graph.constant(0.0);
                 for (i, weight) in weights.iter().enumerate() {
                     let (value, weight) = (one(c, i as u8), c.graph.constant(*weight));
-                    let term = c.graph.add(Node::Binary(Binary::Mul, value, weight));
-                    sum = c.graph.add(Node::Binary(Binary::Add, sum, term));
+                    let term = c.graph.add(Node::Binary(Operator::Mul, value, weight));
+                    sum = c.graph.add(Node::Binary(Operator::Add, sum, term));
                 }
                 sum
             }
@@ -400,12 +399,10 @@ impl<'a> Interpreter<'a> {
             };
         };
         let weights = crate::color::GRAY_WEIGHTS;
+        if let Some(i) = component_index(component) {
+            return Ok(Component::Of(i as u8));
+        }
         match (component.word, gives) {
-            (Some("x" | "u" | "red"), _) => Ok(Component::Of(0)),
-            (Some("y" | "v" | "green"), _) => Ok(Component::Of(1)),
-            (Some("z" | "blue"), _) => Ok(Component::Of(2)),
-            (Some("t" | "filter"), _) => Ok(Component::Of(3)),
-            (Some("transmit"), _) => Ok(Component::Of(4)),
             (Some("gray" | "grey"), Gives::Color) => Ok(Component::Weighted(weights)),
             // A height field's 16 bits: red is the upper byte, green the lower one (weights as measured).
             (_, Gives::Color) if self.sources.snippet(component.span) == "hf" => {
@@ -437,7 +434,7 @@ impl Compiler {
     /// `select(a, below, zero, above)`, or `select(a, below, from zero on)`.
     fn select(&mut self, ids: &[Id]) -> Id {
         let zero = self.graph.constant(0.0);
-        let below = self.graph.add(Node::Binary(Binary::Less, ids[0], zero));
+        let below = self.graph.add(Node::Binary(Operator::Less, ids[0], zero));
         let rest = match ids {
             [a, _, at, above] => self.graph.add(Node::Choice(*a, *above, *at)),
             ids => ids[2],
@@ -458,30 +455,8 @@ fn too_large<T>(span: Span) -> Result<T> {
     Diagnostic::err(codes::TOO_DEEP, span, "this function has more than 60000 operations")
 }
 
-fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
-    let any: Arc<dyn Any + Send + Sync> = thing.clone();
-    any.downcast::<T>().ok()
-}
-
 fn default_names() -> Box<[Box<str>]> {
     ["x", "y", "z"].map(Box::from).into()
-}
-
-fn binary(op: Operator) -> Binary {
-    match op {
-        Operator::Add => Binary::Add,
-        Operator::Sub => Binary::Sub,
-        Operator::Mul => Binary::Mul,
-        Operator::Div => Binary::Div,
-        Operator::Less => Binary::Less,
-        Operator::LessEqual => Binary::LessEqual,
-        Operator::Greater => Binary::Greater,
-        Operator::GreaterEqual => Binary::GreaterEqual,
-        Operator::Equal => Binary::Equal,
-        Operator::NotEqual => Binary::NotEqual,
-        Operator::And => Binary::And,
-        Operator::Or => Binary::Or,
-    }
 }
 
 /// The functions of `functions.inc` by their numbers: `function { internal(61) }`.
@@ -490,7 +465,10 @@ pub(super) fn internal_function(number: f64, noise: &Arc<AtomicU8>) -> Option<Fu
     let mut graph = function::Graph::default();
     let count = 3 + row.parameters.len();
     let ids: Box<[Id]> = (0..count).map(|i| graph.add(Node::Parameter(i as u16))).collect();
-    let callee = if row.name == "f_noise3d" { Callee::SceneNoise(noise.clone()) } else { Callee::Internal(row) };
+    let callee = match row.number {
+        internal::SCENE_NOISE => Callee::SceneNoise(noise.clone()),
+        _ => Callee::Internal(row),
+    };
     graph.result = graph.call(callee, 0, ids);
     let names =
         ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters.len()).map(|i| format!("P{i}").into()));

@@ -7,17 +7,18 @@ mod transform;
 
 pub(super) use transform::TransformThing;
 
-use super::eval::as_float;
+use super::eval::{as_float, as_vector};
 use super::operators::SMALL;
 use super::scope::Slot;
 use super::stream::{FrameKind, Token};
-use super::{Interpreter, hints};
+use super::{Interpreter, compat, hints};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
 use crate::source::{Span, fonts};
-use crate::syntax::ast::*;
+use crate::syntax::ast::{self, *};
 use crate::value::{FloatOrColor, Language, Next, Reader, Said, Solid, Thing, Value, VecN};
 use crate::world::Probe;
 pub use color::COLOR_WORDS;
@@ -73,18 +74,6 @@ impl<'a> Interpreter<'a> {
             Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
             _ => Next::Value,
         }
-    }
-
-    fn as_vector(&self, value: &Value, span: Span) -> Result<DVec3> {
-        let vector = match value {
-            Value::Float(x) => DVec3::splat(*x),
-            Value::Vector(v) if v.len <= 3 => v.xyz(),
-            other => {
-                let message = format!("expected a vector of three numbers, found {}", other.describe());
-                return Diagnostic::err(codes::WRONG_TYPE, span, message);
-            }
-        };
-        finite(vector, span)
     }
 }
 
@@ -221,7 +210,7 @@ impl Reader for Interpreter<'_> {
     fn vector(&mut self) -> Result<DVec3> {
         self.at_value("a vector")?;
         let (value, span) = self.value_here()?;
-        self.as_vector(&value, span)
+        finite(as_vector(&value, span)?, span)
     }
 
     fn vector2(&mut self) -> Result<DVec2> {
@@ -314,11 +303,44 @@ impl Reader for Interpreter<'_> {
     }
 
     fn language(&self) -> Language {
-        self.language
+        let version = self.version_stated.then_some(self.language.version);
+        let srgb_files = version.is_some_and(compat::has_srgb_files);
+        Language { other_gamma: compat::gamma_without_setting(version), srgb_files, ..self.language }
     }
 
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>> {
         self.find_read_file(name, at)
+    }
+
+    fn picture(&mut self) -> Result<Arc<Picture>> {
+        let (at, name) = (self.span(), self.text()?);
+        // A name without ending means png, as POV-Ray's own output does.
+        let full = if name.contains('.') { name.clone() } else { format!("{name}.png") };
+        let Some(path) = self.find_read_file(&full, at)? else {
+            let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the picture `{name}` was not found"));
+            return d.help("pictures are looked for where included files are; -I DIR adds a folder").into();
+        };
+        if let Some(picture) = self.pictures.get(&path) {
+            return Ok(picture.clone());
+        }
+        let picture = Arc::new(Picture::read(&path).map_err(|fault| fault.at(at))?);
+        self.pictures.insert(path, picture.clone());
+        Ok(picture)
+    }
+
+    fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
+        let function: &ast::Function = match self.peek()? {
+            Token::Function(function) => function,
+            Token::Expr(Expr { kind: ExprKind::Function(function), .. }) => function,
+            _ => return Ok(None),
+        };
+        let [width, height] = &*function.size else { return Ok(None) };
+        let size = [width, height].map(|side| self.picture_side(side));
+        let [width, height] = size;
+        let size = [width?, height?];
+        let span = self.here();
+        self.advance();
+        Ok(Some((size, self.read_function(function, span)?)))
     }
 
     fn similar_font(&mut self, name: &str) -> Option<PathBuf> {
@@ -344,6 +366,17 @@ impl Reader for Interpreter<'_> {
 
     fn keep_undrawn(&mut self, what: &'static str) -> Result<Said> {
         self.keep_with_warning(what)
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    /// How many points a picture that a function makes has along a side.
+    fn picture_side(&mut self, side: &'a Expr) -> Result<usize> {
+        let n = self.number(side)?;
+        if (1.0..=16384.0).contains(&n) {
+            return Ok(n as usize);
+        }
+        Diagnostic::err(codes::BAD_ARGUMENT, side.span, format!("a picture has 1 to 16384 points a side, found {n}"))
     }
 }
 

@@ -1,7 +1,13 @@
 //! `warp`: moves points in ways that no matrix can (manual, "Warps"). Adding one is a file here and a row in the table below.
 
+mod black_hole;
+mod mapping;
+mod repeat;
 mod turbulence;
 
+pub use black_hole::BlackHole;
+pub use mapping::{CubicWarp, CylindricalWarp, Layout, PlanarWarp, SphericalWarp, ToroidalWarp};
+pub use repeat::Repeat;
 pub use turbulence::TurbulenceWarp;
 
 use super::Readable;
@@ -44,7 +50,16 @@ macro_rules! warps {
     };
 }
 
-warps! { Turbulence TurbulenceWarp }
+warps! {
+    Turbulence TurbulenceWarp
+    Repeat Repeat
+    BlackHole BlackHole
+    Cylindrical CylindricalWarp
+    Spherical SphericalWarp
+    Toroidal ToroidalWarp
+    Planar PlanarWarp
+    Cubic CubicWarp
+}
 
 impl Warp {
     /// Reads what stands between the braces of `warp { … }`.

@@ -1,0 +1,101 @@
+//! A picture that a scene shows: its numbers, and what its file says of them beside.
+
+use super::{Pixels, decode_bytes};
+use crate::diagnostic::Result;
+use crate::diagnostic::file;
+use crate::source::ReadError;
+use std::path::Path;
+
+/// How a file's numbers stand to light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stored {
+    /// They are what they are: ppm, tiff, hdr, exr.
+    Plain,
+    /// The file does not say; png, jpeg, gif, tga and bmp mostly follow the sRGB curve.
+    Unsaid,
+    /// The file says that they follow the sRGB curve.
+    Srgb,
+    /// The file says that light is the number to the power of this.
+    Power(f64),
+}
+
+/// A decoded file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Its numbers.
+    pub pixels: Pixels,
+    /// How they stand to light.
+    pub stored: Stored,
+    /// The number of each pixel's colour in the file's palette, row by row from the top, if it has one.
+    pub indices: Option<Vec<u8>>,
+}
+
+impl Picture {
+    /// Decodes a file (E0002, E0003, E0007).
+    pub fn read(path: &Path) -> Result<Self> {
+        let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+        let pixels = decode_bytes(&bytes, path)?;
+        let (encoding, indices) = match &bytes[..] {
+            [0x89, b'P', b'N', b'G', ..] => png_extras(&bytes),
+            [b'G', b'I', b'F', ..] => (Stored::Unsaid, gif_indices(&bytes)),
+            [0xff, 0xd8, ..] | [b'B', b'M', ..] => (Stored::Unsaid, None),
+            [b'P', b'1'..=b'7', ..] | [b'I', b'I', ..] | [b'M', b'M', ..] | [b'#', b'?', ..] => (Stored::Plain, None),
+            [0x76, 0x2f, 0x31, 0x01, ..] => (Stored::Plain, None),
+            _ => (Stored::Unsaid, None),
+        };
+        let indices = indices.filter(|indices| indices.len() == pixels.width * pixels.height);
+        Ok(Self { pixels, stored: encoding, indices })
+    }
+}
+
+/// What a png's chunks say of its numbers, and its palette's numbers.
+fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>) {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+    decoder.set_transformations(png::Transformations::IDENTITY);
+    let Ok(mut reader) = decoder.read_info() else { return (Stored::Unsaid, None) };
+    let info = reader.info();
+    let encoding = match (info.srgb, info.gama_chunk) {
+        (Some(_), _) => Stored::Srgb,
+        (None, Some(gamma)) => Stored::Power(1.0 / f64::from(gamma.into_value())),
+        (None, None) => Stored::Unsaid,
+    };
+    if info.color_type != png::ColorType::Indexed {
+        return (encoding, None);
+    }
+    let (width, depth) = (info.width as usize, info.bit_depth as usize);
+    let Some(size) = reader.output_buffer_size() else { return (encoding, None) };
+    let mut packed = vec![0; size];
+    let Ok(frame) = reader.next_frame(&mut packed) else { return (encoding, None) };
+    let rows = packed.chunks(frame.line_size).take(frame.height as usize);
+    (encoding, Some(rows.flat_map(|row| (0..width).map(move |x| unpacked(row, x, depth))).collect()))
+}
+
+/// The number at a place in a row of numbers of 1, 2, 4 or 8 bits, the first in the highest bits.
+fn unpacked(row: &[u8], x: usize, depth: usize) -> u8 {
+    let per_byte = 8 / depth;
+    let shift = 8 - depth * (x % per_byte + 1);
+    let byte = row.get(x / per_byte).copied().unwrap_or(0);
+    if depth == 8 { byte } else { (byte >> shift) & ((1 << depth) - 1) }
+}
+
+/// The palette's numbers of a gif's first frame.
+fn gif_indices(bytes: &[u8]) -> Option<Vec<u8>> {
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::Indexed);
+    let mut decoder = options.read_info(bytes).ok()?;
+    let frame = decoder.read_next_frame().ok()??;
+    Some(frame.buffer.to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_numbers_share_a_byte() {
+        let row = [0b1101_0010, 0b0100_0000];
+        assert_eq!([0, 1, 2, 3, 4].map(|x| unpacked(&row, x, 2)), [3, 1, 0, 2, 1]);
+        assert_eq!([0, 1, 2].map(|x| unpacked(&row, x, 4)), [13, 2, 4]);
+        assert_eq!([0, 1].map(|x| unpacked(&row, x, 8)), [210, 64]);
+    }
+}

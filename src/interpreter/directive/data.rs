@@ -1,0 +1,170 @@
+//! What stands in data files: values as `#read` takes them, and as `#write` puts them, as text or bytes.
+
+use crate::interpreter::builtin::leading_number;
+use crate::interpreter::operators::numbers_of;
+use crate::value::{Value, VecN};
+
+/// Over blanks, commas and comments.
+pub(super) fn skip_blanks(text: &str, at: usize) -> usize {
+    skip(text, at, |c| c == ',')
+}
+
+/// Over blanks, comments and these characters.
+pub(super) fn skip(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
+    loop {
+        let rest = &text[at..];
+        let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || also(c)).len();
+        let comment = match &rest.as_bytes()[blank..] {
+            [b'/', b'/', ..] => rest[blank..].find(['\n', '\r']).unwrap_or(rest.len() - blank),
+            [b'/', b'*', ..] => rest[blank..].find("*/").map_or(rest.len() - blank, |i| i + 2),
+            _ => 0,
+        };
+        if blank + comment == 0 {
+            return at;
+        }
+        at += blank + comment;
+    }
+}
+
+/// A number, vector or string that a text begins with, and how long it is.
+pub(super) fn data_value(text: &str) -> Option<(Value, usize)> {
+    match text.as_bytes()[0] {
+        b'"' => {
+            let end = 1 + closing_quote(&text[1..])?;
+            let inner = crate::syntax::unescape(&text[..=end]);
+            Some((Value::Text((*inner).into()), end + 1))
+        }
+        b'<' => {
+            let (mut at, mut c) = (1, vec![]);
+            loop {
+                at = skip_blanks(text, at);
+                if text[at..].starts_with('>') {
+                    break;
+                }
+                let (x, length) = leading_number(&text[at..])?;
+                c.push(x);
+                at += length;
+            }
+            (2..=5).contains(&c.len()).then(|| (Value::Vector(VecN::from_slice(&c)), at + 1))
+        }
+        _ => leading_number(text).map(|(x, length)| (Value::Float(x), length)),
+    }
+}
+
+fn closing_quote(text: &str) -> Option<usize> {
+    let mut escaped = false;
+    text.bytes().position(|b| {
+        let ends = b == b'"' && !escaped;
+        escaped = b == b'\\' && !escaped;
+        ends
+    })
+}
+
+/// What `#write` puts into a file for a value; `None` if it can't.
+pub(super) fn data_bytes(value: &Value, form: Option<Binary>) -> Option<Vec<u8>> {
+    if let (Value::Text(text), None) = (value, form) {
+        return Some(text.as_bytes().to_vec());
+    }
+    let v = numbers_of(value)?;
+    let all = &v.c[..v.len as usize];
+    Some(match (form, all) {
+        (Some(form), all) => all.iter().flat_map(|x| form.bytes(*x)).collect(),
+        (None, [x]) => general(*x).into_bytes(),
+        (None, all) => vector_text(all).into_bytes(),
+    })
+}
+
+/// `<1,2,3> `, as POV-Ray writes it.
+fn vector_text(all: &[f64]) -> String {
+    let parts: Vec<String> = all.iter().map(|x| general(*x)).collect();
+    format!("<{}> ", parts.join(","))
+}
+
+/// A number as C's `%g` writes it: six digits that count, without zeros at the end.
+fn general(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return match x {
+            _ if x.is_nan() => "nan".into(),
+            _ if x.is_infinite() => if x > 0.0 { "inf" } else { "-inf" }.into(),
+            _ => "0".into(),
+        };
+    }
+    let scientific = format!("{x:.5e}");
+    let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let trimmed = |s: &str| {
+        if s.contains('.') { s.trim_end_matches('0').trim_end_matches('.').to_string() } else { s.to_string() }
+    };
+    if (-4..6).contains(&exponent) {
+        return trimmed(&format!("{x:.*}", (5 - exponent) as usize));
+    }
+    let sign = if exponent < 0 { '-' } else { '+' };
+    format!("{}e{sign}{:02}", trimmed(digits), exponent.abs())
+}
+
+/// `uint16be` and its kin: whole numbers as bytes.
+#[derive(Clone, Copy)]
+pub(super) struct Binary {
+    size: usize,
+    signed: bool,
+    big_endian: bool,
+}
+
+impl Binary {
+    pub(super) fn of(word: &str) -> Option<Self> {
+        let (signed, rest) = match word.strip_prefix("uint") {
+            Some(rest) => (false, rest),
+            None => (true, word.strip_prefix("sint")?),
+        };
+        let (bits, big_endian) = match rest.strip_suffix("be") {
+            Some(bits) => (bits, true),
+            None => (rest.strip_suffix("le").unwrap_or(rest), false),
+        };
+        let size = match bits {
+            "8" => 1,
+            "16" => 2,
+            "32" => 4,
+            _ => return None,
+        };
+        Some(Self { size, signed, big_endian })
+    }
+
+    /// The nearest whole number in the range.
+    fn bytes(self, x: f64) -> Vec<u8> {
+        let values = (1_i64 << (8 * self.size)) as f64;
+        let (low, high) = if self.signed { (-values / 2.0, values / 2.0 - 1.0) } else { (0.0, values - 1.0) };
+        let bytes = (x.round().clamp(low, high) as i64).to_le_bytes();
+        let mut out = bytes[..self.size].to_vec();
+        if self.big_endian {
+            out.reverse();
+        }
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_numbers_as_bytes() {
+        let bytes = |word, x| Binary::of(word).map(|form| form.bytes(x));
+        assert_eq!(bytes("uint8", 65.0), Some(vec![65]));
+        assert_eq!(bytes("uint8", 300.0), Some(vec![255]));
+        assert_eq!(bytes("sint8", -1.7), Some(vec![0xfe]));
+        assert_eq!(bytes("uint16be", 258.0), Some(vec![1, 2]));
+        assert_eq!(bytes("uint16le", 258.0), Some(vec![2, 1]));
+        assert_eq!(bytes("sint16be", -2.0), Some(vec![255, 254]));
+        assert_eq!(bytes("sint32le", 5.0), Some(vec![5, 0, 0, 0]));
+        assert_eq!(bytes("float", 5.0), None);
+    }
+
+    #[test]
+    fn numbers_as_c_writes_them() {
+        let all = [0.1, 1.23456789, 1e5, 1e6, 1234567.89, 1e300, -2.5e-7, 0.0001, 100.0, 999_999.5];
+        let texts: Vec<String> = all.iter().map(|x| general(*x)).collect();
+        let wanted =
+            ["0.1", "1.23457", "100000", "1e+06", "1.23457e+06", "1e+300", "-2.5e-07", "0.0001", "100", "1e+06"];
+        assert_eq!(texts, wanted);
+    }
+}

@@ -1,0 +1,62 @@
+//! `cubic`: six pyramids that meet at the origin, one for each face of a cube (manual, "Cubic Pattern").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { cubic color rgb x, color rgb y, color rgb z, color rgb 1, color rgb 0.5, color rgb 0 } rotate <30, 30, 0> }
+//! ```
+
+use super::{Cells, Readable};
+use crate::color::{Color, Rgb};
+use crate::diagnostic::Result;
+use crate::math::DVec3;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Which of the six directions +x, +y, +z, -x, -y, -z is nearest.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Cubic {}
+
+impl Readable for Cubic {
+    const SPEC: Spec = Spec {
+        name: "cubic",
+        summary: "six pyramids that meet at the origin: +x, +y, +z, -x, -y, -z",
+        params: &[],
+        words: &[],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Cells for Cubic {
+    fn count(&self) -> usize {
+        6
+    }
+
+    fn cell(&self, p: DVec3) -> usize {
+        // the first of those that are equally near
+        let along = [p.x, p.y, p.z, -p.x, -p.y, -p.z];
+        let farthest = p.abs().max_element();
+        along.iter().position(|&a| a == farthest).unwrap_or(0)
+    }
+
+    fn default_color(&self, cell: usize) -> Color {
+        let colors =
+            [Rgb::X, Rgb::Y, Rgb::Z, Rgb::new(1.0, 1.0, 0.0), Rgb::new(0.0, 1.0, 1.0), Rgb::new(1.0, 0.0, 1.0)];
+        Color::opaque(colors[cell])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ties_go_to_the_first() {
+        let cell = |x, y, z| Cubic {}.cell(DVec3::new(x, y, z));
+        assert_eq!(
+            [cell(1.0, 0.0, 0.5), cell(0.0, -2.0, 1.0), cell(-1.0, 1.0, 0.0), cell(0.0, -1.0, -1.0)],
+            [0, 4, 1, 4]
+        );
+    }
+}

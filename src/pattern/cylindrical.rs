@@ -1,0 +1,41 @@
+//! `cylindrical`: falls from 1 on the y axis to 0 one unit away from it (manual, "Cylindrical Pattern").
+//!
+//! ```pov
+//! box { <-1, -1, 0>, <1, 1, 1> pigment { cylindrical color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } rotate x*60 } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Falls from 1 on the y axis to 0 one unit away.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Cylindrical {}
+
+impl Readable for Cylindrical {
+    const SPEC: Spec =
+        Spec { name: "cylindrical", summary: "falls from 1 on the y axis to 0 one unit away", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Cylindrical {
+    fn value(&self, at: &Spot) -> f64 {
+        (1.0 - at.p.x.hypot(at.p.z)).max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::DVec3;
+
+    #[test]
+    fn cylinders_lie_in_each_other() {
+        let value = |x, y, z| Cylindrical {}.value(&Spot::free(DVec3::new(x, y, z), Default::default()));
+        assert_eq!([value(0.0, 7.0, 0.25), value(0.3, 1.0, 0.4), value(2.0, 0.0, 0.0)], [0.75, 0.5, 0.0]);
+    }
+}

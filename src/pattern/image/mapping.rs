@@ -1,0 +1,213 @@
+//! Which pixels of a picture a point shows: `map_type`, `once`, `interpolate` (manual, "Bitmap Modifiers"; details measured
+//! on POV-Ray 3.7).
+
+use crate::math::{DVec3, fp};
+use serde::Serialize;
+use smallvec::{SmallVec, smallvec};
+use std::f64::consts::{PI, TAU};
+
+/// How a picture lies in space and between its pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Mapping {
+    /// How it is wrapped around.
+    pub wrap: Wrap,
+    /// It is there once, not again and again.
+    pub once: bool,
+    /// What is between the pixels.
+    pub between: Between,
+}
+
+/// `map_type`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Wrap {
+    /// 0: on the xy plane, from (0, 0) to (1, 1).
+    #[default]
+    Planar,
+    /// 1: around a sphere.
+    Spherical,
+    /// 2: around a cylinder about the y axis, from y = 0 to 1.
+    Cylindrical,
+    /// 5: around a torus of major radius 1.
+    Toroidal,
+}
+
+/// `interpolate`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Between {
+    /// Steps.
+    #[default]
+    Nearest,
+    /// 2: straight lines.
+    Bilinear,
+    /// 3: curves through 16 pixels.
+    Bicubic,
+    /// 4: by the distance to four pixels.
+    Distance,
+}
+
+/// Numbers of pixels, row by row from the top, and how much each counts.
+pub type Weighted = SmallVec<[(usize, f64); 4]>;
+
+/// Added before the whole part is taken, so that points on a border belong to the pixel behind it.
+const EDGE: f64 = 1e-10;
+
+impl Wrap {
+    /// From the number behind `map_type`; those that do not exist are flat.
+    pub fn from_number(n: f64) -> Self {
+        match n as i64 {
+            1 => Self::Spherical,
+            2 => Self::Cylindrical,
+            5 => Self::Toroidal,
+            _ => Self::Planar,
+        }
+    }
+}
+
+impl Between {
+    /// From the number behind `interpolate`.
+    pub fn from_number(n: f64) -> Option<Self> {
+        Some(match n as i64 {
+            0 => Self::Nearest,
+            2 => Self::Bilinear,
+            3 => Self::Bicubic,
+            4 => Self::Distance,
+            _ => return None,
+        })
+    }
+}
+
+impl Mapping {
+    /// Where a point lies on the picture: (0, 0) is its lower left corner, (1, 1) the upper right one. `None` outside of it.
+    pub fn place(&self, p: DVec3) -> Option<(f64, f64)> {
+        let around = || fraction(fp::atan2(p.z, p.x) / TAU);
+        let axis = p.x == 0.0 && p.z == 0.0;
+        match self.wrap {
+            Wrap::Planar => {
+                let unit = 0.0..=1.0;
+                let inside = !self.once || (unit.contains(&p.x) && unit.contains(&p.y));
+                inside.then(|| (fraction(p.x), fraction(p.y)))
+            }
+            Wrap::Spherical => {
+                let r = p.length();
+                (r != 0.0).then(|| (if axis { 0.0 } else { around() }, fp::asin((p.y / r).clamp(-1.0, 1.0)) / PI + 0.5))
+            }
+            Wrap::Cylindrical => {
+                let inside = !axis && (!self.once || (0.0..=1.0).contains(&p.y));
+                inside.then(|| (around(), fraction(p.y)))
+            }
+            Wrap::Toroidal => {
+                let tube = fp::atan2(p.y, p.x.hypot(p.z) - 1.0) / TAU + 0.5;
+                (!axis).then(|| (around(), fraction(tube)))
+            }
+        }
+    }
+
+    /// The pixels of a picture of this size that a place shows.
+    pub fn pixels(&self, (u, v): (f64, f64), width: usize, height: usize) -> Weighted {
+        let (w, h) = (width as f64, height as f64);
+        let size = Size { width, height, once: self.once };
+        // Pixel centres lie at halves, counted from the top left corner.
+        let (a, b) = (u * w - 0.5, (1.0 - v) * h - 0.5);
+        let (i, j) = (a.floor(), b.floor());
+        let (s, t) = (a - i, b - j);
+        let (i, j) = (i as i64, j as i64);
+        match self.between {
+            Between::Nearest => {
+                let column = (u * w + EDGE).floor() as usize % width;
+                let row = height - 1 - (v * h + EDGE).floor() as usize % height;
+                smallvec![(row * width + column, 1.0)]
+            }
+            Between::Bilinear => grid(i, j, &[1.0 - s, s], &[1.0 - t, t], size),
+            Between::Bicubic => {
+                let row = |f: f64| [1.0 + f, f, 1.0 - f, 2.0 - f].map(catmull_rom);
+                grid(i - 1, j - 1, &row(s), &row(t), size)
+            }
+            Between::Distance => by_distance(i, j, s, t, size),
+        }
+    }
+}
+
+/// Of a picture, and whether what lies past its edges is the edge, or the other side.
+#[derive(Clone, Copy)]
+struct Size {
+    width: usize,
+    height: usize,
+    once: bool,
+}
+
+impl Size {
+    fn number(self, i: i64, j: i64) -> usize {
+        let bring = |k: i64, n: usize| {
+            let n = n as i64;
+            (if self.once { k.clamp(0, n - 1) } else { k.rem_euclid(n) }) as usize
+        };
+        bring(j, self.height) * self.width + bring(i, self.width)
+    }
+}
+
+fn fraction(x: f64) -> f64 {
+    x - x.floor()
+}
+
+/// The pixels of a grid whose first is (i, j), with the products of these weights.
+fn grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
+    let mut out = Weighted::new();
+    for (y, t) in (j..).zip(rows) {
+        for (x, s) in (i..).zip(columns) {
+            out.push((size.number(x, y), s * t));
+        }
+    }
+    out
+}
+
+/// The weight of a pixel at a distance below 2 (Catmull and Rom, A class of local interpolating splines, 1974).
+fn catmull_rom(d: f64) -> f64 {
+    if d < 1.0 { 1.0 - 2.5 * d * d + 1.5 * d * d * d } else { 2.0 - 4.0 * d + 2.5 * d * d - 0.5 * d * d * d }
+}
+
+/// Four pixels by one over the squares of their distances.
+fn by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
+    let mut out = Weighted::new();
+    for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+        let (dx, dy) = (s - f64::from(x), t - f64::from(y));
+        let squared = dx * dx + dy * dy;
+        let number = size.number(i + i64::from(x), j + i64::from(y));
+        if squared == 0.0 {
+            return smallvec![(number, 1.0)];
+        }
+        out.push((number, 1.0 / squared));
+    }
+    let sum: f64 = out.iter().map(|(_, weight)| weight).sum();
+    out.iter_mut().for_each(|(_, weight)| *weight /= sum);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nearest_counts_from_the_top() {
+        let flat = Mapping::default();
+        let at = |x, y| flat.place(DVec3::new(x, y, 0.0)).map(|uv| flat.pixels(uv, 4, 3)[0].0);
+        assert_eq!([at(0.1, 0.1), at(0.9, 0.9), at(1.3, -0.1)], [Some(8), Some(3), Some(1)]);
+    }
+
+    #[test]
+    fn weights_add_up_to_one() {
+        for between in [Between::Bilinear, Between::Bicubic, Between::Distance] {
+            let mapping = Mapping { between, ..Mapping::default() };
+            let sum: f64 = mapping.pixels((0.37, 0.81), 5, 7).iter().map(|(_, weight)| weight).sum();
+            assert!((sum - 1.0).abs() < 1e-12, "{between:?}");
+        }
+    }
+
+    #[test]
+    fn once_ends_at_the_edges() {
+        let once = Mapping { once: true, between: Between::Bilinear, ..Mapping::default() };
+        assert_eq!(once.place(DVec3::new(1.01, 0.5, 0.0)), None);
+        assert!(once.pixels((0.01, 0.99), 4, 4).iter().all(|(number, _)| *number == 0));
+    }
+}

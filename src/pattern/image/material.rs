@@ -1,0 +1,64 @@
+//! `material_map`: the numbers of a picture's palette choose among textures (manual, "Material Maps").
+
+use super::{Bitmap, Mapping, Texels, WORDS};
+use crate::color::{Color, Rgb};
+use crate::diagnostic::Result;
+use crate::math::DVec3;
+use crate::pattern::{Cells, Readable};
+use crate::value::{Kind, Next, Param, Reader, Spec};
+use serde::Serialize;
+
+/// A picture whose pixels are numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MaterialMap {
+    /// Its pixels.
+    pub texels: Texels,
+    /// Where it lies.
+    pub mapping: Mapping,
+    /// How many textures there are; numbers go round.
+    pub count: usize,
+}
+
+impl Readable for MaterialMap {
+    const SPEC: Spec = Spec {
+        name: "material_map",
+        summary: "the numbers of a picture's palette choose among textures; all stand in its braces",
+        params: &[Param { name: "file", kind: Kind::Text, summary: "a picture file's name" }],
+        words: &[],
+    };
+
+    /// Up to the first texture; the block stays open.
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut bitmap = Bitmap::read(r)?;
+        loop {
+            match r.next()? {
+                Next::Block("texture") | Next::Thing("texture") | Next::End => break,
+                next if bitmap.read_word(r, next)? => {}
+                _ => {
+                    let words: Vec<_> = WORDS.iter().map(|w| w.name).chain(["texture"]).collect();
+                    return Err(r.unknown_word("material_map", &words).into());
+                }
+            }
+        }
+        Ok(Self { texels: bitmap.numbers(), mapping: bitmap.mapping, count: 256 })
+    }
+}
+
+impl Cells for MaterialMap {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn cell(&self, p: DVec3) -> usize {
+        let Some(place) = self.mapping.place(p) else { return 0 };
+        let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
+        // Of a picture without palette, red counts.
+        let number = |i| self.texels.index(i).map_or_else(|| self.texels.rgba(i)[0] * 255.0, f64::from);
+        let number: f64 = pixels.iter().map(|(i, weight)| weight * number(*i)).sum();
+        number.max(0.0) as usize % self.count.max(1)
+    }
+
+    fn default_color(&self, cell: usize) -> Color {
+        Color::opaque(Rgb::splat((cell % 2) as f64))
+    }
+}

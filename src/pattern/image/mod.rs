@@ -1,0 +1,123 @@
+//! Pictures in space: what `image_map`, `image_pattern`, `bump_map` and `material_map` have in common (manual, "Image Map",
+//! "Bitmap Modifiers").
+
+mod mapping;
+mod material;
+mod pattern;
+mod texels;
+
+pub use mapping::{Between, Mapping, Weighted, Wrap};
+pub use material::MaterialMap;
+pub use pattern::{Channel, ImagePattern};
+pub use texels::{Texels, color_curve};
+
+use crate::color::Gamma;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::{Function, Gives};
+use crate::image_io::{Picture, Pixels, Samples, Stored};
+use crate::math::DVec3;
+use crate::value::words::word;
+use crate::value::{Kind, Next, Reader, ReaderExt, WordSpec, downcast};
+use std::sync::Arc;
+
+/// The words of all of them, behind the file's name.
+pub const WORDS: &[WordSpec] = &[
+    word("gamma", Kind::Float, "", "how the file's numbers stand to light, instead of what the file says; or `srgb`"),
+    word("premultiplied", Kind::Flag, "", "the file's colours are multiplied with alpha already"),
+    word("map_type", Kind::Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus"),
+    word("once", Kind::Nothing, "", "it is there once, not again and again"),
+    word("interpolate", Kind::Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance"),
+];
+
+/// The names of file formats, which change nothing: the bytes tell.
+const FORMATS: &[&str] = &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
+
+/// A picture with what is said of it in the words of all kinds.
+#[derive(Clone, Debug)]
+pub struct Bitmap {
+    /// Its file, or what a function made.
+    pub picture: Arc<Picture>,
+    /// `gamma`
+    pub gamma: Option<Gamma>,
+    /// `premultiplied`
+    pub premultiplied: bool,
+    /// Where it lies.
+    pub mapping: Mapping,
+}
+
+impl Bitmap {
+    /// Reads the file's name, or a function with a size, after the brace.
+    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+        while let Next::Word(word) = r.next()?
+            && FORMATS.contains(&word)
+        {
+            r.take()?;
+        }
+        let picture = match r.next()? {
+            Next::Function => function_picture(r)?,
+            _ => r.picture()?,
+        };
+        Ok(Self { picture, gamma: None, premultiplied: false, mapping: Mapping::default() })
+    }
+
+    /// Reads one of [`WORDS`], which comes next; false if it is none.
+    pub fn read_word(&mut self, r: &mut dyn Reader, next: Next) -> Result<bool> {
+        let Next::Word(word) = next else { return Ok(false) };
+        if !WORDS.iter().any(|w| w.name == word) {
+            return Ok(false);
+        }
+        r.take()?;
+        match word {
+            "gamma" if r.accept("srgb")? => self.gamma = Some(Gamma::Srgb),
+            "gamma" => self.gamma = Some(Gamma::Power(r.float()?)),
+            "premultiplied" => self.premultiplied = r.flag()?,
+            "map_type" => self.mapping.wrap = Wrap::from_number(r.float()?),
+            "once" => self.mapping.once = true,
+            _ => {
+                let (at, n) = (r.span(), r.float()?);
+                let Some(between) = Between::from_number(n) else {
+                    let message = format!("`interpolate` takes 2, 3 or 4, found {n}");
+                    return Diagnostic::err(codes::BAD_ARGUMENT, at, message);
+                };
+                self.mapping.between = between;
+            }
+        }
+        Ok(true)
+    }
+
+    /// Its pixels as colours of the scene.
+    pub fn colors(&self, r: &dyn Reader) -> Texels {
+        let language = r.language();
+        let scene = language.assumed_gamma.unwrap_or(language.other_gamma);
+        let curve = color_curve(self.picture.stored, self.gamma, scene, language.srgb_files);
+        Texels::new(self.picture.clone(), curve, self.premultiplied)
+    }
+
+    /// Its pixels as numbers, which are what the file holds unless `gamma` is said.
+    pub fn numbers(&self) -> Texels {
+        let curve = color_curve(Stored::Plain, self.gamma, Gamma::Power(1.0), false);
+        Texels::new(self.picture.clone(), curve, self.premultiplied)
+    }
+}
+
+/// `function W, H { … }`: a picture of W by H points from (0, 0), on top, to (1, 1).
+fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
+    let at = r.span();
+    let Some(([width, height], thing)) = r.sized_function()? else {
+        return Diagnostic::new(codes::WRONG_TYPE, at, "a function that stands for a picture needs a size")
+            .help("`function 200, 200 { … }`")
+            .into();
+    };
+    let Some(function) = downcast::<Function>(&thing).filter(|f| f.arity() == 3) else {
+        return Diagnostic::err(codes::WRONG_TYPE, at, "expected a function of x and y");
+    };
+    let color = function.gives() == Gives::Color;
+    let step = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
+    let points = (0..height).flat_map(|j| (0..width).map(move |i| DVec3::new(step(i, width), step(j, height), 0.0)));
+    let samples = points.flat_map(|p| {
+        let c = function.call(&p.to_array());
+        if color { [c[0], c[1], c[2], 1.0 - c[4]] } else { [c[0], c[0], c[0], 1.0] }.map(|x| x as f32)
+    });
+    let pixels = Pixels { width, height, channels: 4, samples: Samples::F32(samples.collect()) };
+    Ok(Arc::new(Picture { pixels, stored: Stored::Plain, indices: None }))
+}

@@ -1,0 +1,100 @@
+//! The pixels of a picture in the numbers of the scene.
+
+use crate::color::Gamma;
+use crate::image_io::{Picture, Samples, Stored};
+use serde::{Serialize, Serializer};
+use std::sync::Arc;
+
+/// A picture's pixels, decoded when they are asked for.
+#[derive(Clone, Debug)]
+pub struct Texels {
+    picture: Arc<Picture>,
+    /// What stands for each number of a channel of colour; empty for floating-point numbers.
+    curve: Arc<[f32]>,
+    /// Colours are to be divided by alpha.
+    premultiplied: bool,
+}
+
+impl PartialEq for Texels {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.picture, &other.picture) && self.curve == other.curve
+    }
+}
+
+impl Serialize for Texels {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq([self.width(), self.height()])
+    }
+}
+
+impl Texels {
+    /// A picture whose numbers go through `curve`, which takes numbers in [0, 1].
+    pub fn new(picture: Arc<Picture>, curve: impl Fn(f64) -> f64, premultiplied: bool) -> Self {
+        let table = |n: u32| -> Arc<[f32]> { (0..n).map(|i| curve(f64::from(i) / f64::from(n - 1)) as f32).collect() };
+        let curve = match picture.pixels.samples {
+            Samples::U8(_) => table(256),
+            Samples::U16(_) => table(65536),
+            Samples::F32(_) => Arc::new([]),
+        };
+        Self { picture, curve, premultiplied }
+    }
+
+    /// In pixels.
+    pub fn width(&self) -> usize {
+        self.picture.pixels.width
+    }
+
+    /// In pixels.
+    pub fn height(&self) -> usize {
+        self.picture.pixels.height
+    }
+
+    /// Does the file store alpha, or a palette, which may hold it?
+    pub fn has_alpha(&self) -> bool {
+        matches!(self.picture.pixels.channels, 2 | 4)
+    }
+
+    /// The number of a pixel's colour in the file's palette.
+    pub fn index(&self, i: usize) -> Option<u8> {
+        self.picture.indices.as_ref().and_then(|indices| indices.get(i).copied())
+    }
+
+    /// Red, green, blue and alpha of a pixel.
+    pub fn rgba(&self, i: usize) -> [f64; 4] {
+        let n = self.picture.pixels.channels;
+        let range = i * n..(i + 1) * n;
+        let [r, g, b, a] = match &self.picture.pixels.samples {
+            Samples::U8(all) => spread(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 255.0),
+            Samples::U16(all) => spread(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 65535.0),
+            Samples::F32(all) => spread(&all[range], |x| x, |x| x),
+        }
+        .map(f64::from);
+        if self.premultiplied && a != 0.0 { [r / a, g / a, b / a, a] } else { [r, g, b, a] }
+    }
+}
+
+fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
+    match *pixel {
+        [gray] => [color(gray), color(gray), color(gray), 1.0],
+        [gray, a] => [color(gray), color(gray), color(gray), alpha(a)],
+        [r, g, b] => [color(r), color(g), color(b), 1.0],
+        [r, g, b, a] => [color(r), color(g), color(b), alpha(a)],
+        _ => [0.0, 0.0, 0.0, 1.0],
+    }
+}
+
+/// From a file's numbers to those of a scene, whose colours relate to light by `scene`. `decodes` tells whether files that
+/// say nothing follow the sRGB curve. Without any `assumed_gamma` before 3.7, numbers stay what they are (measured on POV-Ray
+/// 3.7).
+pub fn color_curve(stored: Stored, said: Option<Gamma>, scene: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
+    let file = match (said, stored) {
+        (Some(gamma), _) => Some(gamma),
+        (None, _) if scene == Gamma::Raw => None,
+        (None, Stored::Plain) => None,
+        (None, Stored::Unsaid) => decodes.then_some(Gamma::Srgb),
+        (None, Stored::Srgb) => Some(Gamma::Srgb),
+        (None, Stored::Power(g)) => Some(Gamma::Power(g)),
+    };
+    let file = file.filter(|gamma| !gamma.agrees(scene));
+    move |v| file.map_or(v, |gamma| scene.encode(gamma.decode(v)))
+}

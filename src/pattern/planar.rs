@@ -1,0 +1,41 @@
+//! `planar`: falls from 1 in the xz plane to 0 one unit above and below it (manual, "Planar Pattern").
+//!
+//! ```pov
+//! box { -1, 1 pigment { planar color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Falls from 1 in the xz plane to 0 one unit away.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Planar {}
+
+impl Readable for Planar {
+    const SPEC: Spec =
+        Spec { name: "planar", summary: "falls from 1 in the xz plane to 0 one unit away", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Planar {
+    fn value(&self, at: &Spot) -> f64 {
+        (1.0 - at.p.y.abs()).max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::DVec3;
+
+    #[test]
+    fn nothing_is_left_one_unit_away() {
+        let value = |x, y, z| Planar {}.value(&Spot::free(DVec3::new(x, y, z), Default::default()));
+        assert_eq!([value(9.0, 0.25, 9.0), value(0.0, -0.5, 0.0), value(0.0, 2.0, 0.0)], [0.75, 0.5, 0.0]);
+    }
+}

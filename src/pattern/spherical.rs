@@ -1,0 +1,41 @@
+//! `spherical`: falls from 1 at the origin to 0 one unit away (manual, "Spherical Pattern").
+//!
+//! ```pov
+//! box { <-1, -1, 0>, <1, 1, 1> pigment { spherical color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Falls from 1 at the origin to 0 one unit away.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Spherical {}
+
+impl Readable for Spherical {
+    const SPEC: Spec =
+        Spec { name: "spherical", summary: "falls from 1 at the origin to 0 one unit away", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Spherical {
+    fn value(&self, at: &Spot) -> f64 {
+        (1.0 - at.p.length()).max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::DVec3;
+
+    #[test]
+    fn spheres_lie_in_each_other() {
+        let value = |x, y, z| Spherical {}.value(&Spot::free(DVec3::new(x, y, z), Default::default()));
+        assert_eq!([value(0.0, 0.25, 0.0), value(0.3, 0.0, 0.4), value(0.0, 0.0, 2.0)], [0.75, 0.5, 0.0]);
+    }
+}

@@ -1,0 +1,150 @@
+//! `warp { black_hole <centre>, radius }`: pulls the pattern towards a point, or pushes it away (manual, "Black Hole Warp").
+//!
+//! ```pov
+//! box { <-1, -1, 0>, 1 pigment { gradient x scale 0.2 warp { black_hole <0.1, 0, 0>, 0.8 falloff 1 strength 0.9 inverse } } }
+//! ```
+
+use super::super::Readable;
+use super::Bend;
+use crate::diagnostic::Result;
+use crate::math::{DVec3, fp};
+use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use serde::Serialize;
+
+/// Points within a sphere are moved along its radii.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BlackHole {
+    /// The sphere's centre; with `repeat` that of the block at the origin.
+    pub center: DVec3,
+    /// The sphere's radius.
+    pub radius: f64,
+    /// How strong it pulls near the centre.
+    pub strength: f64,
+    /// To which power the pull grows from the surface to the centre.
+    pub falloff: f64,
+    /// Does it push?
+    pub inverse: bool,
+    /// Size of the blocks that have a black hole each; none along an axis where it is 0.
+    pub repeat: DVec3,
+    /// How far each one's centre is moved, at most.
+    pub turbulence: DVec3,
+}
+
+impl Readable for BlackHole {
+    const SPEC: Spec = Spec {
+        name: "black_hole",
+        summary: "pulls the pattern towards a point",
+        params: &[
+            Param { name: "center", kind: Kind::Vector, summary: "where to" },
+            Param { name: "radius", kind: Kind::Float, summary: "how far it reaches" },
+        ],
+        words: &[
+            WordSpec { name: "strength", kind: Kind::Float, default: "1", summary: "how strong it pulls" },
+            WordSpec {
+                name: "falloff",
+                kind: Kind::Float,
+                default: "2",
+                summary: "to which power the pull grows from the edge to the centre",
+            },
+            WordSpec { name: "inverse", kind: Kind::Nothing, default: "", summary: "pushes instead of pulling" },
+            WordSpec {
+                name: "repeat",
+                kind: Kind::Vector,
+                default: "0",
+                summary: "one in each block of this size; 0 for an axis along which they don't repeat",
+            },
+            WordSpec {
+                name: "turbulence",
+                kind: Kind::Vector,
+                default: "0",
+                summary: "how far the centre is moved at random in each block",
+            },
+            WordSpec {
+                name: "type",
+                kind: Kind::Float,
+                default: "0",
+                summary: "kept for POV-Ray's sake, means nothing",
+            },
+        ],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let (center, radius) = (r.vector()?, r.float()?);
+        let (repeat, turbulence) = (DVec3::ZERO, DVec3::ZERO);
+        Ok(Self { center, radius, strength: 1.0, falloff: 2.0, inverse: false, repeat, turbulence })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "strength" => self.strength = r.float()?,
+            "falloff" => self.falloff = r.float()?,
+            "inverse" => self.inverse = true,
+            "repeat" => self.repeat = r.vector()?,
+            "turbulence" => self.turbulence = r.vector()?,
+            _ => {
+                r.float()?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl BlackHole {
+    /// The centre of the hole that the point may be in.
+    fn center_near(&self, p: DVec3) -> DVec3 {
+        if self.repeat == DVec3::ZERO {
+            return self.center;
+        }
+        // The hole must lie within its block: moved up and the block widened, if need be.
+        let repeats = self.repeat.cmpne(DVec3::ZERO);
+        let center = DVec3::select(repeats, self.center.max(DVec3::splat(self.radius)), self.center);
+        let size = self.repeat.max(center + self.radius + self.turbulence);
+        let block = DVec3::select(repeats, (p / size).floor(), DVec3::ZERO);
+        block * size + center
+    }
+}
+
+impl Bend for BlackHole {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        let out = p - self.center_near(p);
+        let distance = out.length();
+        if distance >= self.radius {
+            return p;
+        }
+        // from 0 on the surface to 1 at the centre
+        let closeness = (self.radius - distance) / self.radius;
+        // The pattern is pulled inwards where the point sees what lies farther out, at most twice as far.
+        let pull = (self.strength * fp::pow(closeness, self.falloff)).min(1.0);
+        if self.inverse { p - pull * out } else { p + pull * out }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HOLE: BlackHole = BlackHole {
+        center: DVec3::ONE,
+        radius: 1.0,
+        strength: 1.0,
+        falloff: 2.0,
+        inverse: false,
+        repeat: DVec3::ZERO,
+        turbulence: DVec3::ZERO,
+    };
+
+    #[test]
+    fn the_pull_is_the_square_of_closeness() {
+        let p = DVec3::new(1.5, 1.0, 1.0);
+        assert_eq!(HOLE.apply(p).x, 1.5 + 0.25 * 0.5);
+        assert_eq!(BlackHole { inverse: true, ..HOLE }.apply(p).x, 1.5 - 0.25 * 0.5);
+        assert_eq!(BlackHole { strength: 100.0, ..HOLE }.apply(p).x, 2.0);
+        assert_eq!(HOLE.apply(DVec3::ZERO), DVec3::ZERO);
+    }
+
+    #[test]
+    fn blocks_have_a_hole_each() {
+        let holes = BlackHole { repeat: DVec3::X * 3.0, ..HOLE };
+        assert_eq!(holes.apply(DVec3::new(-1.5, 1.0, 1.0)).x, -1.5 + 0.25 * 0.5);
+    }
+}

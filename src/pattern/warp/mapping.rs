@@ -1,0 +1,291 @@
+//! `warp { cylindrical }`, `spherical`, `toroidal`, `planar`, `cubic`: lay the xy plane of a pattern around things, as image maps are
+//! laid (manual, "Mapping using warps").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { checker color rgb 1, color rgb <0.6, 0, 0> scale 1/8 warp { spherical } } }
+//! ```
+
+use super::super::Readable;
+use super::Bend;
+use crate::diagnostic::Result;
+use crate::math::{DVec3, fp};
+use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
+use serde::Serialize;
+use std::f64::consts::{PI, TAU};
+
+/// From where the pattern's plane comes: z as it is, any other direction turned.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Layout {
+    /// Length 1, or zero.
+    pub orientation: DVec3,
+    /// To which power of the distance the plane grows.
+    pub dist_exp: f64,
+}
+
+impl Default for Layout {
+    fn default() -> Self {
+        Self { orientation: DVec3::Z, dist_exp: 0.0 }
+    }
+}
+
+const ORIENTATION: WordSpec = WordSpec {
+    name: "orientation",
+    kind: Kind::Vector,
+    default: "z",
+    summary: "along which axis of the pattern its depth lies",
+};
+
+const DIST_EXP: WordSpec = WordSpec {
+    name: "dist_exp",
+    kind: Kind::Float,
+    default: "0",
+    summary: "the pattern grows with this power of the distance",
+};
+
+impl Layout {
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "orientation" => self.orientation = r.vector()?.normalize_or_zero(),
+            _ => self.dist_exp = r.float()?,
+        }
+        Ok(())
+    }
+
+    /// Lays (u, v) and the depth out along the axes.
+    fn place(&self, u: f64, v: f64, depth: f64) -> DVec3 {
+        // measured with directions at random; it is a rotation only for those along an axis
+        let n = self.orientation;
+        DVec3::new((n.y + n.z) * u + n.x * depth, (n.x + n.z) * v - n.y * depth, n.y * v - n.x * u + n.z * depth)
+    }
+
+    /// How much the plane has grown at this distance.
+    fn growth(&self, distance: f64) -> f64 {
+        if self.dist_exp == 0.0 { 1.0 } else { fp::pow(distance, self.dist_exp) }
+    }
+}
+
+/// Part of a turn about y, from x towards z; 0 to 1.
+fn turn(p: DVec3) -> f64 {
+    let part = fp::atan2(p.z, p.x) / TAU;
+    part - part.floor()
+}
+
+/// Around the y axis: u is a part of a turn, v is y.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct CylindricalWarp(pub Layout);
+
+impl Readable for CylindricalWarp {
+    const SPEC: Spec = Spec {
+        name: "cylindrical",
+        summary: "lays the pattern's xy plane around the y axis",
+        params: &[],
+        words: &[ORIENTATION, DIST_EXP],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self::default())
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        self.0.read_word(word, r)
+    }
+}
+
+impl Bend for CylindricalWarp {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        let distance = p.x.hypot(p.z);
+        if distance == 0.0 {
+            return p;
+        }
+        self.0.place(turn(p) * self.0.growth(distance), p.y, distance)
+    }
+}
+
+/// Around the origin: u is a part of a turn, v goes from pole to pole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct SphericalWarp(pub Layout);
+
+impl Readable for SphericalWarp {
+    const SPEC: Spec = Spec {
+        name: "spherical",
+        summary: "lays the unit square of the pattern's xy plane around the origin",
+        params: &[],
+        words: &[ORIENTATION, DIST_EXP],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self::default())
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        self.0.read_word(word, r)
+    }
+}
+
+impl Bend for SphericalWarp {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        let distance = p.length();
+        if distance == 0.0 {
+            return p;
+        }
+        let grown = self.0.growth(distance);
+        let latitude = fp::asin(p.y / distance) / PI + 0.5;
+        self.0.place(turn(p) * grown, latitude * grown, distance)
+    }
+}
+
+/// Around a ring about the y axis: u is a part of a turn about the axis, v of one about the ring.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ToroidalWarp {
+    /// How it is laid out.
+    pub layout: Layout,
+    /// Of the ring.
+    pub major_radius: f64,
+}
+
+impl Readable for ToroidalWarp {
+    const SPEC: Spec = Spec {
+        name: "toroidal",
+        summary: "lays the unit square of the pattern's xy plane around a ring",
+        params: &[],
+        words: &[
+            ORIENTATION,
+            DIST_EXP,
+            WordSpec { name: "major_radius", kind: Kind::Float, default: "1", summary: "radius of the ring" },
+        ],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { layout: Layout::default(), major_radius: 1.0 })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "major_radius" => self.major_radius = r.float()?,
+            _ => self.layout.read_word(word, r)?,
+        }
+        Ok(())
+    }
+}
+
+impl Bend for ToroidalWarp {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        if p.x == 0.0 && p.z == 0.0 {
+            return p;
+        }
+        let outwards = p.x.hypot(p.z) - self.major_radius;
+        let distance = outwards.hypot(p.y);
+        let part = fp::atan2(p.y, outwards) / TAU + 0.5;
+        let grown = self.layout.growth(distance);
+        self.layout.place(turn(p) * grown, (part - part.floor()) * grown, distance)
+    }
+}
+
+/// Every point sees the plane in front of it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PlanarWarp {
+    /// The plane's normal.
+    pub layout: Layout,
+    /// How far the plane lies from the origin.
+    pub distance: f64,
+}
+
+impl Readable for PlanarWarp {
+    const SPEC: Spec = Spec {
+        name: "planar",
+        summary: "extends a plane of the pattern along z",
+        params: &[
+            Param {
+                name: "normal",
+                kind: Kind::Vector,
+                summary: "normal of the plane; z, with distance 0, if left out",
+            },
+            Param { name: "distance", kind: Kind::Float, summary: "how far from the origin the plane lies" },
+        ],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let (mut orientation, mut distance) = (DVec3::Z, 0.0);
+        if r.next()? == Next::Value {
+            orientation = r.vector()?.normalize_or_zero();
+            distance = r.float()?;
+        }
+        Ok(Self { layout: Layout { orientation, dist_exp: 0.0 }, distance })
+    }
+}
+
+impl Bend for PlanarWarp {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        self.layout.place(p.x, p.y, self.distance)
+    }
+}
+
+/// Around a cube about the origin, unfolded as a box's uv mapping unfolds it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct CubicWarp {}
+
+impl Readable for CubicWarp {
+    const SPEC: Spec = Spec {
+        name: "cubic",
+        summary: "lays the unit square of the pattern's xy plane around a cube about the origin",
+        params: &[],
+        words: &[],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Bend for CubicWarp {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        let a = p.abs();
+        let depth = a.max_element();
+        if depth == 0.0 {
+            return p;
+        }
+        let q = p / depth;
+        // six squares, 4 beside and 3 above each other: which one, and how far right and up from its centre
+        let ((column, row), right, up) = if a.x >= a.y && a.x >= a.z {
+            if p.x > 0.0 { ((2.0, 1.0), -q.z, q.y) } else { ((0.0, 1.0), q.z, q.y) }
+        } else if a.y >= a.z {
+            if p.y > 0.0 { ((1.0, 2.0), q.x, -q.z) } else { ((1.0, 0.0), q.x, q.z) }
+        } else if p.z > 0.0 {
+            ((1.0, 1.0), q.x, q.y)
+        } else {
+            ((3.0, 1.0), -q.x, q.y)
+        };
+        DVec3::new((column + 0.5 + right / 2.0) / 4.0, (row + 0.5 + up / 2.0) / 3.0, depth)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turns_and_distances() {
+        let p = DVec3::new(0.0, 0.3, 2.0);
+        assert_eq!(CylindricalWarp::default().apply(p), DVec3::new(0.25, 0.3, 2.0));
+        let grown = CylindricalWarp(Layout { dist_exp: 1.0, ..Layout::default() });
+        assert_eq!(grown.apply(p), DVec3::new(0.5, 0.3, 2.0));
+        let deep_y = CylindricalWarp(Layout { orientation: DVec3::Y, ..Layout::default() });
+        assert_eq!(deep_y.apply(p), DVec3::new(0.25, -2.0, 0.3));
+    }
+
+    #[test]
+    fn the_inner_side_of_a_ring_is_the_edge() {
+        let ring = ToroidalWarp { layout: Layout::default(), major_radius: 2.0 };
+        assert_eq!(ring.apply(DVec3::new(3.0, 0.0, 0.0)), DVec3::new(0.0, 0.5, 1.0));
+        assert_eq!(ring.apply(DVec3::new(1.0, 0.0, 0.0)), DVec3::new(0.0, 0.0, 1.0));
+    }
+
+    #[test]
+    fn a_cube_unfolds_to_a_cross() {
+        let map = |x, y, z| CubicWarp {}.apply(DVec3::new(x, y, z)) * DVec3::new(8.0, 6.0, 1.0);
+        assert!(map(0.0, 0.0, 2.0).distance(DVec3::new(3.0, 3.0, 2.0)) < 1e-12);
+        assert!(map(0.0, 0.0, -1.0).distance(DVec3::new(7.0, 3.0, 1.0)) < 1e-12);
+        assert!(map(0.0, 1.0, 0.0).distance(DVec3::new(3.0, 5.0, 1.0)) < 1e-12);
+    }
+}

@@ -1,0 +1,103 @@
+//! `warp { repeat <vector> }`: a slice of the pattern again and again (manual, "Repeat Warp").
+//!
+//! ```pov
+//! box { -1, 1 pigment { planar warp { repeat 0.5*y flip y offset x } } }
+//! ```
+
+use super::super::Readable;
+use super::Bend;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::DVec3;
+use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use serde::Serialize;
+
+/// Slices of the pattern side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Repeat {
+    /// Along x, y or z: 0, 1 or 2.
+    pub axis: usize,
+    /// Of a slice; a negative one begins with its far side.
+    pub width: f64,
+    /// How much farther each slice lies in the pattern than the one before.
+    pub offset: DVec3,
+    /// Along which axes every other slice is mirrored.
+    pub flip: [bool; 3],
+}
+
+impl Readable for Repeat {
+    const SPEC: Spec = Spec {
+        name: "repeat",
+        summary: "a slice of the pattern again and again",
+        params: &[Param {
+            name: "width",
+            kind: Kind::Vector,
+            summary: "from one slice to the next; only one of its three numbers may differ from 0",
+        }],
+        words: &[
+            WordSpec {
+                name: "offset",
+                kind: Kind::Vector,
+                default: "0",
+                summary: "how much farther in the pattern each slice lies",
+            },
+            WordSpec {
+                name: "flip",
+                kind: Kind::Vector,
+                default: "0",
+                summary: "mirrors every other slice along the axes that are not 0 here",
+            },
+        ],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let widths = r.vector()?.to_array();
+        let mut axes = (0..3).filter(|&i| widths[i] != 0.0);
+        match (axes.next(), axes.next()) {
+            (Some(axis), None) => Ok(Self { axis, width: widths[axis], offset: DVec3::ZERO, flip: [false; 3] }),
+            (None, _) => Diagnostic::err(codes::ZERO_VECTOR, span, "`repeat` needs a direction, this vector is zero"),
+            _ => Diagnostic::new(
+                codes::BAD_ARGUMENT,
+                span,
+                "`repeat` goes along one axis, this vector goes along several",
+            )
+            .help("use a `warp` for each axis: `warp { repeat 2*x } warp { repeat 3*y }`")
+            .into(),
+        }
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "offset" => self.offset = r.vector()?,
+            _ => self.flip = r.vector()?.to_array().map(|x| x != 0.0),
+        }
+        Ok(())
+    }
+}
+
+impl Bend for Repeat {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        let slice = (p[self.axis] / self.width).floor();
+        let mut q = p;
+        q[self.axis] -= slice * self.width;
+        if slice % 2.0 != 0.0 {
+            for axis in (0..3).filter(|&i| self.flip[i]) {
+                q[axis] = if axis == self.axis { self.width - q[axis] } else { -q[axis] };
+            }
+        }
+        q + slice * self.offset
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slices_repeat_and_flip() {
+        let warp = Repeat { axis: 0, width: 2.0, offset: DVec3::Z, flip: [true, true, false] };
+        assert_eq!(warp.apply(DVec3::new(4.5, 3.0, 0.0)), DVec3::new(0.5, 3.0, 2.0));
+        assert_eq!(warp.apply(DVec3::new(2.5, 3.0, 0.0)), DVec3::new(1.5, -3.0, 1.0));
+        assert_eq!(warp.apply(DVec3::new(-0.5, 3.0, 0.0)), DVec3::new(0.5, -3.0, -1.0));
+    }
+}

@@ -1,0 +1,92 @@
+//! What lies on objects: textures with their places, layers, materials (manual, "Texture", "Material").
+
+use super::Defaults;
+use crate::diagnostic::Result;
+use crate::math::Transform;
+use crate::texture::{Interior, Material, Texture};
+use crate::value::{Next, Reader, ReaderExt};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// A texture where it lies on an object.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Painted {
+    /// Shared by all objects that were given it.
+    pub texture: Arc<Texture>,
+    /// How the object was moved after it got the texture, if it had been moved before: else it is the object's own.
+    pub moved: Option<Box<Transform>>,
+}
+
+impl Painted {
+    /// On an object that has been moved so before.
+    pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
+        Self { texture, moved: (!before.is_identity()).then(|| Box::new(Transform::IDENTITY)) }
+    }
+
+    /// The space around the object from the texture's, given that from the object's.
+    pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
+        self.moved.as_deref().unwrap_or(object)
+    }
+}
+
+/// One or more `texture` blocks in a row: layers, the first is the lowest.
+pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
+    let mut layers = vec![];
+    let mut next = r.next()?;
+    loop {
+        match next {
+            Next::Block("texture") => {
+                r.take()?;
+                layers.extend(Texture::read(r, &defaults.texture)?.layers);
+                r.leave()?;
+            }
+            Next::Thing("texture") => match r.thing::<Texture>()? {
+                Some(texture) => layers.extend(texture.layers.iter().cloned()),
+                None => break,
+            },
+            _ => break,
+        }
+        next = r.continued()?;
+    }
+    Ok(Texture { layers })
+}
+
+/// Reads what stands between the braces of a `material`.
+pub fn read_material(r: &mut dyn Reader, defaults: &Defaults) -> Result<Material> {
+    let mut out = Material::default();
+    loop {
+        match r.next()? {
+            Next::End => return Ok(out),
+            Next::Thing("material") => {
+                if let Some(declared) = r.thing::<Material>()? {
+                    out = (*declared).clone();
+                }
+            }
+            Next::Block("texture") | Next::Thing("texture") => out.texture = Some(Arc::new(read_layers(r, defaults)?)),
+            Next::Block("interior_texture") => {
+                r.take()?;
+                out.interior_texture = Some(Arc::new(Texture::read(r, &defaults.texture)?));
+                r.leave()?;
+            }
+            Next::Block("interior") => {
+                r.take()?;
+                out.interior = Some(Arc::new(Interior::read(r)?));
+                r.leave()?;
+            }
+            Next::Thing("interior") => out.interior = r.thing::<Interior>()?,
+            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
+            | Next::Block("transform")
+            | Next::Thing("transform") => {
+                if let Some(step) = r.transform()? {
+                    for texture in [&mut out.texture, &mut out.interior_texture].into_iter().flatten() {
+                        Arc::make_mut(texture).transform(&step);
+                    }
+                }
+            }
+            _ => {
+                let words = ["texture", "interior_texture", "interior", "translate", "rotate", "scale", "transform"];
+                return Err(r.unknown_word("material", &words).into());
+            }
+        }
+    }
+}
