@@ -2,6 +2,7 @@
 //! tables below.
 
 mod agate;
+pub mod bitmap;
 mod boxed;
 mod bozo;
 mod brick;
@@ -12,16 +13,17 @@ mod crackle;
 mod cubic;
 mod cylindrical;
 mod dents;
+mod fractal;
 mod function;
 mod gradient;
 mod granite;
 mod hexagon;
-pub mod image;
 mod leopard;
 mod marble;
 mod modifiers;
 mod object;
 mod onion;
+mod pigment;
 mod placed;
 mod planar;
 mod quilted;
@@ -42,6 +44,7 @@ mod wood;
 mod wrinkles;
 
 pub use agate::Agate;
+pub use bitmap::{ImagePattern, MaterialMap};
 pub use boxed::Boxed;
 pub use bozo::Bozo;
 pub use brick::Brick;
@@ -52,16 +55,17 @@ pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
 pub use dents::Dents;
+pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
 pub use granite::Granite;
 pub use hexagon::Hexagon;
-pub use image::{ImagePattern, MaterialMap};
 pub use leopard::Leopard;
 pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use onion::Onion;
+pub use pigment::PigmentPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
 pub use quilted::Quilted;
@@ -188,15 +192,14 @@ macro_rules! cells {
 cells! { Checker Hexagon Brick ObjectPattern MaterialMap Cubic Square Triangular }
 
 fields! {
-    Gradient FunctionPattern ImagePattern
+    Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
-    Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves Wood
-    Wrinkles
+    Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
+    Wood Wrinkles Mandel Julia Magnet
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] =
-    &["aoi", "density_file", "facets", "julia", "magnet", "mandel", "pavement", "pigment_pattern", "slope", "tiling"];
+pub const NOT_DRAWN: &[&str] = &["aoi", "density_file", "facets", "pavement", "slope", "tiling"];
 
 /// Words about patterns that are not drawn yet.
 pub const WORDS_NOT_DRAWN: &[&str] =

@@ -74,7 +74,8 @@ where
         let mut entries = vec![];
         while r.next()? == Next::Entry {
             r.take()?;
-            let number = r.float()?;
+            // A weight of `average` may be left out.
+            let number = r.optional_float()?.unwrap_or(1.0);
             entries.push((number, T::read_entry(r)?));
             r.leave()?;
         }

@@ -134,6 +134,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// What stands between the braces of a pigment, as a function.
+    pub(super) fn pigment_function(&mut self) -> Result<Arc<dyn Thing>> {
+        let pigment = Pigment::read(self, &Pigment::default())?;
+        let body = Body::Sampled(Arc::new(PigmentSampler(pigment, self.noise_generator.clone())));
+        Ok(Arc::new(Function { parameters: default_names(), body }))
+    }
+
     /// `spline { linear_spline 0, <1, 2, 3> 1, <2, 3, 4> }`
     pub(super) fn spline(&mut self) -> Result<Arc<Spline>> {
         let at = self.take()?;

@@ -54,7 +54,10 @@ impl Readable for Repeat {
         let widths = r.vector()?.to_array();
         let mut axes = (0..3).filter(|&i| widths[i] != 0.0);
         match (axes.next(), axes.next()) {
-            (Some(axis), None) => Ok(Self { axis, width: widths[axis], offset: DVec3::ZERO, flip: [false; 3] }),
+            // POV-Ray keeps it in single precision, as was measured
+            (Some(axis), None) => {
+                Ok(Self { axis, width: f64::from(widths[axis] as f32), offset: DVec3::ZERO, flip: [false; 3] })
+            }
             (None, _) => Diagnostic::err(codes::ZERO_VECTOR, span, "`repeat` needs a direction, this vector is zero"),
             _ => Diagnostic::new(
                 codes::BAD_ARGUMENT,

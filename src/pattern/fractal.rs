@@ -1,0 +1,397 @@
+//! `mandel`, `julia` and `magnet`: how points of the complex plane fare under a formula that is applied again and again (manual,
+//! "Fractal Pattern").
+//!
+//! ```pov
+//! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::DVec2;
+use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
+use serde::Serialize;
+use std::ops::{Add, Div, Mul};
+
+/// A complex number, x + iy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Complex {
+    x: f64,
+    y: f64,
+}
+
+impl Complex {
+    const fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+
+    fn square(self) -> Self {
+        Self::new(self.x * self.x - self.y * self.y, 2.0 * self.x * self.y)
+    }
+
+    fn length_squared(self) -> f64 {
+        self.x * self.x + self.y * self.y
+    }
+
+    /// z to the n-th, by squares.
+    fn power(self, mut n: u32) -> Self {
+        let (mut result, mut base) = (Self::new(1.0, 0.0), self);
+        while n > 0 {
+            if n & 1 == 1 {
+                result = result * base;
+            }
+            base = base.square();
+            n >>= 1;
+        }
+        result
+    }
+}
+
+impl Add for Complex {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y)
+    }
+}
+
+impl Add<f64> for Complex {
+    type Output = Self;
+    fn add(self, real: f64) -> Self {
+        Self::new(self.x + real, self.y)
+    }
+}
+
+impl Mul for Complex {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.x * other.x - self.y * other.y, self.x * other.y + self.y * other.x)
+    }
+}
+
+impl Mul<Complex> for f64 {
+    type Output = Complex;
+    fn mul(self, z: Complex) -> Complex {
+        Complex::new(self * z.x, self * z.y)
+    }
+}
+
+impl Div for Complex {
+    type Output = Self;
+    fn div(self, by: Self) -> Self {
+        let d = by.length_squared();
+        Self::new((self.x * by.x + self.y * by.y) / d, (self.y * by.x - self.x * by.y) / d)
+    }
+}
+
+/// Which number is shown of an orbit, and times what.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Shown {
+    /// 0 to 6, see the manual.
+    pub kind: u8,
+    /// Times this, mostly.
+    pub factor: f64,
+}
+
+/// What all of them have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Orbits {
+    /// How often the formula is applied at most.
+    pub iterations: u32,
+    /// Of points that go away, or end where nothing moves any more.
+    pub exterior: Shown,
+    /// Of those that stay.
+    pub interior: Shown,
+}
+
+const EXTERIOR: WordSpec = WordSpec {
+    name: "exterior",
+    kind: Kind::Block,
+    default: "1, 1",
+    summary: "of points that leave: 0 the factor, 1 after how many of the iterations, 2 to 6 something of the last point times the factor",
+};
+
+const INTERIOR: WordSpec = WordSpec {
+    name: "interior",
+    kind: Kind::Block,
+    default: "0, 1",
+    summary: "of points that stay: 0 the factor, 1 the orbit's least distance, 2 to 6 something of the last point",
+};
+
+const EXPONENT: WordSpec =
+    WordSpec { name: "exponent", kind: Kind::Float, default: "2", summary: "to which power z goes, 2 to 33" };
+
+const ITERATIONS: Param =
+    Param { name: "iterations", kind: Kind::Float, summary: "how often the formula is applied at most" };
+
+const JULIA: Param =
+    Param { name: "complex", kind: Kind::Vector2, summary: "the number that is the same for all points" };
+
+impl Orbits {
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let iterations = r.float()? as u32;
+        let (exterior, interior) = (Shown { kind: 1, factor: 1.0 }, Shown { kind: 0, factor: 1.0 });
+        Ok(Self { iterations, exterior, interior })
+    }
+
+    fn read_word(&mut self, word: &str, r: &mut dyn Reader) -> Result<()> {
+        let (span, kind) = (r.span(), r.float()?);
+        if !(0.0..7.0).contains(&kind) {
+            let message = format!("`{word}` is one of 0 to 6, found {kind}");
+            return Diagnostic::err(codes::BAD_ARGUMENT, span, message);
+        }
+        let shown = Shown { kind: kind as u8, factor: r.float()? };
+        match word {
+            "exterior" => self.exterior = shown,
+            _ => self.interior = shown,
+        }
+        Ok(())
+    }
+
+    /// The number of an orbit that begins at `z`, which `step` continues until it has `left`. Is `z` a part of the orbit?
+    fn value(
+        &self,
+        z: Complex,
+        step: impl Fn(Complex) -> Complex,
+        left: impl Fn(Complex) -> bool,
+        starts: bool,
+    ) -> f64 {
+        let (mut z, mut least) = (z, if starts { z.length_squared() } else { f64::INFINITY });
+        for i in 0..self.iterations {
+            z = step(z);
+            if left(z) {
+                let Shown { kind, factor } = self.exterior;
+                return match kind {
+                    1 => f64::from(i) / f64::from(self.iterations),
+                    6 => z.length_squared().sqrt() * factor,
+                    _ => Self::common(kind, z) * factor,
+                };
+            }
+            least = least.min(z.length_squared());
+        }
+        let Shown { kind, factor } = self.interior;
+        match kind {
+            1 => least.sqrt() * factor,
+            // measured; the manual has the length here
+            6 => z.x * z.x + z.y * z.y * factor,
+            _ => Self::common(kind, z) * factor,
+        }
+    }
+
+    /// What exterior and interior have in common.
+    fn common(kind: u8, z: Complex) -> f64 {
+        match kind {
+            2 => z.x,
+            3 => z.y,
+            4 => z.x * z.x,
+            5 => z.y * z.y,
+            _ => 1.0,
+        }
+    }
+}
+
+/// Has z left for good?
+fn far(z: Complex) -> bool {
+    z.length_squared() > 4.0
+}
+
+fn read_exponent(r: &mut dyn Reader) -> Result<u32> {
+    // others were seen to count as 2
+    let exponent = r.float()?.trunc();
+    Ok(if (2.0..=33.0).contains(&exponent) { exponent as u32 } else { 2 })
+}
+
+/// z becomes zⁿ, or z² without any detour.
+fn power(z: Complex, exponent: u32) -> Complex {
+    if exponent == 2 { z.square() } else { z.power(exponent) }
+}
+
+/// z → zⁿ + c, where c is the point.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Mandel {
+    /// What is shown.
+    pub orbits: Orbits,
+    /// n
+    pub exponent: u32,
+}
+
+impl Readable for Mandel {
+    const SPEC: Spec = Spec {
+        name: "mandel",
+        summary: "the Mandelbrot set in the xy plane",
+        params: &[ITERATIONS],
+        words: &[EXPONENT, EXTERIOR, INTERIOR],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { orbits: Orbits::read(r)?, exponent: 2 })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "exponent" => self.exponent = read_exponent(r)?,
+            _ => self.orbits.read_word(word, r)?,
+        }
+        Ok(())
+    }
+}
+
+impl Field for Mandel {
+    fn value(&self, at: &Spot) -> f64 {
+        let c = Complex::new(at.p.x, at.p.y);
+        self.orbits.value(c, |z| power(z, self.exponent) + c, far, true)
+    }
+}
+
+/// z → zⁿ + c, where z begins at the point.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Julia {
+    /// x + iy is the number c.
+    pub constant: DVec2,
+    /// What is shown.
+    pub orbits: Orbits,
+    /// n
+    pub exponent: u32,
+}
+
+impl Readable for Julia {
+    const SPEC: Spec = Spec {
+        name: "julia",
+        summary: "a Julia set in the xy plane",
+        params: &[JULIA, ITERATIONS],
+        words: &[EXPONENT, EXTERIOR, INTERIOR],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { constant: r.vector2()?, orbits: Orbits::read(r)?, exponent: 2 })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "exponent" => self.exponent = read_exponent(r)?,
+            _ => self.orbits.read_word(word, r)?,
+        }
+        Ok(())
+    }
+}
+
+impl Field for Julia {
+    fn value(&self, at: &Spot) -> f64 {
+        let c = Complex::new(self.constant.x, self.constant.y);
+        self.orbits.value(Complex::new(at.p.x, at.p.y), |z| power(z, self.exponent) + c, far, true)
+    }
+}
+
+/// The two formulas of magnetic renormalisation (H.-O. Peitgen and P. H. Richter, "The Beauty of Fractals", 1986).
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Magnet {
+    /// The second formula?
+    pub second: bool,
+    /// For `julia`: the number c is x + iy for all points.
+    pub constant: Option<DVec2>,
+    /// What is shown.
+    pub orbits: Orbits,
+}
+
+impl Readable for Magnet {
+    const SPEC: Spec = Spec {
+        name: "magnet",
+        summary: "`magnet 1 mandel`, `magnet 2 julia` …: sets of magnetic phases in the xy plane",
+        params: &[
+            Param { name: "type", kind: Kind::Float, summary: "1 or 2" },
+            Param {
+                name: "mandel or julia",
+                kind: Kind::Nothing,
+                summary: "is the point the formula's number or its start?",
+            },
+            Param {
+                name: "complex",
+                kind: Kind::Vector2,
+                summary: "after `julia`: the number that is the same for all points",
+            },
+            ITERATIONS,
+        ],
+        words: &[EXTERIOR, INTERIOR],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let (span, kind) = (r.span(), r.float()?.trunc());
+        if kind != 1.0 && kind != 2.0 {
+            return Diagnostic::err(
+                codes::BAD_ARGUMENT,
+                span,
+                format!("there are magnets 1 and 2, but none with number {kind}"),
+            );
+        }
+        let constant = match r.next()? {
+            Next::Word("mandel") => r.take().map(|_| None)?,
+            Next::Word("julia") => {
+                r.take()?;
+                Some(r.vector2()?)
+            }
+            _ => return Err(r.unexpected("`mandel` or `julia`").into()),
+        };
+        Ok(Self { second: kind == 2.0, constant, orbits: Orbits::read(r)? })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        self.orbits.read_word(word, r)
+    }
+}
+
+impl Field for Magnet {
+    fn value(&self, at: &Spot) -> f64 {
+        let point = Complex::new(at.p.x, at.p.y);
+        let (start, c) = match self.constant {
+            Some(c) => (point, Complex::new(c.x, c.y)),
+            None => (Complex::new(0.0, 0.0), point),
+        };
+        // gone away, or arrived at 1, where nothing moves
+        let left = |z: Complex| z.length_squared() > 10_000.0 || (z + -1.0).length_squared() < 1e-4;
+        let (c1, c2) = (c + -1.0, c + -2.0);
+        let starts = self.constant.is_some();
+        if self.second {
+            let product = c1 * c2;
+            let step = |z: Complex| {
+                let above = z * z.square() + 3.0 * (c1 * z) + product;
+                let below = 3.0 * z.square() + 3.0 * (c2 * z) + product + 1.0;
+                (above / below).square()
+            };
+            self.orbits.value(start, step, left, starts)
+        } else {
+            self.orbits.value(start, |z| ((z.square() + c1) / (2.0 * z + c2)).square(), left, starts)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::DVec3;
+
+    fn orbits(exterior: u8, interior: u8) -> Orbits {
+        let shown = |kind| Shown { kind, factor: 0.5 };
+        Orbits { iterations: 10, exterior: shown(exterior), interior: shown(interior) }
+    }
+
+    fn mandel(x: f64, y: f64, exterior: u8, interior: u8) -> f64 {
+        let pattern = Mandel { orbits: orbits(exterior, interior), exponent: 2 };
+        pattern.value(&Spot::free(DVec3::new(x, y, 3.0), Default::default()))
+    }
+
+    #[test]
+    fn points_leave_or_stay() {
+        assert_eq!(mandel(3.0, 0.0, 1, 0), 0.0);
+        // 1, 2, 5: leaves with the second iteration
+        assert_eq!(mandel(1.0, 0.0, 1, 0), 0.1);
+        assert_eq!(mandel(1.0, 0.0, 2, 0), 2.5);
+        assert_eq!(mandel(0.0, 0.0, 1, 0), 0.5);
+        // -1, 0, -1, 0 …
+        assert_eq!(mandel(-1.0, 0.0, 1, 1), 0.0);
+        assert_eq!(mandel(-1.0, 0.0, 1, 2), -0.5);
+    }
+
+    #[test]
+    fn powers_by_squares() {
+        let z = Complex::new(0.6, -0.7);
+        assert!((z.power(5).x - (z * z * z * z * z).x).abs() < 1e-15);
+    }
+}
