@@ -75,7 +75,7 @@ pub use space::{Space, Step};
 pub use spherical::Spherical;
 pub use spiral1::Spiral1;
 pub use spiral2::Spiral2;
-pub use spot::{Field, Said, Spot};
+pub use spot::{Field, Spot, Words};
 pub use spotted::Spotted;
 pub use square::Square;
 pub use triangular::Triangular;
@@ -158,8 +158,8 @@ macro_rules! fields {
 
         impl Field for FieldPattern {
             fn value(&self, at: &Spot) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
-            fn value_as(&self, at: &Spot, said: &Said) -> f64 {
-                match self { $(FieldPattern::$name(f) => f.value_as(at, said)),* }
+            fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+                match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
             fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {

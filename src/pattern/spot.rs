@@ -39,7 +39,7 @@ impl Spot {
 
 /// What else is said of a pattern.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Said {
+pub struct Words {
     /// Frequency, phase, wave.
     pub modifiers: Modifiers,
     /// `turbulence` and its words.
@@ -52,7 +52,7 @@ pub trait Field {
     fn value(&self, at: &Spot) -> f64;
 
     /// The number of a pattern that listens to what else is said of it.
-    fn value_as(&self, at: &Spot, _said: &Said) -> f64 {
+    fn value_as(&self, at: &Spot, _words: &Words) -> f64 {
         self.value(at)
     }
 
