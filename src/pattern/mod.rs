@@ -1,11 +1,13 @@
 //! Patterns: a number, or the index of a cell, for each point of space. Adding one is a file here and a row in the
 //! tables below.
 
+mod aoi;
 mod boxed;
 mod brick;
 mod checker;
 mod cubic;
 mod cylindrical;
+mod density_file;
 mod fractal;
 mod function;
 mod gradient;
@@ -15,6 +17,7 @@ mod modifiers;
 mod object;
 mod placed;
 mod planar;
+mod slope;
 mod space;
 mod spherical;
 mod spot;
@@ -23,11 +26,13 @@ mod triangular;
 mod turbulence;
 mod warp;
 
+pub use aoi::Aoi;
 pub use boxed::Boxed;
 pub use brick::Brick;
 pub use checker::Checker;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
+pub use density_file::{DensityFile, Voxel};
 pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
@@ -37,6 +42,7 @@ pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
+pub use slope::{Altitude, Slope, Towards};
 pub use space::{Space, Step};
 pub use spherical::Spherical;
 pub use spot::{Field, Spot};
@@ -151,17 +157,16 @@ fields! {
     Gradient FunctionPattern ImagePattern
     Planar Boxed Spherical Cylindrical
     Mandel Julia Magnet
+    Aoi Slope DensityFile
 }
 
 /// Patterns of the language that are not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
     "agate",
-    "aoi",
     "bozo",
     "bumps",
     "cells",
     "crackle",
-    "density_file",
     "dents",
     "facets",
     "granite",
@@ -173,7 +178,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "quilted",
     "radial",
     "ripples",
-    "slope",
     "spiral1",
     "spiral2",
     "spotted",
@@ -184,24 +188,8 @@ pub const NOT_DRAWN: &[&str] = &[
 ];
 
 /// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] = &[
-    "agate_turb",
-    "altitude",
-    "control0",
-    "control1",
-    "coords",
-    "cube",
-    "df3",
-    "exponent",
-    "exterior",
-    "form",
-    "interior",
-    "metric",
-    "offset",
-    "orientation",
-    "size",
-    "solid",
-];
+pub const WORDS_NOT_DRAWN: &[&str] =
+    &["agate_turb", "control0", "control1", "coords", "cube", "exterior", "form", "interior", "metric", "offset", "size", "solid"];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
 pub fn is_not_drawn(word: &str) -> bool {
