@@ -2,6 +2,7 @@
 //! tables below.
 
 mod agate;
+mod aoi;
 pub mod bitmap;
 mod boxed;
 mod bozo;
@@ -12,6 +13,7 @@ mod checker;
 mod crackle;
 mod cubic;
 mod cylindrical;
+mod density_file;
 mod dents;
 mod fractal;
 mod function;
@@ -29,6 +31,7 @@ mod planar;
 mod quilted;
 mod radial;
 mod ripples;
+mod slope;
 mod space;
 mod spherical;
 mod spiral1;
@@ -44,6 +47,7 @@ mod wood;
 mod wrinkles;
 
 pub use agate::Agate;
+pub use aoi::Aoi;
 pub use bitmap::{ImagePattern, MaterialMap};
 pub use boxed::Boxed;
 pub use bozo::Bozo;
@@ -54,6 +58,7 @@ pub use checker::Checker;
 pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
+pub use density_file::{DensityFile, Voxel};
 pub use dents::Dents;
 pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
@@ -71,6 +76,7 @@ pub use planar::Planar;
 pub use quilted::Quilted;
 pub use radial::Radial;
 pub use ripples::Ripples;
+pub use slope::{Altitude, Slope, Towards};
 pub use space::{Space, Step};
 pub use spherical::Spherical;
 pub use spiral1::Spiral1;
@@ -195,15 +201,14 @@ fields! {
     Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
-    Wood Wrinkles Mandel Julia Magnet
+    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &["aoi", "density_file", "facets", "pavement", "slope", "tiling"];
+pub const NOT_DRAWN: &[&str] = &["facets", "pavement", "tiling"];
 
 /// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] =
-    &["altitude", "coords", "cube", "df3", "exponent", "exterior", "interior", "orientation", "size"];
+pub const WORDS_NOT_DRAWN: &[&str] = &["coords", "exterior", "interior", "size"];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
 pub fn is_not_drawn(word: &str) -> bool {

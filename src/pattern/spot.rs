@@ -12,7 +12,9 @@ pub struct Spot {
     pub p: DVec3,
     /// Where it lies on its shape.
     pub uv: DVec2,
-    /// The surface's normal in world space, before any `normal { }`, turned towards the eye; length 1.
+    /// The same place in world space.
+    pub world: DVec3,
+    /// The surface's normal in world space, turned towards the eye, length 1. Pigments see that of their texture's `normal { }`.
     pub normal: DVec3,
     /// The direction of the ray that sees it, in world space; length 1.
     pub ray: DVec3,
@@ -28,7 +30,7 @@ impl Spot {
 
     /// A point that lies on nothing: what functions ask about. They do not know the scene's number of waves, as in POV-Ray.
     pub fn free(p: DVec3, noise: NoiseGenerator) -> Self {
-        Self { p, uv: DVec2::new(p.x, p.y), normal: DVec3::Y, ray: DVec3::NEG_Y, noise, waves: Self::WAVES }
+        Self { p, uv: DVec2::new(p.x, p.y), world: p, normal: DVec3::Y, ray: DVec3::NEG_Y, noise, waves: Self::WAVES }
     }
 
     /// The same place seen from another space.

@@ -43,6 +43,7 @@ impl<'w> Site<'w> {
         let material = &world.materials[coat.material as usize];
         let spot = Spot {
             p: coat.local(surface.point),
+            world: surface.point,
             uv: if material.uv { found.mapped_uv(&surface) } else { DVec2::ZERO },
             normal,
             ray: ray.dir,
@@ -77,8 +78,9 @@ impl<'w> Painter<'w> {
                     pass *= passed;
                 }
                 None => {
-                    let color = layer.color(spot, self.quick);
                     let normal = layer.normal.as_ref().map_or(spot.normal, |bumps| self.bumped(bumps, spot));
+                    // as was measured: `slope` and `aoi` of a pigment see the bumps
+                    let color = layer.color(&Spot { normal, ..*spot }, self.quick);
                     self.layers.push(Shown { layer, color, weight: weight * pass, normal });
                     pass *= color.passing();
                 }
@@ -116,6 +118,7 @@ pub(super) fn pass(world: &World, ray: &Ray, found: &Found) -> Rgb {
     let surface = found.surface(ray);
     let spot = Spot {
         p: coat.local(surface.point),
+        world: surface.point,
         uv: if material.uv { found.mapped_uv(&surface) } else { DVec2::ZERO },
         normal: surface.normal,
         ray: ray.dir,
