@@ -15,6 +15,7 @@ mod cubic;
 mod cylindrical;
 mod density_file;
 mod dents;
+mod facets;
 mod fractal;
 mod function;
 mod gradient;
@@ -60,6 +61,7 @@ pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
 pub use density_file::{DensityFile, Voxel};
 pub use dents::Dents;
+pub use facets::{Cut, Facets};
 pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
@@ -168,8 +170,9 @@ macro_rules! fields {
                 match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
-            fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
-                match self { $(FieldPattern::$name(f) => f.stirred(at, by)),* }
+            fn stirs(&self) -> bool { match self { $(FieldPattern::$name(f) => f.stirs()),* } }
+            fn bumped(&self, at: &Spot, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+                match self { $(FieldPattern::$name(f) => f.bumped(at, words, n, amount)),* }
             }
             fn default_colors(&self) -> Vec<(f64, Color)> {
                 match self { $(FieldPattern::$name(f) => f.default_colors()),* }
@@ -201,14 +204,14 @@ fields! {
     Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
-    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile
+    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &["facets", "pavement", "tiling"];
+pub const NOT_DRAWN: &[&str] = &["pavement", "tiling"];
 
 /// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] = &["coords", "exterior", "interior", "size"];
+pub const WORDS_NOT_DRAWN: &[&str] = &["exterior", "interior"];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
 pub fn is_not_drawn(word: &str) -> bool {

@@ -128,22 +128,37 @@ impl Pattern {
 
     /// The number that the map sees, or that of the cell; and the spot as the pattern's own entries see it.
     pub fn see(&self, spot: &Spot) -> (f64, Spot) {
+        let inner = self.enter(spot);
+        (self.number(&inner), inner)
+    }
+
+    /// The spot as the pattern itself and its entries see it.
+    pub fn enter(&self, spot: &Spot) -> Spot {
         let p = if self.uv { DVec3::new(spot.uv.x, spot.uv.y, 0.0) } else { spot.p };
-        let mut inner = spot.at(self.space.unwarped(p));
-        if let Some(turbulence) = &self.space.turbulence {
-            if let Kind::Field(field) = &self.kind
-                && let Some(value) = field.stirred(&self.own(&inner), turbulence)
-            {
-                return (self.modifiers.apply(value), inner);
-            }
-            inner.p = turbulence.displace(inner.p);
+        let mut p = self.space.unwarped(p);
+        if let Some(turbulence) = &self.space.turbulence
+            && !matches!(&self.kind, Kind::Field(field) if field.stirs())
+        {
+            p = turbulence.displace(p);
         }
-        let number = match &self.kind {
-            Kind::Field(field) => self.modifiers.apply(field.value_as(&self.own(&inner), &self.words())),
+        spot.at(p)
+    }
+
+    /// The number that the map sees, or that of the cell, at a spot in the pattern's space.
+    pub fn number(&self, inner: &Spot) -> f64 {
+        match &self.kind {
+            Kind::Field(field) => self.modifiers.apply(field.value_as(&self.own(inner), &self.words())),
             Kind::Cells(cells) => self.modifiers.apply_to_cell(cells.cell(inner.p)),
             Kind::Plain | Kind::Average => 0.0,
-        };
-        (number, inner)
+        }
+    }
+
+    /// The normal `n` with bumps of the pattern's own making, at a spot in its space.
+    pub fn bumped(&self, inner: &Spot, n: DVec3, amount: f64) -> Option<DVec3> {
+        match &self.kind {
+            Kind::Field(field) => field.bumped(&self.own(inner), &self.words(), n, amount),
+            _ => None,
+        }
     }
 
     fn words(&self) -> Words {

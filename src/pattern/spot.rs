@@ -58,8 +58,14 @@ pub trait Field {
         self.value(at)
     }
 
-    /// The number under `turbulence`, of a pattern that stirs itself; of all others the point is displaced.
-    fn stirred(&self, _at: &Spot, _by: &Turbulent) -> Option<f64> {
+    /// Does it use `turbulence` in its own way? Of all others the point is displaced.
+    fn stirs(&self) -> bool {
+        false
+    }
+
+    /// The normal `n` with bumps of the pattern's own making, all in the pattern's space; `None` if they are found by
+    /// comparing heights.
+    fn bumped(&self, _at: &Spot, _words: &Words, _n: DVec3, _amount: f64) -> Option<DVec3> {
         None
     }
 

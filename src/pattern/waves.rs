@@ -43,6 +43,17 @@ impl Field for Waves {
         let sources = sources(at.waves);
         0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
     }
+
+    fn bumped(&self, at: &Spot, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+        let wave = |s: &Source| {
+            let from = at.p - s.place;
+            let r = from.length();
+            fp::sin(TAU * (s.frequency * frequency * r + phase)) / s.frequency * from / r
+        };
+        let sources = sources(at.waves);
+        Some(n + amount / sources.len() as f64 * sources.iter().map(wave).sum::<DVec3>())
+    }
 }
 
 /// Where waves come from.

@@ -224,18 +224,22 @@ impl<'w> Tracer<'w> {
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
-    /// The light that the place mirrors.
+    /// The light that the place mirrors: one ray for each normal of its layers.
     fn mirrored(&mut self, path: &Path, site: &Site, border: &Border) -> Rgb {
         let world = self.setup.world;
         let count = Count { weight: path.weight, bailout: world.adc_bailout };
-        let weight = mirror::weight(site, border, count);
-        if weight == 0.0 || path.level >= world.max_trace_level {
-            return Rgb::ZERO;
+        let mut sum = Rgb::ZERO;
+        for normal in mirror::normals(site) {
+            let weight = mirror::weight(site, normal, border, count);
+            if weight == 0.0 || path.level >= world.max_trace_level {
+                continue;
+            }
+            self.rays.reflected += 1;
+            let ray = Ray::new(site.point, reflect(path.ray.dir, normal));
+            let path = Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() };
+            let light = self.follow(path).rgb;
+            sum += mirror::answer(site, normal, border, count, light);
         }
-        self.rays.reflected += 1;
-        let ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
-        let path = Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() };
-        let light = self.follow(path).rgb;
-        mirror::answer(site, border, count, light)
+        sum
     }
 }
