@@ -22,6 +22,7 @@ mod space;
 mod spherical;
 mod spot;
 mod square;
+mod tiling;
 mod triangular;
 mod turbulence;
 mod warp;
@@ -47,6 +48,7 @@ pub use space::{Space, Step};
 pub use spherical::Spherical;
 pub use spot::{Field, Spot};
 pub use square::Square;
+pub use tiling::Tiling;
 pub use triangular::Triangular;
 pub use turbulence::Turbulent;
 pub use warp::{
@@ -158,6 +160,7 @@ fields! {
     Planar Boxed Spherical Cylindrical
     Mandel Julia Magnet
     Aoi Slope DensityFile
+    Tiling
 }
 
 /// Patterns of the language that are not drawn yet.
@@ -181,15 +184,26 @@ pub const NOT_DRAWN: &[&str] = &[
     "spiral1",
     "spiral2",
     "spotted",
-    "tiling",
     "waves",
     "wood",
     "wrinkles",
 ];
 
 /// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] =
-    &["agate_turb", "control0", "control1", "coords", "cube", "exterior", "form", "interior", "metric", "offset", "size", "solid"];
+pub const WORDS_NOT_DRAWN: &[&str] = &[
+    "agate_turb",
+    "control0",
+    "control1",
+    "coords",
+    "cube",
+    "exterior",
+    "form",
+    "interior",
+    "metric",
+    "offset",
+    "size",
+    "solid",
+];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
 pub fn is_not_drawn(word: &str) -> bool {
