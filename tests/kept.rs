@@ -49,8 +49,8 @@ fn the_dump_shows_what_is_not_drawn() {
         #declare Dust = media { scattering { 3, rgb 0.125 } };
         sphere {
           0, 1 hollow photons { target 0.75 }
-          finish { irid { 0.35 thickness 0.5 } }
-          interior { media { Dust } fade_distance 4.5 }
+          finish { subsurface { translucency 0.25 } }
+          interior { media { Dust } }
         }
         "#,
     );
@@ -58,13 +58,13 @@ fn the_dump_shows_what_is_not_drawn() {
     holds(&dump, r#"{"radiosity":["count",17.0,"recursion_limit",2.0]}"#);
     holds(&dump, r#"{"fog":["fog_type",2.0,"distance",123.0,{"rgb":[1.0,0.0,0.0]}]}"#);
     holds(&dump, r#"{"entry":[0.0,{"rgb":[0.25,0.25,0.25]}]},{"entry":[1.0,{"rgbft":[0.0,0.0,1.0,0.0,0.5]}]}"#);
-    holds(&dump, r#""undrawn":["fisheye",{"aperture":[0.4]},{"focal_point":[[0.0,0.0,0.75]]}]"#);
+    holds(&dump, r#""undrawn":["fisheye",{"aperture":[0.4]},{"focal_point":[[0.0,0.0,0.75]]},{"angle":[160.0]}]"#);
     holds(&dump, r#"{"area_light":[[4.0,0.0,0.0],[0.0,0.0,4.0],5.0,6.0]},{"adaptive":[2.0]},"jitter","spotlight""#);
     holds(&dump, r#"{"point_at":[[1.0,2.0,3.0]]}"#);
     holds(&dump, r#""said":["threshold",0.65,{"sphere":[[1.0,0.0,0.0],1.5,2.0,{"pigment":[{"rgb":[1.0,0.0,0.0]}]}]}]"#);
     holds(&dump, r#"{"photons":["target",0.75]}"#);
-    holds(&dump, r#"{"irid":[0.35,"thickness",0.5]}"#);
-    holds(&dump, r#"{"media":[{"media":[{"scattering":[3.0,{"rgb":[0.125,0.125,0.125]}]}]}]},{"fade_distance":[4.5]}"#);
+    holds(&dump, r#"{"subsurface":["translucency",0.25]}"#);
+    holds(&dump, r#"{"media":[{"media":[{"scattering":[3.0,{"rgb":[0.125,0.125,0.125]}]}]}]}"#);
 }
 
 #[test]

@@ -184,8 +184,9 @@ here or where it was to be used. A name that begins with `_` is not told."
 "Told with `--warn shadow`. Inside of a macro, its parameters and `#local`s come first; a name declared outside is not seen then, nor by
 the macros that are called from there."
     FONT_MISSING "W0211" "a font is not there"
-"A `text` names a font file that is neither in the scene's folder nor in those of the includes. Letters of a similar one are
-drawn, so that the picture will differ a little."
+"A `text` names a font file that is neither in the scene's folder nor in those of the includes. A similar one
+of the system stands for it (serif, sans or monospaced, bold, italic, as its name tells), so that the picture will differ a
+little. The environment variable DURER_FONTS names other folders in which to look for it."
     NO_DIRECTION "E0300" "a plane has no direction"
 "The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
 vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."

@@ -16,6 +16,8 @@ pub(super) enum Quick {
 
 /// What the short way gives: a number alone, which is fastest, or either.
 pub(super) trait Short: Sized {
+    /// Can it be a vector? Else nobody shall compute one.
+    const VECTORS: bool;
     fn float(x: f64) -> Self;
     fn vector(v: VecN) -> Option<Self>;
     /// Both with an operator between them; `None` where [`super::operators::apply`] has something to say.
@@ -32,6 +34,8 @@ pub(super) trait Short: Sized {
 }
 
 impl Short for f64 {
+    const VECTORS: bool = false;
+
     fn float(x: f64) -> Self {
         x
     }
@@ -55,6 +59,8 @@ impl Short for f64 {
 }
 
 impl Short for Quick {
+    const VECTORS: bool = true;
+
     fn float(x: f64) -> Self {
         Quick::Float(x)
     }
@@ -95,7 +101,7 @@ impl Interpreter<'_> {
         match &e.kind {
             ExprKind::Number(x) => Some(T::float(*x)),
             ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
-            ExprKind::Vector(parts) => self.quick_vector(parts),
+            ExprKind::Vector(parts) if T::VECTORS => self.quick_vector(parts),
             ExprKind::Paren(inner) => self.quick(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
                 Some(Slot::Value(value)) if self.deprecated.is_empty() => T::of(value),

@@ -1,52 +1,89 @@
 //! Patterns: a number, or the index of a cell, for each point of space. Adding one is a file here and a row in the
 //! tables below.
 
+mod agate;
 mod aoi;
+pub mod bitmap;
 mod boxed;
+mod bozo;
 mod brick;
+mod bumps;
+mod cells;
 mod checker;
+mod crackle;
 mod cubic;
 mod cylindrical;
 mod density_file;
+mod dents;
 mod fractal;
 mod function;
 mod gradient;
+mod granite;
 mod hexagon;
-pub mod image;
+mod leopard;
+mod marble;
 mod modifiers;
 mod object;
+mod onion;
+mod pigment;
 mod placed;
 mod planar;
+mod quilted;
+mod radial;
+mod ripples;
 mod slope;
 mod space;
 mod spherical;
+mod spiral1;
+mod spiral2;
 mod spot;
+mod spotted;
 mod square;
 mod tiling;
 mod triangular;
 mod turbulence;
 mod warp;
+mod waves;
+mod wood;
+mod wrinkles;
 
+pub use agate::Agate;
 pub use aoi::Aoi;
+pub use bitmap::{ImagePattern, MaterialMap};
 pub use boxed::Boxed;
+pub use bozo::Bozo;
 pub use brick::Brick;
+pub use bumps::Bumps;
+pub use cells::RandomCells;
 pub use checker::Checker;
+pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
 pub use density_file::{DensityFile, Voxel};
+pub use dents::Dents;
 pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
+pub use granite::Granite;
 pub use hexagon::Hexagon;
-pub use image::{ImagePattern, MaterialMap};
+pub use leopard::Leopard;
+pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
+pub use onion::Onion;
+pub use pigment::PigmentPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
+pub use quilted::Quilted;
+pub use radial::Radial;
+pub use ripples::Ripples;
 pub use slope::{Altitude, Slope, Towards};
 pub use space::{Space, Step};
 pub use spherical::Spherical;
-pub use spot::{Field, Spot};
+pub use spiral1::Spiral1;
+pub use spiral2::Spiral2;
+pub use spot::{Field, Spot, Words};
+pub use spotted::Spotted;
 pub use square::Square;
 pub use tiling::Tiling;
 pub use triangular::Triangular;
@@ -55,6 +92,9 @@ pub use warp::{
     BlackHole, CubicWarp, CylindricalWarp, Layout, PlanarWarp, Repeat, SphericalWarp, ToroidalWarp, TurbulenceWarp,
     Warp,
 };
+pub use waves::Waves;
+pub use wood::Wood;
+pub use wrinkles::Wrinkles;
 
 use crate::color::Color;
 use crate::diagnostic::Result;
@@ -126,6 +166,10 @@ macro_rules! fields {
 
         impl Field for FieldPattern {
             fn value(&self, at: &Spot) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
+            fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+                match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
+            }
+            fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
             fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
                 match self { $(FieldPattern::$name(f) => f.stirred(at, by)),* }
             }
@@ -156,54 +200,17 @@ macro_rules! cells {
 cells! { Checker Hexagon Brick ObjectPattern MaterialMap Cubic Square Triangular }
 
 fields! {
-    Gradient FunctionPattern ImagePattern
+    Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
-    Mandel Julia Magnet
-    Aoi Slope DensityFile
-    Tiling
+    Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
+    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Tiling
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &[
-    "agate",
-    "bozo",
-    "bumps",
-    "cells",
-    "crackle",
-    "dents",
-    "facets",
-    "granite",
-    "leopard",
-    "marble",
-    "onion",
-    "pavement",
-    "pigment_pattern",
-    "quilted",
-    "radial",
-    "ripples",
-    "spiral1",
-    "spiral2",
-    "spotted",
-    "waves",
-    "wood",
-    "wrinkles",
-];
+pub const NOT_DRAWN: &[&str] = &["facets", "pavement"];
 
 /// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] = &[
-    "agate_turb",
-    "control0",
-    "control1",
-    "coords",
-    "cube",
-    "exterior",
-    "form",
-    "interior",
-    "metric",
-    "offset",
-    "size",
-    "solid",
-];
+pub const WORDS_NOT_DRAWN: &[&str] = &["coords", "exterior", "interior", "size"];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
 pub fn is_not_drawn(word: &str) -> bool {

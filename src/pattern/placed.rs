@@ -1,7 +1,7 @@
 //! A pattern where it lies: what pigments, normals and textures have in common.
 
 use super::{
-    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Spot, Turbulent, Warp,
+    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Spot, Turbulent, Warp, Words,
 };
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
@@ -97,7 +97,9 @@ impl Pattern {
         if FieldPattern::is_name(word) {
             r.take()?;
             if let Some(pattern) = FieldPattern::read(word, r) {
-                self.kind = Kind::Field(pattern?);
+                let pattern = pattern?;
+                self.modifiers.wave = pattern.default_wave().unwrap_or(self.modifiers.wave);
+                self.kind = Kind::Field(pattern);
             }
         } else if CellPattern::is_name(word) {
             r.take()?;
@@ -137,11 +139,15 @@ impl Pattern {
             inner.p = turbulence.displace(inner.p);
         }
         let number = match &self.kind {
-            Kind::Field(field) => self.modifiers.apply(field.value(&self.own(&inner))),
+            Kind::Field(field) => self.modifiers.apply(field.value_as(&self.own(&inner), &self.words())),
             Kind::Cells(cells) => self.modifiers.apply_to_cell(cells.cell(inner.p)),
             Kind::Plain | Kind::Average => 0.0,
         };
         (number, inner)
+    }
+
+    fn words(&self) -> Words {
+        Words { modifiers: self.modifiers, turbulence: self.space.turbulence.as_deref().copied().unwrap_or_default() }
     }
 
     /// The spot with the pattern's own noise.

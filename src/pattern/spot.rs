@@ -1,6 +1,6 @@
 //! What a pattern is asked about.
 
-use super::Turbulent;
+use super::{Modifiers, Turbulent, Wave};
 use crate::color::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec2, DVec3};
@@ -20,12 +20,17 @@ pub struct Spot {
     pub ray: DVec3,
     /// The noise of patterns that do not say which.
     pub noise: NoiseGenerator,
+    /// `number_of_waves`: how many sources `ripples` and `waves` have.
+    pub waves: usize,
 }
 
 impl Spot {
-    /// A point that lies on nothing: what functions ask about.
+    /// How many sources waves have, unless the scene says.
+    pub const WAVES: usize = 10;
+
+    /// A point that lies on nothing: what functions ask about. They do not know the scene's number of waves, as in POV-Ray.
     pub fn free(p: DVec3, noise: NoiseGenerator) -> Self {
-        Self { p, uv: DVec2::new(p.x, p.y), world: p, normal: DVec3::Y, ray: DVec3::NEG_Y, noise }
+        Self { p, uv: DVec2::new(p.x, p.y), world: p, normal: DVec3::Y, ray: DVec3::NEG_Y, noise, waves: Self::WAVES }
     }
 
     /// The same place seen from another space.
@@ -34,13 +39,32 @@ impl Spot {
     }
 }
 
+/// What else is said of a pattern.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Words {
+    /// Frequency, phase, wave.
+    pub modifiers: Modifiers,
+    /// `turbulence` and its words.
+    pub turbulence: Turbulent,
+}
+
 /// A pattern that gives every point a number, which a map turns into colour.
 pub trait Field {
     /// The number before frequency, phase and wave; mostly in [0, 1].
     fn value(&self, at: &Spot) -> f64;
 
+    /// The number of a pattern that listens to what else is said of it.
+    fn value_as(&self, at: &Spot, _words: &Words) -> f64 {
+        self.value(at)
+    }
+
     /// The number under `turbulence`, of a pattern that stirs itself; of all others the point is displaced.
     fn stirred(&self, _at: &Spot, _by: &Turbulent) -> Option<f64> {
+        None
+    }
+
+    /// The wave that its name brings along.
+    fn default_wave(&self) -> Option<Wave> {
         None
     }
 

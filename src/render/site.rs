@@ -48,6 +48,7 @@ impl<'w> Site<'w> {
             normal,
             ray: ray.dir,
             noise: world.noise,
+            waves: world.waves,
         };
         let mut painter = Painter { coat, quick, layers: SmallVec::new() };
         let pass = painter.paint(material, &spot, Rgb::ONE);
@@ -122,6 +123,7 @@ pub(super) fn pass(world: &World, ray: &Ray, found: &Found) -> Rgb {
         normal: surface.normal,
         ray: ray.dir,
         noise: world.noise,
+        waves: world.waves,
     };
     pass_of(material, &spot)
 }

@@ -4,7 +4,7 @@ use super::words::SETTINGS;
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
-use crate::pattern::read_noise_generator;
+use crate::pattern::{Spot, read_noise_generator};
 use crate::value::{Next, Reader, Said};
 use serde::Serialize;
 
@@ -23,6 +23,8 @@ pub struct Settings {
     pub irid_wavelength: Rgb,
     /// The noise that patterns and functions are made of, if the scene says which.
     pub noise_generator: Option<NoiseGenerator>,
+    /// How many sources the patterns `ripples` and `waves` have.
+    pub number_of_waves: usize,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub undrawn: Vec<Said>,
@@ -37,6 +39,7 @@ impl Default for Settings {
             ambient_light: Rgb::ONE,
             irid_wavelength: Rgb::new(0.7, 0.52, 0.48),
             noise_generator: None,
+            number_of_waves: Spot::WAVES,
             undrawn: vec![],
         }
     }
@@ -65,6 +68,10 @@ impl Settings {
                 Next::Word("noise_generator") => {
                     r.take()?;
                     self.noise_generator = Some(read_noise_generator(r)?);
+                }
+                Next::Word("number_of_waves") => {
+                    r.take()?;
+                    self.number_of_waves = r.float()?.max(1.0) as usize;
                 }
                 Next::Word("adc_bailout") => {
                     r.take()?;

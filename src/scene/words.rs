@@ -58,9 +58,10 @@ pub const SETTINGS: Vocabulary = Vocabulary {
             "<0.7, 0.52, 0.48>",
             "of red, green and blue light, in the units of `irid`'s `thickness`",
         ),
+        word("number_of_waves", Float, "10", "how many sources the patterns `ripples` and `waves` have"),
         word("ambient_light", Color, "1", "the light that `finish { ambient }` answers to"),
     ],
     moves: false,
-    idle: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit", "number_of_waves"],
+    idle: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
     not_drawn: &["photons", "radiosity", "subsurface"],
 };

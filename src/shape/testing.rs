@@ -151,6 +151,10 @@ impl Reader for Words {
         }
     }
 
+    fn pigment(&mut self) -> Result<Arc<dyn Thing>> {
+        Err(self.unexpected("no pigment").into())
+    }
+
     fn solid(&mut self) -> Result<Arc<dyn Solid>> {
         Err(self.unexpected("no object").into())
     }

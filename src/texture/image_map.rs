@@ -4,7 +4,7 @@ use super::words::IMAGE_MAP;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::pattern::image::{Bitmap, Mapping, Texels};
+use crate::pattern::bitmap::{Bitmap, Mapping, Texels};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 

@@ -1,5 +1,6 @@
 //! `normal`: bumps that only light sees (manual, "Normal").
 
+use super::Texture;
 use super::blend::{self, Entry, Map, Parts};
 use super::words::NORMAL;
 use crate::diagnostic::Result;
@@ -56,8 +57,8 @@ impl Default for Normal {
 }
 
 impl Normal {
-    /// Reads what stands between the braces, on top of `base` (the default normal).
-    pub fn read(r: &mut dyn Reader, base: Option<&Normal>) -> Result<Self> {
+    /// Reads what stands between the braces, on top of `base`; normals inside of it begin with the default one.
+    pub fn read(r: &mut dyn Reader, base: Option<&Normal>, defaults: &Texture) -> Result<Self> {
         let mut out = match r.thing::<Normal>()? {
             Some(declared) => (*declared).clone(),
             None => base.cloned().unwrap_or_default(),
@@ -65,18 +66,18 @@ impl Normal {
         loop {
             match r.next()? {
                 Next::End => return Ok(out),
-                next => out.read_element(r, next)?,
+                next => out.read_element(r, next, defaults)?,
             }
         }
     }
 
-    fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
+    fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
         if self.pattern.read_element(next, r)? {
             let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
             if matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function {
                 self.read_amount(r)?;
             }
-            if let Some(list) = blend::read_list(r, next, &self.pattern, &|_, _| Normal::default())? {
+            if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &|_, _| Normal::default())? {
                 self.relief = Relief::Normals(list);
             }
             return Ok(());
@@ -111,12 +112,12 @@ impl Normal {
             }
             Next::Block("slope_map") => {
                 r.take()?;
-                self.relief = Relief::Slopes(Arc::new(Map::read_entries(r)?));
+                self.relief = Relief::Slopes(Arc::new(Map::read_entries(r, defaults)?));
                 r.leave()?;
             }
             Next::Block("normal_map") => {
                 r.take()?;
-                self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(r)?)));
+                self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(r, defaults)?)));
                 r.leave()?;
             }
             Next::Word(word) | Next::Block(word) if crate::pattern::is_not_drawn(word) => r.skip_unsupported(word)?,
@@ -158,8 +159,8 @@ impl Entry for Normal {
     const MAP: &'static str = "normal_map";
     const BLOCK: &'static str = "normal";
 
-    fn read_entry(r: &mut dyn Reader) -> Result<Self> {
-        Self::read(r, None)
+    fn read_entry(r: &mut dyn Reader, defaults: &Texture) -> Result<Self> {
+        Self::read(r, defaults.layers[0].normal.as_deref(), defaults)
     }
 
     fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
@@ -171,7 +172,7 @@ impl Entry for Slope {
     const MAP: &'static str = "slope_map";
     const BLOCK: &'static str = "<height, slope>";
 
-    fn read_entry(r: &mut dyn Reader) -> Result<Self> {
+    fn read_entry(r: &mut dyn Reader, _: &Texture) -> Result<Self> {
         let pair = r.vector2()?;
         Ok(Self { height: pair.x, slope: pair.y })
     }

@@ -61,6 +61,9 @@ pub trait Solid: std::fmt::Debug + Send + Sync {
     fn contains(&self, p: DVec3) -> bool;
 }
 
+/// A function, and how many samples of it are wanted across and down.
+pub type SizedFunction = ([usize; 2], Arc<dyn Thing>);
+
 /// A family's view of the text.
 pub trait Reader {
     /// What comes next; nothing is consumed. Commas and semicolons are passed over.
@@ -81,6 +84,8 @@ pub trait Reader {
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
     /// Consumes an object, written out or declared, of which only the inside matters.
     fn solid(&mut self) -> Result<Arc<dyn Solid>>;
+    /// Consumes what stands between the braces of a pigment: as a function that gives its colour at a point.
+    fn pigment(&mut self) -> Result<Arc<dyn Thing>>;
     /// A number; a vector is an error.
     fn float(&mut self) -> Result<f64>;
     /// A number if an expression comes next.
@@ -122,7 +127,7 @@ pub trait Reader {
     /// Consumes a picture file's name, and decodes the file; fails where it is not found or not understood.
     fn picture(&mut self) -> Result<Arc<Picture>>;
     /// Consumes `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
-    fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>>;
+    fn sized_function(&mut self) -> Result<Option<SizedFunction>>;
     /// Tells the user something without stopping.
     fn report(&mut self, diagnostic: Diagnostic);
     /// An error about what comes next: "expected …, found …".

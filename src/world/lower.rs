@@ -40,6 +40,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
         background: scene.background.unwrap_or(Color { transmit: 1.0, ..Color::BLACK }),
         gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
         noise: scene.settings.noise_generator.unwrap_or_default(),
+        waves: scene.settings.number_of_waves,
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
         irid_wavelength: scene.settings.irid_wavelength,

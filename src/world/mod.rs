@@ -43,6 +43,8 @@ pub struct World {
     pub interiors: Vec<Interior>,
     /// The noise of patterns that do not say which.
     pub noise: NoiseGenerator,
+    /// How many sources `ripples` and `waves` have.
+    pub waves: usize,
     /// All lamps.
     pub lights: Vec<Lamp>,
     /// What rays see that hit nothing.

@@ -28,14 +28,14 @@ impl<'a> Interpreter<'a> {
         if !declare.others.is_empty() {
             return self.declare_several(declare);
         }
-        let place = self.target_place(target)?;
-        if place.is_none()
+        if target.indices.is_empty()
             && declare.deprecated.is_none()
             && let Some(x) = self.simple_statement()
         {
             self.bind(declare, target, None, Slot::Value(Value::Float(x)), vec![]);
             return Ok(());
         }
+        let place = self.target_place(target)?;
         let mark = self.diagnostics.len();
         let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
         let outer = std::mem::replace(&mut self.floor, depth);

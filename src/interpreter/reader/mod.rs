@@ -196,6 +196,10 @@ impl Reader for Interpreter<'_> {
         Ok(Arc::new(Probe::new(&object)?))
     }
 
+    fn pigment(&mut self) -> Result<Arc<dyn Thing>> {
+        self.pigment_function()
+    }
+
     fn float(&mut self) -> Result<f64> {
         self.at_value("a number")?;
         let (value, span) = self.value_here()?;

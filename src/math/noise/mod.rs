@@ -6,10 +6,13 @@
 //! Results agree with POV-Ray to about 1e-15 for coordinates below 2³¹, where POV-Ray's own cells overflow; here they go on.
 //! No input panics; infinite and undefined coordinates give NaN or a bound of the range.
 
+mod cells;
 mod lattice;
 mod perlin;
 mod tables;
 mod value;
+
+pub use cells::Cell;
 
 use super::DVec3;
 use serde::Serialize;
@@ -102,6 +105,11 @@ pub fn noise_vector(p: DVec3) -> DVec3 {
 pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -> f64 {
     let octave = |i, (frequency, weight)| weight * spread(noise(p * frequency, generator), generator, i == 0);
     turbulence.octaves().enumerate().map(|(i, o)| octave(i, o)).sum()
+}
+
+/// One octave of [`turbulence`], cut at 0 and 1: what `granite` and `wrinkles` add up.
+pub fn octave(p: DVec3, generator: NoiseGenerator) -> f64 {
+    spread(noise(p, generator), generator, true)
 }
 
 /// The range of noise that turbulence adds up, from [`noise`].

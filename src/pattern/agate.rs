@@ -1,0 +1,69 @@
+//! `agate`: twisted bands (manual, "Agate").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { agate agate_turb 0.7 } }
+//! ```
+
+use super::{Field, Readable, Spot, Words};
+use crate::color::Color;
+use crate::diagnostic::Result;
+use crate::math::{fp, noise};
+use crate::value::{Kind, Reader, Spec, WordSpec};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// Bands along z, displaced by noise.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Agate {
+    /// How much they are displaced; in single precision, as in POV-Ray.
+    pub turbulence: f64,
+}
+
+impl Readable for Agate {
+    const SPEC: Spec = Spec {
+        name: "agate",
+        summary: "twisted bands; `octaves`, `lambda` and `omega` shape them too",
+        params: &[],
+        words: &[WordSpec {
+            name: "agate_turb",
+            kind: Kind::Float,
+            default: "1",
+            summary: "how much they are twisted; `turbulence` comes on top of it",
+        }],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { turbulence: 1.0 })
+    }
+
+    fn read_word(&mut self, _: &'static str, r: &mut dyn Reader) -> Result<()> {
+        self.turbulence = f64::from(r.float()? as f32);
+        Ok(())
+    }
+}
+
+impl Field for Agate {
+    fn value(&self, at: &Spot) -> f64 {
+        self.value_as(at, &Words::default())
+    }
+
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        // the constants were fitted to what POV-Ray 3.7 prints
+        let turbulence = noise::turbulence(at.p, words.turbulence.series(), at.noise);
+        let turn = 1.3 * self.turbulence * turbulence + 1.1 * at.p.z;
+        fp::pow(0.5 * (fp::sin(TAU * turn) + 1.0), 0.77)
+    }
+
+    fn default_colors(&self) -> Vec<(f64, Color)> {
+        [
+            (0.0, [1.0, 1.0, 1.0]),
+            (0.5, [0.95, 0.75, 0.5]),
+            (0.5, [0.9, 0.7, 0.5]),
+            (0.6, [0.9, 0.7, 0.4]),
+            (0.6, [1.0, 0.7, 0.4]),
+            (1.0, [0.6, 0.3, 0.0]),
+        ]
+        .map(|(at, rgb)| (at, Color::opaque(rgb.into())))
+        .to_vec()
+    }
+}

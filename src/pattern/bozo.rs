@@ -1,0 +1,35 @@
+//! `bozo`: smooth noise, between 0 and 1 (manual, "Bozo").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { bozo turbulence 0.6 color_map { [0.4 color rgb <0.2, 0.4, 0.9>] [0.7 color rgb 1] } scale 0.5 } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::color::{Color, Rgb};
+use crate::diagnostic::Result;
+use crate::math::noise;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Noise.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Bozo {}
+
+impl Readable for Bozo {
+    const SPEC: Spec = Spec { name: "bozo", summary: "smooth noise, as clouds are made of", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Bozo {
+    fn value(&self, at: &Spot) -> f64 {
+        noise::noise(at.p, at.noise)
+    }
+
+    fn default_colors(&self) -> Vec<(f64, Color)> {
+        let [white, green, blue, red] = [Rgb::ONE, Rgb::Y, Rgb::Z, Rgb::X].map(Color::opaque);
+        [(0.4, white), (0.4, green), (0.6, green), (0.6, blue), (0.8, blue), (0.8, red)].to_vec()
+    }
+}

@@ -1,0 +1,30 @@
+//! `bumps`: smooth noise, between 0 and 1 (manual, "Bumps").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { bumps color_map { [0.5 color rgb <0.9, 0.7, 0.4>] [0.6 color rgb <0.4, 0.2, 0.1>] } scale 0.2 } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::math::noise;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Noise.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Bumps {}
+
+impl Readable for Bumps {
+    const SPEC: Spec =
+        Spec { name: "bumps", summary: "as `bozo`, but for its colours; in a normal, bumps", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Bumps {
+    fn value(&self, at: &Spot) -> f64 {
+        noise::noise(at.p, at.noise)
+    }
+}

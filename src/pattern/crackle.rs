@@ -1,0 +1,186 @@
+//! `crackle`: cells of random shape, each around a point of its own (manual, "Crackle").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { crackle color_map { [0.05 color rgb 0.1] [0.1 color rgb <0.8, 0.6, 0.4>] } scale 0.3 } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::math::noise::{self, Cell};
+use crate::math::{DVec3, fp};
+use crate::value::{Kind, Reader, Spec, WordSpec};
+use serde::Serialize;
+
+/// Distances to the nearest of random points, of which each unit cube holds one.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Crackle {
+    /// What the distances to the nearest, second and third point count.
+    pub form: DVec3,
+    /// The power that is summed up for a distance.
+    pub metric: f64,
+    /// The distance in a fourth dimension.
+    pub offset: f64,
+    /// The same number in all of a cell.
+    pub solid: bool,
+}
+
+impl Readable for Crackle {
+    const SPEC: Spec = Spec {
+        name: "crackle",
+        summary: "cells of random shape",
+        params: &[],
+        words: &[
+            WordSpec {
+                name: "form",
+                kind: Kind::Vector,
+                default: "<-1, 1, 0>",
+                summary: "what the distances to the nearest, second and third point count",
+            },
+            WordSpec {
+                name: "metric",
+                kind: Kind::Float,
+                default: "2",
+                summary: "the power that makes a distance; 1 counts along the axes, 2 is the usual",
+            },
+            WordSpec { name: "offset", kind: Kind::Float, default: "0", summary: "distance in a fourth dimension" },
+            WordSpec { name: "solid", kind: Kind::Nothing, default: "", summary: "one number for each cell" },
+        ],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { form: DVec3::new(-1.0, 1.0, 0.0), metric: 2.0, offset: 0.0, solid: false })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        match word {
+            "form" => self.form = r.vector()?,
+            "metric" => self.metric = r.float()?,
+            "offset" => self.offset = r.float()?,
+            _ => self.solid = true,
+        }
+        Ok(())
+    }
+}
+
+impl Field for Crackle {
+    fn value(&self, at: &Spot) -> f64 {
+        let near = nearest(at.p, self.metric);
+        if self.solid {
+            return noise::noise(near.site, at.noise);
+        }
+        let offset = power(self.offset, self.metric);
+        let distance = |sum: f64| root(sum + offset, self.metric);
+        let value = (0..3).filter(|&i| self.form[i] != 0.0).map(|i| self.form[i] * distance(near.sums[i])).sum::<f64>();
+        value.clamp(0.0, 1.0)
+    }
+}
+
+/// What lies next to a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest {
+    /// The sums of powers to the three nearest sites.
+    pub sums: [f64; 3],
+    /// The nearest site.
+    pub site: DVec3,
+}
+
+/// Looks in the cubes around the point for the sites with the smallest sums.
+pub fn nearest(p: DVec3, metric: f64) -> Nearest {
+    let (cell, within) = Cell::of(p);
+    let mut near = Nearest { sums: [f64::INFINITY; 3], site: p };
+    // How far a cube is away along an axis, as a power: nothing for the point's own. Negative powers tell nothing.
+    let gap = |axis: usize, step: isize| match step {
+        _ if metric <= 0.0 => 0.0,
+        0 => 0.0,
+        1.. => power(step as f64 - within[axis], metric),
+        _ => power(within[axis] - step as f64 - 1.0, metric),
+    };
+    let gaps = [0, 1, 2].map(|axis| [-2, -1, 0, 1, 2].map(|step| gap(axis, step)));
+    for &[i, j, k] in &AROUND {
+        let least = gaps[0][(i + 2) as usize] + gaps[1][(j + 2) as usize] + gaps[2][(k + 2) as usize];
+        if least >= near.sums[2] {
+            continue;
+        }
+        let step = DVec3::new(i as f64, j as f64, k as f64);
+        let site = step + cell.step([i, j, k]).random_point() - within;
+        near.insert(sum(site, metric), p + site);
+    }
+    near
+}
+
+impl Nearest {
+    /// Keeps the three smallest in order.
+    fn insert(&mut self, sum: f64, site: DVec3) {
+        let [first, second, third] = self.sums;
+        if sum < first {
+            *self = Self { sums: [sum, first, second], site };
+        } else if sum < second {
+            self.sums = [first, sum, second];
+        } else if sum < third {
+            self.sums[2] = sum;
+        }
+    }
+}
+
+/// The cubes that are looked at, those next to the point first: one step along each axis, or two along a single one.
+const AROUND: [[isize; 3]; 81] = around();
+
+const fn around() -> [[isize; 3]; 81] {
+    let (mut out, mut n) = ([[0; 3]; 81], 0);
+    // by the sum of the squares of their steps
+    let mut square = 0;
+    while square <= 6 {
+        let mut code = 0;
+        while code < 125 {
+            let [i, j, k] = [code % 5 - 2, code / 5 % 5 - 2, code / 25 - 2];
+            let far = (i * i == 4) as u8 + (j * j == 4) as u8 + (k * k == 4) as u8;
+            if i * i + j * j + k * k == square && far < 2 {
+                out[n] = [i, j, k];
+                n += 1;
+            }
+            code += 1;
+        }
+        square += 1;
+    }
+    out
+}
+
+fn sum(v: DVec3, metric: f64) -> f64 {
+    let v = v.abs();
+    power(v.x, metric) + power(v.y, metric) + power(v.z, metric)
+}
+
+fn power(x: f64, metric: f64) -> f64 {
+    match metric {
+        1.0 => x,
+        2.0 => x * x,
+        _ if x == 0.0 => 0.0,
+        _ => fp::pow(x, metric),
+    }
+}
+
+fn root(x: f64, metric: f64) -> f64 {
+    match metric {
+        1.0 => x,
+        2.0 => x.sqrt(),
+        _ => fp::pow(x, 1.0 / metric),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn leaving_out_far_cubes_changes_nothing(p in prop::array::uniform3(-9.0..9.0f64), metric in 0.3..9.0f64) {
+            let p = DVec3::from(p);
+            let (cell, within) = Cell::of(p);
+            let site = |s: &[isize; 3]| DVec3::from(s.map(|i| i as f64)) + cell.step(*s).random_point() - within;
+            let mut sums = AROUND.map(|step| sum(site(&step), metric));
+            sums.sort_by(f64::total_cmp);
+            prop_assert_eq!(sums[..3].to_vec(), nearest(p, metric).sums.to_vec());
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! `dents`: noise with few high places (manual, "Dents").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { dents color_map { [0 color rgb 0.9] [0.5 color rgb <0.6, 0.1, 0>] } scale 0.2 } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::math::noise;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Noise to the third power.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Dents {}
+
+impl Readable for Dents {
+    const SPEC: Spec =
+        Spec { name: "dents", summary: "noise to the third power; in a normal, dents", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Dents {
+    fn value(&self, at: &Spot) -> f64 {
+        noise::noise(at.p, at.noise).powi(3)
+    }
+}

@@ -1,0 +1,31 @@
+//! `granite`: fine grains of all sizes (manual, "Granite").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { granite color_map { [0 color rgb <0.3, 0.2, 0.2>] [0.5 color rgb 0.9] } } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::math::noise;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Sums of noise.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Granite {}
+
+impl Readable for Granite {
+    const SPEC: Spec = Spec { name: "granite", summary: "grains of all sizes", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Granite {
+    fn value(&self, at: &Spot) -> f64 {
+        // six octaves, each half as strong and twice as fine: how far the noise lies from the middle
+        let octave = |i| 0.5f64.powi(i) * (0.5 - noise::octave(at.p * 2f64.powi(i + 2), at.noise)).abs();
+        (0..6).map(octave).sum::<f64>().min(1.0)
+    }
+}

@@ -1,0 +1,30 @@
+//! `leopard`: round spots in rows (manual, "Leopard").
+//!
+//! ```pov
+//! box { -1, 1 pigment { leopard color_map { [0.1 color rgb <0.9, 0.7, 0.3>] [0.4 color rgb <0.2, 0.1, 0>] } scale 0.1 } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::math::fp;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// The square of the mean of three sines.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Leopard {}
+
+impl Readable for Leopard {
+    const SPEC: Spec = Spec { name: "leopard", summary: "round spots in rows", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Leopard {
+    fn value(&self, at: &Spot) -> f64 {
+        let mean = (fp::sin(at.p.x) + fp::sin(at.p.y) + fp::sin(at.p.z)) / 3.0;
+        mean * mean
+    }
+}

@@ -1,0 +1,49 @@
+//! `marble`: bands along x (manual, "Marble").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { marble turbulence 0.8 scale 0.4 } }
+//! ```
+
+use super::{Field, Readable, Spot, Turbulent, Wave};
+use crate::color::Color;
+use crate::diagnostic::Result;
+use crate::math::noise;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Bands.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Marble {}
+
+impl Readable for Marble {
+    const SPEC: Spec = Spec {
+        name: "marble",
+        summary: "bands across x, back and forth; of `turbulence` only the first number counts",
+        params: &[],
+        words: &[],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Marble {
+    fn value(&self, at: &Spot) -> f64 {
+        at.p.x
+    }
+
+    fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
+        Some(at.p.x + by.amount.x * noise::turbulence(at.p, by.series(), at.noise))
+    }
+
+    fn default_wave(&self) -> Option<Wave> {
+        Some(Wave::Triangle)
+    }
+
+    fn default_colors(&self) -> Vec<(f64, Color)> {
+        [(0.0, [0.9, 0.8, 0.8]), (0.9, [0.9, 0.08, 0.08]), (0.9, [0.0; 3])]
+            .map(|(at, rgb)| (at, Color::opaque(rgb.into())))
+            .to_vec()
+    }
+}

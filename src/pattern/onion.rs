@@ -1,0 +1,29 @@
+//! `onion`: shells around the origin (manual, "Onion").
+//!
+//! ```pov
+//! box { <-1, -1, 0>, 1 pigment { onion color_map { [0 color rgb <0.5, 0.2, 0.4>] [1 color rgb <1, 0.9, 0.9>] } scale 0.3 } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::Result;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// Shells.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Onion {}
+
+impl Readable for Onion {
+    const SPEC: Spec =
+        Spec { name: "onion", summary: "shells around the origin, one in each unit", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Onion {
+    fn value(&self, at: &Spot) -> f64 {
+        at.p.length() % 1.0
+    }
+}

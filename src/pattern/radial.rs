@@ -1,0 +1,42 @@
+//! `radial`: once around the y axis (manual, "Radial").
+//!
+//! ```pov
+//! cylinder { 0, y, 1 pigment { radial frequency 6 color_map { [0.5 color rgb <1, 0.2, 0.2>] [0.5 color rgb 1] } } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::color::Color;
+use crate::diagnostic::Result;
+use crate::math::fp;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// The angle around y.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Radial {}
+
+impl Readable for Radial {
+    const SPEC: Spec =
+        Spec { name: "radial", summary: "once around the y axis, from +x over -z", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Radial {
+    fn value(&self, at: &Spot) -> f64 {
+        // near the axis there is one value; the turn from -z on goes beyond 1, which the wave brings back
+        if at.p.x.abs() < 0.001 && at.p.z.abs() < 0.001 {
+            return 0.25;
+        }
+        0.75 + fp::atan2(at.p.x, at.p.z) / TAU
+    }
+
+    fn default_colors(&self) -> Vec<(f64, Color)> {
+        let [cyan, yellow, magenta] =
+            [(0.0, 1.0, 1.0), (1.0, 1.0, 0.0), (1.0, 0.0, 1.0)].map(|c| Color::opaque(c.into()));
+        [(0.0, cyan), (0.333, yellow), (0.666, magenta), (1.0, cyan)].to_vec()
+    }
+}

@@ -1,0 +1,43 @@
+//! `ripples`: rings of equal waves from sources around the origin (manual, "Ripples").
+//!
+//! ```pov
+//! plane { y, 0 pigment { ripples color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } } }
+//! ```
+
+use super::waves::{Source, sources};
+use super::{Field, Readable, Spot, Words};
+use crate::diagnostic::Result;
+use crate::math::fp;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// Waves of one length.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Ripples {}
+
+impl Readable for Ripples {
+    const SPEC: Spec = Spec {
+        name: "ripples",
+        summary: "rings of equal waves; `frequency` makes them shorter and `phase` moves them",
+        params: &[],
+        words: &[],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Ripples {
+    fn value(&self, at: &Spot) -> f64 {
+        self.value_as(at, &Words::default())
+    }
+
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+        let wave = |s: &Source| fp::sin(TAU * (frequency * at.p.distance(s.place) + phase));
+        let sources = sources(at.waves);
+        0.5 + 0.5 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
+    }
+}

@@ -1,0 +1,64 @@
+//! `spiral1 N`: the thread of a screw around the z axis (manual, "Spiral1").
+//!
+//! ```pov
+//! cylinder { 0, 0.2*z, 1 pigment { spiral1 5 color_map { [0.5 color rgb <0.1, 0.2, 0.5>] [0.5 color rgb 1] } scale 0.6 } }
+//! ```
+
+use super::{Field, Readable, Spot, Wave, Words};
+use crate::diagnostic::Result;
+use crate::math::{DVec3, fp, noise};
+use crate::value::{Kind, Param, Reader, Spec};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// The number of arms, as both spirals take it.
+pub(super) const ARMS: &[Param] = &[Param {
+    name: "arms",
+    kind: Kind::Float,
+    summary: "how many arms wind around the axis; the fraction is dropped",
+}];
+
+/// A spiral.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Spiral1 {
+    /// How many arms wind around the axis.
+    pub arms: f64,
+}
+
+impl Readable for Spiral1 {
+    const SPEC: Spec =
+        Spec { name: "spiral1", summary: "arms of a spiral around the z axis", params: ARMS, words: &[] };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { arms: r.float()?.trunc() })
+    }
+}
+
+impl Field for Spiral1 {
+    fn value(&self, at: &Spot) -> f64 {
+        self.value_as(at, &Words::default())
+    }
+
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        thread(at.p, self.arms) + shift(at, words)
+    }
+
+    fn default_wave(&self) -> Option<Wave> {
+        Some(Wave::Triangle)
+    }
+}
+
+/// Grows by 1 with each unit along z and away from it, and by the number of arms with each turn, from -y on.
+pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
+    if p.x == 0.0 && p.y == 0.0 {
+        return p.z;
+    }
+    let turn = fp::atan2(p.y, p.x) / TAU + 0.25;
+    p.z + p.truncate().length() + arms * (turn - turn.floor())
+}
+
+/// What `turbulence` adds beside displacing the point.
+pub(super) fn shift(at: &Spot, words: &Words) -> f64 {
+    let amount = words.turbulence.amount.x;
+    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, words.turbulence.series(), at.noise) }
+}

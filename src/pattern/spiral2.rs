@@ -1,0 +1,46 @@
+//! `spiral2 N`: two spirals that cross each other (manual, "Spiral2").
+//!
+//! ```pov
+//! cylinder { 0, 0.2*z, 1 pigment { spiral2 8 color_map { [0.4 color rgb <0.5, 0.3, 0.1>] [0.6 color rgb <1, 0.9, 0.5>] } scale 0.6 } }
+//! ```
+
+use super::spiral1::{ARMS, shift, thread};
+use super::{Field, Readable, Spot, Wave, Words};
+use crate::diagnostic::Result;
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+
+/// A spiral over rings.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Spiral2 {
+    /// How many arms wind around the axis.
+    pub arms: f64,
+}
+
+impl Readable for Spiral2 {
+    const SPEC: Spec =
+        Spec { name: "spiral2", summary: "crossed arms of spirals around the z axis", params: ARMS, words: &[] };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { arms: r.float()?.trunc() })
+    }
+}
+
+impl Field for Spiral2 {
+    fn value(&self, at: &Spot) -> f64 {
+        self.value_as(at, &Words::default())
+    }
+
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        // rings and a thread, each up and down again
+        triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, words))
+    }
+
+    fn default_wave(&self) -> Option<Wave> {
+        Some(Wave::Triangle)
+    }
+}
+
+fn triangle(x: f64) -> f64 {
+    1.0 - (2.0 * (x - x.floor()) - 1.0).abs()
+}

@@ -1,0 +1,79 @@
+//! `waves`: waves of all lengths from sources around the origin (manual, "Waves").
+//!
+//! ```pov
+//! plane { y, 0 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
+//! ```
+
+use super::{Field, Readable, Spot, Words};
+use crate::diagnostic::Result;
+use crate::math::{DVec3, fp, noise};
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+use std::f64::consts::TAU;
+use std::sync::LazyLock;
+
+/// Waves of many lengths.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Waves {}
+
+impl Readable for Waves {
+    const SPEC: Spec = Spec {
+        name: "waves",
+        summary: "waves of many lengths; `frequency` makes them shorter and `phase` moves them",
+        params: &[],
+        words: &[],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Waves {
+    fn value(&self, at: &Spot) -> f64 {
+        self.value_as(at, &Words::default())
+    }
+
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+        let wave = |s: &Source| {
+            let turns = s.frequency * frequency * at.p.distance(s.place) + phase;
+            fp::sin(TAU * turns) / s.frequency
+        };
+        let sources = sources(at.waves);
+        0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
+    }
+}
+
+/// Where waves come from.
+#[derive(Clone, Copy, Debug)]
+pub struct Source {
+    /// On the unit sphere.
+    pub place: DVec3,
+    /// Waves in a unit, 0.01 to 1.01.
+    pub frequency: f64,
+}
+
+/// The first `count` of all sources; there are no more than 4096.
+pub fn sources(count: usize) -> &'static [Source] {
+    &SOURCES[..count.clamp(1, SOURCES.len())]
+}
+
+/// Measured with `tests/patterns/measure.py waves`: the places are vector noise of length 1 at whole numbers, the frequencies POV-Ray's random
+/// numbers of 15 bits behind the first 7168 of those that begin at 1.
+static SOURCES: LazyLock<Vec<Source>> = LazyLock::new(|| {
+    let mut state = 1u32;
+    let mut random = move || {
+        state = state.wrapping_mul(1_812_433_253).wrapping_add(12_345);
+        f64::from(state >> 16 & 0x7fff)
+    };
+    for _ in 0..7168 {
+        random();
+    }
+    let source = |i| Source {
+        place: noise::noise_vector(DVec3::new(f64::from(i), 0.0, 0.0)).normalize_or_zero(),
+        // 1/32767 with as many digits as POV-Ray has of it
+        frequency: random() * 3.0518509476e-5 + 0.01,
+    };
+    (0..4096).map(source).collect()
+});

@@ -1,0 +1,48 @@
+//! `wood`: rings around the z axis (manual, "Wood").
+//!
+//! ```pov
+//! box { -1, 1 pigment { wood turbulence 0.1 scale 0.2 } }
+//! ```
+
+use super::{Field, Readable, Spot, Turbulent, Wave};
+use crate::color::Color;
+use crate::diagnostic::Result;
+use crate::math::{DVec2, fp, noise};
+use crate::value::{Reader, Spec};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// Rings.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Wood {}
+
+impl Readable for Wood {
+    const SPEC: Spec =
+        Spec { name: "wood", summary: "rings around the z axis, back and forth in each unit", params: &[], words: &[] };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self {})
+    }
+}
+
+impl Field for Wood {
+    fn value(&self, at: &Spot) -> f64 {
+        at.p.truncate().length()
+    }
+
+    fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
+        // each coordinate is moved by a sine of itself, which the noise shifts
+        let p = at.p.truncate();
+        let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.series()).truncate());
+        Some((p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length())
+    }
+
+    fn default_wave(&self) -> Option<Wave> {
+        Some(Wave::Triangle)
+    }
+
+    fn default_colors(&self) -> Vec<(f64, Color)> {
+        let [early, late] = [[0.666, 0.312, 0.2], [0.4, 0.1333, 0.066]].map(|rgb| Color::opaque(rgb.into()));
+        vec![(0.6, early), (0.6, late)]
+    }
+}
