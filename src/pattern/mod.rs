@@ -40,6 +40,7 @@ mod spiral2;
 mod spot;
 mod spotted;
 mod square;
+mod tiling;
 mod triangular;
 mod turbulence;
 mod warp;
@@ -86,6 +87,7 @@ pub use spiral2::Spiral2;
 pub use spot::{Field, Spot, Words};
 pub use spotted::Spotted;
 pub use square::Square;
+pub use tiling::Tiling;
 pub use triangular::Triangular;
 pub use turbulence::Turbulent;
 pub use warp::{
@@ -204,11 +206,11 @@ fields! {
     Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
-    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets
+    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &["pavement", "tiling"];
+pub const NOT_DRAWN: &[&str] = &["pavement"];
 
 /// Words about patterns that are not drawn yet.
 pub const WORDS_NOT_DRAWN: &[&str] = &["exterior", "interior"];
