@@ -30,6 +30,8 @@ pub(super) struct Site<'w> {
     pub normal: DVec3,
     /// From the topmost to the lowest that can be seen.
     pub layers: SmallVec<[Shown<'w>; 2]>,
+    /// Without bumps.
+    pub smooth: DVec3,
     /// What passes all layers of the light from behind.
     pub pass: Rgb,
 }
@@ -55,7 +57,7 @@ impl<'w> Site<'w> {
         let mut painter = Painter { coat, quick, layers: SmallVec::new() };
         let pass = painter.paint(material, &spot, Rgb::ONE, 1.0, None);
         let bumped = painter.layers.first().map_or(normal, |top| top.normal);
-        Self { part, point: surface.point, normal: bumped, layers: painter.layers, pass }
+        Self { part, point: surface.point, normal: bumped, smooth: normal, layers: painter.layers, pass }
     }
 }
 
@@ -99,7 +101,7 @@ impl<'w> Painter<'w> {
 
     /// The normal that light sees: into the space of its texture by Mᵀ, back by M⁻ᵀ.
     fn bumped(&self, bumps: &Normal, spot: &Spot, frame: Option<&Frame>) -> DVec3 {
-        let place = self.coat.place.as_deref();
+        let place = self.coat.place.as_deref().filter(|_| !bumps.stays);
         let local = place.map_or(spot.normal, |m| m.inverse_normal(spot.normal));
         let local = frame.map_or(local, |frame| frame.inside(local));
         let bumped = bumps.perturb(spot, local);

@@ -235,11 +235,16 @@ impl<'w> Tracer<'w> {
                 continue;
             }
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, reflect(path.ray.dir, normal));
+            let ray = Ray::new(site.point, outward(reflect(path.ray.dir, normal), site.smooth));
             let path = Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() };
             let light = self.follow(path).rgb;
             sum += mirror::answer(site, normal, border, count, light);
         }
         sum
     }
+}
+
+/// A ray that bumps would mirror into the surface is mirrored by the surface again (measured on POV-Ray 3.7).
+fn outward(dir: DVec3, smooth: DVec3) -> DVec3 {
+    if dir.dot(smooth) < 0.0 { reflect(dir, smooth) } else { dir }
 }
