@@ -12,6 +12,8 @@ pub(super) struct Shown<'w> {
     pub layer: &'w Layer,
     /// Its pigment there.
     pub color: Color,
+    /// The part of the pigment that is not see-through.
+    pub opacity: f64,
     /// What the layers above let pass of it.
     pub weight: Rgb,
     /// How much of the place shows this texture, where a pattern chooses among several.
@@ -54,7 +56,7 @@ impl<'w> Site<'w> {
             noise: world.noise,
             waves: world.waves,
         };
-        let mut painter = Painter { coat, quick, layers: SmallVec::new() };
+        let mut painter = Painter { coat, quick, opacity_by_color: world.opacity_by_color, layers: SmallVec::new() };
         let pass = painter.paint(material, &spot, Rgb::ONE, 1.0, None);
         let bumped = painter.layers.first().map_or(normal, |top| top.normal);
         Self { part, point: surface.point, normal: bumped, smooth: normal, layers: painter.layers, pass }
@@ -65,6 +67,7 @@ impl<'w> Site<'w> {
 struct Painter<'w> {
     coat: &'w Coat,
     quick: bool,
+    opacity_by_color: bool,
     layers: SmallVec<[Shown<'w>; 2]>,
 }
 
@@ -88,7 +91,8 @@ impl<'w> Painter<'w> {
                     // as was measured: `slope` and `aoi` of a pigment see the bumps
                     let color = layer.color(&Spot { normal, ..*spot }, self.quick);
                     let cos = -spot.ray.dot(normal);
-                    self.layers.push(Shown { layer, color, weight: weight * pass, share, normal, cos });
+                    let opacity = color.opacity(self.opacity_by_color);
+                    self.layers.push(Shown { layer, color, opacity, weight: weight * pass, share, normal, cos });
                     pass *= color.passing();
                 }
             }
