@@ -223,9 +223,7 @@ impl<'w> Tracer<'w> {
         if site.pass == Rgb::ZERO || count <= world.adc_bailout || path.level >= world.max_trace_level {
             return Onward::Ends;
         }
-        let seen_from_behind = path.ray.dir.dot(site.normal) > 0.0;
-        let normal = if seen_from_behind { site.smooth } else { site.normal };
-        border.refract(path.ray.dir, normal).map_or(Onward::Total, Onward::Through)
+        border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
     /// The light that the place mirrors: one ray for each normal of its layers.
