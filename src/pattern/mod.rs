@@ -26,6 +26,7 @@ mod marble;
 mod modifiers;
 mod object;
 mod onion;
+mod pavement;
 mod pigment;
 mod placed;
 mod planar;
@@ -73,6 +74,7 @@ pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use onion::Onion;
+pub use pavement::Pavement;
 pub use pigment::PigmentPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
@@ -206,14 +208,14 @@ fields! {
     Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
-    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling
+    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling Pavement
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &["pavement"];
+pub const NOT_DRAWN: &[&str] = &[];
 
 /// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] = &["exterior", "interior"];
+pub const WORDS_NOT_DRAWN: &[&str] = &[];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
 pub fn is_not_drawn(word: &str) -> bool {
