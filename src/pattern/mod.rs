@@ -211,16 +211,5 @@ fields! {
     Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling Pavement
 }
 
-/// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &[];
-
-/// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] = &[];
-
-/// Is it a pattern, or a word about one, that is not drawn yet?
-pub fn is_not_drawn(word: &str) -> bool {
-    NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word)
-}
-
 /// Added before `floor`, so that a surface at a whole number lies on one side (measured on POV-Ray 3.7).
 const EDGE: f64 = 1e-10;
