@@ -124,6 +124,12 @@ pub trait Readable: Sized {
     /// Reads what follows its name.
     fn read(_r: &mut dyn Reader) -> Result<Self>;
 
+    /// Reads what stands in the braces behind its name, of a pattern that can be written with and without them; and leaves
+    /// them.
+    fn read_block(r: &mut dyn Reader) -> Result<Self> {
+        Self::read(r)
+    }
+
     /// Reads what follows one of `SPEC.words`; the word itself is consumed.
     fn read_word(&mut self, _word: &'static str, _r: &mut dyn Reader) -> Result<()> {
         Ok(())
@@ -139,8 +145,11 @@ macro_rules! family {
 
         impl $enum {
             /// Reads the pattern of this name, which is consumed; `None` if there is no such pattern.
-            pub fn read(name: &str, r: &mut dyn Reader) -> Option<Result<$enum>> {
-                $(if name == $name::SPEC.name { return Some($name::read(r).map($enum::$name)); })*
+            pub fn read(name: &str, block: bool, r: &mut dyn Reader) -> Option<Result<$enum>> {
+                $(if name == $name::SPEC.name {
+                    let read = if block { $name::read_block(r) } else { $name::read(r) };
+                    return Some(read.map($enum::$name));
+                })*
                 None
             }
 

@@ -94,16 +94,17 @@ impl Pattern {
 
     /// Reads what follows the name of a pattern; false if it is none.
     fn read_name(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<bool> {
+        let block = matches!(r.next()?, Next::Block(_));
         if FieldPattern::is_name(word) {
             r.take()?;
-            if let Some(pattern) = FieldPattern::read(word, r) {
+            if let Some(pattern) = FieldPattern::read(word, block, r) {
                 let pattern = pattern?;
                 self.modifiers.wave = pattern.default_wave().unwrap_or(self.modifiers.wave);
                 self.kind = Kind::Field(pattern);
             }
         } else if CellPattern::is_name(word) {
             r.take()?;
-            if let Some(pattern) = CellPattern::read(word, r) {
+            if let Some(pattern) = CellPattern::read(word, block, r) {
                 self.kind = Kind::Cells(pattern?);
             }
         } else {

@@ -7,7 +7,7 @@
 use super::{Field, Readable, Spot};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, fp};
-use crate::value::{Kind, Next, Param, Reader, ReaderExt, Spec};
+use crate::value::{Kind, Param, Reader, ReaderExt, Spec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -58,10 +58,10 @@ impl Readable for Slope {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        if r.next()? != Next::Group {
-            return Ok(Self { towards: read_direction(r)?, range: [0.0, 1.0], altitude: None });
-        }
-        r.take()?;
+        Ok(Self { towards: read_direction(r)?, range: [0.0, 1.0], altitude: None })
+    }
+
+    fn read_block(r: &mut dyn Reader) -> Result<Self> {
         let towards = if r.accept("point_at")? { Towards::Point(r.vector()?) } else { read_direction(r)? };
         let range = read_range(r)?;
         let mut altitude = None;

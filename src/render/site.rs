@@ -12,6 +12,8 @@ pub(super) struct Shown<'w> {
     pub layer: &'w Layer,
     /// Its pigment there.
     pub color: Color,
+    /// The part of the pigment that is not see-through.
+    pub opacity: f64,
     /// What the layers above let pass of it.
     pub weight: Rgb,
     /// How much of the place shows this texture, where a pattern chooses among several.
@@ -30,6 +32,8 @@ pub(super) struct Site<'w> {
     pub normal: DVec3,
     /// From the topmost to the lowest that can be seen.
     pub layers: SmallVec<[Shown<'w>; 2]>,
+    /// Without bumps.
+    pub smooth: DVec3,
     /// What passes all layers of the light from behind.
     pub pass: Rgb,
 }
@@ -52,10 +56,10 @@ impl<'w> Site<'w> {
             noise: world.noise,
             waves: world.waves,
         };
-        let mut painter = Painter { coat, quick, layers: SmallVec::new() };
+        let mut painter = Painter { coat, quick, opacity_by_color: world.opacity_by_color, layers: SmallVec::new() };
         let pass = painter.paint(material, &spot, Rgb::ONE, 1.0, None);
         let bumped = painter.layers.first().map_or(normal, |top| top.normal);
-        Self { part, point: surface.point, normal: bumped, layers: painter.layers, pass }
+        Self { part, point: surface.point, normal: bumped, smooth: normal, layers: painter.layers, pass }
     }
 }
 
@@ -63,6 +67,7 @@ impl<'w> Site<'w> {
 struct Painter<'w> {
     coat: &'w Coat,
     quick: bool,
+    opacity_by_color: bool,
     layers: SmallVec<[Shown<'w>; 2]>,
 }
 
@@ -86,7 +91,8 @@ impl<'w> Painter<'w> {
                     // as was measured: `slope` and `aoi` of a pigment see the bumps
                     let color = layer.color(&Spot { normal, ..*spot }, self.quick);
                     let cos = -spot.ray.dot(normal);
-                    self.layers.push(Shown { layer, color, weight: weight * pass, share, normal, cos });
+                    let opacity = color.opacity(self.opacity_by_color);
+                    self.layers.push(Shown { layer, color, opacity, weight: weight * pass, share, normal, cos });
                     pass *= color.passing();
                 }
             }
@@ -99,7 +105,7 @@ impl<'w> Painter<'w> {
 
     /// The normal that light sees: into the space of its texture by Mᵀ, back by M⁻ᵀ.
     fn bumped(&self, bumps: &Normal, spot: &Spot, frame: Option<&Frame>) -> DVec3 {
-        let place = self.coat.place.as_deref();
+        let place = self.coat.place.as_deref().filter(|_| !bumps.stays);
         let local = place.map_or(spot.normal, |m| m.inverse_normal(spot.normal));
         let local = frame.map_or(local, |frame| frame.inside(local));
         let bumped = bumps.perturb(spot, local);

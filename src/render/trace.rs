@@ -159,11 +159,12 @@ impl<'w> Tracer<'w> {
                 false => Border::NONE,
             };
             let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
-            let mut pass = site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
-            if world.colors_light && border.leaves() {
-                // Only what comes in from behind has faded, not what the far side sends back (measured on 3.7).
-                pass *= world.interiors[site.part.interior as usize].fade(found.t());
-            }
+            // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
+            let fade = match world.colors_light && border.leaves() {
+                true => world.interiors[site.part.interior as usize].fade(found.t()),
+                false => Rgb::ONE,
+            };
+            let pass = fade * site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
             let onward = self.onward(&path, &site, &border, pass);
             if mirrors && !matches!(onward, Onward::Total) {
                 rgb += through * self.mirrored(&path, &site, &border);
@@ -183,10 +184,11 @@ impl<'w> Tracer<'w> {
                     self.rays.transmitted += 1;
                 }
                 Onward::Total => {
-                    // It takes nothing from the light, but the ray counts less (measured on 3.7).
+                    // It takes no more from the light, but the ray counts less (measured on 3.7).
+                    through *= fade;
                     path.weight *= pass.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
-                    path.ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
+                    path.ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
                     self.rays.reflected += 1;
                 }
             }
@@ -235,11 +237,22 @@ impl<'w> Tracer<'w> {
                 continue;
             }
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, reflect(path.ray.dir, normal));
+            let ray = Ray::new(site.point, bounce(path.ray.dir, normal, site.smooth));
             let path = Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() };
             let light = self.follow(path).rgb;
             sum += mirror::answer(site, normal, border, count, light);
         }
         sum
+    }
+}
+
+/// Where bumps mirror a ray to. What they would send into the surface, the surface mirrors again; and bumps that are seen from
+/// behind do not count (measured on POV-Ray 3.7).
+fn bounce(dir: DVec3, normal: DVec3, smooth: DVec3) -> DVec3 {
+    let out = reflect(dir, normal);
+    match out.dot(smooth) < 0.0 {
+        true if dir.dot(normal) > 0.0 => reflect(dir, smooth),
+        true => reflect(out, smooth),
+        false => out,
     }
 }

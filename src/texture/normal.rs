@@ -66,13 +66,22 @@ pub struct Normal {
     pub amount: f64,
     /// Half the distance of the points that are compared.
     pub accuracy: f64,
+    /// `uv_mapping` stands in the normal itself: then bumps do not turn with the object (measured on POV-Ray 3.7).
+    pub stays: bool,
     /// `no_bump_scale` switches it off: bumps that are scaled get deeper too.
     pub bump_scale: bool,
 }
 
 impl Default for Normal {
     fn default() -> Self {
-        Self { pattern: Pattern::default(), relief: Relief::Own, amount: 0.5, accuracy: 0.02, bump_scale: true }
+        Self {
+            pattern: Pattern::default(),
+            relief: Relief::Own,
+            amount: 0.5,
+            accuracy: 0.02,
+            stays: false,
+            bump_scale: true,
+        }
     }
 }
 
@@ -93,6 +102,7 @@ impl Normal {
 
     fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
         if self.pattern.read_element(next, r)? {
+            self.stays |= next == Next::Word("uv_mapping") && self.pattern.uv;
             let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
             if matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function {
                 self.read_amount(r)?;
@@ -127,7 +137,7 @@ impl Normal {
                     Ok(sized)
                 })?;
                 self.relief = Relief::Own;
-                self.pattern.kind = Kind::Field(FieldPattern::ImagePattern(image));
+                self.pattern.kind = Kind::Field(FieldPattern::ImagePattern(ImagePattern { bumps: true, ..image }));
                 r.leave()?;
             }
             Next::Block("slope_map") => {

@@ -174,13 +174,13 @@ struct Near {
     along: f64,
     /// From the line between them, towards the edge after the corner (against the clock).
     across: f64,
-    /// From the middle.
-    from_middle: f64,
+    /// To the middle.
+    to_middle: f64,
 }
 
 impl Near {
-    /// From the corner.
-    fn from_corner(self) -> f64 {
+    /// To the corner.
+    fn to_corner(self) -> f64 {
         self.along.hypot(self.across)
     }
 }
@@ -194,7 +194,7 @@ impl Laid {
         let near = Near {
             along: self.cells.radius() - place.dot(direction),
             across: direction.perp_dot(place),
-            from_middle: place.length(),
+            to_middle: place.length(),
         };
         let corners = self.plan.corners(cell);
         let value = match self.cells {
@@ -226,7 +226,7 @@ impl Laid {
     fn tip(&self, [before, after]: [f64; 2], near: Near, look: Look) -> f64 {
         match look {
             Look::Cut => before + after,
-            Look::Round => near.from_middle / self.cells.depth(),
+            Look::Round => near.to_middle / self.cells.depth(),
             _ => before.max(after),
         }
     }
@@ -240,7 +240,7 @@ impl Laid {
             (false, true) if corner.last => self.blunt(bevels, near.along * H - near.across / 2.0, near),
             (false, false) if corner.any => match self.interior {
                 Look::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
-                Look::Round => 1.0 - 3.0 * near.from_corner(),
+                Look::Round => 1.0 - 3.0 * near.to_corner(),
                 _ => 1.0 - near.along / self.cells.depth(),
             },
             _ => bevels[0].max(bevels[1]),
@@ -255,7 +255,7 @@ impl Laid {
             (true, true) => self.blunt(bevels, near.along, near),
             (false, false) => 0.0,
             _ if open > 0.0 && self.interior == Look::Cut => 1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open),
-            _ if open > 0.0 && self.interior == Look::Round => 1.0 - 3.0 * near.from_corner(),
+            _ if open > 0.0 && self.interior == Look::Round => 1.0 - 3.0 * near.to_corner(),
             _ => bevels[0].max(bevels[1]),
         }
     }
@@ -266,7 +266,7 @@ impl Laid {
             Look::Cut => 2.0 - 4.0 * along,
             Look::Round => {
                 // the hexagon's middle is at 1 on that line
-                let from_corner = near.from_corner();
+                let from_corner = near.to_corner();
                 let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
                 1.0 - (H - from_middle) / self.cells.depth()
             }
@@ -281,7 +281,7 @@ impl Laid {
             (false, false) if !corner.any => 0.0,
             (false, false) => match interior {
                 Look::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
-                Look::Round => 1.0 - 2.0 * near.from_corner(),
+                Look::Round => 1.0 - 2.0 * near.to_corner(),
                 _ => 1.0 - SQRT_2 * (near.along + near.across.abs()),
             },
             _ => bevels[0].max(bevels[1]),
@@ -295,7 +295,7 @@ impl Laid {
             Look::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
             Look::Round => {
                 // by the law of cosines, in halves of the square's side
-                let (from_middle, along) = (2.0 * near.from_middle, 2.0 * along);
+                let (from_middle, along) = (2.0 * near.to_middle, 2.0 * along);
                 let from_notch = (from_middle * from_middle + 2.0 + 2.0 * SQRT_2 * along).max(0.0).sqrt();
                 (from_notch - 1.0).abs()
             }
