@@ -39,7 +39,7 @@ fn the_dump_shows_what_is_not_drawn() {
     let dump = dump(
         r#"
         #version 3.7;
-        global_settings { assumed_gamma 1 number_of_waves 7 radiosity { count 17 recursion_limit 1+1 } }
+        global_settings { assumed_gamma 1 max_intersections 7 radiosity { count 17 recursion_limit 1+1 } }
         #declare Red = rgb <1, 0, 0>;
         fog { fog_type 2 distance 123 color Red }
         sky_sphere { pigment { gradient y color_map { [0 rgb 0.25] [1 rgbt <0, 0, 1, 0.5>] } } }
@@ -54,7 +54,7 @@ fn the_dump_shows_what_is_not_drawn() {
         }
         "#,
     );
-    holds(&dump, r#"{"number_of_waves":[7.0]}"#);
+    holds(&dump, r#"{"max_intersections":[7.0]}"#);
     holds(&dump, r#"{"radiosity":["count",17.0,"recursion_limit",2.0]}"#);
     holds(&dump, r#"{"fog":["fog_type",2.0,"distance",123.0,{"rgb":[1.0,0.0,0.0]}]}"#);
     holds(&dump, r#"{"entry":[0.0,{"rgb":[0.25,0.25,0.25]}]},{"entry":[1.0,{"rgbft":[0.0,0.0,1.0,0.0,0.5]}]}"#);

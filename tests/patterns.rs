@@ -43,8 +43,7 @@ fn compare(setting: &str, rows: &str) -> Result<(), Failed> {
         let ours: f64 = lines.next().and_then(|l| l.parse().ok()).unwrap_or(f64::NAN);
         let error = (ours - theirs).abs() / theirs.abs().max(1.0);
         worst = worst.max(if error.is_nan() { f64::INFINITY } else { error });
-        // not `>`, which NaN would pass
-        if !(error <= TOLERANCE) {
+        if error.is_nan() || error > TOLERANCE {
             wrong.push(format!("at <{}, {}, {}> {ours}, POV-Ray has {theirs}", row[0], row[1], row[2]));
         }
     }

@@ -42,9 +42,11 @@ impl Color {
         [self.rgb.x, self.rgb.y, self.rgb.z, self.filter, self.transmit]
     }
 
-    /// The part that is not see-through.
-    pub fn opacity(&self) -> f64 {
-        1.0 - self.filter - self.transmit
+    /// The part that is not see-through. Before 3.7, `by_color`, a filter let pass only as much as its brightest channel says
+    /// (measured on POV-Ray 3.7).
+    pub fn opacity(&self, by_color: bool) -> f64 {
+        let filter = if by_color { self.filter * self.rgb.max_element() } else { self.filter };
+        1.0 - filter - self.transmit
     }
 
     /// What it lets pass of the light from behind: filter · rgb + transmit.

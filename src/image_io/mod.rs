@@ -1,6 +1,7 @@
 //! Decodes and encodes pixel files; nothing else opens one.
 
 mod decode;
+mod density;
 mod encode;
 mod format;
 mod frame;
@@ -11,6 +12,7 @@ mod tests;
 
 use decode::decode_bytes;
 pub use decode::{Pixels, Samples, decode, decode_file};
+pub use density::Voxels;
 pub use encode::{Encoding, encode};
 pub use format::Format;
 pub use frame::Frame;

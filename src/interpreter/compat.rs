@@ -28,6 +28,11 @@ pub fn has_srgb_files(version: u32) -> bool {
     version >= 370
 }
 
+/// Does a surface keep what its filter's colour holds back? By the version in force at the end (measured on POV-Ray 3.7).
+pub fn has_opacity_by_color(version: Option<u32>) -> bool {
+    version.is_none_or(|version| version < 370)
+}
+
 /// How numbers relate to light in a scene without `assumed_gamma`, by the version in force at its end: measured on
 /// POV-Ray 3.7, which leaves scenes of older versions, and of none, without any conversion.
 pub fn gamma_without_setting(version: Option<u32>) -> Gamma {

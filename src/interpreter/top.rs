@@ -140,6 +140,7 @@ impl Interpreter<'_> {
         let version = self.version_stated.then_some(self.language.version);
         let generator = self.noise_generator.load(std::sync::atomic::Ordering::Relaxed);
         self.scene.settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
+        self.scene.settings.opacity_by_color = compat::has_opacity_by_color(version);
         self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
         if !self.camera_stated && self.error_count() == 0 {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";

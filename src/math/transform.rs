@@ -105,6 +105,12 @@ impl Transform {
         DVec3::new(inv.x_axis.dot(n), inv.y_axis.dot(n), inv.z_axis.dot(n))
     }
 
+    /// Mᵀ·n: the way back of [`Self::normal`]; not normalised.
+    pub fn inverse_normal(&self, n: DVec3) -> DVec3 {
+        let m = &self.m.matrix3;
+        DVec3::new(m.x_axis.dot(n), m.y_axis.dot(n), m.z_axis.dot(n))
+    }
+
     /// M⁻¹·p (w = 1).
     pub fn inverse_point(&self, p: DVec3) -> DVec3 {
         self.inv.transform_point3(p)

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { marble turbulence 0.8 scale 0.4 } }
 //! ```
 
-use super::{Field, Readable, Spot, Turbulent, Wave};
+use super::{Field, Readable, Spot, Wave, Words};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise;
@@ -33,8 +33,16 @@ impl Field for Marble {
         at.p.x
     }
 
-    fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
-        Some(at.p.x + by.amount.x * noise::turbulence(at.p, by.series(), at.noise))
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        let by = &words.turbulence;
+        if by.amount.x == 0.0 {
+            return at.p.x;
+        }
+        at.p.x + by.amount.x * noise::turbulence(at.p, by.series(), at.noise)
+    }
+
+    fn stirs(&self) -> bool {
+        true
     }
 
     fn default_wave(&self) -> Option<Wave> {

@@ -2,6 +2,7 @@
 //! tables below.
 
 mod agate;
+mod aoi;
 pub mod bitmap;
 mod boxed;
 mod bozo;
@@ -12,7 +13,9 @@ mod checker;
 mod crackle;
 mod cubic;
 mod cylindrical;
+mod density_file;
 mod dents;
+mod facets;
 mod fractal;
 mod function;
 mod gradient;
@@ -29,6 +32,7 @@ mod planar;
 mod quilted;
 mod radial;
 mod ripples;
+mod slope;
 mod space;
 mod spherical;
 mod spiral1;
@@ -36,6 +40,7 @@ mod spiral2;
 mod spot;
 mod spotted;
 mod square;
+mod tiling;
 mod triangular;
 mod turbulence;
 mod warp;
@@ -44,6 +49,7 @@ mod wood;
 mod wrinkles;
 
 pub use agate::Agate;
+pub use aoi::Aoi;
 pub use bitmap::{ImagePattern, MaterialMap};
 pub use boxed::Boxed;
 pub use bozo::Bozo;
@@ -54,7 +60,9 @@ pub use checker::Checker;
 pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
+pub use density_file::{DensityFile, Voxel};
 pub use dents::Dents;
+pub use facets::{Cut, Facets};
 pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;
@@ -71,13 +79,15 @@ pub use planar::Planar;
 pub use quilted::Quilted;
 pub use radial::Radial;
 pub use ripples::Ripples;
+pub use slope::{Altitude, Slope, Towards};
 pub use space::{Space, Step};
 pub use spherical::Spherical;
 pub use spiral1::Spiral1;
 pub use spiral2::Spiral2;
-pub use spot::{Field, Said, Spot};
+pub use spot::{Field, Spot, Words};
 pub use spotted::Spotted;
 pub use square::Square;
+pub use tiling::Tiling;
 pub use triangular::Triangular;
 pub use turbulence::Turbulent;
 pub use warp::{
@@ -112,6 +122,12 @@ pub trait Readable: Sized {
     /// Reads what follows its name.
     fn read(_r: &mut dyn Reader) -> Result<Self>;
 
+    /// Reads what stands in the braces behind its name, of a pattern that can be written with and without them; and leaves
+    /// them.
+    fn read_block(r: &mut dyn Reader) -> Result<Self> {
+        Self::read(r)
+    }
+
     /// Reads what follows one of `SPEC.words`; the word itself is consumed.
     fn read_word(&mut self, _word: &'static str, _r: &mut dyn Reader) -> Result<()> {
         Ok(())
@@ -127,8 +143,11 @@ macro_rules! family {
 
         impl $enum {
             /// Reads the pattern of this name, which is consumed; `None` if there is no such pattern.
-            pub fn read(name: &str, r: &mut dyn Reader) -> Option<Result<$enum>> {
-                $(if name == $name::SPEC.name { return Some($name::read(r).map($enum::$name)); })*
+            pub fn read(name: &str, block: bool, r: &mut dyn Reader) -> Option<Result<$enum>> {
+                $(if name == $name::SPEC.name {
+                    let read = if block { $name::read_block(r) } else { $name::read(r) };
+                    return Some(read.map($enum::$name));
+                })*
                 None
             }
 
@@ -158,12 +177,13 @@ macro_rules! fields {
 
         impl Field for FieldPattern {
             fn value(&self, at: &Spot) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
-            fn value_as(&self, at: &Spot, said: &Said) -> f64 {
-                match self { $(FieldPattern::$name(f) => f.value_as(at, said)),* }
+            fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+                match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
-            fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
-                match self { $(FieldPattern::$name(f) => f.stirred(at, by)),* }
+            fn stirs(&self) -> bool { match self { $(FieldPattern::$name(f) => f.stirs()),* } }
+            fn bumped(&self, at: &Spot, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+                match self { $(FieldPattern::$name(f) => f.bumped(at, words, n, amount)),* }
             }
             fn default_colors(&self) -> Vec<(f64, Color)> {
                 match self { $(FieldPattern::$name(f) => f.default_colors()),* }
@@ -195,15 +215,14 @@ fields! {
     Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
-    Wood Wrinkles Mandel Julia Magnet
+    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling
 }
 
 /// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &["aoi", "density_file", "facets", "pavement", "slope", "tiling"];
+pub const NOT_DRAWN: &[&str] = &["pavement"];
 
 /// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] =
-    &["altitude", "coords", "cube", "df3", "exponent", "exterior", "interior", "orientation", "size"];
+pub const WORDS_NOT_DRAWN: &[&str] = &["exterior", "interior"];
 
 /// Is it a pattern, or a word about one, that is not drawn yet?
 pub fn is_not_drawn(word: &str) -> bool {

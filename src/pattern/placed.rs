@@ -1,7 +1,7 @@
 //! A pattern where it lies: what pigments, normals and textures have in common.
 
 use super::{
-    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Said, Space, Spot, Turbulent, Warp,
+    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Spot, Turbulent, Warp, Words,
 };
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
@@ -94,16 +94,17 @@ impl Pattern {
 
     /// Reads what follows the name of a pattern; false if it is none.
     fn read_name(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<bool> {
+        let block = matches!(r.next()?, Next::Block(_));
         if FieldPattern::is_name(word) {
             r.take()?;
-            if let Some(pattern) = FieldPattern::read(word, r) {
+            if let Some(pattern) = FieldPattern::read(word, block, r) {
                 let pattern = pattern?;
                 self.modifiers.wave = pattern.default_wave().unwrap_or(self.modifiers.wave);
                 self.kind = Kind::Field(pattern);
             }
         } else if CellPattern::is_name(word) {
             r.take()?;
-            if let Some(pattern) = CellPattern::read(word, r) {
+            if let Some(pattern) = CellPattern::read(word, block, r) {
                 self.kind = Kind::Cells(pattern?);
             }
         } else {
@@ -128,26 +129,41 @@ impl Pattern {
 
     /// The number that the map sees, or that of the cell; and the spot as the pattern's own entries see it.
     pub fn see(&self, spot: &Spot) -> (f64, Spot) {
-        let p = if self.uv { DVec3::new(spot.uv.x, spot.uv.y, 0.0) } else { spot.p };
-        let mut inner = spot.at(self.space.unwarped(p));
-        if let Some(turbulence) = &self.space.turbulence {
-            if let Kind::Field(field) = &self.kind
-                && let Some(value) = field.stirred(&self.own(&inner), turbulence)
-            {
-                return (self.modifiers.apply(value), inner);
-            }
-            inner.p = turbulence.displace(inner.p);
-        }
-        let number = match &self.kind {
-            Kind::Field(field) => self.modifiers.apply(field.value_as(&self.own(&inner), &self.said())),
-            Kind::Cells(cells) => self.modifiers.apply_to_cell(cells.cell(inner.p)),
-            Kind::Plain | Kind::Average => 0.0,
-        };
-        (number, inner)
+        let inner = self.enter(spot);
+        (self.number(&inner), inner)
     }
 
-    fn said(&self) -> Said {
-        Said { modifiers: self.modifiers, turbulence: self.space.turbulence.as_deref().copied().unwrap_or_default() }
+    /// The spot as the pattern itself and its entries see it.
+    pub fn enter(&self, spot: &Spot) -> Spot {
+        let p = if self.uv { DVec3::new(spot.uv.x, spot.uv.y, 0.0) } else { spot.p };
+        let mut p = self.space.unwarped(p);
+        if let Some(turbulence) = &self.space.turbulence
+            && !matches!(&self.kind, Kind::Field(field) if field.stirs())
+        {
+            p = turbulence.displace(p);
+        }
+        spot.at(p)
+    }
+
+    /// The number that the map sees, or that of the cell, at a spot in the pattern's space.
+    pub fn number(&self, inner: &Spot) -> f64 {
+        match &self.kind {
+            Kind::Field(field) => self.modifiers.apply(field.value_as(&self.own(inner), &self.words())),
+            Kind::Cells(cells) => self.modifiers.apply_to_cell(cells.cell(inner.p)),
+            Kind::Plain | Kind::Average => 0.0,
+        }
+    }
+
+    /// The normal `n` with bumps of the pattern's own making, at a spot in its space.
+    pub fn bumped(&self, inner: &Spot, n: DVec3, amount: f64) -> Option<DVec3> {
+        match &self.kind {
+            Kind::Field(field) => field.bumped(&self.own(inner), &self.words(), n, amount),
+            _ => None,
+        }
+    }
+
+    fn words(&self) -> Words {
+        Words { modifiers: self.modifiers, turbulence: self.space.turbulence.as_deref().copied().unwrap_or_default() }
     }
 
     /// The spot with the pattern's own noise.

@@ -5,9 +5,9 @@
 //! ```
 
 use super::waves::{Source, sources};
-use super::{Field, Readable, Said, Spot};
+use super::{Field, Readable, Spot, Words};
 use crate::diagnostic::Result;
-use crate::math::fp;
+use crate::math::{DVec3, fp};
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -31,13 +31,24 @@ impl Readable for Ripples {
 
 impl Field for Ripples {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Said::default())
+        self.value_as(at, &Words::default())
     }
 
-    fn value_as(&self, at: &Spot, said: &Said) -> f64 {
-        let (frequency, phase) = (said.modifiers.frequency.unwrap_or(1.0), said.modifiers.phase);
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
         let wave = |s: &Source| fp::sin(TAU * (frequency * at.p.distance(s.place) + phase));
         let sources = sources(at.waves);
         0.5 + 0.5 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
+    }
+
+    fn bumped(&self, at: &Spot, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+        let wave = |s: &Source| {
+            let from = at.p - s.place;
+            let r = from.length();
+            fp::sin(TAU * (frequency * r + phase)) * from / r
+        };
+        let sources = sources(at.waves);
+        Some(n + amount / sources.len() as f64 * sources.iter().map(wave).sum::<DVec3>())
     }
 }

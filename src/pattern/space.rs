@@ -62,6 +62,23 @@ impl Space {
         self.turbulence.as_ref().map_or(p, |t| t.displace(p))
     }
 
+    /// A normal of the space around, in the pattern's own: transposed matrices turn it, warps do not.
+    pub fn normal_inside(&self, n: DVec3) -> DVec3 {
+        self.inner.iter().rev().fold(self.transform.inverse_normal(n), |n, step| match step {
+            Step::Moved(transform) => transform.inverse_normal(n),
+            Step::Warped(_) => n,
+        })
+    }
+
+    /// A normal of the pattern's own space, in the space around.
+    pub fn normal_outside(&self, n: DVec3) -> DVec3 {
+        let n = self.inner.iter().fold(n, |n, step| match step {
+            Step::Moved(transform) => transform.normal(n),
+            Step::Warped(_) => n,
+        });
+        self.transform.normal(n)
+    }
+
     /// Does it leave all points where they are?
     pub fn is_plain(&self) -> bool {
         self.inner.is_empty() && self.turbulence.is_none() && self.transform.is_identity()

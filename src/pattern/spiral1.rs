@@ -4,7 +4,7 @@
 //! cylinder { 0, 0.2*z, 1 pigment { spiral1 5 color_map { [0.5 color rgb <0.1, 0.2, 0.5>] [0.5 color rgb 1] } scale 0.6 } }
 //! ```
 
-use super::{Field, Readable, Said, Spot, Wave};
+use super::{Field, Readable, Spot, Wave, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -36,11 +36,11 @@ impl Readable for Spiral1 {
 
 impl Field for Spiral1 {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Said::default())
+        self.value_as(at, &Words::default())
     }
 
-    fn value_as(&self, at: &Spot, said: &Said) -> f64 {
-        thread(at.p, self.arms) + shift(at, said)
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        thread(at.p, self.arms) + shift(at, words)
     }
 
     fn default_wave(&self) -> Option<Wave> {
@@ -58,7 +58,7 @@ pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
 }
 
 /// What `turbulence` adds beside displacing the point.
-pub(super) fn shift(at: &Spot, said: &Said) -> f64 {
-    let amount = said.turbulence.amount.x;
-    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, said.turbulence.series(), at.noise) }
+pub(super) fn shift(at: &Spot, words: &Words) -> f64 {
+    let amount = words.turbulence.amount.x;
+    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, words.turbulence.series(), at.noise) }
 }

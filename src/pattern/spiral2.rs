@@ -5,7 +5,7 @@
 //! ```
 
 use super::spiral1::{ARMS, shift, thread};
-use super::{Field, Readable, Said, Spot, Wave};
+use super::{Field, Readable, Spot, Wave, Words};
 use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
@@ -28,12 +28,12 @@ impl Readable for Spiral2 {
 
 impl Field for Spiral2 {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Said::default())
+        self.value_as(at, &Words::default())
     }
 
-    fn value_as(&self, at: &Spot, said: &Said) -> f64 {
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
         // rings and a thread, each up and down again
-        triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, said))
+        triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, words))
     }
 
     fn default_wave(&self) -> Option<Wave> {

@@ -12,7 +12,9 @@ pub struct Spot {
     pub p: DVec3,
     /// Where it lies on its shape.
     pub uv: DVec2,
-    /// The surface's normal in world space, before any `normal { }`, turned towards the eye; length 1.
+    /// The same place in world space.
+    pub world: DVec3,
+    /// The surface's normal in world space, turned towards the eye, length 1. Pigments see that of their texture's `normal { }`.
     pub normal: DVec3,
     /// The direction of the ray that sees it, in world space; length 1.
     pub ray: DVec3,
@@ -28,7 +30,7 @@ impl Spot {
 
     /// A point that lies on nothing: what functions ask about. They do not know the scene's number of waves, as in POV-Ray.
     pub fn free(p: DVec3, noise: NoiseGenerator) -> Self {
-        Self { p, uv: DVec2::new(p.x, p.y), normal: DVec3::Y, ray: DVec3::NEG_Y, noise, waves: Self::WAVES }
+        Self { p, uv: DVec2::new(p.x, p.y), world: p, normal: DVec3::Y, ray: DVec3::NEG_Y, noise, waves: Self::WAVES }
     }
 
     /// The same place seen from another space.
@@ -39,7 +41,7 @@ impl Spot {
 
 /// What else is said of a pattern.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Said {
+pub struct Words {
     /// Frequency, phase, wave.
     pub modifiers: Modifiers,
     /// `turbulence` and its words.
@@ -52,12 +54,18 @@ pub trait Field {
     fn value(&self, at: &Spot) -> f64;
 
     /// The number of a pattern that listens to what else is said of it.
-    fn value_as(&self, at: &Spot, _said: &Said) -> f64 {
+    fn value_as(&self, at: &Spot, _words: &Words) -> f64 {
         self.value(at)
     }
 
-    /// The number under `turbulence`, of a pattern that stirs itself; of all others the point is displaced.
-    fn stirred(&self, _at: &Spot, _by: &Turbulent) -> Option<f64> {
+    /// Does it use `turbulence` in its own way? Of all others the point is displaced.
+    fn stirs(&self) -> bool {
+        false
+    }
+
+    /// The normal `n` with bumps of the pattern's own making, all in the pattern's space; `None` if they are found by
+    /// comparing heights.
+    fn bumped(&self, _at: &Spot, _words: &Words, _n: DVec3, _amount: f64) -> Option<DVec3> {
         None
     }
 

@@ -4,7 +4,7 @@
 //! plane { y, 0 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
 //! ```
 
-use super::{Field, Readable, Said, Spot};
+use super::{Field, Readable, Spot, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Reader, Spec};
@@ -31,17 +31,28 @@ impl Readable for Waves {
 
 impl Field for Waves {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Said::default())
+        self.value_as(at, &Words::default())
     }
 
-    fn value_as(&self, at: &Spot, said: &Said) -> f64 {
-        let (frequency, phase) = (said.modifiers.frequency.unwrap_or(1.0), said.modifiers.phase);
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
         let wave = |s: &Source| {
             let turns = s.frequency * frequency * at.p.distance(s.place) + phase;
             fp::sin(TAU * turns) / s.frequency
         };
         let sources = sources(at.waves);
         0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
+    }
+
+    fn bumped(&self, at: &Spot, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+        let wave = |s: &Source| {
+            let from = at.p - s.place;
+            let r = from.length();
+            fp::sin(TAU * (s.frequency * frequency * r + phase)) / s.frequency * from / r
+        };
+        let sources = sources(at.waves);
+        Some(n + amount / sources.len() as f64 * sources.iter().map(wave).sum::<DVec3>())
     }
 }
 
@@ -59,7 +70,7 @@ pub fn sources(count: usize) -> &'static [Source] {
     &SOURCES[..count.clamp(1, SOURCES.len())]
 }
 
-/// Measured with `tests/patterns/measure_waves.py`: the places are vector noise of length 1 at whole numbers, the frequencies POV-Ray's random
+/// Measured with `tests/patterns/measure.py waves`: the places are vector noise of length 1 at whole numbers, the frequencies POV-Ray's random
 /// numbers of 15 bits behind the first 7168 of those that begin at 1.
 static SOURCES: LazyLock<Vec<Source>> = LazyLock::new(|| {
     let mut state = 1u32;

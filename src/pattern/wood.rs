@@ -4,10 +4,10 @@
 //! box { -1, 1 pigment { wood turbulence 0.1 scale 0.2 } }
 //! ```
 
-use super::{Field, Readable, Spot, Turbulent, Wave};
+use super::{Field, Readable, Spot, Wave, Words};
 use crate::color::Color;
 use crate::diagnostic::Result;
-use crate::math::{DVec2, fp, noise};
+use crate::math::{DVec2, DVec3, fp, noise};
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -30,11 +30,19 @@ impl Field for Wood {
         at.p.truncate().length()
     }
 
-    fn stirred(&self, at: &Spot, by: &Turbulent) -> Option<f64> {
+    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+        let by = &words.turbulence;
+        if by.amount == DVec3::ZERO {
+            return self.value(at);
+        }
         // each coordinate is moved by a sine of itself, which the noise shifts
         let p = at.p.truncate();
         let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.series()).truncate());
-        Some((p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length())
+        (p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length()
+    }
+
+    fn stirs(&self) -> bool {
+        true
     }
 
     fn default_wave(&self) -> Option<Wave> {

@@ -84,7 +84,7 @@ fn answers_back(layer: &Layer, double_illuminate: bool) -> bool {
 
 /// `ambient` and `emission`.
 fn glow(shown: &Shown) -> Rgb {
-    shown.color.rgb * shown.color.opacity() * shown.layer.glow
+    shown.color.rgb * shown.opacity * shown.layer.glow
 }
 
 /// `diffuse`, `brilliance`, `crand`.
@@ -96,7 +96,7 @@ fn scattered(shown: &Shown, at: &Incidence, grain: f64, double_illuminate: bool)
     }
     // d·|N·l|ᵇ, less some grain; what falls below zero darkens the other terms (measured on 3.7)
     let intensity = amount * power(at.cos.abs(), layer.brilliance) - grain;
-    shown.color.rgb * (shown.color.opacity() * intensity)
+    shown.color.rgb * (shown.opacity * intensity)
 }
 
 /// `phong` and `specular`, coloured by `metallic`.

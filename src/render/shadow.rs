@@ -1,7 +1,7 @@
 //! What reaches a surface of a lamp's light.
 
 use super::refract::Interiors;
-use super::site;
+use super::site::{self, Site};
 use super::trace::Tracer;
 use crate::color::Rgb;
 use crate::math::{DVec3, Range, Ray, tolerance};
@@ -64,7 +64,8 @@ impl Tracer<'_> {
                 inside.push(own);
             }
             if interior.caustics != 0.0 {
-                light *= interior.caustic(found.surface(ray).normal.dot(ray.dir).abs());
+                let site = Site::new(world, ray, &found, false);
+                light *= interior.caustic(site.normal.dot(ray.dir).abs());
             }
             before = found.t();
         }

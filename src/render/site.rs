@@ -2,7 +2,7 @@
 
 use crate::color::{Color, Rgb};
 use crate::math::{DVec2, DVec3, Ray};
-use crate::pattern::Spot;
+use crate::pattern::{Space, Spot};
 use crate::texture::Normal;
 use crate::world::{Coat, Found, Layer, Material, Part, World};
 use smallvec::SmallVec;
@@ -12,22 +12,28 @@ pub(super) struct Shown<'w> {
     pub layer: &'w Layer,
     /// Its pigment there.
     pub color: Color,
+    /// The part of the pigment that is not see-through.
+    pub opacity: f64,
     /// What the layers above let pass of it.
     pub weight: Rgb,
+    /// How much of the place shows this texture, where a pattern chooses among several.
+    pub share: f64,
     /// With its bumps; length 1, in world space.
     pub normal: DVec3,
+    /// Between the ray, turned round, and this normal.
+    pub cos: f64,
 }
 
 /// The place where a ray meets a surface.
 pub(super) struct Site<'w> {
     pub part: &'w Part,
     pub point: DVec3,
-    /// Length 1, towards the ray's origin.
+    /// Length 1, towards the ray's origin, with the bumps of the topmost layer.
     pub normal: DVec3,
-    /// Between the ray, turned round, and the normal.
-    pub cos: f64,
     /// From the topmost to the lowest that can be seen.
     pub layers: SmallVec<[Shown<'w>; 2]>,
+    /// Without bumps.
+    pub smooth: DVec3,
     /// What passes all layers of the light from behind.
     pub pass: Rgb,
 }
@@ -38,20 +44,22 @@ impl<'w> Site<'w> {
         let part = &world.parts[found.leaf.id as usize];
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
-        let (normal, cos) = if against > 0.0 { (-surface.normal, against) } else { (surface.normal, -against) };
+        let normal = if against > 0.0 { -surface.normal } else { surface.normal };
         let coat = coat(part, against > 0.0);
         let material = &world.materials[coat.material as usize];
         let spot = Spot {
             p: coat.local(surface.point),
+            world: surface.point,
             uv: if material.uv { found.mapped_uv(&surface) } else { DVec2::ZERO },
             normal,
             ray: ray.dir,
             noise: world.noise,
             waves: world.waves,
         };
-        let mut painter = Painter { coat, quick, layers: SmallVec::new() };
-        let pass = painter.paint(material, &spot, Rgb::ONE);
-        Self { part, point: surface.point, normal, cos, layers: painter.layers, pass }
+        let mut painter = Painter { coat, quick, opacity_by_color: world.opacity_by_color, layers: SmallVec::new() };
+        let pass = painter.paint(material, &spot, Rgb::ONE, 1.0, None);
+        let bumped = painter.layers.first().map_or(normal, |top| top.normal);
+        Self { part, point: surface.point, normal: bumped, smooth: normal, layers: painter.layers, pass }
     }
 }
 
@@ -59,27 +67,32 @@ impl<'w> Site<'w> {
 struct Painter<'w> {
     coat: &'w Coat,
     quick: bool,
+    opacity_by_color: bool,
     layers: SmallVec<[Shown<'w>; 2]>,
 }
 
 impl<'w> Painter<'w> {
     /// Adds the layers of a material that counts for `weight`; gives what passes them.
-    fn paint(&mut self, material: &'w Material, spot: &Spot, weight: Rgb) -> Rgb {
+    fn paint(&mut self, material: &'w Material, spot: &Spot, weight: Rgb, share: f64, frame: Option<&Frame>) -> Rgb {
         let mut pass = Rgb::ONE;
         for layer in &material.layers {
             match &layer.choice {
                 Some(choice) => {
                     let (number, inner) = choice.pattern.see(spot);
                     let mut passed = Rgb::ZERO;
-                    for (part, share) in choice.parts.shares(number, choice.averages()) {
-                        passed += share * self.paint(part, &inner, weight * pass * share);
+                    let within = Frame { space: &choice.pattern.space, outer: frame };
+                    for (part, s) in choice.parts.shares(number, choice.averages()) {
+                        passed += s * self.paint(part, &inner, weight * pass * s, share * s, Some(&within));
                     }
                     pass *= passed;
                 }
                 None => {
-                    let color = layer.color(spot, self.quick);
-                    let normal = layer.normal.as_ref().map_or(spot.normal, |bumps| self.bumped(bumps, spot));
-                    self.layers.push(Shown { layer, color, weight: weight * pass, normal });
+                    let normal = layer.normal.as_ref().map_or(spot.normal, |bumps| self.bumped(bumps, spot, frame));
+                    // as was measured: `slope` and `aoi` of a pigment see the bumps
+                    let color = layer.color(&Spot { normal, ..*spot }, self.quick);
+                    let cos = -spot.ray.dot(normal);
+                    let opacity = color.opacity(self.opacity_by_color);
+                    self.layers.push(Shown { layer, color, opacity, weight: weight * pass, share, normal, cos });
                     pass *= color.passing();
                 }
             }
@@ -90,12 +103,31 @@ impl<'w> Painter<'w> {
         pass
     }
 
-    /// The normal that light sees.
-    fn bumped(&self, bumps: &Normal, spot: &Spot) -> DVec3 {
-        let Some(place) = &self.coat.place else { return bumps.perturb(spot, spot.normal) };
-        // Into the texture's space by Mᵀ, back by M⁻ᵀ.
-        let local = place.inverse().normal(spot.normal).normalize_or(spot.normal);
-        place.normal(bumps.perturb(spot, local)).normalize_or(spot.normal)
+    /// The normal that light sees: into the space of its texture by Mᵀ, back by M⁻ᵀ.
+    fn bumped(&self, bumps: &Normal, spot: &Spot, frame: Option<&Frame>) -> DVec3 {
+        let place = self.coat.place.as_deref().filter(|_| !bumps.stays);
+        let local = place.map_or(spot.normal, |m| m.inverse_normal(spot.normal));
+        let local = frame.map_or(local, |frame| frame.inside(local));
+        let bumped = bumps.perturb(spot, local);
+        let bumped = frame.map_or(bumped, |frame| frame.outside(bumped));
+        place.map_or(bumped, |m| m.normal(bumped)).normalize_or(spot.normal)
+    }
+}
+
+/// The spaces of the patterns that chose a texture, the innermost first.
+struct Frame<'a> {
+    space: &'a Space,
+    outer: Option<&'a Frame<'a>>,
+}
+
+impl Frame<'_> {
+    fn inside(&self, n: DVec3) -> DVec3 {
+        self.space.normal_inside(self.outer.map_or(n, |outer| outer.inside(n)))
+    }
+
+    fn outside(&self, n: DVec3) -> DVec3 {
+        let n = self.space.normal_outside(n);
+        self.outer.map_or(n, |outer| outer.outside(n))
     }
 }
 
@@ -116,6 +148,7 @@ pub(super) fn pass(world: &World, ray: &Ray, found: &Found) -> Rgb {
     let surface = found.surface(ray);
     let spot = Spot {
         p: coat.local(surface.point),
+        world: surface.point,
         uv: if material.uv { found.mapped_uv(&surface) } else { DVec2::ZERO },
         normal: surface.normal,
         ray: ray.dir,

@@ -159,11 +159,12 @@ impl<'w> Tracer<'w> {
                 false => Border::NONE,
             };
             let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
-            let mut pass = site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
-            if world.colors_light && border.leaves() {
-                // Only what comes in from behind has faded, not what the far side sends back (measured on 3.7).
-                pass *= world.interiors[site.part.interior as usize].fade(found.t());
-            }
+            // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
+            let fade = match world.colors_light && border.leaves() {
+                true => world.interiors[site.part.interior as usize].fade(found.t()),
+                false => Rgb::ONE,
+            };
+            let pass = fade * site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
             let onward = self.onward(&path, &site, &border, pass);
             if mirrors && !matches!(onward, Onward::Total) {
                 rgb += through * self.mirrored(&path, &site, &border);
@@ -183,7 +184,8 @@ impl<'w> Tracer<'w> {
                     self.rays.transmitted += 1;
                 }
                 Onward::Total => {
-                    // It takes nothing from the light, but the ray counts less (measured on 3.7).
+                    // It takes no more from the light, but the ray counts less (measured on 3.7).
+                    through *= fade;
                     path.weight *= pass.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
                     path.ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
@@ -224,18 +226,27 @@ impl<'w> Tracer<'w> {
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
-    /// The light that the place mirrors.
+    /// The light that the place mirrors: one ray for each normal of its layers.
     fn mirrored(&mut self, path: &Path, site: &Site, border: &Border) -> Rgb {
         let world = self.setup.world;
         let count = Count { weight: path.weight, bailout: world.adc_bailout };
-        let weight = mirror::weight(site, border, count);
-        if weight == 0.0 || path.level >= world.max_trace_level {
-            return Rgb::ZERO;
+        let mut sum = Rgb::ZERO;
+        for normal in mirror::normals(site) {
+            let weight = mirror::weight(site, normal, border, count);
+            if weight == 0.0 || path.level >= world.max_trace_level {
+                continue;
+            }
+            self.rays.reflected += 1;
+            let ray = Ray::new(site.point, outward(reflect(path.ray.dir, normal), site.smooth));
+            let path = Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() };
+            let light = self.follow(path).rgb;
+            sum += mirror::answer(site, normal, border, count, light);
         }
-        self.rays.reflected += 1;
-        let ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
-        let path = Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() };
-        let light = self.follow(path).rgb;
-        mirror::answer(site, border, count, light)
+        sum
     }
+}
+
+/// A ray that bumps would mirror into the surface is mirrored by the surface again (measured on POV-Ray 3.7).
+fn outward(dir: DVec3, smooth: DVec3) -> DVec3 {
+    if dir.dot(smooth) < 0.0 { reflect(dir, smooth) } else { dir }
 }

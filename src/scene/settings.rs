@@ -25,6 +25,8 @@ pub struct Settings {
     pub noise_generator: Option<NoiseGenerator>,
     /// How many sources the patterns `ripples` and `waves` have.
     pub number_of_waves: usize,
+    /// Surfaces keep what their filter's color holds back, as before 3.7: see [`crate::color::Color::opacity`].
+    pub opacity_by_color: bool,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub undrawn: Vec<Said>,
@@ -40,6 +42,7 @@ impl Default for Settings {
             irid_wavelength: Rgb::new(0.7, 0.52, 0.48),
             noise_generator: None,
             number_of_waves: Spot::WAVES,
+            opacity_by_color: false,
             undrawn: vec![],
         }
     }

@@ -1,6 +1,7 @@
 //! What patterns choose among or blend: lists for cells, maps for numbers, weights for `average` (manual, "Pigment Maps",
 //! "Normal Maps", "Texture Maps").
 
+use super::Texture;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::pattern::{CellPattern, Cells, Kind, Pattern};
 use crate::value::{Next, Reader, ReaderExt, Thing};
@@ -54,8 +55,8 @@ pub trait Entry: Clone {
     /// The block of one: `pigment`; empty if there is none.
     const BLOCK: &'static str;
 
-    /// Reads an entry behind its number, or what stands between the braces of its block.
-    fn read_entry(r: &mut dyn Reader) -> Result<Self>;
+    /// Reads an entry behind its number, or what stands between the braces of its block, on top of the default texture.
+    fn read_entry(r: &mut dyn Reader, defaults: &Texture) -> Result<Self>;
 
     /// A declared one that comes next.
     fn declared(r: &mut dyn Reader) -> Result<Option<Self>>;
@@ -66,7 +67,7 @@ where
     Map<T>: Thing,
 {
     /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map.
-    pub fn read_entries(r: &mut dyn Reader) -> Result<Self> {
+    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture) -> Result<Self> {
         if let Some(map) = r.thing::<Self>()? {
             return Ok((*map).clone());
         }
@@ -76,7 +77,7 @@ where
             r.take()?;
             // A weight of `average` may be left out.
             let number = r.optional_float()?.unwrap_or(1.0);
-            entries.push((number, T::read_entry(r)?));
+            entries.push((number, T::read_entry(r, defaults)?));
             r.leave()?;
         }
         if entries.is_empty() {
@@ -94,6 +95,7 @@ pub fn read_list<T: Entry>(
     r: &mut dyn Reader,
     name: Next,
     pattern: &Pattern,
+    defaults: &Texture,
     default: &dyn Fn(&CellPattern, usize) -> T,
 ) -> Result<Option<Parts<T>>> {
     let (Next::Word(word) | Next::Block(word), Kind::Cells(pattern)) = (name, &pattern.kind) else { return Ok(None) };
@@ -104,7 +106,7 @@ pub fn read_list<T: Entry>(
     while list.len() < pattern.count() {
         if r.next()? == Next::Block(T::BLOCK) {
             r.take()?;
-            list.push(T::read_entry(r)?);
+            list.push(T::read_entry(r, defaults)?);
             r.leave()?;
         } else if let Some(declared) = T::declared(r)? {
             list.push(declared);

@@ -119,12 +119,12 @@ impl Texture {
             }
             Next::Block("texture_map") => {
                 r.take()?;
-                draft.parts = Some(Parts::Map(Arc::new(Map::read_entries(r)?)));
+                draft.parts = Some(Parts::Map(Arc::new(Map::read_entries(r, base)?)));
                 r.leave()?;
             }
             Next::Block("tiles") => {
                 r.take()?;
-                draft.parts = Some(read_tiles(r, &mut draft.pattern)?);
+                draft.parts = Some(read_tiles(r, &mut draft.pattern, base)?);
                 r.leave()?;
             }
             Next::Word(word) if bare && FINISH.obeys(word) => self.top().finish.read_word(word, r)?,
@@ -133,15 +133,15 @@ impl Texture {
             next if self.read_part(r, next, base)? => {}
             // Before 3.0, what belongs to the pigment could stand here.
             Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map") if bare => {
-                self.top().pigment.read_element(r, next)?;
+                self.top().pigment.read_element(r, next, base)?;
             }
             Next::Block("material_map") => {
                 r.take()?;
-                draft.parts = Some(read_material_map(r, &mut draft.pattern)?);
+                draft.parts = Some(read_material_map(r, &mut draft.pattern, base)?);
                 r.leave()?;
             }
             next if draft.pattern.read_element(next, r)? => {
-                if let Some(list) = blend::read_list(r, next, &draft.pattern, &|_, _| base.clone())? {
+                if let Some(list) = blend::read_list(r, next, &draft.pattern, base, &|_, _| base.clone())? {
                     draft.parts = Some(list);
                 }
             }
@@ -164,7 +164,7 @@ impl Texture {
         match next {
             Next::Block("pigment") => {
                 r.take()?;
-                layer.pigment = Pigment::read(r, &base.layers[0].pigment)?;
+                layer.pigment = Pigment::read(r, &layer.pigment, base)?;
                 r.leave()?;
             }
             Next::Block("finish") => {
@@ -174,7 +174,7 @@ impl Texture {
             }
             Next::Block("normal") => {
                 r.take()?;
-                layer.normal = Some(Arc::new(Normal::read(r, base.layers[0].normal.as_deref())?));
+                layer.normal = Some(Arc::new(Normal::read(r, layer.normal.as_deref(), base)?));
                 r.leave()?;
             }
             Next::Thing("normal") => match r.thing::<Normal>()? {
@@ -216,7 +216,7 @@ impl Texture {
 }
 
 /// `tiles { texture A tile2 texture B }`: a checker of textures in old scenes.
-fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern) -> Result<Parts<Texture>> {
+fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Parts<Texture>> {
     let mut list = vec![];
     loop {
         match r.next()? {
@@ -224,7 +224,7 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern) -> Result<Parts<Texture
             Next::Word("tile2") => drop(r.take()?),
             Next::Block("texture") => {
                 r.take()?;
-                list.push(Texture::read(r, &Texture::default())?);
+                list.push(Texture::read(r, base)?);
                 r.leave()?;
             }
             _ => match r.thing::<Texture>()? {
@@ -233,7 +233,7 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern) -> Result<Parts<Texture
             },
         }
     }
-    list.resize(2, Texture::default());
+    list.resize(2, base.clone());
     // The second is at the origin (measured on POV-Ray 3.7).
     list.swap(0, 1);
     pattern.kind = Kind::Cells(CellPattern::Checker(crate::pattern::Checker {}));
@@ -241,14 +241,14 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern) -> Result<Parts<Texture
 }
 
 /// `material_map { "file" … texture … texture … }`
-fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern) -> Result<Parts<Texture>> {
+fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Parts<Texture>> {
     let mut map = MaterialMap::read(r)?;
     let mut list = vec![];
     loop {
         match r.next()? {
             Next::Block("texture") => {
                 r.take()?;
-                list.push(Texture::read(r, &Texture::default())?);
+                list.push(Texture::read(r, base)?);
                 r.leave()?;
             }
             Next::Thing("texture") => list.extend(Texture::declared(r)?),
@@ -266,11 +266,11 @@ impl Entry for Texture {
     const BLOCK: &'static str = "texture";
 
     /// One layer without its braces, or several with them.
-    fn read_entry(r: &mut dyn Reader) -> Result<Self> {
+    fn read_entry(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut out: Option<Texture> = None;
         while r.next()? == Next::Block("texture") {
             r.take()?;
-            let layer = Texture::read(r, &Texture::default())?;
+            let layer = Texture::read(r, base)?;
             r.leave()?;
             match &mut out {
                 Some(out) => out.layers.extend(layer.layers),
@@ -279,7 +279,7 @@ impl Entry for Texture {
         }
         match out {
             Some(out) => Ok(out),
-            None => Texture::read(r, &Texture::default()),
+            None => Texture::read(r, base),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::blend::{self, Entry, Map, Parts};
 use super::words::pigment_names;
-use super::{ColorMap, ImageMap};
+use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::pattern::{CellPattern, Cells, Field, Kind, NOT_DRAWN, Pattern, Spot, WORDS_NOT_DRAWN};
@@ -47,8 +47,8 @@ impl Pigment {
         Self { pattern: Pattern::default(), paint: Paint::Solid(color), quick_color: None }
     }
 
-    /// Reads what stands between the braces, on top of `base` (the default pigment).
-    pub fn read(r: &mut dyn Reader, base: &Pigment) -> Result<Self> {
+    /// Reads what stands between the braces, on top of `base`; pigments inside of it begin with the default one.
+    pub fn read(r: &mut dyn Reader, base: &Pigment, defaults: &Texture) -> Result<Self> {
         let mut pigment = match r.thing::<Pigment>()? {
             Some(declared) => (*declared).clone(),
             None => base.clone(),
@@ -60,7 +60,7 @@ impl Pigment {
                     r.take()?;
                     pigment.quick_color = Some(r.color()?);
                 }
-                next => pigment.read_element(r, next)?,
+                next => pigment.read_element(r, next, defaults)?,
             }
         }
         pigment.finish();
@@ -68,10 +68,10 @@ impl Pigment {
     }
 
     /// Reads one element of a pigment: of its pattern, a map, a list, a colour.
-    pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next) -> Result<()> {
+    pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
         if self.pattern.read_element(next, r)? {
             let default = |cells: &CellPattern, cell| Pigment::solid(cells.default_color(cell));
-            if let Some(list) = blend::read_list(r, next, &self.pattern, &default)? {
+            if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &default)? {
                 self.paint = Paint::Pigments(list);
             }
             return Ok(());
@@ -96,7 +96,7 @@ impl Pigment {
             }
             Next::Block("pigment_map") => {
                 r.take()?;
-                self.paint = Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(r)?)));
+                self.paint = Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(r, defaults)?)));
                 r.leave()
             }
             Next::Word(word) | Next::Block(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
@@ -168,8 +168,8 @@ impl Entry for Pigment {
     const MAP: &'static str = "pigment_map";
     const BLOCK: &'static str = "pigment";
 
-    fn read_entry(r: &mut dyn Reader) -> Result<Self> {
-        Self::read(r, &Self::default())
+    fn read_entry(r: &mut dyn Reader, defaults: &Texture) -> Result<Self> {
+        Self::read(r, &defaults.layers[0].pigment, defaults)
     }
 
     /// A colour will do.

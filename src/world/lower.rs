@@ -43,6 +43,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
         waves: scene.settings.number_of_waves,
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
+        opacity_by_color: scene.settings.opacity_by_color,
         irid_wavelength: scene.settings.irid_wavelength,
     })
 }

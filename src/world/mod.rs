@@ -55,6 +55,8 @@ pub struct World {
     pub max_trace_level: u32,
     /// Rays that count for no more than this are not followed.
     pub adc_bailout: f64,
+    /// As in [`crate::scene::Settings`].
+    pub opacity_by_color: bool,
     /// Does light pass through any object?
     pub see_through: bool,
     /// Is any index of refraction not 1?

@@ -104,14 +104,15 @@ impl<'a> Interpreter<'a> {
         let sampler: Arc<dyn Sampler> = match word {
             "pigment" => {
                 self.take()?;
-                let base = self.defaults.texture.layers[0].pigment.clone();
-                let pigment = Pigment::read(self, &base)?;
+                let defaults = self.defaults.texture.clone();
+                let pigment = Pigment::read(self, &defaults.layers[0].pigment, &defaults)?;
                 self.leave()?;
                 Arc::new(PigmentSampler(pigment, self.noise_generator.clone()))
             }
             "pattern" => {
                 self.take()?;
-                let pattern = Pigment::read(self, &Pigment::default())?;
+                let defaults = self.defaults.texture.clone();
+                let pattern = Pigment::read(self, &Pigment::default(), &defaults)?;
                 self.leave()?;
                 Arc::new(PatternSampler(pattern, self.noise_generator.clone()))
             }
@@ -136,7 +137,8 @@ impl<'a> Interpreter<'a> {
 
     /// What stands between the braces of a pigment, as a function.
     pub(super) fn pigment_function(&mut self) -> Result<Arc<dyn Thing>> {
-        let pigment = Pigment::read(self, &Pigment::default())?;
+        let defaults = self.defaults.texture.clone();
+        let pigment = Pigment::read(self, &defaults.layers[0].pigment, &defaults)?;
         let body = Body::Sampled(Arc::new(PigmentSampler(pigment, self.noise_generator.clone())));
         Ok(Arc::new(Function { parameters: default_names(), body }))
     }

@@ -3,7 +3,8 @@
 use super::{Bitmap, Mapping, Texels, WORDS};
 use crate::color::{Rgb, gray};
 use crate::diagnostic::Result;
-use crate::pattern::{Field, Readable, Spot};
+use crate::math::DVec3;
+use crate::pattern::{Field, Readable, Spot, Words};
 use crate::value::{Kind, Next, Param, Reader, Spec};
 use serde::Serialize;
 
@@ -16,6 +17,8 @@ pub struct ImagePattern {
     pub mapping: Mapping,
     /// What counts of a pixel.
     pub channel: Channel,
+    /// `bump_map`: bumps come from neighbouring pixels.
+    pub bumps: bool,
 }
 
 /// What counts of a pixel.
@@ -26,7 +29,7 @@ pub enum Channel {
     Gray,
     /// `use_alpha`: 1 - alpha.
     Alpha,
-    /// `use_index`: its number in the palette, of 255.
+    /// `use_index`: its number in the palette.
     Index,
 }
 
@@ -81,24 +84,48 @@ impl ImagePattern {
             Channel::Index if texels.index(0).is_none() => Channel::Gray,
             other => other,
         };
-        Ok(Self { texels, mapping: bitmap.mapping, channel })
+        Ok(Self { texels, mapping: bitmap.mapping, channel, bumps: false })
     }
 
-    /// What counts of a pixel, in [0, 1].
+    /// What counts of a pixel.
     fn number(&self, i: usize) -> f64 {
         let [r, g, b, a] = self.texels.rgba(i);
         match self.channel {
             Channel::Gray => gray(Rgb::new(r, g, b)),
             Channel::Alpha => 1.0 - a,
-            Channel::Index => f64::from(self.texels.index(i).unwrap_or(0)) / 255.0,
+            Channel::Index => f64::from(self.texels.index(i).unwrap_or(0)),
         }
+    }
+}
+
+impl ImagePattern {
+    /// The number at a place of the picture.
+    fn number_at(&self, place: (f64, f64)) -> f64 {
+        let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
+        pixels.iter().map(|(i, weight)| weight * self.number(*i)).sum()
     }
 }
 
 impl Field for ImagePattern {
     fn value(&self, at: &Spot) -> f64 {
-        let Some(place) = self.mapping.place(at.p) else { return 0.0 };
-        let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
-        pixels.iter().map(|(i, weight)| weight * self.number(*i)).sum::<f64>().clamp(0.0, 1.0)
+        self.mapping.place(at.p).map_or(0.0, |place| self.number_at(place).clamp(0.0, 1.0))
+    }
+
+    fn bumped(&self, at: &Spot, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+        if !self.bumps {
+            return None;
+        }
+        let Some((u, v)) = self.mapping.place(at.p) else { return Some(n) };
+        // The slant of a triangle of three pixels: this one and those below it, to the right and to the left (measured on
+        // POV-Ray 3.7).
+        let (across, up) = (1.0 / self.texels.width() as f64, 1.0 / self.texels.height() as f64);
+        // Past an edge comes the other side, also of a picture that is there `once`.
+        let bring = |t: f64| t - t.floor();
+        let height = |du: f64, dv: f64| self.number_at((bring(u + du), bring(v + dv)));
+        let (here, right, left) = (height(0.0, 0.0), height(across, -up), height(-across, -up));
+        // The picture's directions, laid into the surface.
+        let x = n.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);
+        let y = x.cross(n).normalize_or_zero();
+        Some(n - amount * ((right - left) / 2.0 * x + (here - (right + left) / 2.0) * y))
     }
 }

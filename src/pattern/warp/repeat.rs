@@ -54,7 +54,7 @@ impl Readable for Repeat {
         let widths = r.vector()?.to_array();
         let mut axes = (0..3).filter(|&i| widths[i] != 0.0);
         match (axes.next(), axes.next()) {
-            // POV-Ray keeps it in single precision, as was measured
+            // POV-Ray keeps it in single precision
             (Some(axis), None) => {
                 Ok(Self { axis, width: f64::from(widths[axis] as f32), offset: DVec3::ZERO, flip: [false; 3] })
             }
@@ -82,7 +82,8 @@ impl Bend for Repeat {
     fn apply(&self, p: DVec3) -> DVec3 {
         let slice = (p[self.axis] / self.width).floor();
         let mut q = p;
-        q[self.axis] -= slice * self.width;
+        // in single precision, as was measured
+        q[self.axis] -= f64::from(slice as f32 * self.width as f32);
         if slice % 2.0 != 0.0 {
             for axis in (0..3).filter(|&i| self.flip[i]) {
                 q[axis] = if axis == self.axis { self.width - q[axis] } else { -q[axis] };

@@ -1,0 +1,80 @@
+//! Density files: numbers on a grid in space (manual, "df3 file format").
+
+use crate::diagnostic::{Diagnostic, Result, codes, file};
+use crate::source::{ReadError, Span};
+use std::path::Path;
+
+/// Numbers from 0 to 1 on a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Voxels {
+    /// How many along x, y and z.
+    pub size: [usize; 3],
+    numbers: Numbers,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Numbers {
+    U8(Vec<u8>),
+    U16(Vec<u16>),
+    U32(Vec<u32>),
+}
+
+impl Voxels {
+    /// Reads a df3 file (E0002, E0003, E0007).
+    pub fn read(path: &Path) -> Result<Self> {
+        let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+        Self::decode(&bytes).map_err(|reason| {
+            let text = format!("`{}` can't be decoded: {reason}", path.display());
+            Box::new(Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text))
+        })
+    }
+
+    /// Three sizes of two bytes, then all numbers, x fastest, of one, two or four bytes, which the file's length tells; all with
+    /// the high byte first. The error is the reason in words.
+    pub fn decode(bytes: &[u8]) -> std::result::Result<Self, String> {
+        let Some((&header, body)) = bytes.split_first_chunk::<6>() else { return Err("it is too short".into()) };
+        let [a, b, c, d, e, f] = header;
+        let size = [[a, b], [c, d], [e, f]].map(|pair| usize::from(u16::from_be_bytes(pair)));
+        let count = size[0] * size[1] * size[2];
+        if count == 0 {
+            return Err(format!("its size is {} × {} × {}", size[0], size[1], size[2]));
+        }
+        let numbers = match body.len() / count {
+            0 => return Err(format!("{count} numbers were announced, but it has {} bytes", body.len())),
+            1 => Numbers::U8(body[..count].to_vec()),
+            2 | 3 => Numbers::U16(words(&body[..2 * count], u16::from_be_bytes)),
+            _ => Numbers::U32(words(&body[..4 * count], u32::from_be_bytes)),
+        };
+        Ok(Self { size, numbers })
+    }
+
+    /// The number at a place of the grid, 0 to 1.
+    pub fn at(&self, [x, y, z]: [usize; 3]) -> f64 {
+        let i = (z * self.size[1] + y) * self.size[0] + x;
+        match &self.numbers {
+            Numbers::U8(n) => f64::from(n[i]) / f64::from(u8::MAX),
+            Numbers::U16(n) => f64::from(n[i]) / f64::from(u16::MAX),
+            Numbers::U32(n) => f64::from(n[i]) / f64::from(u32::MAX),
+        }
+    }
+}
+
+fn words<const N: usize, T>(bytes: &[u8], word: impl Fn([u8; N]) -> T) -> Vec<T> {
+    bytes.chunks_exact(N).filter_map(|chunk| chunk.try_into().ok()).map(word).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_length_tells_how_wide_numbers_are() {
+        let header = [0, 2, 0, 1, 0, 1];
+        let at = |body: &[u8]| Voxels::decode(&[&header, body].concat()).map(|v| v.at([1, 0, 0]));
+        assert_eq!(at(&[0, 51]), Ok(0.2));
+        assert_eq!(at(&[0, 0, 51, 51]), Ok(0.2));
+        assert_eq!(at(&[0, 0, 0, 0, 51, 51, 51, 51]), Ok(0.2));
+        assert!(at(&[0]).is_err());
+        assert!(Voxels::decode(&[0, 0, 0, 0, 0, 0, 1]).is_err());
+    }
+}

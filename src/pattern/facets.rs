@@ -1,0 +1,87 @@
+//! `facets`: surfaces that are cut like a gem, for normals only (manual, "Facets").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { color rgb 0.8 } normal { facets coords 0.4 scale 3 } }
+//! ```
+
+use super::crackle::nearest;
+use super::{Field, Readable, Spot, Words};
+use crate::diagnostic::Result;
+use crate::math::{DVec3, noise};
+use crate::value::{Kind, Reader, Spec, WordSpec};
+use serde::Serialize;
+
+/// How large the facets are.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Cut {
+    /// `coords`: cells of space, each with a normal that is turned at random so far.
+    Coords(f64),
+    /// `size`: normals that are alike become the same.
+    Size(f64),
+}
+
+/// Flat pieces.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Facets {
+    /// How large they are.
+    pub cut: Cut,
+    /// How distances are counted: 2 as usual.
+    pub metric: f64,
+}
+
+impl Readable for Facets {
+    const SPEC: Spec = Spec {
+        name: "facets",
+        summary: "surfaces that are cut like a gem; for normals only",
+        params: &[],
+        words: &[
+            WordSpec {
+                name: "coords",
+                kind: Kind::Float,
+                default: "",
+                summary: "cells of space: how far normals turn",
+            },
+            WordSpec {
+                name: "size",
+                kind: Kind::Float,
+                default: "0.1",
+                summary: "for curved shapes: how large they are",
+            },
+            WordSpec { name: "metric", kind: Kind::Float, default: "2", summary: "how distances are counted" },
+        ],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { cut: Cut::Size(0.1), metric: 2.0 })
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        let number = r.float()?;
+        match word {
+            "coords" => self.cut = Cut::Coords(number),
+            "size" => self.cut = Cut::Size(number),
+            _ => self.metric = number,
+        }
+        Ok(())
+    }
+}
+
+impl Field for Facets {
+    /// As a pigment it shows nothing.
+    fn value(&self, _: &Spot) -> f64 {
+        0.0
+    }
+
+    fn bumped(&self, at: &Spot, _: &Words, n: DVec3, _: f64) -> Option<DVec3> {
+        let unit = n.normalize_or_zero();
+        Some(match self.cut {
+            Cut::Coords(turn) => {
+                // a random vector for each cell, without its part along the normal
+                let random = noise::noise_vector(nearest(at.p * 10.0, self.metric).site);
+                unit + turn * (random - random.dot(unit) * unit)
+            }
+            Cut::Size(size) => nearest(unit / size, self.metric).site,
+        })
+    }
+}

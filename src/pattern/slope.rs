@@ -1,0 +1,137 @@
+//! `slope`: how far the surface is turned towards a direction or a point, and how high it lies (manual, "Slope Pattern").
+//!
+//! ```pov
+//! sphere { 0, 1 pigment { slope { -y, 0.3, 0.7 } color_map { [0 color rgb 1] [1 color rgb <0.3, 0.5, 0.2>] } } }
+//! ```
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{DVec3, fp};
+use crate::value::{Kind, Param, Reader, ReaderExt, Spec};
+use serde::Serialize;
+use std::f64::consts::PI;
+
+/// Turned away from the direction gives 0, across it 0.5, towards it 1.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Slope {
+    /// Where to, in world space.
+    pub towards: Towards,
+    /// Which slopes give 0 and 1.
+    pub range: [f64; 2],
+    /// What height adds.
+    pub altitude: Option<Altitude>,
+}
+
+/// Where a surface that gives 1 faces.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Towards {
+    /// That way; the length counts against that of the altitude.
+    Direction(DVec3),
+    /// That place.
+    Point(DVec3),
+}
+
+/// A ramp that is mixed in.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Altitude {
+    /// Which way is up, in the pattern's space; the length counts against that of the direction.
+    pub up: DVec3,
+    /// Which heights give 0 and 1.
+    pub range: [f64; 2],
+}
+
+impl Readable for Slope {
+    const SPEC: Spec = Spec {
+        name: "slope",
+        summary: "how far the surface is turned towards a direction; a vector, or in braces `<direction>, low, high altitude <up>, low, high` \
+                  or `point_at <place>, low, high`",
+        params: &[
+            Param {
+                name: "direction",
+                kind: Kind::Vector,
+                summary: "where a surface that gives 1 faces, in world space",
+            },
+            Param { name: "low, high", kind: Kind::Float, summary: "which slopes give 0 and 1" },
+        ],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { towards: read_direction(r)?, range: [0.0, 1.0], altitude: None })
+    }
+
+    fn read_block(r: &mut dyn Reader) -> Result<Self> {
+        let towards = if r.accept("point_at")? { Towards::Point(r.vector()?) } else { read_direction(r)? };
+        let range = read_range(r)?;
+        let mut altitude = None;
+        if matches!(towards, Towards::Direction(_)) && r.accept("altitude")? {
+            altitude = Some(Altitude { up: read_vector(r)?, range: read_range(r)? });
+        }
+        r.leave()?;
+        Ok(Self { towards, range, altitude })
+    }
+}
+
+fn read_direction(r: &mut dyn Reader) -> Result<Towards> {
+    read_vector(r).map(Towards::Direction)
+}
+
+fn read_vector(r: &mut dyn Reader) -> Result<DVec3> {
+    let (span, vector) = (r.span(), r.vector()?);
+    if vector == DVec3::ZERO {
+        return Diagnostic::err(codes::ZERO_VECTOR, span, "a slope needs a direction, this vector is zero");
+    }
+    Ok(vector)
+}
+
+fn read_range(r: &mut dyn Reader) -> Result<[f64; 2]> {
+    match r.optional_float()? {
+        Some(low) => Ok([low, r.float()?]),
+        None => Ok([0.0, 1.0]),
+    }
+}
+
+/// 0 at the low end, 1 at the high one, and on beyond; as it is where they are the same.
+fn within(x: f64, [low, high]: [f64; 2]) -> f64 {
+    if low == high { x } else { (x - low) / (high - low) }
+}
+
+impl Field for Slope {
+    fn value(&self, at: &Spot) -> f64 {
+        let towards = match self.towards {
+            Towards::Direction(direction) => direction,
+            Towards::Point(point) => point - at.world,
+        };
+        let facing = 1.0 - fp::acos(at.normal.dot(towards.normalize_or_zero())) / PI;
+        let slope = within(facing, self.range);
+        let value = match self.altitude {
+            None => slope,
+            // weighed by the lengths of the two vectors
+            Some(Altitude { up, range }) => {
+                let (by_slope, by_height) = (towards.length(), up.length());
+                let height = within(at.p.dot(up) / by_height, range);
+                (by_slope * slope + by_height * height) / (by_slope + by_height)
+            }
+        };
+        // numbers below 0 are brought back behind the frequency
+        if value > 1.0 { value % 1.0 } else { value }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn facing_and_height() {
+        let spot = Spot { normal: DVec3::Y, ..Spot::free(DVec3::Y * 0.5, Default::default()) };
+        let slope = Slope { towards: Towards::Direction(DVec3::X), range: [0.0, 1.0], altitude: None };
+        assert_eq!(slope.value(&spot), 0.5);
+        assert_eq!(Slope { range: [0.25, 0.75], ..slope.clone() }.value(&spot), 0.5);
+        let point = Slope { towards: Towards::Point(DVec3::Y * 9.0), ..slope.clone() };
+        assert_eq!(point.value(&spot), 1.0);
+        let altitude = Some(Altitude { up: DVec3::Y * 3.0, range: [0.0, 2.0] });
+        assert_eq!(Slope { altitude, ..slope }.value(&spot), (0.5 + 3.0 * 0.25) / 4.0);
+    }
+}
