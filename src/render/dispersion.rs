@@ -3,9 +3,9 @@
 //! White light splits where it passes between interiors of different dispersion; each part then keeps its hue on its whole
 //! way. How many parts there are changes neither how much a ray counts nor, in all, what is seen.
 
-use super::refract::{Border, reflect};
+use super::refract::Border;
 use super::site::Site;
-use super::trace::{Path, Tracer};
+use super::trace::{Path, Tracer, bounce};
 use crate::color::{Rgb, gray};
 use crate::math::Ray;
 
@@ -22,7 +22,7 @@ pub(super) struct Split {
 impl Tracer<'_> {
     /// Follows white light into the colours that it splits into at the border of what it meets.
     pub(super) fn split(&mut self, path: &Path, site: &Site, samples: u32) -> Split {
-        let own = site.part.interior;
+        let (own, bending) = (site.part.interior, site.bending(path.ray.dir));
         let mut split = Split { passing: Rgb::ZERO, total: Rgb::ZERO, passed: 0.0 };
         // The colours that can't pass; they stay together, as white light (measured on 3.7).
         let mut kept = Rgb::ZERO;
@@ -30,7 +30,7 @@ impl Tracer<'_> {
             let share = share(i, samples);
             let hue = Some((f64::from(i) + 0.5) / f64::from(samples));
             let border = Border::new(&path.inside, own, &self.setup.world.interiors, hue);
-            let Some(dir) = border.refract(path.ray.dir, site.normal) else {
+            let Some(dir) = border.refract(path.ray.dir, bending) else {
                 kept += share;
                 continue;
             };
@@ -44,7 +44,7 @@ impl Tracer<'_> {
         }
         if kept != Rgb::ZERO {
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
+            let ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
             let inside = path.inside.clone();
             split.total = kept * self.follow(Path { ray, level: path.level + 1, mirrored: true, inside, ..*path }).rgb;
         }

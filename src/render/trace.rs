@@ -192,7 +192,7 @@ impl<'w> Tracer<'w> {
                     through *= fade;
                     path.weight *= pass.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
-                    path.ray = Ray::new(site.point, reflect(path.ray.dir, site.normal));
+                    path.ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
                     self.rays.reflected += 1;
                 }
                 Onward::Splits(samples) => {
@@ -238,7 +238,7 @@ impl<'w> Tracer<'w> {
                 return Onward::Splits(samples);
             }
         }
-        border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
+        border.refract(path.ray.dir, site.bending(path.ray.dir)).map_or(Onward::Total, Onward::Through)
     }
 
     /// The light that the place mirrors: one ray for each normal of its layers.
@@ -252,7 +252,7 @@ impl<'w> Tracer<'w> {
                 continue;
             }
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, outward(reflect(path.ray.dir, normal), site.smooth));
+            let ray = Ray::new(site.point, bounce(path.ray.dir, normal, site.smooth));
             let path =
                 Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone(), hue: path.hue };
             let light = self.follow(path).rgb;
@@ -262,7 +262,13 @@ impl<'w> Tracer<'w> {
     }
 }
 
-/// A ray that bumps would mirror into the surface is mirrored by the surface again (measured on POV-Ray 3.7).
-fn outward(dir: DVec3, smooth: DVec3) -> DVec3 {
-    if dir.dot(smooth) < 0.0 { reflect(dir, smooth) } else { dir }
+/// Where bumps mirror a ray to. What they would send into the surface, the surface mirrors again; and bumps that are seen from
+/// behind do not count (measured on POV-Ray 3.7).
+pub(super) fn bounce(dir: DVec3, normal: DVec3, smooth: DVec3) -> DVec3 {
+    let out = reflect(dir, normal);
+    match out.dot(smooth) < 0.0 {
+        true if dir.dot(normal) > 0.0 => reflect(dir, smooth),
+        true => reflect(out, smooth),
+        false => out,
+    }
 }
