@@ -199,7 +199,7 @@ impl<'w> Tracer<'w> {
                     path.weight *= pass.max_element();
                     let split = self.split(&path, &site, samples);
                     rgb += through * (pass * split.passing + fade * split.total);
-                    return Sample { rgb, passed: passed * gray(site.pass) * split.passed };
+                    return Sample { rgb, passed: 0.0 };
                 }
             }
         }
@@ -233,10 +233,11 @@ impl<'w> Tracer<'w> {
         if site.pass == Rgb::ZERO || count <= world.adc_bailout || path.level >= world.max_trace_level {
             return Onward::Ends;
         }
-        if world.disperses && path.hue.is_none() {
-            if let Some(samples) = border.samples(&path.inside, site.part.interior, &world.interiors) {
-                return Onward::Splits(samples);
-            }
+        if world.disperses
+            && path.hue.is_none()
+            && let Some(samples) = border.samples(&path.inside, site.part.interior, &world.interiors)
+        {
+            return Onward::Splits(samples);
         }
         border.refract(path.ray.dir, site.bending(path.ray.dir)).map_or(Onward::Total, Onward::Through)
     }

@@ -80,7 +80,9 @@ impl Interior {
     pub fn ior_of(&self, hue: Option<f64>) -> f64 {
         match hue {
             // n·Dʰ⁻¹ᐟ²
-            Some(hue) if self.dispersion != 1.0 => self.ior * fp::pow(self.dispersion, hue - 0.5),
+            Some(hue) if self.dispersion > 0.0 && self.dispersion != 1.0 => {
+                self.ior * fp::pow(self.dispersion, hue - 0.5)
+            }
             _ => self.ior,
         }
     }
