@@ -20,7 +20,7 @@ pub(super) struct Split {
 impl Tracer<'_> {
     /// Follows white light into the colours that it splits into at the border of what it meets.
     pub(super) fn split(&mut self, path: &Path, site: &Site, samples: u32) -> Split {
-        let (own, bending) = (site.part.interior, site.bending(path.ray.dir));
+        let own = site.part.interior;
         let mut split = Split { passing: Rgb::ZERO, total: Rgb::ZERO };
         // The colours that can't pass; they stay together, as white light (measured on 3.7).
         let mut kept = Rgb::ZERO;
@@ -28,7 +28,7 @@ impl Tracer<'_> {
             let share = share(i, samples);
             let hue = Some((f64::from(i) + 0.5) / f64::from(samples));
             let border = Border::new(&path.inside, own, &self.setup.world.interiors, hue);
-            let Some(dir) = border.refract(path.ray.dir, bending) else {
+            let Some(dir) = border.refract(path.ray.dir, site.normal) else {
                 kept += share;
                 continue;
             };

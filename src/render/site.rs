@@ -61,11 +61,6 @@ impl<'w> Site<'w> {
         let bumped = painter.layers.first().map_or(normal, |top| top.normal);
         Self { part, point: surface.point, normal: bumped, smooth: normal, layers: painter.layers, pass }
     }
-
-    /// The normal that bends a ray of this direction; bumps that are seen from behind bend nothing (measured on 3.7).
-    pub fn bending(&self, dir: DVec3) -> DVec3 {
-        if dir.dot(self.normal) > 0.0 { self.smooth } else { self.normal }
-    }
 }
 
 /// Collects what is painted at a place.

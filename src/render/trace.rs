@@ -239,7 +239,7 @@ impl<'w> Tracer<'w> {
         {
             return Onward::Splits(samples);
         }
-        border.refract(path.ray.dir, site.bending(path.ray.dir)).map_or(Onward::Total, Onward::Through)
+        border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
     /// The light that the place mirrors: one ray for each normal of its layers.

@@ -1,7 +1,7 @@
 //! The noise of generators 1 and 2, and the vector noise: each lattice point has a value and a gradient.
 
 use super::super::DVec3;
-use super::lattice::{blend, cell, from_corner};
+use super::lattice::{blend, cell, ease, from_corner};
 use super::tables::{CORNERS, HASH};
 
 /// POV-Ray adds 10000 to the number of a cell before it looks it up.
@@ -26,25 +26,54 @@ fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
     ([above(z0), above(z1)], [tx, ty, tz])
 }
 
-/// One component of the noise, for the corners with these hashes.
-#[inline]
-fn component<const SHIFT: usize>(hashes: &[[usize; 4]; 2], t: [f64; 3]) -> f64 {
+/// The first component of [`vector`]; about -1.2 to 1.2.
+pub fn scalar(p: DVec3) -> f64 {
+    let (hashes, t) = corners(p);
     let corner = |i: usize| {
-        let ([x, y, z], [v, gx, gy, gz]) = (from_corner(i, t), CORNERS[(hashes[i >> 2][i & 3] & 0xff) + SHIFT]);
+        let ([x, y, z], [v, gx, gy, gz]) = (from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
         v + gx * x + gy * y + gz * z
     };
     // Written out: `map` over eight corners takes twice the time.
     blend([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
 }
 
-/// The first component of [`vector`]; about -1.2 to 1.2.
-pub fn scalar(p: DVec3) -> f64 {
-    let (hashes, t) = corners(p);
-    component::<0>(&hashes, t)
+/// Four numbers that are computed side by side; the last one is not used.
+type Lanes = [f64; 4];
+
+/// The values and gradients of the three components of [`vector`] side by side: v, gx, gy, gz.
+static LANES: [[Lanes; 4]; 256] = lanes();
+
+/// Each component takes its values and gradients four entries further on in the table.
+const fn lanes() -> [[Lanes; 4]; 256] {
+    let mut out = [[[0.0; 4]; 4]; 256];
+    let mut i = 0;
+    while i < 256 {
+        let mut part = 0;
+        while part < 4 {
+            out[i][part] = [CORNERS[i][part], CORNERS[i + 4][part], CORNERS[i + 8][part], 0.0];
+            part += 1;
+        }
+        i += 1;
+    }
+    out
 }
 
-/// Three noises on the same lattice: each takes its values and gradients four entries further on in the table.
+#[inline(always)]
+fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
+    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
+}
+
+/// Three noises on the same lattice, computed at once.
 pub fn vector(p: DVec3) -> DVec3 {
     let (hashes, t) = corners(p);
-    DVec3::new(component::<0>(&hashes, t), component::<4>(&hashes, t), component::<8>(&hashes, t))
+    let corner = |i: usize| {
+        let ([x, y, z], [v, gx, gy, gz]) = (from_corner(i, t), &LANES[hashes[i >> 2][i & 3] & 0xff]);
+        let add = |sum: Lanes, g: &Lanes, x: f64| lanewise(sum, *g, |sum, g| sum + g * x);
+        add(add(add(*v, gx, x), gy, y), gz, z)
+    };
+    let [sx, sy, sz] = t.map(ease);
+    let lerp = |a: Lanes, b: Lanes, s: f64| lanewise(a, b, |a, b| a + s * (b - a));
+    let along_x = |i: usize| lerp(corner(i), corner(i + 1), sx);
+    let [x, y, z, _] = lerp(lerp(along_x(0), along_x(2), sy), lerp(along_x(4), along_x(6), sy), sz);
+    DVec3::new(x, y, z)
 }
