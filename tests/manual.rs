@@ -43,6 +43,10 @@ fn main() {
         let source = source.clone();
         trials.push(Trial::test(format!("{name}: links"), move || links(&path, &text, &source)));
     }
+    for (place, block) in examples_in_code() {
+        let source = source.clone();
+        trials.push(Trial::test(place, move || durer::on_big_stack(|| block.draw(&source))));
+    }
     trials.push(Trial::test("SUMMARY.md: every page", move || in_summary(&source)));
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
@@ -82,6 +86,30 @@ fn chapters(source: &Path) -> Vec<PathBuf> {
     let mut all = [files(source), files(&source.join("reference"))].concat();
     all.sort();
     all
+}
+
+/// The examples at the head of the files of shapes and patterns, each with a stage around it.
+fn examples_in_code() -> Vec<(String, Block)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folders = ["src/shape", "src/pattern", "src/pattern/warp", "src/pattern/bitmap"];
+    let mut out = vec![];
+    for folder in folders {
+        let entries = std::fs::read_dir(root.join(folder)).into_iter().flatten().flatten();
+        let mut files: Vec<PathBuf> =
+            entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "rs")).collect();
+        files.sort();
+        for file in files {
+            let text = std::fs::read_to_string(&file).unwrap_or_default();
+            let doc: String =
+                text.lines().map_while(|l| l.strip_prefix("//!")).map(|l| format!("{}\n", l.trim_start())).collect();
+            for mut block in blocks(&doc).into_iter().filter(|b| b.is("pov")) {
+                block.text = format!("#include \"stage.inc\"\n{}", block.text);
+                let name = file.file_name().unwrap_or_default().to_string_lossy();
+                out.push((format!("{folder}/{name}:{}", block.line), block));
+            }
+        }
+    }
+    out
 }
 
 /// What stands between two rows of backticks.
@@ -137,6 +165,23 @@ impl Block {
         durer::on_big_stack(|| self.run_scene(source, chapter))
     }
 
+    /// An example in the code: it gives no message, and something is to be seen.
+    fn draw(&self, source: &Path) -> Result<(), Failed> {
+        self.run_scene(source, "")?;
+        let sources = Sources::default();
+        let path = source.join("examples/example.pov");
+        let Some(file) = sources.add("example.pov", Some(&path), self.text.clone()) else { return Ok(()) };
+        let Some(world) = durer::build(&sources, file, &options(&source.join("examples")), &mut |_| ()).world else {
+            return Err("there is nothing to draw".into());
+        };
+        let (drawn, _) = render::render(&world, &drawing(32, 24), &render::Unwatched).map_err(|e| format!("{e:?}"))?;
+        let first = drawn.pixels[0];
+        match drawn.pixels.iter().any(|pixel| *pixel != first) {
+            true => Ok(()),
+            false => Err("all pixels are the same".into()),
+        }
+    }
+
     fn run_scene(&self, source: &Path, chapter: &str) -> Result<(), Failed> {
         let options = options(&source.join("examples"));
         let sources = Sources::default();
@@ -179,21 +224,17 @@ fn options(folder: &Path) -> Options {
     }
 }
 
+fn drawing(width: usize, height: usize) -> render::Options {
+    let antialias = Some(0.1);
+    render::Options { width, height, antialias, quality: 9, threads: 1, region: None, frame: 0, alpha: false }
+}
+
 fn picture(source: &Path, chapter: &str, name: &str, world: &durer::world::World) -> Result<(), Failed> {
     if !chapter.contains(&format!("(pictures/{name}.png)")) {
         return Err(format!("the chapter does not show pictures/{name}.png").into());
     }
-    let drawing = render::Options {
-        width: SIZE.0,
-        height: SIZE.1,
-        antialias: Some(0.1),
-        quality: 9,
-        threads: 1,
-        region: None,
-        frame: 0,
-        alpha: false,
-    };
-    let (drawn, _) = render::render(world, &drawing, &render::Unwatched).map_err(|e| format!("{e:?}"))?;
+    let (drawn, _) =
+        render::render(world, &drawing(SIZE.0, SIZE.1), &render::Unwatched).map_err(|e| format!("{e:?}"))?;
     let path = source.join("pictures").join(format!("{name}.png"));
     let drawn = drawn.over_black();
     let stored = image_io::decode_file(&path).ok().map(|pixels| pixels.to_frame());
