@@ -3,11 +3,26 @@
 //! The sections of `tests/library/*.scene` have the form of `tests/lang.rs`; numbers may differ by rounding. A section with
 //! `//~` is a known difference, and what stands there is what durer's file gives. One with `//?` waits for a part of durer
 //! that is not there yet, and has to be unmarked as soon as it is.
+//!
+//! The scenes of `tests/library/pictures` are drawn with them, and compared with what POV-Ray drew with its own.
 
+use durer::color::{Rgb, transfer::srgb_encode_rgb};
+use durer::image_io::{Frame, decode_file};
 use durer::interpreter::{Options, interpret};
+use durer::render::{self, Unwatched};
 use durer::source::{Sandbox, SearchPath, Sources};
 use libtest_mimic::{Arguments, Failed, Trial};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// Of the pictures, in pixels.
+const SIZE: (usize, usize) = (48, 36);
+
+/// The mean difference of the channels, in numbers of the file from 0 to 1.
+const MEAN: f64 = 0.002;
+
+/// So many of the pixels may differ by more than `FAR`: edges, which fall here or there by rounding.
+const MOST: f64 = 0.01;
+const FAR: f64 = 0.01;
 
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library");
@@ -26,23 +41,32 @@ fn main() {
             trials.push(Trial::test(format!("{name}::{title}"), move || compare(&preamble, &section)));
         }
     }
+    for path in pictures(&folder.join("pictures")) {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        trials.push(Trial::test(format!("pictures::{name}"), move || looks_alike(&path)));
+    }
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+/// As on a machine without POV-Ray.
+fn options() -> Options {
+    Options {
+        // What a scene has written is found in the current folder.
+        search: SearchPath { folders: vec![".".into()], fonts: vec![] },
+        sandbox: Sandbox { read: vec![".".into()], write: vec![".".into()] },
+        declares: vec![],
+        timing: Default::default(),
+        input_name: String::new(),
+        size: SIZE,
+        max_steps: 1_000_000,
+        max_time: None,
+        max_memory: None,
+    }
 }
 
 /// What a scene prints, and its messages, on a machine without POV-Ray.
 fn run(text: &str) -> (String, Vec<String>) {
-    let search = SearchPath::default();
-    let options = Options {
-        sandbox: Sandbox { read: vec![], write: vec![".".into()] },
-        search,
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
-        size: (1, 1),
-        max_steps: 1_000_000,
-        max_time: None,
-        max_memory: None,
-    };
+    let options = options();
     let mut printed = String::new();
     let told = durer::on_big_stack(|| {
         let sources = Sources::default();
@@ -119,4 +143,55 @@ fn quick() -> Result<(), Failed> {
         run("#version 3.7;\n#include \"colors.inc\"\n#include \"shapes.inc\"\n#include \"functions.inc\"\n");
     let took = start.elapsed().as_millis();
     if took < 300 && told.is_empty() { Ok(()) } else { Err(format!("{took} ms, {told:?}").into()) }
+}
+
+fn pictures(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let mut scenes: Vec<_> = entries.filter(|path| path.extension().is_some_and(|e| e == "pov")).collect();
+    scenes.sort();
+    scenes
+}
+
+/// A scene beside POV-Ray's picture of it.
+fn looks_alike(path: &Path) -> Result<(), Failed> {
+    let found = durer::on_big_stack(|| draw(path))?;
+    let wanted = decode_file(&path.with_extension("png")).map_err(|e| e.message.clone())?.to_frame();
+    if (wanted.width, wanted.height) != SIZE {
+        return Err(format!("POV-Ray's picture is {} by {}", wanted.width, wanted.height).into());
+    }
+    let numbers = |frame: &Frame, i: usize| {
+        let [r, g, b, _] = frame.pixels[i].map(|c| f64::from(c).clamp(0.0, 1.0));
+        srgb_encode_rgb(Rgb::new(r, g, b))
+    };
+    let count = SIZE.0 * SIZE.1;
+    let differences = (0..count).map(|i| (numbers(&found, i) - numbers(&wanted, i)).abs());
+    let (mean, far) = differences.fold((0.0, 0.0), |(mean, far), d| {
+        let one = 1.0 / count as f64;
+        (mean + d.element_sum() / 3.0 * one, if d.max_element() > FAR { far + one } else { far })
+    });
+    println!("{}: mean difference {mean:.5}, {:.2} % of the pixels differ", path.display(), 100.0 * far);
+    if mean <= MEAN && far <= MOST {
+        return Ok(());
+    }
+    Err(format!("mean difference {mean:.5}, {:.2} % of the pixels differ", 100.0 * far).into())
+}
+
+fn draw(path: &Path) -> Result<Frame, Failed> {
+    let sources = Sources::default();
+    let file = durer::load(&sources, path).map_err(|e| e.message.clone())?;
+    let built = durer::build(&sources, file, &options(), &mut |_| {});
+    let told: Vec<_> = built.diagnostics.iter().map(|d| format!("{} {}", d.code, d.message)).collect();
+    let world = built.world.filter(|_| told.is_empty()).ok_or(told.join("\n"))?;
+    let (width, height) = SIZE;
+    let options = render::Options {
+        width,
+        height,
+        antialias: None,
+        quality: 9,
+        threads: 1,
+        region: None,
+        frame: 0,
+        alpha: false,
+    };
+    render::render(&world, &options, &Unwatched).map(|(frame, _)| frame).map_err(|_| "cancelled".into())
 }

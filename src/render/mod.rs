@@ -1,6 +1,7 @@
 //! From rays to light: shading, shadows, reflection; tiles, anti-aliasing, progress.
 
 mod antialias;
+mod dispersion;
 mod mirror;
 mod output;
 mod pick;

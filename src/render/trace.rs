@@ -65,16 +65,18 @@ pub(super) struct Sample {
 }
 
 /// A ray and what is known of it.
-struct Path {
-    ray: Ray,
+pub(super) struct Path {
+    pub ray: Ray,
     /// 1 for a ray from the eye.
-    level: u32,
+    pub level: u32,
     /// How much it counts.
-    weight: f64,
+    pub weight: f64,
     /// Has it been mirrored?
-    mirrored: bool,
+    pub mirrored: bool,
     /// What it is in.
-    inside: Interiors,
+    pub inside: Interiors,
+    /// Where it stands in the spectrum, from 0 for red to 1 for violet; `None` for white light.
+    pub hue: Option<f64>,
 }
 
 /// Where a ray goes on behind a surface.
@@ -85,6 +87,8 @@ enum Onward {
     Through(DVec3),
     /// It is mirrored, all of it.
     Total,
+    /// It splits into so many colours.
+    Splits(u32),
 }
 
 /// Traces the rays of one sample after another.
@@ -133,11 +137,11 @@ impl<'w> Tracer<'w> {
     pub fn see(&mut self, x: f64, y: f64) -> Sample {
         self.rays.camera += 1;
         let ray = self.setup.window.ray(x, y);
-        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, inside: self.setup.start.clone() })
+        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, inside: self.setup.start.clone(), hue: None })
     }
 
-    /// Follows a ray through all that lets it pass; only mirrors recurse.
-    fn follow(&mut self, mut path: Path) -> Sample {
+    /// Follows a ray through all that lets it pass; only mirrors and dispersion recurse.
+    pub(super) fn follow(&mut self, mut path: Path) -> Sample {
         let mut rgb = Rgb::ZERO;
         // How much of the light ahead arrives.
         let mut through = Rgb::ONE;
@@ -155,7 +159,7 @@ impl<'w> Tracer<'w> {
             rgb += through * self.shade(path.ray.dir, &site, &path.inside);
             let world = self.setup.world;
             let border = match world.bends || world.colors_light {
-                true => Border::new(&path.inside, site.part.interior, &self.setup.world.interiors),
+                true => Border::new(&path.inside, site.part.interior, &world.interiors, path.hue),
                 false => Border::NONE,
             };
             let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
@@ -191,6 +195,12 @@ impl<'w> Tracer<'w> {
                     path.ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
                     self.rays.reflected += 1;
                 }
+                Onward::Splits(samples) => {
+                    path.weight *= pass.max_element();
+                    let split = self.split(&path, &site, samples);
+                    rgb += through * (pass * split.passing + fade * split.total);
+                    return Sample { rgb, passed: 0.0 };
+                }
             }
         }
         Sample { rgb, passed: 0.0 }
@@ -223,6 +233,12 @@ impl<'w> Tracer<'w> {
         if site.pass == Rgb::ZERO || count <= world.adc_bailout || path.level >= world.max_trace_level {
             return Onward::Ends;
         }
+        if world.disperses
+            && path.hue.is_none()
+            && let Some(samples) = border.samples(&path.inside, site.part.interior, &world.interiors)
+        {
+            return Onward::Splits(samples);
+        }
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
@@ -238,7 +254,8 @@ impl<'w> Tracer<'w> {
             }
             self.rays.reflected += 1;
             let ray = Ray::new(site.point, bounce(path.ray.dir, normal, site.smooth));
-            let path = Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone() };
+            let path =
+                Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone(), hue: path.hue };
             let light = self.follow(path).rgb;
             sum += mirror::answer(site, normal, border, count, light);
         }
@@ -248,7 +265,7 @@ impl<'w> Tracer<'w> {
 
 /// Where bumps mirror a ray to. What they would send into the surface, the surface mirrors again; and bumps that are seen from
 /// behind do not count (measured on POV-Ray 3.7).
-fn bounce(dir: DVec3, normal: DVec3, smooth: DVec3) -> DVec3 {
+pub(super) fn bounce(dir: DVec3, normal: DVec3, smooth: DVec3) -> DVec3 {
     let out = reflect(dir, normal);
     match out.dot(smooth) < 0.0 {
         true if dir.dot(normal) > 0.0 => reflect(dir, smooth),

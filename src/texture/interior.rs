@@ -2,7 +2,7 @@
 
 use super::words::INTERIOR;
 use crate::color::Rgb;
-use crate::diagnostic::Result;
+use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
 use crate::value::{Next, Reader, ReaderExt, Said};
 use serde::Serialize;
@@ -12,6 +12,10 @@ use serde::Serialize;
 pub struct Interior {
     /// Index of refraction.
     pub ior: f64,
+    /// How much the index of refraction differs: violet's to red's.
+    pub dispersion: f64,
+    /// Into how many colours dispersion splits light, at least 2.
+    pub dispersion_samples: u32,
     /// Light that has gone so far has lost half, with a power of 1; 0 if it loses nothing.
     pub fade_distance: f64,
     /// How fast light fades; from 1000 on it fades exponentially.
@@ -27,7 +31,16 @@ pub struct Interior {
 
 impl Default for Interior {
     fn default() -> Self {
-        Self { ior: 1.0, fade_distance: 0.0, fade_power: 0.0, fade_color: Rgb::ZERO, caustics: 0.0, undrawn: vec![] }
+        Self {
+            ior: 1.0,
+            dispersion: 1.0,
+            dispersion_samples: 7,
+            fade_distance: 0.0,
+            fade_power: 0.0,
+            fade_color: Rgb::ZERO,
+            caustics: 0.0,
+            undrawn: vec![],
+        }
     }
 }
 
@@ -46,6 +59,8 @@ impl Interior {
                     r.take()?;
                     match word {
                         "ior" => out.ior = r.float()?,
+                        "dispersion" => out.dispersion = r.float()?,
+                        "dispersion_samples" => out.dispersion_samples = read_samples(r)?,
                         "fade_distance" => out.fade_distance = r.float()?,
                         "fade_power" => out.fade_power = r.float()?,
                         "caustics" => out.caustics = r.float()?,
@@ -57,6 +72,18 @@ impl Interior {
                 }
                 _ => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
             }
+        }
+    }
+
+    /// The index of refraction for one colour of the spectrum, from 0 for red to 1 for violet; `None` for white light, which is
+    /// in the middle (measured on 3.7).
+    pub fn ior_of(&self, hue: Option<f64>) -> f64 {
+        match hue {
+            // n·Dʰ⁻¹ᐟ²
+            Some(hue) if self.dispersion > 0.0 && self.dispersion != 1.0 => {
+                self.ior * fp::pow(self.dispersion, hue - 0.5)
+            }
+            _ => self.ior,
         }
     }
 
@@ -84,6 +111,15 @@ impl Interior {
     pub fn colors_light(&self) -> bool {
         self.fade_distance > 0.0 || self.caustics != 0.0
     }
+}
+
+fn read_samples(r: &mut dyn Reader) -> Result<u32> {
+    let (at, number) = (r.span(), r.float()?);
+    if number < 2.0 {
+        let message = format!("`dispersion_samples` is {number}, and light splits into 2 colours at least");
+        return Err(Diagnostic::new(codes::BAD_ARGUMENT, at, message).help("7 is usual, 30 looks smooth").into());
+    }
+    Ok(number as u32)
 }
 
 #[cfg(test)]

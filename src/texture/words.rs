@@ -169,6 +169,13 @@ pub const INTERIOR: Vocabulary = Vocabulary {
     summary: "what fills a shape",
     words: &[
         word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond"),
+        word(
+            "dispersion",
+            Float,
+            "1",
+            "the ratio of violet's index of refraction to red's: 1.01 to 1.1 shows the colours of a prism",
+        ),
+        word("dispersion_samples", Float, "7", "into how many colours light splits, 2 or more"),
         word("fade_distance", Float, "0", "how far light goes until it has lost half; 0 if it loses nothing"),
         word("fade_power", Float, "0", "how fast light fades; 1 to 2 is usual, from 1000 on it fades exponentially"),
         word("fade_color", Color, "0", "what is left of light that has gone far"),
@@ -177,5 +184,5 @@ pub const INTERIOR: Vocabulary = Vocabulary {
     ],
     moves: false,
     idle: &[],
-    not_drawn: &["dispersion", "dispersion_samples", "media"],
+    not_drawn: &["media"],
 };

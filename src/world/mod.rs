@@ -59,8 +59,10 @@ pub struct World {
     pub opacity_by_color: bool,
     /// Does light pass through any object?
     pub see_through: bool,
-    /// Is any index of refraction not 1?
+    /// Is light bent anywhere?
     pub bends: bool,
+    /// Does any interior split light into its colours?
+    pub disperses: bool,
     /// Does light change on its way through any interior, other than by bending?
     pub colors_light: bool,
     /// Of the light that `irid` is worked out for.
