@@ -99,29 +99,31 @@ impl Readable for Pavement {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        let mut said =
+        let said =
             Said { number_of_sides: 3.0, number_of_tiles: 1.0, pattern: 1.0, exterior: 0.0, interior: 0.0, form: 0.0 };
-        // The words depend on each other in any order, so those that follow at once are read before any is checked.
-        let at = r.span();
-        while let Next::Word(word) = r.next()?
-            && Self::SPEC.words.iter().any(|spec| spec.name == word)
-        {
-            r.take()?;
-            said.set(word, r.float()?);
-        }
-        Self::lay(said, at)
+        said.continued(r)
     }
 
     fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        let at = r.span();
-        let mut said = self.said;
-        said.set(word, r.float()?);
-        *self = Self::lay(said, at)?;
+        self.said.set(word, r.float()?);
+        *self = self.said.continued(r)?;
         Ok(())
     }
 }
 
 impl Said {
+    /// Reads on while words of its own follow: they depend on each other in any order, so none is checked before the last.
+    fn continued(mut self, r: &mut dyn Reader) -> Result<Pavement> {
+        let at = r.span();
+        while let Next::Word(word) = r.next()?
+            && Pavement::SPEC.words.iter().any(|spec| spec.name == word)
+        {
+            r.take()?;
+            self.set(word, r.float()?);
+        }
+        Pavement::lay(self, at)
+    }
+
     fn set(&mut self, word: &str, n: f64) {
         match word {
             "number_of_sides" => self.number_of_sides = n.trunc(),
