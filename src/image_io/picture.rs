@@ -1,6 +1,6 @@
 //! A picture that a scene shows: its numbers, and what its file says of them beside.
 
-use super::{Pixels, decode_bytes};
+use super::{Pixels, Samples, decode_bytes};
 use crate::diagnostic::Result;
 use crate::diagnostic::file;
 use crate::source::ReadError;
@@ -28,6 +28,8 @@ pub struct Picture {
     pub stored: Stored,
     /// The number of each pixel's colour in the file's palette, row by row from the top, if it has one.
     pub indices: Option<Vec<u8>>,
+    /// Is it a png of grays alone, of up to eight bits each?
+    pub gray_bytes: bool,
 }
 
 impl Picture {
@@ -35,16 +37,19 @@ impl Picture {
     pub fn read(path: &Path) -> Result<Self> {
         let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
         let pixels = decode_bytes(&bytes, path)?;
-        let (encoding, indices) = match &bytes[..] {
-            [0x89, b'P', b'N', b'G', ..] => png_extras(&bytes),
-            [b'G', b'I', b'F', ..] => (Stored::Unsaid, gif_indices(&bytes)),
-            [0xff, 0xd8, ..] | [b'B', b'M', ..] => (Stored::Unsaid, None),
-            [b'P', b'1'..=b'7', ..] | [b'I', b'I', ..] | [b'M', b'M', ..] | [b'#', b'?', ..] => (Stored::Plain, None),
-            [0x76, 0x2f, 0x31, 0x01, ..] => (Stored::Plain, None),
-            _ => (Stored::Unsaid, None),
-        };
+        let (mut stored, mut indices, mut gray_bytes) = (Stored::Unsaid, None, false);
+        match &bytes[..] {
+            [0x89, b'P', b'N', b'G', ..] => {
+                (stored, indices) = png_extras(&bytes);
+                gray_bytes = pixels.channels == 1 && indices.is_none() && matches!(pixels.samples, Samples::U8(_));
+            }
+            [b'G', b'I', b'F', ..] => indices = gif_indices(&bytes),
+            [b'P', b'1'..=b'7', ..] | [b'I', b'I', ..] | [b'M', b'M', ..] | [b'#', b'?', ..] => stored = Stored::Plain,
+            [0x76, 0x2f, 0x31, 0x01, ..] => stored = Stored::Plain,
+            _ => {}
+        }
         let indices = indices.filter(|indices| indices.len() == pixels.width * pixels.height);
-        Ok(Self { pixels, stored: encoding, indices })
+        Ok(Self { pixels, stored, indices, gray_bytes })
     }
 }
 

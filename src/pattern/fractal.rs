@@ -154,6 +154,21 @@ impl Orbits {
         left: impl Fn(Complex) -> bool,
         starts: bool,
     ) -> f64 {
+        // How near the orbit came to 0 is only asked for by one kind: loops without it are faster.
+        match self.interior.kind {
+            1 => self.follow::<true>(z, step, left, starts),
+            _ => self.follow::<false>(z, step, left, starts),
+        }
+    }
+
+    #[inline(always)]
+    fn follow<const LEAST: bool>(
+        &self,
+        z: Complex,
+        step: impl Fn(Complex) -> Complex,
+        left: impl Fn(Complex) -> bool,
+        starts: bool,
+    ) -> f64 {
         let (mut z, mut least) = (z, if starts { z.length_squared() } else { f64::INFINITY });
         for i in 0..self.iterations {
             z = step(z);
@@ -165,7 +180,9 @@ impl Orbits {
                     _ => Self::common(kind, z) * factor,
                 };
             }
-            least = least.min(z.length_squared());
+            if LEAST && z.length_squared() < least {
+                least = z.length_squared();
+            }
         }
         let Shown { kind, factor } = self.interior;
         match kind {
@@ -237,7 +254,10 @@ impl Readable for Mandel {
 impl Field for Mandel {
     fn value(&self, at: &Spot) -> f64 {
         let c = Complex::new(at.p.x, at.p.y);
-        self.orbits.value(c, |z| power(z, self.exponent) + c, far, true)
+        match self.exponent {
+            2 => self.orbits.value(c, |z| z.square() + c, far, true),
+            n => self.orbits.value(c, |z| z.power(n) + c, far, true),
+        }
     }
 }
 

@@ -26,6 +26,7 @@ mod marble;
 mod modifiers;
 mod object;
 mod onion;
+mod pavement;
 mod pigment;
 mod placed;
 mod planar;
@@ -73,6 +74,7 @@ pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
 pub use object::ObjectPattern;
 pub use onion::Onion;
+pub use pavement::Pavement;
 pub use pigment::PigmentPattern;
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
@@ -215,18 +217,7 @@ fields! {
     Gradient FunctionPattern ImagePattern PigmentPattern
     Planar Boxed Spherical Cylindrical
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
-    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling
-}
-
-/// Patterns of the language that are not drawn yet.
-pub const NOT_DRAWN: &[&str] = &["pavement"];
-
-/// Words about patterns that are not drawn yet.
-pub const WORDS_NOT_DRAWN: &[&str] = &["exterior", "interior"];
-
-/// Is it a pattern, or a word about one, that is not drawn yet?
-pub fn is_not_drawn(word: &str) -> bool {
-    NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word)
+    Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling Pavement
 }
 
 /// Added before `floor`, so that a surface at a whole number lies on one side (measured on POV-Ray 3.7).

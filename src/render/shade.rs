@@ -65,7 +65,7 @@ impl Tracer<'_> {
             }
             if let Some(irid) = &shown.layer.irid {
                 let world = self.setup.world;
-                let cosines = at.cos + at.normal.dot(-dir);
+                let cosines = at.cos + shown.cos;
                 answer *= irid.tint(site.point, cosines, world.irid_wavelength, world.noise);
             }
             sum += shown.weight * answer;
@@ -129,7 +129,8 @@ pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
         return Rgb::ONE;
     }
     const K: f64 = 1.12;
-    let x = fp::acos(cos) / FRAC_PI_2;
+    // What bumps show from behind counts as seen from the side (measured on POV-Ray 3.7).
+    let x = fp::acos(cos.max(0.0)) / FRAC_PI_2;
     // F(x) = (1/(x-k)² - 1/k²) / (1/(1-k)² - 1/k²)
     let rise = |x: f64| 1.0 / ((x - K) * (x - K)) - 1.0 / (K * K);
     let fresnel = rise(x) / rise(1.0);

@@ -20,7 +20,7 @@ pub(super) struct Shown<'w> {
     pub share: f64,
     /// With its bumps; length 1, in world space.
     pub normal: DVec3,
-    /// Between the ray, turned round, and this normal.
+    /// Between the ray, turned round, and this normal; negative where bumps are seen from behind.
     pub cos: f64,
 }
 

@@ -145,7 +145,7 @@ impl Texture {
                     draft.parts = Some(list);
                 }
             }
-            Next::Word(word) | Next::Block(word) if TEXTURE.leaves_out(word) || crate::pattern::is_not_drawn(word) => {
+            Next::Word(word) | Next::Block(word) if TEXTURE.leaves_out(word) => {
                 r.skip_unsupported(word)?;
             }
             _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),

@@ -150,7 +150,6 @@ impl Normal {
                 self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(r, defaults)?)));
                 r.leave()?;
             }
-            Next::Word(word) | Next::Block(word) if crate::pattern::is_not_drawn(word) => r.skip_unsupported(word)?,
             _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),
         }
         Ok(())

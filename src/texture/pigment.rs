@@ -5,7 +5,7 @@ use super::words::pigment_names;
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::Result;
-use crate::pattern::{CellPattern, Cells, Field, Kind, NOT_DRAWN, Pattern, Spot, WORDS_NOT_DRAWN};
+use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern, Spot};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -98,9 +98,6 @@ impl Pigment {
                 r.take()?;
                 self.paint = Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(r, defaults)?)));
                 r.leave()
-            }
-            Next::Word(word) | Next::Block(word) if NOT_DRAWN.contains(&word) || WORDS_NOT_DRAWN.contains(&word) => {
-                r.skip_unsupported(word)
             }
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {

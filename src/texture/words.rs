@@ -1,6 +1,6 @@
 //! The words of `pigment`, `finish`, `texture` and `interior`: what the readers obey and the manual lists.
 
-use crate::pattern::{CellPattern, FieldPattern, Modifiers, WORDS_NOT_DRAWN};
+use crate::pattern::{CellPattern, FieldPattern, Modifiers};
 use crate::value::Kind::{Block, Color, Flag, Float, Nothing};
 use crate::value::words::word;
 use crate::value::{Spec, Vocabulary};
@@ -24,7 +24,7 @@ pub const PIGMENT: Vocabulary = Vocabulary {
     ],
     moves: true,
     idle: &[],
-    not_drawn: WORDS_NOT_DRAWN,
+    not_drawn: &[],
 };
 
 /// `image_map { … }`

@@ -1,7 +1,7 @@
 //! Blocks and their words.
 
 use super::{code, kind, list, section, table, word_table};
-use crate::pattern::{self, CellPattern, FieldPattern, Modifiers, Turbulent, Warp};
+use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp};
 use crate::syntax::word::contextual;
 use crate::value::Spec;
 use crate::value::words::TRANSFORMS;
@@ -66,7 +66,6 @@ pub(super) fn pigments() -> String {
     let warps = Warp::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let cells = CellPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let fields = FieldPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
-    let later = list(pattern::NOT_DRAWN);
     section(&texture::words::PIGMENT, "pigment", &[])
         + "# Patterns of cells\n\nEach kind of cell has a colour, or a pigment, of its own.\n\n"
         + &cells
@@ -75,7 +74,7 @@ pub(super) fn pigments() -> String {
         + &format!(
             "## Words of all patterns of numbers\n\n{modifiers}# Warps\n\n`warp {{ … }}` moves \
                     points in ways that no matrix can; it stands among the transforms, which are obeyed in the order in \
-                    which they are written.\n\n{warps}# Patterns that are not drawn yet\n\n{later}.\n"
+                    which they are written.\n\n{warps}"
         )
 }
 

@@ -1,7 +1,7 @@
 //! The index: every word of the language, and where it belongs.
 
 use super::{code, list, table};
-use crate::pattern::{self, CellPattern, FieldPattern, Modifiers, Turbulent, Warp};
+use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
 use crate::value::words::TRANSFORMS;
 use crate::value::{Spec, Vocabulary, WordSpec};
@@ -118,7 +118,6 @@ fn families(index: &mut Index) {
     add_words(index, Modifiers::WORDS, "[patterns](pigments.md)");
     add_words(index, Turbulent::WORDS, "[patterns](pigments.md)");
     add_words(index, TRANSFORMS, "[transforms](objects.md#transforms)");
-    pattern::NOT_DRAWN.iter().for_each(|word| add(index, word, "[a pattern](pigments.md), not drawn yet"));
     scene::NOT_DRAWN.iter().for_each(|word| add(index, word, "[a shape](shapes.md#not-drawn-yet), not drawn yet"));
 }
 

@@ -119,5 +119,5 @@ fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
         if color { [c[0], c[1], c[2], 1.0 - c[4]] } else { [c[0], c[0], c[0], 1.0] }.map(|x| x as f32)
     });
     let pixels = Pixels { width, height, channels: 4, samples: Samples::F32(samples.collect()) };
-    Ok(Arc::new(Picture { pixels, stored: Stored::Plain, indices: None }))
+    Ok(Arc::new(Picture { pixels, stored: Stored::Plain, indices: None, gray_bytes: false }))
 }

@@ -1,6 +1,6 @@
 //! The pixels of a picture in the numbers of the scene.
 
-use crate::color::Gamma;
+use crate::color::{GRAY_WEIGHTS, Gamma};
 use crate::image_io::{Picture, Samples, Stored};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
@@ -30,7 +30,9 @@ impl Serialize for Texels {
 impl Texels {
     /// A picture whose numbers go through `curve`, which takes numbers in [0, 1].
     pub fn new(picture: Arc<Picture>, curve: impl Fn(f64) -> f64, premultiplied: bool) -> Self {
-        let table = |n: u32| -> Arc<[f32]> { (0..n).map(|i| curve(f64::from(i) / f64::from(n - 1)) as f32).collect() };
+        let number = |part: f64| curve(part) as f32;
+        let kept = |part: f64| if picture.gray_bytes { kept_gray(number(part)) } else { number(part) };
+        let table = |n: u32| -> Arc<[f32]> { (0..n).map(|i| kept(f64::from(i) / f64::from(n - 1))).collect() };
         let curve = match picture.pixels.samples {
             Samples::U8(_) => table(256),
             Samples::U16(_) => table(65536),
@@ -73,6 +75,12 @@ impl Texels {
     }
 }
 
+/// What POV-Ray keeps of a gray in a png of grays: the lower byte, after the weights have made it less (measured on POV-Ray 3.7).
+fn kept_gray(gray: f32) -> f32 {
+    let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
+    (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
+}
+
 fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
     match *pixel {
         [gray] => [color(gray), color(gray), color(gray), 1.0],
@@ -97,4 +105,26 @@ pub fn color_curve(stored: Stored, said: Option<Gamma>, scene: Gamma, decodes: b
     };
     let file = file.filter(|gamma| !gamma.agrees(scene));
     move |v| file.map_or(v, |gamma| scene.encode(gamma.decode(v)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::image_io::Pixels;
+
+    #[test]
+    fn grays_of_a_png_lose_their_fractions() {
+        let pixels = Pixels { width: 256, height: 1, channels: 1, samples: Samples::U8((0..=255).collect()) };
+        let picture = Picture { pixels, stored: Stored::Plain, indices: None, gray_bytes: true };
+        let bytes = |curve: fn(f64) -> f64| {
+            let texels = Texels::new(Arc::new(picture.clone()), curve, false);
+            (0..256).map(|i| (texels.rgba(i)[0] * 255.0).round() as usize).collect::<Vec<_>>()
+        };
+        // 84 of the 256 lose one although nothing is done to them, as in POV-Ray
+        let linear = bytes(|v| v);
+        assert_eq!(linear.iter().enumerate().filter(|&(i, byte)| byte + 1 == i).count(), 84);
+        assert_eq!([linear[0], linear[253], linear[255]], [0, 253, 255]);
+        let decoded = bytes(|v| Gamma::Srgb.decode(v));
+        assert_eq!([10, 60, 128, 200, 255].map(|i| decoded[i]), [0, 11, 55, 147, 255]);
+    }
 }

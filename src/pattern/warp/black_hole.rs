@@ -6,7 +6,7 @@
 
 use super::super::Readable;
 use super::Bend;
-use crate::diagnostic::Result;
+use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, fp};
 use crate::value::{Kind, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
@@ -75,6 +75,7 @@ impl Readable for BlackHole {
     }
 
     fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        let at = r.span();
         match word {
             "strength" => self.strength = r.float()?,
             "falloff" => self.falloff = r.float()?,
@@ -84,6 +85,11 @@ impl Readable for BlackHole {
             _ => {
                 r.float()?;
             }
+        }
+        if matches!(word, "repeat" | "turbulence") && self.repeat != DVec3::ZERO && self.turbulence != DVec3::ZERO {
+            let text =
+                "`repeat` with `turbulence` is not drawn yet: black holes stay where they are without `turbulence`";
+            r.report(Diagnostic::new(codes::UNSUPPORTED, at, text));
         }
         Ok(())
     }

@@ -1,0 +1,250 @@
+//! Grids of triangles, squares or hexagons whose sides are 1, cut into tiles of several cells.
+
+use super::plans;
+use crate::math::{DVec2, fp};
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// √3 / 2, the height of a triangle.
+pub const H: f64 = 0.866_025_403_784_438_6;
+
+/// The cells' shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cells {
+    /// Two in each place of the grid: the first points up, the second down.
+    Triangles,
+    /// The first from (0, 0) to (1, 1).
+    Squares,
+    /// The first has corners at (0, 0) and (2, 0).
+    Hexagons,
+}
+
+/// A cell: the grid's steps along its axes, and which of the cells in that place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// Steps along the first axis.
+    pub i: i64,
+    /// Steps along the second axis.
+    pub j: i64,
+    /// 1 for triangles that point down, else 0.
+    pub kind: usize,
+}
+
+/// Seen from each edge of a triangle that points up, a square, a hexagon: the steps to the cell behind it.
+const BEHIND_UP: &[(i64, i64)] = &[(0, -1), (0, 0), (-1, 0)];
+const BEHIND_DOWN: &[(i64, i64)] = &[(0, 0), (1, 0), (0, 1)];
+const BEHIND_SQUARE: &[(i64, i64)] = &[(0, -1), (1, 0), (0, 1), (-1, 0)];
+const BEHIND_HEXAGON: &[(i64, i64)] = &[(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
+
+impl Cells {
+    /// The cells with so many sides.
+    pub fn with_sides(sides: f64) -> Option<Self> {
+        [Self::Triangles, Self::Squares, Self::Hexagons].into_iter().find(|cells| cells.sides() as f64 == sides)
+    }
+
+    /// How many sides they have.
+    pub fn sides(self) -> usize {
+        match self {
+            Self::Triangles => 3,
+            Self::Squares => 4,
+            Self::Hexagons => 6,
+        }
+    }
+
+    /// The rows of numbers of tiles, each with those of its variants.
+    pub fn plans(self) -> &'static [&'static [&'static str]] {
+        match self {
+            Self::Triangles => plans::TRIANGLES,
+            Self::Squares => plans::SQUARES,
+            Self::Hexagons => plans::HEXAGONS,
+        }
+    }
+
+    /// From the middle to a corner.
+    pub fn radius(self) -> f64 {
+        match self {
+            Self::Triangles => 0.5 / H,
+            Self::Squares => FRAC_1_SQRT_2,
+            Self::Hexagons => 1.0,
+        }
+    }
+
+    /// How far the bevel reaches into a cell.
+    pub fn depth(self) -> f64 {
+        if self == Self::Squares { 0.5 } else { H / 3.0 }
+    }
+
+    /// How many cells lie in each place of the grid.
+    fn kinds(self) -> usize {
+        if self == Self::Triangles { 2 } else { 1 }
+    }
+
+    /// The directions of the corners, seen from the middle.
+    pub fn corners(self) -> Vec<Vec<DVec2>> {
+        let first: &[f64] = match self {
+            Self::Triangles => &[210.0, 150.0],
+            Self::Squares => &[225.0],
+            Self::Hexagons => &[0.0],
+        };
+        let n = self.sides();
+        let corner = |first: f64, k: usize| {
+            let (sin, cos) = fp::sin_cos((first + 360.0 * k as f64 / n as f64).to_radians());
+            DVec2::new(cos, sin)
+        };
+        first.iter().map(|&first| (0..n).map(|k| corner(first, k)).collect()).collect()
+    }
+
+    /// The cell of a point, and where the point lies, seen from the cell's middle.
+    pub fn locate(self, p: DVec2) -> (Cell, DVec2) {
+        let cell = |i: f64, j: f64, kind| Cell { i: i as i64, j: j as i64, kind };
+        match self {
+            Self::Squares => {
+                let floor = p.floor();
+                (cell(floor.x, floor.y, 0), p - floor - 0.5)
+            }
+            Self::Triangles => {
+                let b = p.y / H;
+                let a = p.x - b / 2.0;
+                let (i, j) = (a.floor(), b.floor());
+                let kind = usize::from(a - i + b - j >= 1.0);
+                let corner = DVec2::new(i + j / 2.0, j * H);
+                let middle = [DVec2::new(0.5, H / 3.0), DVec2::new(1.0, H * 2.0 / 3.0)][kind];
+                (cell(i, j, kind), p - corner - middle)
+            }
+            Self::Hexagons => {
+                // the nearest middle, found by rounding a, b and -a-b and mending what was rounded most
+                let a = (p.x - 1.0) / 1.5;
+                let b = p.y / (2.0 * H) - a / 2.0;
+                let c = -a - b;
+                let (mut i, mut j, k) = (a.round(), b.round(), c.round());
+                let (di, dj, dk) = ((i - a).abs(), (j - b).abs(), (k - c).abs());
+                if di > dj && di > dk {
+                    i = -j - k;
+                } else if dj > dk {
+                    j = -i - k;
+                }
+                (cell(i, j, 0), p - DVec2::new(1.0 + 1.5 * i, (i + 2.0 * j) * H))
+            }
+        }
+    }
+
+    /// The cell behind an edge.
+    fn behind(self, cell: Cell, edge: usize) -> Cell {
+        let steps = match (self, cell.kind) {
+            (Self::Triangles, 0) => BEHIND_UP,
+            (Self::Triangles, _) => BEHIND_DOWN,
+            (Self::Squares, _) => BEHIND_SQUARE,
+            (Self::Hexagons, _) => BEHIND_HEXAGON,
+        };
+        let (i, j) = steps[edge];
+        let kind = if self == Self::Triangles { 1 - cell.kind } else { 0 };
+        Cell { i: cell.i + i, j: cell.j + j, kind }
+    }
+
+    /// Which edge of the cell behind is this edge of the cell?
+    fn same_edge(self, cell: Cell, edge: usize) -> usize {
+        match (self, cell.kind) {
+            (Self::Triangles, 0) => (edge + 2) % 3,
+            (Self::Triangles, _) => (edge + 1) % 3,
+            _ => (edge + self.sides() / 2) % self.sides(),
+        }
+    }
+}
+
+/// What meets at a corner of a cell.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Corner {
+    /// Is the edge before it (against the clock) a joint?
+    pub before: bool,
+    /// Is the edge after it a joint?
+    pub after: bool,
+    /// The edges of other cells that are joints: the first behind the edge after it, …
+    pub first: bool,
+    /// … the last behind the edge before it, …
+    pub last: bool,
+    /// … and any.
+    pub any: bool,
+}
+
+/// Which edges of the grid are joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    cells: Cells,
+    /// Steps after which it repeats: a along the first axis; b along the first and c along the second.
+    steps: [i64; 3],
+    /// For each cell that the steps do not repeat, the bits of its edges.
+    joints: Vec<u8>,
+    /// The same cells' corners.
+    corners: Vec<Vec<Corner>>,
+}
+
+impl Plan {
+    /// From a row of `plans.rs`.
+    pub fn new(cells: Cells, row: &str) -> Self {
+        let mut words = row.split(' ');
+        let mut number = || words.next().and_then(|word| word.parse().ok()).unwrap_or(1);
+        let steps = [number(), number(), number()];
+        let digits: Vec<u8> = words.flat_map(str::chars).map(|c| c.to_digit(16).unwrap_or(0) as u8).collect();
+        let joints = match cells {
+            Cells::Hexagons => digits.chunks(2).map(|pair| pair.iter().fold(0, |all, digit| all * 8 + digit)).collect(),
+            _ => digits,
+        };
+        let mut plan = Self { cells, steps, joints, corners: vec![] };
+        let places = (0..steps[2]).flat_map(|j| (0..steps[0]).map(move |i| (i, j)));
+        let all = places.flat_map(|(i, j)| (0..cells.kinds()).map(move |kind| Cell { i, j, kind }));
+        plan.corners = all.map(|cell| (0..cells.sides()).map(|k| plan.corner(cell, k)).collect()).collect();
+        plan
+    }
+
+    fn index(&self, cell: Cell) -> usize {
+        let [a, b, c] = self.steps;
+        let (up, j) = (cell.j.div_euclid(c), cell.j.rem_euclid(c));
+        let i = (cell.i - up * b).rem_euclid(a);
+        (j * a + i) as usize * self.cells.kinds() + cell.kind
+    }
+
+    fn is_joint(&self, cell: Cell, edge: usize) -> bool {
+        self.joints[self.index(cell)] >> edge & 1 == 1
+    }
+
+    fn corner(&self, cell: Cell, k: usize) -> Corner {
+        let n = self.cells.sides();
+        // around the corner, from behind the edge after it to behind the edge before it
+        let (mut there, mut edge) = (cell, k);
+        let mut others = vec![];
+        for _ in 0..2 * n / (n - 2) - 2 {
+            (there, edge) = (self.cells.behind(there, edge), (self.cells.same_edge(there, edge) + 1) % n);
+            others.push(self.is_joint(there, edge));
+        }
+        let [first, last] = [others.first(), others.last()].map(|other| other == Some(&true));
+        let (before, after) = (self.is_joint(cell, (k + n - 1) % n), self.is_joint(cell, k));
+        Corner { before, after, first, last, any: others.contains(&true) }
+    }
+
+    /// The corners of a cell.
+    pub fn corners(&self, cell: Cell) -> &[Corner] {
+        &self.corners[self.index(cell)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn joints_are_seen_from_both_sides() {
+        for cells in [Cells::Triangles, Cells::Squares, Cells::Hexagons] {
+            for row in cells.plans().iter().copied().flatten() {
+                let plan = Plan::new(cells, row);
+                assert_eq!(plan.joints.len() as i64, plan.steps[0] * plan.steps[2] * cells.kinds() as i64, "{row}");
+                for (i, j) in (-7..7).flat_map(|i| (-7..7).map(move |j| (i, j))) {
+                    for (kind, edge) in (0..cells.kinds()).flat_map(|k| (0..cells.sides()).map(move |e| (k, e))) {
+                        let cell = Cell { i, j, kind };
+                        let (other, same) = (cells.behind(cell, edge), cells.same_edge(cell, edge));
+                        assert_eq!(cells.behind(other, same), cell);
+                        assert_eq!(plan.is_joint(cell, edge), plan.is_joint(other, same), "{row}");
+                    }
+                }
+            }
+        }
+    }
+}

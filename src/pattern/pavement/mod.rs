@@ -1,0 +1,358 @@
+//! `pavement`: tiles of several triangles, squares or hexagons that pave the xz plane, with a bevel that leads to the joints (manual,
+//! "Pavement Pattern"; what it leaves open was measured on POV-Ray 3.7).
+//!
+//! ```pov
+//! plane { y, 0 pigment { pavement number_of_sides 4 number_of_tiles 5 pattern 7 exterior 2 interior 1 form 2
+//!   color_map { [0.7 color rgb <0.7, 0.2, 0.1>] [0.8 color rgb 0.6] } } }
+//! ```
+
+mod grid;
+mod plans;
+
+use super::{Field, Readable, Spot};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::DVec2;
+use crate::source::Span;
+use crate::value::{Kind, Next, Reader, Spec, WordSpec};
+use grid::{Cells, Corner, H, Plan};
+use serde::Serialize;
+use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+use std::sync::Arc;
+
+/// Numbers from 0 in the middle of tiles to 1 at the joints.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Pavement {
+    /// What the author said.
+    #[serde(flatten)]
+    pub said: Said,
+    /// What this makes.
+    #[serde(skip)]
+    laid: Arc<Laid>,
+}
+
+/// The pattern's words.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Said {
+    /// 3, 4 or 6.
+    pub number_of_sides: f64,
+    /// How many cells make a tile.
+    pub number_of_tiles: f64,
+    /// Which of the tiles that can be made of so many.
+    pub pattern: f64,
+    /// How joints turn at tips.
+    pub exterior: f64,
+    /// How joints turn at notches.
+    pub interior: f64,
+    /// How joints turn at corners that are neither.
+    pub form: f64,
+}
+
+/// How a joint turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Look {
+    /// With a corner.
+    Pointed,
+    /// With the corner cut off.
+    Cut,
+    /// In an arc.
+    Round,
+    /// `form` of squares: as `exterior` and `interior` say.
+    AsOthers,
+}
+
+impl Look {
+    /// POV-Ray keeps eight bits of the number, and counts around.
+    fn numbered(n: f64, looks: u8) -> Self {
+        [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % looks)]
+    }
+}
+
+/// A plan, and what else is known of all its cells.
+#[derive(Clone, Debug, PartialEq)]
+struct Laid {
+    cells: Cells,
+    plan: Plan,
+    /// The directions of corners, seen from the middle of each kind of cell.
+    corners: Vec<Vec<DVec2>>,
+    exterior: Look,
+    interior: Look,
+    form: Look,
+}
+
+const fn word(name: &'static str, default: &'static str, summary: &'static str) -> WordSpec {
+    WordSpec { name, kind: Kind::Float, default, summary }
+}
+
+impl Readable for Pavement {
+    const SPEC: Spec = Spec {
+        name: "pavement",
+        summary: "tiles of several triangles, squares or hexagons, with numbers up to 1 at the joints",
+        params: &[],
+        words: &[
+            word("number_of_sides", "3", "of the cells that tiles are made of: 3, 4 or 6"),
+            word("number_of_tiles", "1", "how many cells make a tile, 1 to 6; 1 to 5 hexagons"),
+            word("pattern", "1", "which of the tiles that can be made of so many"),
+            word("exterior", "0", "joints at tips: 0 pointed, 1 cut off, 2 round; not for hexagons"),
+            word("interior", "0", "joints at notches: 0 pointed, 1 cut off, 2 round"),
+            word("form", "0", "joints at blunt corners: 0 pointed, 1 cut off, 2 round; for squares 3 as the others"),
+        ],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut said =
+            Said { number_of_sides: 3.0, number_of_tiles: 1.0, pattern: 1.0, exterior: 0.0, interior: 0.0, form: 0.0 };
+        // The words depend on each other in any order, so those that follow at once are read before any is checked.
+        let at = r.span();
+        while let Next::Word(word) = r.next()?
+            && Self::SPEC.words.iter().any(|spec| spec.name == word)
+        {
+            r.take()?;
+            said.set(word, r.float()?);
+        }
+        Self::lay(said, at)
+    }
+
+    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
+        let at = r.span();
+        let mut said = self.said;
+        said.set(word, r.float()?);
+        *self = Self::lay(said, at)?;
+        Ok(())
+    }
+}
+
+impl Said {
+    fn set(&mut self, word: &str, n: f64) {
+        match word {
+            "number_of_sides" => self.number_of_sides = n.trunc(),
+            "number_of_tiles" => self.number_of_tiles = n.trunc(),
+            "pattern" => self.pattern = n.trunc(),
+            "exterior" => self.exterior = n,
+            "interior" => self.interior = n,
+            _ => self.form = n,
+        }
+    }
+}
+
+impl Pavement {
+    fn lay(said: Said, at: Span) -> Result<Self> {
+        let fault = |message: String| Diagnostic::err(codes::BAD_ARGUMENT, at, message);
+        let Some(cells) = Cells::with_sides(said.number_of_sides) else {
+            return fault(format!("the cells of a pavement have 3, 4 or 6 sides, found {}", said.number_of_sides));
+        };
+        let Some(patterns) = pick(cells.plans(), said.number_of_tiles) else {
+            let most = cells.plans().len();
+            let (sides, tiles) = (said.number_of_sides, said.number_of_tiles);
+            return fault(format!("with {sides} sides, `number_of_tiles` is one of 1 to {most}, found {tiles}"));
+        };
+        let Some(row) = pick(patterns, said.pattern) else {
+            let (sides, tiles, most) = (said.number_of_sides, said.number_of_tiles, patterns.len());
+            let what = format!("`pattern` of {tiles} cells with {sides} sides");
+            return fault(format!("{what} is one of 1 to {most}, found {}", said.pattern));
+        };
+        let laid = Laid {
+            cells,
+            plan: Plan::new(cells, row),
+            corners: cells.corners(),
+            exterior: Look::numbered(said.exterior, 3),
+            interior: Look::numbered(said.interior, 3),
+            form: Look::numbered(said.form, if cells == Cells::Squares { 4 } else { 3 }),
+        };
+        Ok(Self { said, laid: Arc::new(laid) })
+    }
+}
+
+/// The n-th; they count from 1.
+fn pick<T: Copy>(all: &[T], n: f64) -> Option<T> {
+    (n >= 1.0).then(|| all.get(n as usize - 1).copied()).flatten()
+}
+
+/// A point near a corner of its cell, on this side of all other corners.
+#[derive(Clone, Copy, Debug)]
+struct Near {
+    /// From the corner towards the middle.
+    along: f64,
+    /// From the line between them, towards the edge after the corner (against the clock).
+    across: f64,
+    /// To the middle.
+    to_middle: f64,
+}
+
+impl Near {
+    /// To the corner.
+    fn to_corner(self) -> f64 {
+        self.along.hypot(self.across)
+    }
+}
+
+impl Laid {
+    fn value(&self, p: DVec2) -> f64 {
+        let (cell, place) = self.cells.locate(p);
+        let directions = &self.corners[cell.kind];
+        let k = nearest(directions, place);
+        let direction = directions[k];
+        let near = Near {
+            along: self.cells.radius() - place.dot(direction),
+            across: direction.perp_dot(place),
+            to_middle: place.length(),
+        };
+        let corners = self.plan.corners(cell);
+        let value = match self.cells {
+            Cells::Triangles => self.triangle(corners[k], near),
+            Cells::Squares => match turn(corners) {
+                Some(turn) => self.square_that_turns(corners[k], near, place.dot(directions[turn])),
+                None => self.square(corners[k], near, self.exterior, self.interior),
+            },
+            Cells::Hexagons => self.hexagon(corners[k], near),
+        };
+        value.clamp(0.0, 1.0)
+    }
+
+    /// The bevel's heights at the joints before and after the corner, 0 where there is none.
+    fn bevels(&self, corner: Corner, near: Near) -> [f64; 2] {
+        let (sin, cos) = match self.cells {
+            Cells::Triangles => (0.5, H),
+            Cells::Squares => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+            Cells::Hexagons => (H, 0.5),
+        };
+        let height = |joint: bool, across: f64| {
+            let distance = near.along * sin - across * cos;
+            if joint { (1.0 - distance / self.cells.depth()).max(0.0) } else { 0.0 }
+        };
+        [height(corner.before, -near.across), height(corner.after, near.across)]
+    }
+
+    /// A tip of a triangle or square, with two joints.
+    fn tip(&self, [before, after]: [f64; 2], near: Near, look: Look) -> f64 {
+        match look {
+            Look::Cut => before + after,
+            Look::Round => near.to_middle / self.cells.depth(),
+            _ => before.max(after),
+        }
+    }
+
+    fn triangle(&self, corner: Corner, near: Near) -> f64 {
+        let bevels = self.bevels(corner, near);
+        match (corner.before, corner.after) {
+            (true, true) => self.tip(bevels, near, self.exterior),
+            // half of a corner of 120°, with the open edge in its middle
+            (true, false) if corner.first => self.blunt(bevels, near.along * H + near.across / 2.0, near),
+            (false, true) if corner.last => self.blunt(bevels, near.along * H - near.across / 2.0, near),
+            (false, false) if corner.any => match self.interior {
+                Look::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
+                Look::Round => 1.0 - 3.0 * near.to_corner(),
+                _ => 1.0 - near.along / self.cells.depth(),
+            },
+            _ => bevels[0].max(bevels[1]),
+        }
+    }
+
+    fn hexagon(&self, corner: Corner, near: Near) -> f64 {
+        let bevels = self.bevels(corner, near);
+        // towards the edge that is no joint, if there is one
+        let open = if corner.before { near.across } else { -near.across };
+        match (corner.before, corner.after) {
+            (true, true) => self.blunt(bevels, near.along, near),
+            (false, false) => 0.0,
+            _ if open > 0.0 && self.interior == Look::Cut => 1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open),
+            _ if open > 0.0 && self.interior == Look::Round => 1.0 - 3.0 * near.to_corner(),
+            _ => bevels[0].max(bevels[1]),
+        }
+    }
+
+    /// A corner of 120°, which looks like a hexagon's; the point lies so far along the line that halves it.
+    fn blunt(&self, [before, after]: [f64; 2], along: f64, near: Near) -> f64 {
+        match self.form {
+            Look::Cut => 2.0 - 4.0 * along,
+            Look::Round => {
+                // the hexagon's middle is at 1 on that line
+                let from_corner = near.to_corner();
+                let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
+                1.0 - (H - from_middle) / self.cells.depth()
+            }
+            _ => before.max(after),
+        }
+    }
+
+    fn square(&self, corner: Corner, near: Near, exterior: Look, interior: Look) -> f64 {
+        let bevels = self.bevels(corner, near);
+        match (corner.before, corner.after) {
+            (true, true) => self.tip(bevels, near, exterior),
+            (false, false) if !corner.any => 0.0,
+            (false, false) => match interior {
+                Look::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
+                Look::Round => 1.0 - 2.0 * near.to_corner(),
+                _ => 1.0 - SQRT_2 * (near.along + near.across.abs()),
+            },
+            _ => bevels[0].max(bevels[1]),
+        }
+    }
+
+    /// A square where a tile turns, from a notch to the corner across. `along`: from the middle towards that corner.
+    fn square_that_turns(&self, corner: Corner, near: Near, along: f64) -> f64 {
+        match self.form {
+            Look::Pointed => self.square(corner, near, Look::Pointed, Look::Pointed),
+            Look::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
+            Look::Round => {
+                // by the law of cosines, in halves of the square's side
+                let (from_middle, along) = (2.0 * near.to_middle, 2.0 * along);
+                let from_notch = (from_middle * from_middle + 2.0 + 2.0 * SQRT_2 * along).max(0.0).sqrt();
+                (from_notch - 1.0).abs()
+            }
+            Look::AsOthers => self.square(corner, near, self.exterior, self.interior),
+        }
+    }
+}
+
+/// The corner in whose direction the place lies.
+fn nearest(directions: &[DVec2], place: DVec2) -> usize {
+    let mut best = (0, f64::NEG_INFINITY);
+    for (k, direction) in directions.iter().enumerate() {
+        let along = place.dot(*direction);
+        if along > best.1 {
+            best = (k, along);
+        }
+    }
+    best.0
+}
+
+/// The corner between two joints that lies across from a notch.
+fn turn(corners: &[Corner]) -> Option<usize> {
+    (0..4).find(|&k| {
+        let across = corners[(k + 2) % 4];
+        corners[k].before && corners[k].after && !across.before && !across.after && across.any
+    })
+}
+
+impl Field for Pavement {
+    fn value(&self, at: &Spot) -> f64 {
+        self.laid.value(DVec2::new(at.p.x, at.p.z))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::DVec3;
+
+    /// What POV-Ray 3.7 gives: sides, tiles, pattern, exterior, interior, form, x, z, number (in single precision).
+    const MEASURED: &str = include_str!("../../../tests/patterns/pavement.txt");
+
+    #[test]
+    fn numbers_are_those_of_povray() {
+        for line in MEASURED.lines() {
+            let n: Vec<f64> = line.split(' ').map(|n| n.parse().unwrap()).collect();
+            let said = Said {
+                number_of_sides: n[0],
+                number_of_tiles: n[1],
+                pattern: n[2],
+                exterior: n[3],
+                interior: n[4],
+                form: n[5],
+            };
+            let pavement = Pavement::lay(said, Span::default()).unwrap();
+            let ours = pavement.value(&Spot::free(DVec3::new(n[6], 0.3, n[7]), Default::default()));
+            assert!((ours - n[8]).abs() < 1e-5, "{line}: {ours}");
+        }
+    }
+}
