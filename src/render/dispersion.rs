@@ -19,15 +19,18 @@ pub(super) struct Split {
 
 impl Tracer<'_> {
     /// Follows white light into the colours that it splits into at the border of what it meets.
-    pub(super) fn split(&mut self, path: &Path, site: &Site, samples: u32) -> Split {
+    pub(super) fn split(&mut self, path: &Path, site: &Site, border: &Border, samples: u32) -> Split {
         let own = site.part.interior;
         let mut split = Split { passing: Rgb::ZERO, total: Rgb::ZERO };
         // The colours that can't pass; they stay together, as white light (measured on 3.7).
         let mut kept = Rgb::ZERO;
         for i in 0..samples {
+            if self.stopped() {
+                break;
+            }
             let share = share(i, samples);
-            let hue = Some((f64::from(i) + 0.5) / f64::from(samples));
-            let border = Border::new(&path.inside, own, &self.setup.world.interiors, hue);
+            let hue = (f64::from(i) + 0.5) / f64::from(samples);
+            let border = border.of_hue(hue, &path.inside, own, &self.setup.world.interiors);
             let Some(dir) = border.refract(path.ray.dir, site.normal) else {
                 kept += share;
                 continue;
@@ -36,7 +39,8 @@ impl Tracer<'_> {
             border.cross(&mut inside, own);
             self.rays.transmitted += 1;
             let ray = Ray::new(site.point, dir);
-            split.passing += share * self.follow(Path { ray, level: path.level + 1, inside, hue, ..*path }).rgb;
+            split.passing +=
+                share * self.follow(Path { ray, level: path.level + 1, inside, hue: Some(hue), ..*path }).rgb;
         }
         if kept != Rgb::ZERO {
             self.rays.reflected += 1;
@@ -119,10 +123,11 @@ mod tests {
     fn each_hue_by_snells_law() {
         let glass = [Interior { ior: 1.5, dispersion: 1.2, ..Interior::default() }];
         let outside = Default::default();
-        let ior = |hue| Border::new(&outside, 0, &glass, hue).n2;
-        assert_eq!(ior(None), 1.5);
-        assert!((ior(Some(1.0)) / ior(Some(0.0)) - 1.2).abs() < 1e-12);
-        assert!((ior(Some(0.5)) - 1.5).abs() < 1e-12);
-        assert_eq!(Border::new(&outside, 0, &glass, None).samples(&outside, 0, &glass), Some(7));
+        let white = Border::new(&outside, 0, &glass);
+        let ior = |hue| white.of_hue(hue, &outside, 0, &glass).n2;
+        assert_eq!(white.n2, 1.5);
+        assert!((ior(1.0) / ior(0.0) - 1.2).abs() < 1e-12);
+        assert!((ior(0.5) - 1.5).abs() < 1e-12);
+        assert_eq!(white.samples(&outside, 0, &glass), Some(7));
     }
 }

@@ -24,22 +24,24 @@ impl Border {
     /// The same on both sides.
     pub const NONE: Border = Border { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
-    /// The border of interior `own` for a ray in `inside`: a ray that is in it leaves it, any other enters it. Dispersion makes
-    /// it another one for each hue (see [`Interior::ior_of`]).
-    pub fn new(inside: &Interiors, own: u32, interiors: &[Interior], hue: Option<f64>) -> Self {
-        let interior = |i: u32| interiors.get(i as usize);
-        let ior = |i: Option<u32>| i.and_then(interior).map_or(1.0, |interior| interior.ior_of(hue));
-        // Mirrors see white light, whatever the hue (measured on 3.7).
-        let white = |i: Option<u32>| i.and_then(interior).map_or(1.0, |interior| interior.ior);
-        let (before, own_white) = (inside.last().copied(), white(Some(own)));
-        let (n1, n1_white) = (ior(before), white(before));
+    /// The border of interior `own` for a ray in `inside`: a ray that is in it leaves it, any other enters it.
+    pub fn new(inside: &Interiors, own: u32, interiors: &[Interior]) -> Self {
+        let ior = |i: Option<&u32>| i.and_then(|&i| interiors.get(i as usize)).map_or(1.0, |interior| interior.ior);
+        let (n1, own_ior) = (ior(inside.last()), ior(Some(&own)));
         let Some(at) = inside.iter().rposition(|&i| i == own) else {
-            return Self { n1, n2: ior(Some(own)), mirror: (n1_white, own_white), leaves: None };
+            return Self { n1, n2: own_ior, mirror: (n1, own_ior), leaves: None };
         };
+        let n2 = ior(inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, i)| i));
         // For its mirror the ray comes from what it leaves, and goes to what it entered last, even if that is the same
         // (measured on 3.7: glass in glass mirrors nothing on its far side).
-        let entered = if inside.len() == 1 { 1.0 } else { n1_white };
-        Self { n1, n2: ior(behind(inside, at)), mirror: (own_white, entered), leaves: Some(at) }
+        let behind = if inside.len() == 1 { 1.0 } else { n1 };
+        Self { n1, n2, mirror: (own_ior, behind), leaves: Some(at) }
+    }
+
+    /// The same border for one hue (see [`Interior::ior_of`]); what it mirrors stays that of white light (measured on 3.7).
+    pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Interior]) -> Self {
+        let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of(hue));
+        Self { n1: ior(inside.last().copied()), n2: ior(self.behind(inside, own)), ..self }
     }
 
     /// Into how many colours white light splits here: where both sides spread it in the same way it stays white. What lies
@@ -47,10 +49,17 @@ impl Border {
     pub fn samples(&self, inside: &Interiors, own: u32, interiors: &[Interior]) -> Option<u32> {
         let interior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize));
         let spread = |interior: Option<&Interior>| interior.map_or(1.0, |interior| interior.dispersion);
-        let before = interior(inside.last().copied());
-        let behind = interior(self.leaves.map_or(Some(own), |at| behind(inside, at)));
+        let (before, behind) = (interior(inside.last().copied()), interior(self.behind(inside, own)));
         let samples = || behind.or(interior(Some(own))).map_or(0, |interior| interior.dispersion_samples);
         (spread(before) != spread(behind)).then(samples)
+    }
+
+    /// What a ray is in behind the border of `own`.
+    fn behind(&self, inside: &Interiors, own: u32) -> Option<u32> {
+        match self.leaves {
+            Some(at) => inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, &i)| i),
+            None => Some(own),
+        }
     }
 
     /// Does the ray leave what it meets?
@@ -63,7 +72,7 @@ impl Border {
         self.n1 != self.n2
     }
 
-    /// What the ray is in behind the border of `own`.
+    /// Takes a ray across the border of `own`.
     pub fn cross(&self, inside: &mut Interiors, own: u32) {
         match self.leaves {
             Some(at) => drop(inside.remove(at)),
@@ -100,11 +109,6 @@ impl Border {
         let cos2 = 1.0 - eta * eta * (1.0 - cos * cos);
         (cos2 >= 0.0).then(|| (dir * eta + normal * (eta * cos - cos2.sqrt())).normalize())
     }
-}
-
-/// What a ray is in after it has left what stands at this place of the stack.
-fn behind(inside: &Interiors, at: usize) -> Option<u32> {
-    inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, &i)| i)
 }
 
 /// The mirrored direction: d - 2(d·n)n.
@@ -147,7 +151,7 @@ mod tests {
         let mut inside = Interiors::new();
         let mut seen = vec![];
         for own in [0, 1, 0, 1] {
-            let border = Border::new(&inside, own, &iors, None);
+            let border = Border::new(&inside, own, &iors);
             seen.push(((border.n1, border.n2), border.mirror));
             border.cross(&mut inside, own);
         }
@@ -155,7 +159,7 @@ mod tests {
         assert_eq!(seen, [both(1.0, 1.5), both(1.5, 1.2), ((1.2, 1.2), (1.5, 1.2)), both(1.2, 1.0)]);
         assert!(inside.is_empty());
         // out of B, which lies in A
-        let border = Border::new(&Interiors::from_slice(&[0, 1]), 1, &iors, None);
+        let border = Border::new(&Interiors::from_slice(&[0, 1]), 1, &iors);
         assert_eq!(((border.n1, border.n2), border.mirror), ((1.2, 1.5), (1.2, 1.2)));
     }
 }

@@ -158,10 +158,13 @@ impl<'w> Tracer<'w> {
             let site = Site::new(self.setup.world, &path.ray, &found, !self.setup.quality.real);
             rgb += through * self.shade(path.ray.dir, &site, &path.inside);
             let world = self.setup.world;
-            let border = match world.bends || world.colors_light {
-                true => Border::new(&path.inside, site.part.interior, &world.interiors, path.hue),
+            let mut border = match world.bends || world.colors_light {
+                true => Border::new(&path.inside, site.part.interior, &world.interiors),
                 false => Border::NONE,
             };
+            if let Some(hue) = path.hue {
+                border = border.of_hue(hue, &path.inside, site.part.interior, &world.interiors);
+            }
             let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
             // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
             let fade = match world.colors_light && border.leaves() {
@@ -197,7 +200,7 @@ impl<'w> Tracer<'w> {
                 }
                 Onward::Splits(samples) => {
                     path.weight *= pass.max_element();
-                    let split = self.split(&path, &site, samples);
+                    let split = self.split(&path, &site, &border, samples);
                     rgb += through * (pass * split.passing + fade * split.total);
                     return Sample { rgb, passed: 0.0 };
                 }

@@ -75,16 +75,14 @@ impl Interior {
         }
     }
 
-    /// The index of refraction for one colour of the spectrum, from 0 for red to 1 for violet; `None` for white light, which is
-    /// in the middle (measured on 3.7).
-    pub fn ior_of(&self, hue: Option<f64>) -> f64 {
-        match hue {
-            // n·Dʰ⁻¹ᐟ²
-            Some(hue) if self.dispersion > 0.0 && self.dispersion != 1.0 => {
-                self.ior * fp::pow(self.dispersion, hue - 0.5)
-            }
-            _ => self.ior,
+    /// The index of refraction for one colour of the spectrum, from 0 for red to 1 for violet; white light is in the
+    /// middle (measured on 3.7).
+    pub fn ior_of(&self, hue: f64) -> f64 {
+        if self.dispersion == 1.0 || self.dispersion <= 0.0 {
+            return self.ior;
         }
+        // n·Dʰ⁻¹ᐟ²
+        self.ior * fp::pow(self.dispersion, hue - 0.5)
     }
 
     /// What is left of light that has gone so far inside (manual, "Attenuation").
