@@ -76,8 +76,8 @@ pub struct Object {
     /// Switches.
     pub flags: Flags,
     /// What was said and is not drawn yet.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<Said>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub undrawn: Option<Arc<Vec<Said>>>,
     /// The word it was written with.
     pub word: &'static str,
     /// The text that made it.
@@ -176,7 +176,7 @@ impl Object {
             clipped_by: None,
             bounded_by: None,
             flags: Flags::default(),
-            undrawn: vec![],
+            undrawn: None,
             word,
             source,
             default_texture: defaults.texture.clone(),
@@ -313,7 +313,7 @@ impl Object {
                 }
             }
             Next::Word(word) | Next::Block(word) if MODIFIERS.leaves_out(word) => {
-                self.undrawn.push(r.keep_undrawn(word)?);
+                Arc::make_mut(self.undrawn.get_or_insert_default()).push(r.keep_undrawn(word)?);
             }
             _ => return self.read_surface(next, r, defaults),
         }

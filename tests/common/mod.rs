@@ -44,7 +44,7 @@ pub fn object(kind: ObjectKind, word: &'static str) -> Object {
         clipped_by: None,
         bounded_by: None,
         flags: Flags::default(),
-        undrawn: vec![],
+        undrawn: None,
         word,
         source: Span::NONE,
         default_texture: Arc::default(),
