@@ -85,9 +85,7 @@ impl Camera {
                     let at = r.take()?;
                     lecture.get_or_insert_with(LectureCamera::default).read_word("up", at, r)?;
                 }
-                Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-                | Next::Block("transform")
-                | Next::Thing("transform") => {
+                next if next.moves() => {
                     if let Some(step) = r.transform()? {
                         transform = transform.then(&step);
                     }

@@ -53,9 +53,7 @@ impl Light {
                 }
                 Next::Word("fade_distance") => light.fade_distance = number(r)?,
                 Next::Word("fade_power") => light.fade_power = number(r)?,
-                Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-                | Next::Block("transform")
-                | Next::Thing("transform") => {
+                next if next.moves() => {
                     if let Some(step) = r.transform()? {
                         light.transform(&step);
                     }

@@ -44,7 +44,7 @@ impl Readable for Agate {
 
 impl Field for Agate {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Words::default())
+        self.value_as(at, &Words::NONE)
     }
 
     fn value_as(&self, at: &Spot, words: &Words) -> f64 {

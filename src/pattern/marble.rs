@@ -34,7 +34,7 @@ impl Field for Marble {
     }
 
     fn value_as(&self, at: &Spot, words: &Words) -> f64 {
-        let by = &words.turbulence;
+        let by = words.turbulence;
         if by.amount.x == 0.0 {
             return at.p.x;
         }

@@ -40,6 +40,9 @@ pub struct Modifiers {
 const PERIOD: f64 = 1.00001;
 
 impl Modifiers {
+    /// Nothing said.
+    pub const NONE: Self = Self { frequency: None, phase: 0.0, wave: Wave::Ramp };
+
     /// The words it takes.
     pub const WORDS: &[WordSpec] = &[
         WordSpec { name: "frequency", kind: Kind::Float, default: "1", summary: "passes through the map in a unit" },

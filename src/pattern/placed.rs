@@ -44,9 +44,7 @@ impl Pattern {
     /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; else false.
     pub fn read_element(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
-            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-            | Next::Block("transform")
-            | Next::Thing("transform") => {
+            next if next.moves() => {
                 if let Some(step) = r.transform()? {
                     self.space.then(&step);
                 }
@@ -162,8 +160,8 @@ impl Pattern {
         }
     }
 
-    fn words(&self) -> Words {
-        Words { modifiers: self.modifiers, turbulence: self.space.turbulence.as_deref().copied().unwrap_or_default() }
+    fn words(&self) -> Words<'_> {
+        Words { modifiers: &self.modifiers, turbulence: self.space.turbulence.as_deref().unwrap_or(&Turbulent::STILL) }
     }
 
     /// The spot with the pattern's own noise.

@@ -31,7 +31,7 @@ impl Readable for Ripples {
 
 impl Field for Ripples {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Words::default())
+        self.value_as(at, &Words::NONE)
     }
 
     fn value_as(&self, at: &Spot, words: &Words) -> f64 {

@@ -36,7 +36,7 @@ impl Readable for Spiral1 {
 
 impl Field for Spiral1 {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Words::default())
+        self.value_as(at, &Words::NONE)
     }
 
     fn value_as(&self, at: &Spot, words: &Words) -> f64 {

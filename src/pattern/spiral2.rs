@@ -28,7 +28,7 @@ impl Readable for Spiral2 {
 
 impl Field for Spiral2 {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Words::default())
+        self.value_as(at, &Words::NONE)
     }
 
     fn value_as(&self, at: &Spot, words: &Words) -> f64 {

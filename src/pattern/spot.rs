@@ -40,12 +40,17 @@ impl Spot {
 }
 
 /// What else is said of a pattern.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Words {
+#[derive(Clone, Copy, Debug)]
+pub struct Words<'a> {
     /// Frequency, phase, wave.
-    pub modifiers: Modifiers,
+    pub modifiers: &'a Modifiers,
     /// `turbulence` and its words.
-    pub turbulence: Turbulent,
+    pub turbulence: &'a Turbulent,
+}
+
+impl Words<'_> {
+    /// Nothing is said.
+    pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &Turbulent::STILL };
 }
 
 /// A pattern that gives every point a number, which a map turns into colour.

@@ -21,11 +21,14 @@ pub struct Turbulent {
 
 impl Default for Turbulent {
     fn default() -> Self {
-        Self { amount: DVec3::ZERO, octaves: 6.0, lambda: 2.0, omega: 0.5 }
+        Self::STILL
     }
 }
 
 impl Turbulent {
+    /// No turbulence.
+    pub const STILL: Self = Self { amount: DVec3::ZERO, octaves: 6.0, lambda: 2.0, omega: 0.5 };
+
     /// The words it takes.
     pub const WORDS: &[WordSpec] = &[
         WordSpec { name: "turbulence", kind: Kind::Vector, default: "0", summary: "how far points are displaced" },

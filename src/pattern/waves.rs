@@ -31,7 +31,7 @@ impl Readable for Waves {
 
 impl Field for Waves {
     fn value(&self, at: &Spot) -> f64 {
-        self.value_as(at, &Words::default())
+        self.value_as(at, &Words::NONE)
     }
 
     fn value_as(&self, at: &Spot, words: &Words) -> f64 {

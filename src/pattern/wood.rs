@@ -31,7 +31,7 @@ impl Field for Wood {
     }
 
     fn value_as(&self, at: &Spot, words: &Words) -> f64 {
-        let by = &words.turbulence;
+        let by = words.turbulence;
         if by.amount == DVec3::ZERO {
             return self.value(at);
         }

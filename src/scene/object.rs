@@ -276,9 +276,7 @@ impl Object {
     /// Reads one modifier; false if it is none.
     pub(super) fn read_modifier(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
         match next {
-            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-            | Next::Block("transform")
-            | Next::Thing("transform") => {
+            next if next.moves() => {
                 if let Some(step) = r.transform()? {
                     self.transform_by(&step);
                 }

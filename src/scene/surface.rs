@@ -74,9 +74,7 @@ pub fn read_material(r: &mut dyn Reader, defaults: &Defaults) -> Result<Material
                 r.leave()?;
             }
             Next::Thing("interior") => out.interior = r.thing::<Interior>()?,
-            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-            | Next::Block("transform")
-            | Next::Thing("transform") => {
+            next if next.moves() => {
                 if let Some(step) = r.transform()? {
                     for texture in [&mut out.texture, &mut out.interior_texture].into_iter().flatten() {
                         Arc::make_mut(texture).transform(&step);

@@ -96,9 +96,7 @@ impl Texture {
     fn read_element(&mut self, r: &mut dyn Reader, next: Next, draft: &mut Draft, base: &Texture) -> Result<()> {
         let bare = r.language().bare_textures;
         match next {
-            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
-            | Next::Block("transform")
-            | Next::Thing("transform") => {
+            next if next.moves() => {
                 if let Some(step) = r.transform()? {
                     self.transform(&step);
                     draft.pattern.transform(&step);
@@ -144,9 +142,6 @@ impl Texture {
                 if let Some(list) = blend::read_list(r, next, &draft.pattern, base, &|_, _| base.clone())? {
                     draft.parts = Some(list);
                 }
-            }
-            Next::Word(word) | Next::Block(word) if TEXTURE.leaves_out(word) => {
-                r.skip_unsupported(word)?;
             }
             _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),
         }

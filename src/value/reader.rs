@@ -31,6 +31,18 @@ pub enum Next {
     End,
 }
 
+impl Next {
+    /// Does it begin what [`Reader::transform`] consumes?
+    pub fn moves(self) -> bool {
+        matches!(
+            self,
+            Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
+                | Next::Block("transform")
+                | Next::Thing("transform")
+        )
+    }
+}
+
 /// What the file's `#version` and `global_settings` have settled so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Language {
@@ -114,10 +126,6 @@ pub trait Reader {
     fn language(&self) -> Language;
     /// Consumes a word or block that is known but not drawn yet, with all that belongs to it, and tells so.
     fn keep_undrawn(&mut self, what: &'static str) -> Result<Said>;
-    /// The same where nobody keeps it.
-    fn skip_unsupported(&mut self, what: &'static str) -> Result<()> {
-        self.keep_undrawn(what).map(drop)
-    }
     /// Consumes whatever comes next with all that is in it, and keeps it behind what was said before.
     fn pass(&mut self, row: &mut Vec<Said>) -> Result<()>;
     /// The file of this name where scenes look for theirs, if it is there and may be read; `at` is the name's place.
