@@ -30,7 +30,7 @@ pub use directive::table as directives;
 pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use rustc_hash::FxHashMap;
-use scope::{Place, Scopes};
+use scope::{Place, Scopes, Slot};
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -116,6 +116,8 @@ pub(crate) struct Interpreter<'a> {
     including: Vec<PathBuf>,
     /// Sums behind a macro that gives a block: see [`Interpreter::call_before_sign`].
     split_sums: FxHashMap<*const Chain, &'a [Element]>,
+    /// An empty list for the arguments of the next call.
+    call_slots: Vec<Option<Slot<'a>>>,
     scopes: Scopes<'a>,
     deprecated: FxHashMap<Symbol, &'a str>,
     /// What constants stand for that never change, by symbol.
@@ -126,7 +128,7 @@ pub(crate) struct Interpreter<'a> {
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
     /// Decoded picture files.
     pictures: FxHashMap<PathBuf, Arc<Picture>>,
-    /// Files by the numbers in [`scope::Slot::File`].
+    /// Files by the numbers in [`Slot::File`].
     files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
     written: u64,
@@ -171,6 +173,7 @@ impl<'a> Interpreter<'a> {
             debug,
             including: vec![],
             split_sums: FxHashMap::default(),
+            call_slots: vec![],
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
             constants: vec![],

@@ -93,8 +93,10 @@ struct Binding<'a> {
 #[derive(Default)]
 pub(super) struct Scopes<'a> {
     bindings: Vec<Vec<Binding<'a>>>,
-    /// The symbols bound at each level above the global one.
-    levels: Vec<Vec<Symbol>>,
+    /// The symbols bound at the levels above the global one, the outermost level's first.
+    names: Vec<Symbol>,
+    /// Where each level's begin.
+    levels: Vec<usize>,
 }
 
 impl<'a> Scopes<'a> {
@@ -104,13 +106,27 @@ impl<'a> Scopes<'a> {
     }
 
     pub(super) fn enter(&mut self) {
-        self.levels.push(vec![]);
+        self.levels.push(self.names.len());
     }
 
     pub(super) fn leave(&mut self) {
-        for symbol in self.levels.pop().unwrap_or_default() {
+        let Some(start) = self.levels.pop() else { return };
+        for symbol in self.names.drain(start..) {
             if let Some(stack) = self.bindings.get_mut(symbol.0 as usize) {
                 stack.pop();
+            }
+        }
+    }
+
+    /// A level has lost one of its names.
+    fn forget(&mut self, symbol: Symbol, level: u32) {
+        let Some(level) = (level as usize).checked_sub(1) else { return };
+        let Some(&start) = self.levels.get(level) else { return };
+        let end = self.levels.get(level + 1).copied().unwrap_or(self.names.len());
+        if let Some(i) = self.names[start..end].iter().rposition(|s| *s == symbol) {
+            self.names.remove(start + i);
+            for later in &mut self.levels[level + 1..] {
+                *later -= 1;
             }
         }
     }
@@ -154,10 +170,9 @@ impl<'a> Scopes<'a> {
 
     fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         self.stack(symbol).push(Binding { level, slot, pending: kept(pending) });
-        if level > 0
-            && let Some(names) = self.levels.last_mut()
-        {
-            names.push(symbol);
+        // (What is bound at a level is bound at the innermost one, or at the global one.)
+        if level > 0 {
+            self.names.push(symbol);
         }
     }
 
@@ -263,12 +278,7 @@ impl<'a> Scopes<'a> {
     /// `#undef`: the innermost binding goes. (An alias goes, not what it stands for.)
     pub(super) fn remove(&mut self, symbol: Symbol) -> bool {
         let Some(binding) = self.stack(symbol).pop() else { return false };
-        if binding.level > 0
-            && let Some(names) = self.levels.get_mut(binding.level as usize - 1)
-            && let Some(i) = names.iter().rposition(|s| *s == symbol)
-        {
-            names.remove(i);
-        }
+        self.forget(symbol, binding.level);
         true
     }
 
@@ -280,12 +290,7 @@ impl<'a> Scopes<'a> {
         let Some(stack) = self.bindings.get_mut(place.symbol.0 as usize) else { return };
         if place.depth < stack.len() {
             let binding = stack.remove(place.depth);
-            if binding.level > 0
-                && let Some(names) = self.levels.get_mut(binding.level as usize - 1)
-                && let Some(i) = names.iter().rposition(|s| *s == place.symbol)
-            {
-                names.remove(i);
-            }
+            self.forget(place.symbol, binding.level);
         }
     }
 

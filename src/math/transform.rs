@@ -45,11 +45,17 @@ impl Transform {
     /// (manual, "rotate"), which is the same matrix as the right-handed one.
     pub fn rotate(degrees: DVec3) -> Self {
         let r = DVec3::new(degrees.x.to_radians(), degrees.y.to_radians(), degrees.z.to_radians());
-        let ((sx, cx), (sy, cy), (sz, cz)) = (fp::sin_cos(r.x), fp::sin_cos(r.y), fp::sin_cos(r.z));
-        let rx = DMat3::from_cols(DVec3::X, DVec3::new(0.0, cx, sx), DVec3::new(0.0, -sx, cx));
-        let ry = DMat3::from_cols(DVec3::new(cy, 0.0, -sy), DVec3::Y, DVec3::new(sy, 0.0, cy));
-        let rz = DMat3::from_cols(DVec3::new(cz, sz, 0.0), DVec3::new(-sz, cz, 0.0), DVec3::Z);
-        let m = rz * ry * rx;
+        let about = |axis: usize| {
+            let (s, c) = fp::sin_cos(r[axis]);
+            match axis {
+                0 => DMat3::from_cols(DVec3::X, DVec3::new(0.0, c, s), DVec3::new(0.0, -s, c)),
+                1 => DMat3::from_cols(DVec3::new(c, 0.0, -s), DVec3::Y, DVec3::new(s, 0.0, c)),
+                _ => DMat3::from_cols(DVec3::new(c, s, 0.0), DVec3::new(-s, c, 0.0), DVec3::Z),
+            }
+        };
+        // Rz·Ry·Rx; most rotations are about one axis.
+        let turns = [2, 1, 0].into_iter().filter(|axis| r[*axis] != 0.0).map(about);
+        let m = turns.reduce(|m, turn| m * turn).unwrap_or(DMat3::IDENTITY);
         Self { m: DAffine3::from_mat3(m), inv: DAffine3::from_mat3(m.transpose()) }
     }
 
@@ -75,6 +81,15 @@ impl Transform {
 
     /// First this one, then `next`: `next.m * self.m`.
     pub fn then(&self, next: &Transform) -> Self {
+        if next.m.matrix3 == DMat3::IDENTITY {
+            // The common case, by far less work.
+            let (m, inv) = (&self.m, &self.inv);
+            let back = inv.transform_vector3(next.inv.translation) + inv.translation;
+            return Self {
+                m: DAffine3 { translation: m.translation + next.m.translation, ..*m },
+                inv: DAffine3 { translation: back, ..*inv },
+            };
+        }
         Self { m: next.m * self.m, inv: self.inv * next.inv }
     }
 

@@ -8,7 +8,7 @@ mod undrawn;
 mod weight;
 pub mod words;
 
-pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectKind, is_object};
+pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectBody, ObjectKind, is_object};
 pub use settings::Settings;
 pub use surface::{Painted, read_layers, read_material};
 pub use undrawn::Undrawn;

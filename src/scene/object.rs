@@ -11,6 +11,7 @@ use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
 use crate::value::{Next, Reader, ReaderExt, Said, Thing};
 use serde::Serialize;
+use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 /// What an object is made of.
@@ -56,13 +57,26 @@ pub struct Flags {
     pub uv_mapping: bool,
 }
 
-/// An object as it was written. Cheap to copy: what is large is shared.
+/// An object as it was written. Cheap to copy: a copy shares all but its place, until something else is said of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Object {
-    /// What it is made of.
-    pub kind: ObjectKind,
+    /// What it is.
+    #[serde(flatten)]
+    pub body: Arc<ObjectBody>,
     /// All its transforms, in the space around its block.
     pub transform: Transform,
+    /// The text that made it.
+    pub source: Span,
+    /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
+    /// only.
+    pub default_texture: Arc<Texture>,
+}
+
+/// What an object is, wherever it lies. Its fields are read and set as the object's own.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ObjectBody {
+    /// What it is made of.
+    pub kind: ObjectKind,
     /// What it looks like; its parent's texture, or the default, where it says nothing.
     pub texture: Option<Painted>,
     /// What it looks like from inside.
@@ -80,17 +94,53 @@ pub struct Object {
     pub undrawn: Option<Arc<Vec<Said>>>,
     /// The word it was written with.
     pub word: &'static str,
-    /// The text that made it.
-    pub source: Span,
-    /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
-    /// only.
-    pub default_texture: Arc<Texture>,
-    /// The box that [`Object::extent`] tells of a CSG object.
+    /// The box that [`Object::extent`] tells of a CSG object; moved along with the object.
     #[serde(skip)]
     pub group_box: Option<Box<Aabb>>,
     /// How large it is.
     #[serde(skip)]
     pub weight: Weight,
+}
+
+impl ObjectBody {
+    /// One of which nothing more is said.
+    pub fn new(kind: ObjectKind, word: &'static str) -> Self {
+        Self {
+            weight: Weight::of(&kind),
+            kind,
+            texture: None,
+            interior_texture: None,
+            interior: None,
+            clipped_by: None,
+            bounded_by: None,
+            flags: Flags::default(),
+            undrawn: None,
+            word,
+            group_box: None,
+        }
+    }
+
+    /// Does it hold places that are moved when the object is?
+    fn holds_places(&self) -> bool {
+        let moved = |painted: &Option<Painted>| painted.as_ref().is_some_and(|p| p.moved.is_some());
+        let bound = self.clipped_by.is_some() || self.bounded_by.is_some();
+        bound || self.group_box.is_some() || moved(&self.texture) || moved(&self.interior_texture)
+    }
+}
+
+impl Deref for Object {
+    type Target = ObjectBody;
+
+    fn deref(&self) -> &ObjectBody {
+        &self.body
+    }
+}
+
+impl DerefMut for Object {
+    /// Its own body from now on.
+    fn deref_mut(&mut self) -> &mut ObjectBody {
+        Arc::make_mut(&mut self.body)
+    }
 }
 
 impl Thing for Object {
@@ -167,27 +217,19 @@ impl Object {
 
     pub(super) fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
-            weight: Weight::of(&kind),
-            kind,
+            body: Arc::new(ObjectBody::new(kind, word)),
             transform: Transform::IDENTITY,
-            texture: None,
-            interior_texture: None,
-            interior: None,
-            clipped_by: None,
-            bounded_by: None,
-            flags: Flags::default(),
-            undrawn: None,
-            word,
             source,
             default_texture: defaults.texture.clone(),
-            group_box: None,
         }
     }
 
     /// A shape whose block is being read.
     pub(super) fn unfinished(word: &'static str, source: Span, defaults: &Defaults) -> Self {
         let nothing = ObjectKind::Csg(CsgOp::Union, Arc::default());
-        Self { weight: Weight::SHAPE, ..Self::new(nothing, word, source, defaults) }
+        let mut object = Self::new(nothing, word, source, defaults);
+        object.weight = Weight::SHAPE;
+        object
     }
 
     /// Reads what stands between the braces of a block of this name.
@@ -236,8 +278,8 @@ impl Object {
             }
         }
         let group_box = Some(Box::new(Self::parts_box(op, &parts)));
-        let group = Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults);
-        let mut object = Box::new(Self { group_box, ..group });
+        let mut object = Box::new(Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults));
+        object.group_box = group_box;
         object.weight.check(source)?;
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
@@ -268,7 +310,9 @@ impl Object {
 
     /// `uv_mapping` of an object is its texture's.
     fn map_texture_by_uv(&mut self) {
-        if let Some(painted) = self.texture.as_mut().filter(|_| self.flags.uv_mapping) {
+        if self.flags.uv_mapping
+            && let Some(painted) = &mut self.texture
+        {
             Arc::make_mut(&mut painted.texture).set_uv();
         }
     }
@@ -396,23 +440,28 @@ impl Object {
 
     fn set_material(&mut self, material: &Material) {
         let painted = |t: &Arc<Texture>| Painted::new(t.clone(), &self.transform);
-        self.texture = material.texture.as_ref().map(painted).or(self.texture.take());
-        self.interior_texture = material.interior_texture.as_ref().map(painted).or(self.interior_texture.take());
-        self.interior = material.interior.clone().or(self.interior.take());
+        let body = Arc::make_mut(&mut self.body);
+        body.texture = material.texture.as_ref().map(painted).or(body.texture.take());
+        body.interior_texture = material.interior_texture.as_ref().map(painted).or(body.interior_texture.take());
+        body.interior = material.interior.clone().or(body.interior.take());
     }
 
     /// Moves the object with its textures and what clips it.
     pub fn transform_by(&mut self, step: &Transform) {
         self.transform = self.transform.then(step);
-        if let Some(group) = &mut self.group_box {
+        if !self.body.holds_places() {
+            return;
+        }
+        let body = Arc::make_mut(&mut self.body);
+        if let Some(group) = &mut body.group_box {
             **group = moved_box(step, group);
         }
-        for painted in [&mut self.texture, &mut self.interior_texture].into_iter().flatten() {
+        for painted in [&mut body.texture, &mut body.interior_texture].into_iter().flatten() {
             if let Some(moved) = &mut painted.moved {
                 **moved = moved.then(step);
             }
         }
-        for bound in [&mut self.clipped_by, &mut self.bounded_by] {
+        for bound in [&mut body.clipped_by, &mut body.bounded_by] {
             let moved = |o: &Object| {
                 let mut o = o.clone();
                 o.transform_by(step);

@@ -34,16 +34,17 @@ impl<'a> Interpreter<'a> {
             let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.names.text(name));
             return self.limit(codes::CALL_DEPTH, span, message, "does this recursion ever end?");
         }
-        let slots = match self.plain_arguments(definition, arguments)? {
+        let mut slots = match self.plain_arguments(definition, arguments)? {
             Some(slots) => slots,
             None => self.enclosed(None, arguments, span, |me| me.arguments(definition, span))?,
         };
         self.scopes.enter();
-        for ((parameter, _), slot) in definition.parameters.iter().zip(slots) {
+        for ((parameter, _), slot) in definition.parameters.iter().zip(slots.drain(..)) {
             if let Some(slot) = slot {
                 self.scopes.bind_parameter(*parameter, slot);
             }
         }
+        self.call_slots = slots;
         self.depth += 1;
         self.push_frame(&definition.body, FrameKind::Macro(name), span);
         Ok(())
@@ -121,7 +122,9 @@ impl<'a> Interpreter<'a> {
         if arguments.len() != definition.parameters.len() || !arguments.iter().all(is_plain) {
             return Ok(None);
         }
-        let mut slots = Vec::with_capacity(arguments.len());
+        // (A list that was used before: calls are many, and evaluating expressions makes none.)
+        let mut slots = std::mem::take(&mut self.call_slots);
+        slots.clear();
         for element in arguments {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
             slots.push(Some(match e.kind {
