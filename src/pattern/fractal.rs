@@ -170,6 +170,9 @@ impl Orbits {
         starts: bool,
     ) -> f64 {
         let (mut z, mut least) = (z, if starts { z.length_squared() } else { f64::INFINITY });
+        // An orbit that comes back to where it has been goes round for ever: it is held against one point, which is changed ever
+        // more rarely (R. P. Brent, "An improved Monte Carlo factorization algorithm", 1980, section 2).
+        let (mut been, mut since, mut change) = (Complex::new(f64::NAN, f64::NAN), 0, 1);
         for i in 0..self.iterations {
             z = step(z);
             if left(z) {
@@ -182,6 +185,15 @@ impl Orbits {
             }
             if LEAST && z.length_squared() < least {
                 least = z.length_squared();
+            }
+            if z == been {
+                for _ in 0..(self.iterations - 1 - i) % (i - since) {
+                    z = step(z);
+                }
+                break;
+            }
+            if i == change {
+                (been, since, change) = (z, i, 2 * i + 1);
             }
         }
         let Shown { kind, factor } = self.interior;

@@ -25,7 +25,8 @@ impl Readable for Granite {
 impl Field for Granite {
     fn value(&self, at: &Spot) -> f64 {
         // six octaves, each half as strong and twice as fine: how far the noise lies from the middle
-        let octave = |i| 0.5f64.powi(i) * (0.5 - noise::octave(at.p * 2f64.powi(i + 2), at.noise)).abs();
-        (0..6).map(octave).sum::<f64>().min(1.0)
+        let octaves = noise::octaves::<6>(at.p * 4.0, at.noise);
+        let far = octaves.iter().rev().fold(0.0, |sum, noise| 0.5 * sum + (0.5 - noise).abs());
+        far.min(1.0)
     }
 }

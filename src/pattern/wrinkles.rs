@@ -23,15 +23,19 @@ impl Readable for Wrinkles {
     }
 }
 
+/// 2⁻ⁱ
+const HALVES: [f64; 10] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
+
 impl Field for Wrinkles {
     fn value(&self, at: &Spot) -> f64 {
         // ten octaves, each half as strong and twice as fine
-        (0..10).map(|i| 0.5f64.powi(i + 1) * noise::octave(at.p * 2f64.powi(i), at.noise)).sum()
+        let octaves = noise::octaves::<10>(at.p, at.noise);
+        octaves.iter().zip(HALVES).map(|(noise, weight)| 0.5 * weight * noise).sum()
     }
 
     fn bumped(&self, at: &Spot, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
         // ten octaves of the noise's size along each axis
-        let octave = |i: i32| 0.5f64.powi(i) * noise::noise_vector(at.p * 2f64.powi(i)).abs();
-        Some(n + amount * (0..10).map(octave).sum::<DVec3>())
+        let octave = |weight| weight * noise::noise_vector(at.p / weight).abs();
+        Some(n + amount * HALVES.into_iter().map(octave).sum::<DVec3>())
     }
 }

@@ -21,7 +21,7 @@ pub struct Cone(pub Frustum);
 impl Cone {
     /// Between two different points.
     pub fn new(base: DVec3, base_radius: f64, cap: DVec3, cap_radius: f64, open: bool) -> Self {
-        Self(Frustum { base, cap, base_radius, cap_radius, open })
+        Self(Frustum::new(base, cap, base_radius, cap_radius, open))
     }
 }
 

@@ -22,7 +22,7 @@ impl Cylinder {
     /// Between two different points.
     pub fn new(base: DVec3, cap: DVec3, radius: f64, open: bool) -> Self {
         let radius = radius.abs();
-        Self(Frustum { base, cap, base_radius: radius, cap_radius: radius, open })
+        Self(Frustum::new(base, cap, radius, radius, open))
     }
 }
 

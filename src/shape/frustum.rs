@@ -26,15 +26,46 @@ pub struct Frustum {
     pub cap_radius: f64,
     /// Without end discs.
     pub open: bool,
+    #[serde(skip)]
+    frame: Frame,
 }
 
-/// A point or direction split along the axis: `w` is 0 at the base and 1 at the cap.
+/// What every ray asks for.
+#[derive(Clone, Debug, PartialEq)]
+struct Frame {
+    /// Axis / |axis|².
+    along: DVec3,
+    /// Two directions of length 1 at right angles to it.
+    across: (DVec3, DVec3),
+    middle: DVec3,
+}
+
+/// A point or direction in the frame: `w` is 0 at the base and 1 at the cap, `x` and `y` are lengths at right angles to the axis.
 struct Split {
     w: f64,
-    across: DVec3,
+    x: f64,
+    y: f64,
+}
+
+impl Split {
+    /// Distance from the axis, squared.
+    fn across_squared(&self) -> f64 {
+        self.x * self.x + self.y * self.y
+    }
 }
 
 impl Frustum {
+    /// Between two different points.
+    pub fn new(base: DVec3, cap: DVec3, base_radius: f64, cap_radius: f64, open: bool) -> Self {
+        let axis = cap - base;
+        let frame = Frame {
+            along: axis / axis.length_squared(),
+            across: axis.normalize().any_orthonormal_pair(),
+            middle: 0.5 * (base + cap),
+        };
+        Self { base, cap, base_radius, cap_radius, open, frame }
+    }
+
     fn axis(&self) -> DVec3 {
         self.cap - self.base
     }
@@ -45,9 +76,8 @@ impl Frustum {
     }
 
     fn split(&self, v: DVec3) -> Split {
-        let axis = self.axis();
-        let w = v.dot(axis) / axis.length_squared();
-        Split { w, across: v - w * axis }
+        let Frame { along, across: (x, y), .. } = &self.frame;
+        Split { w: v.dot(*along), x: v.dot(*x), y: v.dot(*y) }
     }
 
     /// Has it no surface at all?
@@ -73,15 +103,28 @@ impl Frustum {
             return;
         }
         // Measured from the ray's point nearest to the middle, so that a far eye costs no digits.
-        let middle = 0.5 * (self.base + self.cap);
-        let shift = (middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
+        let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
         let (o, v) = (self.split(ray.at(shift) - self.base), self.split(ray.dir));
+        // Roots of |across(s)|² = r(w(s))²
+        let dr = self.cap_radius - self.base_radius;
+        let (r, slope) = (self.radius(o.w), v.w * dr);
+        // half_b² - a·c with the squares that cancel taken out: (v×o)² is what is left of (o·v)² - v²·o².
+        let (tx, ty) = (v.x * r - o.x * slope, v.y * r - o.y * slope);
+        let turn = o.x * v.y - o.y * v.x;
+        let disc = tx * tx + ty * ty - turn * turn;
+        if disc < 0.0 {
+            // A line that passes the wall passes the discs too.
+            return;
+        }
+        let a = v.across_squared() - slope * slope;
+        let half_b = o.x * v.x + o.y * v.y - slope * r;
+        let c = o.across_squared() - r * r;
         let mut push = |s: f64, part: u32| {
             if range.contains(s + shift) {
                 out.push(Hit::on(s + shift, part));
             }
         };
-        for s in self.wall(&o, &v).into_iter().flatten() {
+        for s in stable_pair(a, half_b, c, disc).into_iter().flat_map(|(s1, s2)| [s1, s2]) {
             if (0.0..=1.0).contains(&(o.w + s * v.w)) {
                 push(s, WALL);
             }
@@ -91,22 +134,11 @@ impl Frustum {
         }
         for (w, radius, part) in [(0.0, self.base_radius, BASE), (1.0, self.cap_radius, CAP)] {
             let s = (w - o.w) / v.w;
-            if (o.across + s * v.across).length_squared() < radius * radius {
+            let (x, y) = (o.x + s * v.x, o.y + s * v.y);
+            if x * x + y * y < radius * radius {
                 push(s, part);
             }
         }
-    }
-
-    /// Roots of |across(s)|² = r(w(s))².
-    fn wall(&self, o: &Split, v: &Split) -> Option<[f64; 2]> {
-        let dr = self.cap_radius - self.base_radius;
-        let (r, slope) = (self.radius(o.w), v.w * dr);
-        let a = v.across.length_squared() - slope * slope;
-        let half_b = o.across.dot(v.across) - slope * r;
-        let c = o.across.length_squared() - r * r;
-        // half_b² - a·c with the squares that cancel taken out: |v×o|² is what is left of (o·v)² - v²·o².
-        let disc = (v.across * r - o.across * slope).length_squared() - o.across.cross(v.across).length_squared();
-        stable_pair(a, half_b, c, disc).map(|(s1, s2)| [s1, s2])
     }
 
     /// Is the point between the ends and nearer to the axis than the wall?
@@ -114,7 +146,7 @@ impl Frustum {
         let at = self.split(p - self.base);
         let slack = if self.open { tolerance::INSIDE } else { -tolerance::INSIDE };
         let r = self.radius(at.w);
-        at.w > -slack && at.w < 1.0 + slack && at.across.length_squared() < r * r - tolerance::INSIDE
+        at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
     }
 
     /// Outwards.
@@ -127,7 +159,8 @@ impl Frustum {
                 // Half the gradient of |across|² - r(w)²
                 let at = self.split(p - self.base);
                 let dr = self.cap_radius - self.base_radius;
-                let n = at.across - axis * (self.radius(at.w) * dr / axis.length_squared());
+                let across = p - self.base - at.w * axis;
+                let n = across - axis * (self.radius(at.w) * dr / axis.length_squared());
                 // The apex has no normal; its axis is as good as any.
                 if n.length_squared() > 0.0 { n } else { axis * -dr.signum() }
             }
@@ -137,12 +170,11 @@ impl Frustum {
     /// Around the axis, and along it. POV-Ray has no mapping for these shapes.
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
         let at = self.split(p - self.base);
-        let (e1, e2) = self.axis().normalize().any_orthonormal_pair();
-        let u = fp::atan2(at.across.dot(e2), at.across.dot(e1)) / TAU;
+        let u = fp::atan2(at.y, at.x) / TAU;
         let v = match part {
             WALL => at.w,
-            BASE => at.across.length() / self.base_radius.abs(),
-            _ => at.across.length() / self.cap_radius.abs(),
+            BASE => at.across_squared().sqrt() / self.base_radius.abs(),
+            _ => at.across_squared().sqrt() / self.cap_radius.abs(),
         };
         DVec2::new(if u < 0.0 { u + 1.0 } else { u }, v)
     }

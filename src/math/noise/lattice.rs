@@ -2,7 +2,7 @@
 
 /// The lattice cell of one coordinate: its number (its low bits are right for any number below 2⁵¹), and how far the coordinate
 /// lies into it, 0 to 1.
-#[inline]
+#[inline(always)]
 pub fn cell(x: f64) -> (usize, f64) {
     // Adding 1.5·2⁵² rounds to the nearest whole number and leaves its two's complement in the low bits: no call, no branch.
     const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -14,20 +14,20 @@ pub fn cell(x: f64) -> (usize, f64) {
 }
 
 /// The s-curve 3t² - 2t³ (Perlin 1985).
-#[inline]
+#[inline(always)]
 pub fn ease(t: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
 /// Between a and b.
-#[inline]
+#[inline(always)]
 fn lerp(a: f64, b: f64, s: f64) -> f64 {
     a + s * (b - a)
 }
 
 /// Blends the values that the corners of a cell suggest for the point `t` in it. Corner i lies at x = bit 0, y = bit 1,
 /// z = bit 2 of i.
-#[inline]
+#[inline(always)]
 pub fn blend(corners: [f64; 8], t: [f64; 3]) -> f64 {
     let [sx, sy, sz] = t.map(ease);
     let x = |i: usize| lerp(corners[i], corners[i + 1], sx);
@@ -35,7 +35,7 @@ pub fn blend(corners: [f64; 8], t: [f64; 3]) -> f64 {
 }
 
 /// From corner i to the point `t`.
-#[inline]
+#[inline(always)]
 pub fn from_corner(i: usize, t: [f64; 3]) -> [f64; 3] {
     let along = |axis: usize| if i >> axis & 1 == 1 { t[axis] - 1.0 } else { t[axis] };
     [along(0), along(1), along(2)]

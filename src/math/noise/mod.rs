@@ -6,11 +6,14 @@
 //! Results agree with POV-Ray to about 1e-15 for coordinates below 2³¹, where POV-Ray's own cells overflow; here they go on.
 //! No input panics; infinite and undefined coordinates give NaN or a bound of the range.
 
+#[cfg(target_arch = "x86_64")]
+mod avx2;
 mod cells;
 mod lattice;
 mod perlin;
 mod tables;
 mod value;
+mod wide;
 
 pub use cells::Cell;
 
@@ -50,6 +53,9 @@ impl NoiseGenerator {
     }
 }
 
+/// POV-Ray adds up no more octaves than this.
+const MAX_OCTAVES: usize = 10;
+
 /// The words of a `turbulence` that say how octaves add up (manual, "Turbulence").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turbulence {
@@ -69,7 +75,7 @@ impl Turbulence {
     /// `omega` in single precision (visible from the 8th digit on), and the whole part of `octaves`, from 1 to 10.
     pub fn new(lambda: f64, omega: f64, octaves: f64) -> Self {
         let single = |x: f64| f64::from(x as f32);
-        Self { lambda: single(lambda), omega: single(omega), octaves: (octaves as u32).clamp(1, 10) }
+        Self { lambda: single(lambda), omega: single(omega), octaves: (octaves as u32).clamp(1, MAX_OCTAVES as u32) }
     }
 
     /// The (frequency, weight) of each octave.
@@ -86,10 +92,26 @@ impl Turbulence {
 /// `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this with the scene's
 /// generator, `f_snoise3d` is twice that minus 1.
 pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
+    let raw = if generator == NoiseGenerator::Perlin { perlin::scalar(p) } else { wide::scalar_at(p) };
+    ranged(raw, generator)
+}
+
+/// The same at several points.
+fn noises(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
+    if generator == NoiseGenerator::Perlin {
+        points.iter().zip(&mut *out).for_each(|(p, out)| *out = perlin::scalar(*p));
+    } else {
+        wide::scalars(points, out);
+    }
+    out.iter_mut().for_each(|raw| *raw = ranged(*raw, generator));
+}
+
+/// The range that a generator brings its numbers to.
+fn ranged(raw: f64, generator: NoiseGenerator) -> f64 {
     let unbounded = match generator {
-        NoiseGenerator::Original => value::scalar(p) + 0.5,
-        NoiseGenerator::RangeCorrected => (value::scalar(p) + 1.05242) * 0.48985582,
-        NoiseGenerator::Perlin => 0.4925 + 0.795 * perlin::scalar(p),
+        NoiseGenerator::Original => raw + 0.5,
+        NoiseGenerator::RangeCorrected => (raw + 1.05242) * 0.48985582,
+        NoiseGenerator::Perlin => 0.4925 + 0.795 * raw,
     };
     unbounded.clamp(0.0, 1.0)
 }
@@ -97,19 +119,32 @@ pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
 /// The vector noise that displaces points (`vturbulence` with one octave): components about -1 to 1, 0 on average. It is
 /// the same for all generators.
 pub fn noise_vector(p: DVec3) -> DVec3 {
-    value::vector(p)
+    wide::vector_at(p)
 }
 
 /// The scalar turbulence (seen in `agate`): octaves of noise. For the newer generators each octave is spread to
 /// 2 noise - 0.5, of which POV-Ray cuts the first alone at 0 and 1.
 pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -> f64 {
-    let octave = |i, (frequency, weight)| weight * spread(noise(p * frequency, generator), generator, i == 0);
-    turbulence.octaves().enumerate().map(|(i, o)| octave(i, o)).sum()
+    let count = turbulence.octaves as usize;
+    let mut weights = [0.0; MAX_OCTAVES];
+    let mut points = [p; MAX_OCTAVES];
+    for (i, (frequency, weight)) in turbulence.octaves().enumerate() {
+        (points[i], weights[i]) = (p * frequency, weight);
+    }
+    let mut each = [0.0; MAX_OCTAVES];
+    noises(&points[..count], generator, &mut each[..count]);
+    (0..count).map(|i| weights[i] * spread(each[i], generator, i == 0)).sum()
 }
 
-/// One octave of [`turbulence`], cut at 0 and 1: what `granite` and `wrinkles` add up.
-pub fn octave(p: DVec3, generator: NoiseGenerator) -> f64 {
-    spread(noise(p, generator), generator, true)
+/// N octaves, each cut at 0 and 1 and twice as fine as the one before: what `granite` and `wrinkles` add up.
+pub fn octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] {
+    let mut points = [p; N];
+    for i in 1..N {
+        points[i] = points[i - 1] * 2.0;
+    }
+    let mut out = [0.0; N];
+    noises(&points, generator, &mut out);
+    out.map(|noise| spread(noise, generator, true))
 }
 
 /// The range of noise that turbulence adds up, from [`noise`].
@@ -123,7 +158,7 @@ fn spread(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
 
 /// `vturbulence(lambda, omega, octaves, p)`: octaves of the vector noise; `turbulence T` displaces p by T times this.
 pub fn vturbulence(p: DVec3, turbulence: Turbulence) -> DVec3 {
-    turbulence.octaves().map(|(frequency, weight)| weight * noise_vector(p * frequency)).sum()
+    wide::turbulence(p, turbulence)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use super::tables::{GRADIENTS, PERMUTATION};
 pub(super) const OFFSET: f64 = 10_000_000.023157213;
 
 /// About -0.76 to 0.76; 0 at each lattice point.
+#[inline(always)]
 pub fn scalar(p: DVec3) -> f64 {
     let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x + OFFSET), cell(p.y + OFFSET), cell(p.z + OFFSET));
     let t = [tx, ty, tz];

@@ -8,14 +8,14 @@ use super::tables::{CORNERS, HASH};
 const OFFSET: usize = 10_000;
 
 /// A permutation of 4096 numbers.
-#[inline]
+#[inline(always)]
 fn hash(i: usize) -> usize {
     HASH[i & 0xfff] as usize
 }
 
 /// The hash of each corner of the cell, and where the point lies in the cell.
-#[inline]
-fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
+#[inline(always)]
+pub(super) fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
     let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x), cell(p.y), cell(p.z));
     let sides = |i: usize| [i.wrapping_add(OFFSET), i.wrapping_add(OFFSET + 1)];
     let ([x0, x1], [y0, y1], [z0, z1]) = (sides(ix), sides(iy), sides(iz));
@@ -27,6 +27,7 @@ fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
 }
 
 /// The first component of [`vector`]; about -1.2 to 1.2.
+#[inline(always)]
 pub fn scalar(p: DVec3) -> f64 {
     let (hashes, t) = corners(p);
     let corner = |i: usize| {
@@ -37,11 +38,16 @@ pub fn scalar(p: DVec3) -> f64 {
     blend([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
 }
 
-/// Four numbers that are computed side by side; the last one is not used.
-type Lanes = [f64; 4];
+/// Four numbers that are computed side by side.
+pub(super) type Lanes = [f64; 4];
 
-/// The values and gradients of the three components of [`vector`] side by side: v, gx, gy, gz.
-static LANES: [[Lanes; 4]; 256] = lanes();
+#[inline(always)]
+fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
+    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
+}
+
+/// The values and gradients of the three components of [`vector`] side by side: v, gx, gy, gz. The last lane is not used.
+pub(super) static LANES: [[Lanes; 4]; 256] = lanes();
 
 /// Each component takes its values and gradients four entries further on in the table.
 const fn lanes() -> [[Lanes; 4]; 256] {
@@ -58,12 +64,8 @@ const fn lanes() -> [[Lanes; 4]; 256] {
     out
 }
 
-#[inline(always)]
-fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
-    [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
-}
-
 /// Three noises on the same lattice, computed at once.
+#[inline(always)]
 pub fn vector(p: DVec3) -> DVec3 {
     let (hashes, t) = corners(p);
     let corner = |i: usize| {
