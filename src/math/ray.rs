@@ -41,6 +41,16 @@ impl Range {
     /// The half-line of the lecture: t > 0.
     pub const FORWARD: Range = Range { min: 0.0, max: f64::INFINITY };
 
+    /// What both have in common.
+    pub fn and(self, other: Range) -> Range {
+        Range { min: self.min.max(other.min), max: self.max.min(other.max) }
+    }
+
+    /// Is there nothing between the ends?
+    pub fn is_empty(&self) -> bool {
+        self.min >= self.max
+    }
+
     /// Is t strictly between the ends? (False for NaN.)
     pub fn contains(&self, t: f64) -> bool {
         t > self.min && t < self.max

@@ -25,7 +25,7 @@ impl Complex {
     }
 
     fn square(self) -> Self {
-        Self::new(self.x * self.x - self.y * self.y, 2.0 * self.x * self.y)
+        Self::new(self.x * self.x - self.y * self.y, (self.x + self.x) * self.y)
     }
 
     fn length_squared(self) -> f64 {
@@ -102,6 +102,14 @@ pub struct Orbits {
     pub interior: Shown,
 }
 
+/// What became of an orbit.
+enum End {
+    /// It has left with this step, to there.
+    Left(u32, Complex),
+    /// Where it is after the last step, and how near it came to 0, squared.
+    Stays(Complex, f64),
+}
+
 const EXTERIOR: WordSpec = WordSpec {
     name: "exterior",
     kind: Kind::Block,
@@ -147,7 +155,8 @@ impl Orbits {
     }
 
     /// The number of an orbit that begins at `z`, which `step` continues until it has `left`. Is `z` a part of the orbit?
-    fn value(
+    /// What has left must not be back within `BLOCK` steps.
+    fn value<const BLOCK: u32>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
@@ -155,53 +164,87 @@ impl Orbits {
         starts: bool,
     ) -> f64 {
         // How near the orbit came to 0 is only asked for by one kind: loops without it are faster.
-        match self.interior.kind {
-            1 => self.follow::<true>(z, step, left, starts),
-            _ => self.follow::<false>(z, step, left, starts),
+        let end = match self.interior.kind {
+            1 => self.follow::<BLOCK, true>(z, step, left, starts),
+            _ => self.follow::<BLOCK, false>(z, step, left, starts),
+        };
+        match end {
+            End::Left(i, z) => {
+                let Shown { kind, factor } = self.exterior;
+                match kind {
+                    1 => f64::from(i) / f64::from(self.iterations),
+                    6 => z.length_squared().sqrt() * factor,
+                    _ => Self::common(kind, z) * factor,
+                }
+            }
+            End::Stays(z, least) => {
+                let Shown { kind, factor } = self.interior;
+                match kind {
+                    1 => least.sqrt() * factor,
+                    // measured; the manual has the length here
+                    6 => z.x * z.x + z.y * z.y * factor,
+                    _ => Self::common(kind, z) * factor,
+                }
+            }
         }
     }
 
     #[inline(always)]
-    fn follow<const LEAST: bool>(
+    fn follow<const BLOCK: u32, const LEAST: bool>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
         left: impl Fn(Complex) -> bool,
         starts: bool,
-    ) -> f64 {
+    ) -> End {
         let (mut z, mut least) = (z, if starts { z.length_squared() } else { f64::INFINITY });
+        let next = |z: &mut Complex, least: &mut f64| {
+            *z = step(*z);
+            if LEAST {
+                *least = least.min(z.length_squared());
+            }
+        };
         // An orbit that comes back to where it has been goes round for ever: it is held against one point, which is changed ever
         // more rarely (R. P. Brent, "An improved Monte Carlo factorization algorithm", 1980, section 2).
-        let (mut been, mut since, mut change) = (Complex::new(f64::NAN, f64::NAN), 0, 1);
-        for i in 0..self.iterations {
-            z = step(z);
-            if left(z) {
-                let Shown { kind, factor } = self.exterior;
-                return match kind {
-                    1 => f64::from(i) / f64::from(self.iterations),
-                    6 => z.length_squared().sqrt() * factor,
-                    _ => Self::common(kind, z) * factor,
-                };
+        let (mut been, mut since, mut change) = (Complex::new(f64::NAN, f64::NAN), 0, BLOCK);
+        let mut i = 0;
+        while i < self.iterations {
+            // Some steps without a look; with one each, if that went too far.
+            let (mut ahead, mut ahead_least) = (z, least);
+            let blind = self.iterations - i >= BLOCK;
+            if blind {
+                (0..BLOCK).for_each(|_| next(&mut ahead, &mut ahead_least));
             }
-            if LEAST && z.length_squared() < least {
-                least = z.length_squared();
+            if blind && !(ahead.x + ahead.y).is_nan() && !left(ahead) {
+                (z, least) = (ahead, ahead_least);
+                i += BLOCK;
+            } else {
+                for _ in 0..BLOCK.min(self.iterations - i) {
+                    next(&mut z, &mut least);
+                    if left(z) {
+                        return End::Left(i, z);
+                    }
+                    i += 1;
+                }
             }
             if z == been {
-                for _ in 0..(self.iterations - 1 - i) % (i - since) {
-                    z = step(z);
-                }
+                let round = i - since;
+                (0..(self.iterations - i) % round).for_each(|_| next(&mut z, &mut least));
                 break;
             }
-            if i == change {
-                (been, since, change) = (z, i, 2 * i + 1);
+            if i >= change {
+                (been, since, change) = (z, i, 2 * i);
             }
         }
-        let Shown { kind, factor } = self.interior;
-        match kind {
-            1 => least.sqrt() * factor,
-            // measured; the manual has the length here
-            6 => z.x * z.x + z.y * z.y * factor,
-            _ => Self::common(kind, z) * factor,
+        End::Stays(z, least)
+    }
+
+    /// The number of the orbit z → zⁿ + c.
+    fn powers(&self, n: u32, z: Complex, c: Complex) -> f64 {
+        match n {
+            2 if !far(c) => self.value::<8>(z, |z| z.square() + c, far, true),
+            2 => self.value::<1>(z, |z| z.square() + c, far, true),
+            n => self.value::<1>(z, |z| z.power(n) + c, far, true),
         }
     }
 
@@ -217,7 +260,7 @@ impl Orbits {
     }
 }
 
-/// Has z left for good?
+/// Has z left? It goes further and further then if |c| ≤ 2.
 fn far(z: Complex) -> bool {
     z.length_squared() > 4.0
 }
@@ -226,11 +269,6 @@ fn read_exponent(r: &mut dyn Reader) -> Result<u32> {
     // others were seen to count as 2
     let exponent = r.float()?.trunc();
     Ok(if (2.0..=33.0).contains(&exponent) { exponent as u32 } else { 2 })
-}
-
-/// z becomes zⁿ, or z² without any detour.
-fn power(z: Complex, exponent: u32) -> Complex {
-    if exponent == 2 { z.square() } else { z.power(exponent) }
 }
 
 /// z → zⁿ + c, where c is the point.
@@ -266,10 +304,7 @@ impl Readable for Mandel {
 impl Field for Mandel {
     fn value(&self, at: &Spot) -> f64 {
         let c = Complex::new(at.p.x, at.p.y);
-        match self.exponent {
-            2 => self.orbits.value(c, |z| z.square() + c, far, true),
-            n => self.orbits.value(c, |z| z.power(n) + c, far, true),
-        }
+        self.orbits.powers(self.exponent, c, c)
     }
 }
 
@@ -308,7 +343,7 @@ impl Readable for Julia {
 impl Field for Julia {
     fn value(&self, at: &Spot) -> f64 {
         let c = Complex::new(self.constant.x, self.constant.y);
-        self.orbits.value(Complex::new(at.p.x, at.p.y), |z| power(z, self.exponent) + c, far, true)
+        self.orbits.powers(self.exponent, Complex::new(at.p.x, at.p.y), c)
     }
 }
 
@@ -387,9 +422,9 @@ impl Field for Magnet {
                 let below = 3.0 * z.square() + 3.0 * (c2 * z) + product + 1.0;
                 (above / below).square()
             };
-            self.orbits.value(start, step, left, starts)
+            self.orbits.value::<1>(start, step, left, starts)
         } else {
-            self.orbits.value(start, |z| ((z.square() + c1) / (2.0 * z + c2)).square(), left, starts)
+            self.orbits.value::<1>(start, |z| ((z.square() + c1) / (2.0 * z + c2)).square(), left, starts)
         }
     }
 }

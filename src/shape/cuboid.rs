@@ -94,6 +94,10 @@ impl Kernel for Cuboid {
         self.bounds().contains(p)
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         let axis = DVec3::AXES[(hit.part / 2).min(2) as usize];
         if hit.part % 2 == 1 { axis } else { -axis }

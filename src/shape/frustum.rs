@@ -149,6 +149,11 @@ impl Frustum {
         at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
     }
 
+    /// Is it closed, and no hourglass?
+    pub fn is_convex(&self) -> bool {
+        !self.open && self.base_radius * self.cap_radius >= 0.0
+    }
+
     /// Outwards.
     pub fn normal(&self, p: DVec3, part: u32) -> DVec3 {
         let axis = self.axis();
@@ -194,6 +199,10 @@ macro_rules! frustum_kernel {
 
             fn inside(&self, p: DVec3) -> bool {
                 self.0.inside(p)
+            }
+
+            fn is_convex(&self) -> bool {
+                self.0.is_convex()
             }
 
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {

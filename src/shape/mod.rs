@@ -82,6 +82,20 @@ pub trait Kernel {
     /// Is the point in the solid? Points on the surface may go either way.
     fn inside(&self, p: DVec3) -> bool;
 
+    /// Is it a solid that every line enters once at most?
+    fn is_convex(&self) -> bool {
+        false
+    }
+
+    /// Where a line is inside a convex solid, given all hits on it (those in [`Range::ALL`]); `None` where they leave that open.
+    fn stretch(&self, _ray: &Ray, hits: &[Hit]) -> Option<Range> {
+        match hits {
+            [] => Some(Range { min: f64::INFINITY, max: f64::NEG_INFINITY }),
+            [a, b] => Some(Range { min: a.t.min(b.t), max: a.t.max(b.t) }),
+            _ => None,
+        }
+    }
+
     /// The outward normal at a hit, of any length but zero.
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
 
@@ -113,6 +127,8 @@ macro_rules! shapes {
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
+            fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
+            fn stretch(&self, ray: &Ray, hits: &[Hit]) -> Option<Range> { match self { $(Shape::$name(s) => s.stretch(ray, hits)),* } }
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }

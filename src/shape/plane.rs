@@ -171,6 +171,20 @@ impl Kernel for Plane {
         self.normal.dot(p) - self.distance < tolerance::INSIDE
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
+    fn stretch(&self, ray: &Ray, hits: &[Hit]) -> Option<Range> {
+        let [hit] = hits else { return None };
+        let slope = self.normal.dot(ray.dir);
+        // Along a line that is all but parallel, t says little.
+        if slope * slope < 1e-6 * ray.dir.length_squared() {
+            return None;
+        }
+        Some(if slope > 0.0 { Range { max: hit.t, ..Range::ALL } } else { Range { min: hit.t, ..Range::ALL } })
+    }
+
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
         self.normal
     }

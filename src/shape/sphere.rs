@@ -75,6 +75,10 @@ impl Kernel for Sphere {
         p.distance_squared(self.center) < self.radius * self.radius
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
         p - self.center
     }

@@ -29,14 +29,14 @@ impl Crowd {
         Some(Box::new(Crowd { bvh, order, rest }))
     }
 
-    /// Hands the children that the ray may meet to `visit`, which returns how far hits count from now on.
-    pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> f64) {
+    /// Hands the children that the ray may meet to `visit`, which returns where hits count from now on.
+    pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> Range) {
         let mut range = range;
         for &child in &self.rest {
-            range.max = visit(child as usize, range);
+            range = visit(child as usize, range);
         }
         self.bvh.traverse(ray, range, |i, max| {
-            ControlFlow::Continue(visit(self.order[i] as usize, Range { max, ..range }))
+            ControlFlow::Continue(visit(self.order[i] as usize, Range { max, ..range }).max)
         });
     }
 

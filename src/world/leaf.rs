@@ -63,7 +63,7 @@ impl Leaf {
     }
 
     /// M⁻¹·ray.
-    fn local(&self, ray: &Ray) -> Ray {
+    pub(super) fn local(&self, ray: &Ray) -> Ray {
         self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray))
     }
 

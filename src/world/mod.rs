@@ -9,6 +9,7 @@ mod lower;
 mod material;
 mod node;
 mod probe;
+mod stretch;
 
 pub use geometry::Geometry;
 pub use leaf::{Found, FoundList, Leaf, Surface};

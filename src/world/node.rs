@@ -7,10 +7,10 @@
 use super::crowd::Crowd;
 use super::halfspace::{self, HalfSpaces};
 use super::leaf::{Found, FoundList, Leaf};
+use super::stretch::Gathered;
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::shape::{Hits, Kernel, Shape};
 use serde::Serialize;
-use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// A leaf, or a solid made of others.
@@ -62,7 +62,12 @@ impl Node {
 
     /// What is inside all children.
     pub fn intersection(children: Vec<Node>, object: u32) -> Self {
-        Self::new(NodeKind::Intersection(children), object)
+        // Intersections in it are taken apart: what is inside all is inside all.
+        let parts = children.into_iter().flat_map(|child| match child.kind {
+            NodeKind::Intersection(parts) if child.clip.is_empty() => parts,
+            _ => vec![child],
+        });
+        Self::new(NodeKind::Intersection(parts.collect()), object)
     }
 
     /// A union without the surfaces inside it.
@@ -115,6 +120,11 @@ impl Node {
         }
     }
 
+    /// Does nothing clip it?
+    pub(super) fn is_whole(&self) -> bool {
+        self.clip.is_empty()
+    }
+
     /// Is it inside at places outside [`Node::bounds`]?
     pub(super) fn is_unbounded(&self) -> bool {
         !self.solid.is_empty() && self.solid.union(self.surface) != self.surface
@@ -130,8 +140,8 @@ impl Node {
         let in_kind = match &self.kind {
             NodeKind::Leaf(leaf) => leaf.inside(p),
             _ if !self.solid.contains(p) => false,
-            NodeKind::Union(_) | NodeKind::Merge(_) => !self.all_children(p, usize::MAX, |c| !c.inside(p)),
-            NodeKind::Intersection(_) => self.all_children(p, usize::MAX, |c| c.inside(p)),
+            NodeKind::Union(_) | NodeKind::Merge(_) => !self.all_children(p, usize::MAX, |_, c| !c.inside(p)),
+            NodeKind::Intersection(_) => self.all_children(p, usize::MAX, |_, c| c.inside(p)),
         };
         in_kind && self.in_clip(p)
     }
@@ -145,14 +155,18 @@ impl Node {
                 leaf.hits(ray, range, &mut hits);
                 out.extend(hits.into_iter().map(|hit| Found { hit, leaf, object: self.object }));
             }
-            _ => {
-                self.each_child(ray, range, |i, child, range| {
-                    let from = out.len();
+            NodeKind::Union(_) => {
+                self.each_child(ray, range, |_, child, range| {
                     child.hits(ray, range, out);
-                    keep(out, from, |found| self.survives(i, ray.at(found.t())));
-                    range.max
+                    range
                 });
                 out[first..].iter_mut().for_each(|found| found.object = self.object);
+            }
+            _ => {
+                let all = self.gather(ray, range);
+                let kept =
+                    all.hits.iter().filter(|(found, child)| self.survives(&all, *child as usize, ray, found.t()));
+                out.extend(kept.map(|(found, _)| Found { object: self.object, ..*found }));
             }
         }
         if !self.clip.is_empty() {
@@ -182,45 +196,52 @@ impl Node {
         self.each_child(ray, range, |_, child, range| {
             let found = child.closest(ray, range);
             best = found.or(best);
-            found.map_or(range.max, |f| f.t())
+            Range { max: found.map_or(range.max, |f| f.t()), ..range }
         });
         best.map(|found| Found { object: self.object, ..found })
     }
 
-    /// Gathers the children's hits and asks about them in order, until one is kept.
-    fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
-        let mut all = FoundList::new();
-        // Each hit's place in the list, and whose it is.
-        let mut queue: SmallVec<[(usize, usize); 8]> = SmallVec::new();
-        self.each_child(ray, range, |i, child, range| {
-            let from = all.len();
-            child.hits(ray, range, &mut all);
-            queue.extend((from..all.len()).map(|hit| (hit, i)));
-            range.max
-        });
-        queue.sort_by(|a, b| all[a.0].t().total_cmp(&all[b.0].t()));
-        let kept = queue.into_iter().find(|&(hit, child)| {
-            let p = ray.at(all[hit].t());
-            self.survives(child, p) && self.in_clip(p)
-        });
-        kept.map(|(hit, _)| Found { object: self.object, ..all[hit] })
+    /// The hits on an intersection's or a merge's children.
+    fn gather<'a>(&'a self, ray: &Ray, range: Range) -> Gathered<'a> {
+        let mut all = Gathered::new(self.children().len(), range);
+        let within = matches!(self.kind, NodeKind::Intersection(_));
+        self.each_child(ray, range, |i, child, range| all.add(i, child, ray, range, within));
+        all.close();
+        all
     }
 
-    /// Hands the children that the ray may meet to `visit`, which returns how far hits count from now on.
-    fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a Node, Range) -> f64) {
+    /// Gathers the children's hits and asks about them in order, until one is kept.
+    fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
+        let mut all = self.gather(ray, range);
+        all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(i.cmp(j)));
+        let kept = all.hits.iter().find(|(found, child)| {
+            self.survives(&all, *child as usize, ray, found.t()) && self.in_clip(ray.at(found.t()))
+        });
+        kept.map(|(found, _)| Found { object: self.object, ..*found })
+    }
+
+    /// Hands the children that the ray may meet to `visit`, which returns where hits count from now on.
+    fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a Node, Range) -> Range) {
         let children = self.children();
         let Some((min, max)) = self.surface.slabs(ray, range) else { return };
         let mut range = Range { min, max };
         match &self.crowd {
             Some(crowd) => crowd.along(ray, range, |i, range| visit(i, &children[i], range)),
-            None => children.iter().enumerate().for_each(|(i, child)| range.max = visit(i, child, range)),
+            None => {
+                for (i, child) in children.iter().enumerate() {
+                    range = visit(i, child, range);
+                    if range.is_empty() {
+                        break;
+                    }
+                }
+            }
         }
     }
 
     /// Does the condition hold for all children but one? It must hold by itself for children far from the point.
-    fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(&Node) -> bool) -> bool {
+    fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &Node) -> bool) -> bool {
         let children = self.children();
-        let fine = |i: usize| i == but || condition(&children[i]);
+        let fine = |i: usize| i == but || condition(i, &children[i]);
         match &self.crowd {
             Some(crowd) => {
                 let flow =
@@ -231,12 +252,13 @@ impl Node {
         }
     }
 
-    /// Is a point of the surface of one child on the surface of the whole?
-    fn survives(&self, child: usize, p: DVec3) -> bool {
+    /// Is a hit on one child, at `t`, on the surface of the whole?
+    fn survives(&self, all: &Gathered, child: usize, ray: &Ray, t: f64) -> bool {
+        let inside = |i: usize, c: &Node| all.inside(i, c, ray, t);
         match &self.kind {
             NodeKind::Leaf(_) | NodeKind::Union(_) => true,
-            NodeKind::Intersection(_) => self.all_children(p, child, |c| c.inside(p)),
-            NodeKind::Merge(_) => self.all_children(p, child, |c| !c.inside(p)),
+            NodeKind::Intersection(_) => self.all_children(ray.at(t), child, inside),
+            NodeKind::Merge(_) => self.all_children(ray.at(t), child, |i, c| !inside(i, c)),
         }
     }
 
