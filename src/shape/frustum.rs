@@ -3,7 +3,6 @@
 use super::{Hit, Hits};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
 use serde::Serialize;
-use std::f64::consts::TAU;
 
 /// The side of the surface: the wall.
 pub const WALL: u32 = 0;
@@ -138,13 +137,13 @@ impl Frustum {
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
         let at = self.split(p - self.base);
         let (e1, e2) = self.axis().normalize().any_orthonormal_pair();
-        let u = fp::atan2(at.across.dot(e2), at.across.dot(e1)) / TAU;
+        let u = fp::turn(at.across.dot(e2), at.across.dot(e1));
         let v = match part {
             WALL => at.w,
             BASE => at.across.length() / self.base_radius.abs(),
             _ => at.across.length() / self.cap_radius.abs(),
         };
-        DVec2::new(if u < 0.0 { u + 1.0 } else { u }, v)
+        DVec2::new(u, v)
     }
 }
 

@@ -81,13 +81,13 @@ impl Between {
 impl Mapping {
     /// Where a point lies on the picture: (0, 0) is its lower left corner, (1, 1) the upper right one. `None` outside of it.
     pub fn place(&self, p: DVec3) -> Option<(f64, f64)> {
-        let around = || fraction(fp::atan2(p.z, p.x) / TAU);
+        let around = || fp::turn(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
         match self.wrap {
             Wrap::Planar => {
                 let unit = 0.0..=1.0;
                 let inside = !self.once || (unit.contains(&p.x) && unit.contains(&p.y));
-                inside.then(|| (fraction(p.x), fraction(p.y)))
+                inside.then(|| (fp::fraction(p.x), fp::fraction(p.y)))
             }
             Wrap::Spherical => {
                 let r = p.length();
@@ -95,11 +95,11 @@ impl Mapping {
             }
             Wrap::Cylindrical => {
                 let inside = !axis && (!self.once || (0.0..=1.0).contains(&p.y));
-                inside.then(|| (around(), fraction(p.y)))
+                inside.then(|| (around(), fp::fraction(p.y)))
             }
             Wrap::Toroidal => {
                 let tube = fp::atan2(p.y, p.x.hypot(p.z) - 1.0) / TAU + 0.5;
-                (!axis).then(|| (around(), fraction(tube)))
+                (!axis).then(|| (around(), fp::fraction(tube)))
             }
         }
     }
@@ -145,10 +145,6 @@ impl Size {
         };
         bring(j, self.height) * self.width + bring(i, self.width)
     }
-}
-
-fn fraction(x: f64) -> f64 {
-    x - x.floor()
 }
 
 /// The pixels of a grid whose first is (i, j), with the products of these weights.

@@ -3,7 +3,7 @@
 use super::{Bitmap, Mapping, Texels, WORDS};
 use crate::color::{Rgb, gray};
 use crate::diagnostic::Result;
-use crate::math::DVec3;
+use crate::math::{DVec3, fp};
 use crate::pattern::{Field, Readable, Spot, Words};
 use crate::value::{Kind, Next, Param, Reader, Spec};
 use serde::Serialize;
@@ -120,8 +120,7 @@ impl Field for ImagePattern {
         // POV-Ray 3.7).
         let (across, up) = (1.0 / self.texels.width() as f64, 1.0 / self.texels.height() as f64);
         // Past an edge comes the other side, also of a picture that is there `once`.
-        let bring = |t: f64| t - t.floor();
-        let height = |du: f64, dv: f64| self.number_at((bring(u + du), bring(v + dv)));
+        let height = |du: f64, dv: f64| self.number_at((fp::fraction(u + du), fp::fraction(v + dv)));
         let (here, right, left) = (height(0.0, 0.0), height(across, -up), height(-across, -up));
         // The picture's directions, laid into the surface.
         let x = n.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);
