@@ -289,7 +289,7 @@ impl Object {
                 }
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
-            Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.idle.contains(&word) => {
+            Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.ignores(word) => {
                 r.take()?;
                 r.flag()?;
             }

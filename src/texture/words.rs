@@ -125,13 +125,9 @@ pub const FINISH: Vocabulary = Vocabulary {
         word("irid", Block, "", "the colours of a thin film, as on soap bubbles"),
         word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through"),
         word("ior", Float, "", "as in `interior`, which is newer"),
-        word("refraction", Float, "", "of old scenes: changes nothing"),
-        word("caustics", Float, "", "of old scenes: changes nothing"),
-        word("fade_distance", Float, "", "of old scenes: changes nothing"),
-        word("fade_power", Float, "", "of old scenes: changes nothing"),
     ],
     moves: false,
-    idle: &[],
+    idle: &["refraction", "caustics", "fade_distance", "fade_power"],
     not_drawn: &["subsurface"],
 };
 
