@@ -66,8 +66,9 @@ impl<T: Entry> Map<T>
 where
     Map<T>: Thing,
 {
-    /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map.
-    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture) -> Result<Self> {
+    /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map. Behind `average` the numbers are weights, and one that is
+    /// left out is 1, but not before a colour (measured on POV-Ray 3.7).
+    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, average: bool) -> Result<Self> {
         if let Some(map) = r.thing::<Self>()? {
             return Ok((*map).clone());
         }
@@ -75,18 +76,26 @@ where
         let mut entries = vec![];
         while r.next()? == Next::Entry {
             r.take()?;
-            // A weight of `average` may be left out.
-            let number = r.optional_float()?.unwrap_or(1.0);
+            let number = match r.optional_float()? {
+                Some(number) => number,
+                None if average && !r.at_color()? => 1.0,
+                None => return Err(r.unexpected("the entry's number").help(example::<T>()).into()),
+            };
             entries.push((number, T::read_entry(r, defaults)?));
             r.leave()?;
         }
         if entries.is_empty() {
             return Diagnostic::new(codes::EMPTY_MAP, span, format!("a `{}` needs at least one entry", T::MAP))
-                .help(format!("entries look like `[0.5 {} … ]`", T::BLOCK))
+                .help(example::<T>())
                 .into();
         }
         Ok(Self { entries })
     }
+}
+
+/// A help line: what an entry looks like.
+fn example<T: Entry>() -> String {
+    format!("entries look like `[0.5 {} … ]`", T::BLOCK)
 }
 
 /// Reads the things for the cells of a pattern whose name was just read, in braces or declared, up to as many as it has;

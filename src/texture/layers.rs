@@ -118,7 +118,7 @@ impl Texture {
             Next::Block("texture_map") => {
                 r.take()?;
                 draft.parts =
-                    Some(Parts::Map(Arc::new(Map::read_entries(r, base)?)));
+                    Some(Parts::Map(Arc::new(Map::read_entries(r, base, draft.pattern.kind == Kind::Average)?)));
                 r.leave()?;
             }
             Next::Block("tiles") => {

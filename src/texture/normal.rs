@@ -142,12 +142,16 @@ impl Normal {
             }
             Next::Block("slope_map") => {
                 r.take()?;
-                self.relief = Relief::Slopes(Arc::new(Map::read_entries(r, defaults)?));
+                self.relief = Relief::Slopes(Arc::new(Map::read_entries(r, defaults, false)?));
                 r.leave()?;
             }
             Next::Block("normal_map") => {
                 r.take()?;
-                self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(r, defaults)?)));
+                self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(
+                    r,
+                    defaults,
+                    self.pattern.kind == Kind::Average,
+                )?)));
                 r.leave()?;
             }
             _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),
