@@ -1,7 +1,7 @@
 //! `hexagon`: prisms along y with sides of length 1, of three kinds (manual, "Hexagon").
 //!
 //! ```pov
-//! plane { y, 0 pigment { hexagon color rgb x, color rgb y, color rgb z } }
+//! plane { y, 0.1 pigment { hexagon color rgb x, color rgb y, color rgb z } }
 //! ```
 
 use super::{Cells, Readable};

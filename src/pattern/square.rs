@@ -1,7 +1,7 @@
 //! `square`: rods along y with square ends, of four kinds (manual, "Square Pattern").
 //!
 //! ```pov
-//! plane { y, 0 pigment { square color rgb 1, color rgb x, color rgb y, color rgb z } }
+//! plane { y, 0.1 pigment { square color rgb 1, color rgb x, color rgb y, color rgb z } }
 //! ```
 
 use super::{Cells, Readable};

@@ -1,7 +1,7 @@
 //! `triangular`: rods along y with triangular ends, of six kinds (manual, "Triangular Pattern").
 //!
 //! ```pov
-//! plane { y, 0 pigment { triangular color rgb 1, color rgb 0.8, color rgb 0.6, color rgb 0.4, color rgb 0.2, color rgb 0 } }
+//! plane { y, 0.1 pigment { triangular color rgb 1, color rgb 0.8, color rgb 0.6, color rgb 0.4, color rgb 0.2, color rgb 0 } }
 //! ```
 
 use super::{Cells, Readable};
