@@ -107,7 +107,10 @@ impl Normal {
             if matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function {
                 self.read_amount(r)?;
             }
-            if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &|_, _| Normal::default())? {
+            // Cells without a list make bumps of their own, where their numbers jump.
+            let listed = matches!(r.next()?, Next::Block(Self::BLOCK) | Next::Thing(Self::BLOCK));
+            let list = blend::read_list(r, next, &self.pattern, defaults, &|_, _| Normal::default())?;
+            if let (Some(list), true) = (list, listed) {
                 self.relief = Relief::Normals(list);
             }
             return Ok(());
