@@ -2,6 +2,7 @@
 //! on POV-Ray 3.7).
 
 use crate::math::{DVec3, fp};
+use crate::pattern::EDGE;
 use serde::Serialize;
 use smallvec::{SmallVec, smallvec};
 use std::f64::consts::{PI, TAU};
@@ -49,9 +50,6 @@ pub enum Between {
 
 /// Numbers of pixels, row by row from the top, and how much each counts.
 pub type Weighted = SmallVec<[(usize, f64); 4]>;
-
-/// Added before the whole part is taken, so that points on a border belong to the pixel behind it.
-const EDGE: f64 = 1e-10;
 
 impl Wrap {
     /// From the number behind `map_type`; those that do not exist are flat.
