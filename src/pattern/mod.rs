@@ -86,6 +86,7 @@ pub use space::{Space, Step};
 pub use spherical::Spherical;
 pub use spiral1::Spiral1;
 pub use spiral2::Spiral2;
+use spot::GRAYS;
 pub use spot::{Field, Spot, Words};
 pub use spotted::Spotted;
 pub use square::Square;
