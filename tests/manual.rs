@@ -283,13 +283,9 @@ fn options(folder: &Path) -> Options {
     Options {
         sandbox: Sandbox::around(&search),
         search,
-        declares: vec![],
-        timing: Default::default(),
         input_name: "example.pov".into(),
         size: SIZE,
-        max_steps: 10_000_000,
-        max_time: None,
-        max_memory: None,
+        ..Options::default()
     }
 }
 

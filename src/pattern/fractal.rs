@@ -5,7 +5,7 @@
 //! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
 //! ```
 
-use super::{Field, GRAYS, Readable, Spot};
+use super::{Field, GRAYS, Readable, SIX_COLORS, Spot};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec2;
@@ -266,8 +266,7 @@ impl Field for Mandel {
         if self.exponent != 2 {
             return GRAYS.to_vec();
         }
-        let [cyan, yellow, magenta] =
-            [(0.0, 1.0, 1.0), (1.0, 1.0, 0.0), (1.0, 0.0, 1.0)].map(|c| Color::opaque(c.into()));
+        let [.., yellow, cyan, magenta] = SIX_COLORS.map(Color::opaque);
         [(0.001, Color::BLACK), (0.001, cyan), (0.012, yellow), (0.015, magenta), (0.1, cyan)].to_vec()
     }
 }

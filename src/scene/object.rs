@@ -165,7 +165,8 @@ impl Object {
         }
     }
 
-    pub(super) fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
+    /// One of which nothing is said yet.
+    pub fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             weight: Weight::of(&kind),
             kind,

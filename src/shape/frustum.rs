@@ -2,6 +2,7 @@
 
 use super::{Hit, Hits};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
+use crate::value::{Kind, WordSpec};
 use serde::Serialize;
 
 /// The side of the surface: the wall.
@@ -146,6 +147,10 @@ impl Frustum {
         DVec2::new(u, v)
     }
 }
+
+/// What cylinders and cones are without their ends.
+pub(super) const OPEN: WordSpec =
+    WordSpec { name: "open", kind: Kind::Nothing, default: "", summary: "takes the discs at the ends away" };
 
 /// A shape that is a frustum under another name.
 macro_rules! frustum_kernel {
