@@ -38,14 +38,8 @@ fn world(text: &str) -> World {
     let file = durer::load_bytes(&sources, "bench", text.as_bytes().to_vec()).unwrap();
     let reading = interpreter::Options {
         search: SearchPath::new(Path::new("."), &[]),
-        sandbox: Default::default(),
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
         size: (640, 480),
-        max_steps: 10_000_000,
-        max_time: None,
-        max_memory: None,
+        ..interpreter::Options::default()
     };
     durer::build(&sources, file, &reading, &mut |_| {}).world.unwrap()
 }

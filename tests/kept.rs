@@ -10,13 +10,8 @@ fn outcome(text: &str, fonts: Vec<PathBuf>) -> Outcome {
     let options = Options {
         sandbox: Sandbox { read: fonts.clone(), write: vec![] },
         search: SearchPath { folders: vec![], fonts },
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
         size: (4, 3),
-        max_steps: 1_000_000,
-        max_time: None,
-        max_memory: None,
+        ..Options::default()
     };
     durer::on_big_stack(|| {
         let sources = Sources::default();

@@ -116,13 +116,7 @@ fn run(path: &Path, name: &str, text: String) -> (String, Vec<String>) {
     let options = Options {
         sandbox: Sandbox::around(&SearchPath::new(folder, &[])),
         search: SearchPath::new(folder, &[]),
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
-        size: (1, 1),
-        max_steps: 1_000_000,
-        max_time: None,
-        max_memory: None,
+        ..Options::default()
     };
     let mut printed = String::new();
     let told = durer::on_big_stack(|| {

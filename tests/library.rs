@@ -54,13 +54,8 @@ fn options() -> Options {
         // What a scene has written is found in the current folder.
         search: SearchPath { folders: vec![".".into()], fonts: vec![] },
         sandbox: Sandbox { read: vec![".".into()], write: vec![".".into()] },
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
         size: SIZE,
-        max_steps: 1_000_000,
-        max_time: None,
-        max_memory: None,
+        ..Options::default()
     }
 }
 

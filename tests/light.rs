@@ -367,3 +367,14 @@ fn grain_darkens_what_else_shines() {
     let darkest = picture.pixels.iter().map(|p| p[0]).fold(f32::INFINITY, f32::min);
     assert!((mean - 0.54).abs() < 0.03 && (0.05..0.15).contains(&darkest), "{mean} {darkest}");
 }
+
+#[test]
+fn grain_of_thin_layers_is_as_strong() {
+    // 0.3 - 0.4·u, cut at 0: POV-Ray's mean over many pixels is 0.1123, and 0.249 of them are black
+    let finish = Finish { ambient: Rgb::splat(0.1), diffuse: 0.5, crand: 0.4, ..dull() };
+    let glass = rgbft([1.0, 1.0, 1.0, 0.0, 0.5]);
+    let (picture, _) = draw(&wall(glass, finish, vec![lamp(-5.0 * Z, 1.0)]), &options(40, 40));
+    let mean = picture.pixels.iter().map(|p| f64::from(p[0])).sum::<f64>() / 1600.0;
+    let black = picture.pixels.iter().filter(|p| p[0] <= 0.0).count() as f64 / 1600.0;
+    assert!((mean - 0.1125).abs() < 0.01 && (black - 0.25).abs() < 0.04, "{mean} {black}");
+}

@@ -68,14 +68,8 @@ fn draw(path: &Path) -> Result<durer::image_io::Frame, String> {
     let sources = Sources::default();
     let reading = interpreter::Options {
         search: SearchPath::new(path.parent().unwrap(), &[]),
-        sandbox: Default::default(),
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
         size: SIZE,
-        max_steps: 1_000_000,
-        max_time: None,
-        max_memory: None,
+        ..interpreter::Options::default()
     };
     let file = durer::load(&sources, path).map_err(|e| e.message.clone())?;
     let built = durer::build(&sources, file, &reading, &mut |_| {});

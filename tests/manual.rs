@@ -14,7 +14,7 @@
 
 use clap::Parser;
 use durer::diagnostic::{Diagnostic, Severity};
-use durer::image_io::{self, Encoding, Format};
+use durer::image_io::{self, Encoding, Format, Frame};
 use durer::interpreter::Options;
 use durer::render;
 use durer::snapshot::{Tolerance, Verdict, compare};
@@ -23,6 +23,8 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
 
 const SIZE: (usize, usize) = (240, 180);
+/// What stands before an example in the code.
+const STAGE: &str = "#include \"stage.inc\"\n";
 
 fn main() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/src");
@@ -48,6 +50,8 @@ fn main() {
         trials.push(Trial::test(place, move || durer::on_big_stack(|| block.draw(&source))));
     }
     trials.push(Trial::test("SUMMARY.md: every page", move || in_summary(&source)));
+    trials.push(Trial::test("reference: every word of a table", every_tabled_word));
+    trials.push(Trial::test("reference: every word that is read", every_read_word));
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
@@ -58,6 +62,70 @@ fn in_summary(source: &Path) -> Result<(), Failed> {
     let missing =
         names.filter(|n| n != "SUMMARY.md").find(|n| !summary.contains(&format!("({})", n.replace('\\', "/"))));
     missing.map_or(Ok(()), |name| Err(format!("{name} is not in SUMMARY.md").into()))
+}
+
+/// Words of a table in the code that no page but the index prints in a row.
+fn every_tabled_word() -> Result<(), Failed> {
+    let pages = durer::cli::manual::pages();
+    let printed = |word: &str| {
+        let row = format!("| `{word}`");
+        pages.iter().any(|page| page.file != "words.md" && page.text.contains(&row))
+    };
+    let mut words = vec![];
+    for text in sources() {
+        for head in [" word(", "[word(", "WordSpec {"] {
+            let rows = text
+                .split(head)
+                .skip(1)
+                .filter_map(|row| row.trim_start().trim_start_matches("name:").trim_start().strip_prefix('"'));
+            words.extend(rows.filter_map(|row| row.split('"').next()).map(str::to_string));
+        }
+    }
+    all_found(words, 150, &printed)
+}
+
+/// Words that a reader asks for by name, and the index does not know where.
+fn every_read_word() -> Result<(), Failed> {
+    let pages = durer::cli::manual::pages();
+    let index = pages.iter().find(|page| page.file == "words.md").map(|page| page.text.as_str()).unwrap_or_default();
+    let told = |word: &str| index.contains(&format!("\n| `{word}` |"));
+    let mut words = vec![];
+    for text in sources() {
+        for head in ["Next::Word(", "Next::Block(", "accept("] {
+            let lists = text.split(head).skip(1).filter_map(|rest| rest.split([')', '{', ';']).next());
+            words.extend(lists.flat_map(|list| list.split('"').skip(1).step_by(2)).map(str::to_string));
+        }
+    }
+    // It belongs to what is not drawn yet.
+    words.retain(|word| word != "ttf");
+    all_found(words, 60, &told)
+}
+
+/// Are there as many words as there must be, and is each of them found?
+fn all_found(words: Vec<String>, least: usize, found: &dyn Fn(&str) -> bool) -> Result<(), Failed> {
+    let words: std::collections::BTreeSet<String> = words.into_iter().collect();
+    let missing: Vec<_> = words.iter().filter(|word| !found(word)).collect();
+    match missing.is_empty() && words.len() >= least {
+        true => Ok(()),
+        false => Err(format!("of {} words these are missing: {missing:?}", words.len()).into()),
+    }
+}
+
+/// The code without its tests and without what concerns no scene.
+fn sources() -> Vec<String> {
+    fn collect(folder: &Path, out: &mut Vec<String>) {
+        for path in std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
+            if path.is_dir() && path.file_name().is_some_and(|name| name != "cli") {
+                collect(&path, out);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                let text = std::fs::read_to_string(&path).unwrap_or_default();
+                out.push(text.split("#[cfg(test)]").next().unwrap_or_default().to_string());
+            }
+        }
+    }
+    let mut out = vec![];
+    collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut out);
+    out
 }
 
 fn updating() -> bool {
@@ -103,7 +171,7 @@ fn examples_in_code() -> Vec<(String, Block)> {
             let doc: String =
                 text.lines().map_while(|l| l.strip_prefix("//!")).map(|l| format!("{}\n", l.trim_start())).collect();
             for mut block in blocks(&doc).into_iter().filter(|b| b.is("pov")) {
-                block.text = format!("#include \"stage.inc\"\n{}", block.text);
+                block.text = format!("{STAGE}{}", block.text);
                 let name = file.file_name().unwrap_or_default().to_string_lossy();
                 out.push((format!("{folder}/{name}:{}", block.line), block));
             }
@@ -165,20 +233,12 @@ impl Block {
         durer::on_big_stack(|| self.run_scene(source, chapter))
     }
 
-    /// An example in the code: it gives no message, and something is to be seen.
+    /// An example in the code: it gives no message, and something is to be seen beside the stage.
     fn draw(&self, source: &Path) -> Result<(), Failed> {
         self.run_scene(source, "")?;
-        let sources = Sources::default();
-        let path = source.join("examples/example.pov");
-        let Some(file) = sources.add("example.pov", Some(&path), self.text.clone()) else { return Ok(()) };
-        let Some(world) = durer::build(&sources, file, &options(&source.join("examples")), &mut |_| ()).world else {
-            return Err("there is nothing to draw".into());
-        };
-        let (drawn, _) = render::render(&world, &drawing(32, 24), &render::Unwatched).map_err(|e| format!("{e:?}"))?;
-        let first = drawn.pixels[0];
-        match drawn.pixels.iter().any(|pixel| *pixel != first) {
-            true => Ok(()),
-            false => Err("all pixels are the same".into()),
+        match thumbnail(source, &self.text)? == thumbnail(source, STAGE)? {
+            true => Err("it looks like the stage alone".into()),
+            false => Ok(()),
         }
     }
 
@@ -209,18 +269,23 @@ impl Block {
     }
 }
 
+/// A small picture of a scene.
+fn thumbnail(source: &Path, text: &str) -> Result<Frame, Failed> {
+    let folder = source.join("examples");
+    let sources = Sources::default();
+    let file = sources.add("example.pov", Some(&folder.join("example.pov")), text.into()).ok_or("too long")?;
+    let world = durer::build(&sources, file, &options(&folder), &mut |_| ()).world.ok_or("there is nothing to draw")?;
+    Ok(render::render(&world, &drawing(32, 24), &render::Unwatched).map_err(|e| format!("{e:?}"))?.0)
+}
+
 fn options(folder: &Path) -> Options {
     let search = SearchPath::new(folder, &[]);
     Options {
         sandbox: Sandbox::around(&search),
         search,
-        declares: vec![],
-        timing: Default::default(),
         input_name: "example.pov".into(),
         size: SIZE,
-        max_steps: 10_000_000,
-        max_time: None,
-        max_memory: None,
+        ..Options::default()
     }
 }
 

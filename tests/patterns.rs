@@ -1,7 +1,7 @@
 //! Patterns against what the real POV-Ray prints: the tables of `tests/patterns/`, which `regenerate.py` there writes.
 
 use durer::interpreter::{Options, interpret};
-use durer::source::{Sandbox, Sources};
+use durer::source::Sources;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::Path;
 
@@ -64,17 +64,7 @@ fn scene(setting: &str, rows: &[Vec<f64>]) -> String {
 
 /// What a scene prints.
 fn run(text: &str) -> Result<String, Failed> {
-    let options = Options {
-        sandbox: Sandbox { read: vec![], write: vec![] },
-        search: Default::default(),
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
-        size: (1, 1),
-        max_steps: 1_000_000,
-        max_time: None,
-        max_memory: None,
-    };
+    let options = Options::default();
     let mut printed = String::new();
     let told = durer::on_big_stack(|| {
         let sources = Sources::default();

@@ -5,7 +5,7 @@
 
 use durer::math::DVec3;
 use durer::render::{self, Picked};
-use durer::source::{SearchPath, Sources};
+use durer::source::Sources;
 
 const WIDTH: usize = 64;
 const HEIGHT: usize = 48;
@@ -21,15 +21,9 @@ fn pick_in(text: String, x: usize, y: usize) -> Option<Picked> {
     let sources = Sources::default();
     let file = durer::load_bytes(&sources, "test.scene", text.into_bytes()).unwrap();
     let reading = durer::interpreter::Options {
-        search: SearchPath::default(),
-        sandbox: Default::default(),
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
         size: (WIDTH, HEIGHT),
         max_steps: 1000,
-        max_time: None,
-        max_memory: None,
+        ..durer::interpreter::Options::default()
     };
     let built = durer::build(&sources, file, &reading, &mut |_| {});
     assert!(built.diagnostics.is_empty(), "{:?}", built.diagnostics);

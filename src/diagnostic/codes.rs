@@ -151,7 +151,7 @@ first. `--allow-read DIR` and `--allow-write DIR` allow more. No scene can start
     TIME_LIMIT "E0241" "too much time"
 "`--max-time` set this limit. Exit code 4."
     MEMORY_LIMIT "E0242" "too much memory"
-"`--max-memory` set this limit, or the scene's text is larger than 4 GB. Exit code 4."
+"`--max-memory` set this limit, or the scene's text is larger than 4 GB, or a `function W, H { … }` makes a picture that has no room. Exit code 4."
     CALL_DEPTH "E0243" "macros call each other without end"
 "A macro that calls itself needs an `#if` that ends it at some depth. Exit code 4."
     INCLUDE_DEPTH "E0244" "files include each other without end"

@@ -121,14 +121,14 @@ impl Pixels {
     }
 }
 
-/// One pixel of any number of channels as colour and alpha.
-fn spread<T: Copy>(p: &[T], light: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
-    match *p {
-        [gray] => [light(gray), light(gray), light(gray), 1.0],
-        [gray, a] => [light(gray), light(gray), light(gray), alpha(a)],
-        [r, g, b] => [light(r), light(g), light(b), 1.0],
-        [r, g, b, a] => [light(r), light(g), light(b), alpha(a)],
-        _ => [0.0; 4],
+/// One pixel of one to four channels as colour and alpha, each number through the function of its kind; without alpha it is 1.
+pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
+    match *pixel {
+        [gray] => [color(gray), color(gray), color(gray), 1.0],
+        [gray, a] => [color(gray), color(gray), color(gray), alpha(a)],
+        [r, g, b] => [color(r), color(g), color(b), 1.0],
+        [r, g, b, a] => [color(r), color(g), color(b), alpha(a)],
+        _ => [0.0, 0.0, 0.0, 1.0],
     }
 }
 

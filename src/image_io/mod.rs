@@ -11,7 +11,7 @@ mod quantize;
 mod tests;
 
 use decode::decode_bytes;
-pub use decode::{Pixels, Samples, decode, decode_file};
+pub use decode::{Pixels, Samples, decode, decode_file, spread};
 pub use density::Voxels;
 pub use encode::{Encoding, encode};
 pub use format::Format;

@@ -8,6 +8,10 @@ use crate::source::Span;
 pub(super) const MAX_CALLS: usize = 5_000;
 /// Includes inside each other.
 pub(super) const MAX_INCLUDES: usize = 100;
+/// Bytes that a point of a picture takes which a function makes: four numbers.
+const PER_POINT: u64 = 16;
+/// The most points of such a picture where memory has no limit.
+const MAX_POINTS: u64 = 1 << 26;
 /// Looking at the clock costs more than a step: once in so many.
 const CLOCK_EVERY: u64 = 4096;
 /// And once in so many bytes of text.
@@ -51,6 +55,23 @@ impl<'a> Interpreter<'a> {
             return self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more");
         }
         Ok(())
+    }
+
+    /// E0242 if a picture that a function makes has no room in what is left of the memory that is allowed.
+    pub(super) fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
+        let points = (width as u64).saturating_mul(height as u64);
+        let fits = match self.options.max_memory {
+            Some(bytes) => {
+                let needed = points.saturating_mul(PER_POINT);
+                resident_bytes().unwrap_or(0).saturating_add(needed) <= bytes
+            }
+            None => points <= MAX_POINTS,
+        };
+        if fits {
+            return Ok(());
+        }
+        let message = format!("there is no memory for a picture of {width} by {height} points");
+        self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more")
     }
 
     /// A limit ends the run: nothing after it is read.

@@ -68,6 +68,23 @@ pub struct Options {
     pub max_memory: Option<u64>,
 }
 
+/// A picture of one pixel, no files, and a million steps.
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            search: SearchPath::default(),
+            sandbox: Sandbox::default(),
+            declares: vec![],
+            timing: Timing::default(),
+            input_name: String::new(),
+            size: (1, 1),
+            max_steps: 1_000_000,
+            max_time: None,
+            max_memory: None,
+        }
+    }
+}
+
 /// What came of it.
 #[derive(Debug, Default)]
 pub struct Outcome {

@@ -7,6 +7,7 @@ use super::stream::Token;
 use crate::camera::Camera;
 use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_layers, read_material};
+use crate::source::Span;
 use crate::syntax::ast::{Block, Expr, ExprKind, Name};
 use crate::syntax::word;
 use crate::texture::{ColorMap, Finish, Interior, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
@@ -84,43 +85,30 @@ impl<'a> Interpreter<'a> {
         if LATER.contains(&word) {
             return Ok(Arc::new(self.keep_undrawn(word)?));
         }
-        let expected = "something that can be declared";
-        if !matches!(
-            word,
-            "pigment"
-                | "normal"
-                | "finish"
-                | "interior"
-                | "material"
-                | "color_map"
-                | "colour_map"
-                | "pigment_map"
-                | "normal_map"
-                | "slope_map"
-                | "texture_map"
-                | "camera"
-                | "transform"
-        ) {
-            return Err(self.unexpected_token(expected).into());
-        }
-        let at = self.take()?;
         let base = &defaults.texture.layers[0];
-        let thing: Arc<dyn Thing> = match word {
-            "pigment" => Arc::new(Pigment::read(self, &base.pigment, &defaults.texture)?),
-            "normal" => Arc::new(Normal::read(self, base.normal.as_deref(), &defaults.texture)?),
-            "finish" => Arc::new(Finish::read(self, &base.finish)?),
-            "pigment_map" => Arc::new(PigmentMap::read_entries(self, &defaults.texture)?),
-            "normal_map" => Arc::new(NormalMap::read_entries(self, &defaults.texture)?),
-            "slope_map" => Arc::new(SlopeMap::read_entries(self, &defaults.texture)?),
-            "texture_map" => Arc::new(TextureMap::read_entries(self, &defaults.texture)?),
-            "interior" => Arc::new(Interior::read(self)?),
-            "material" => Arc::new(read_material(self, &defaults)?),
-            "camera" => Arc::new(Camera::read(self, at)?),
-            "transform" => Arc::new(TransformThing(self.transform_block()?)),
-            _ => Arc::new(ColorMap::read(self)?),
-        };
+        match word {
+            "pigment" => self.inside(|r, _| Pigment::read(r, &base.pigment, &defaults.texture)),
+            "normal" => self.inside(|r, _| Normal::read(r, base.normal.as_deref(), &defaults.texture)),
+            "finish" => self.inside(|r, _| Finish::read(r, &base.finish)),
+            "color_map" | "colour_map" => self.inside(|r, _| ColorMap::read(r)),
+            "pigment_map" => self.inside(|r, _| PigmentMap::read_entries(r, &defaults.texture, false)),
+            "normal_map" => self.inside(|r, _| NormalMap::read_entries(r, &defaults.texture, false)),
+            "slope_map" => self.inside(|r, _| SlopeMap::read_entries(r, &defaults.texture, false)),
+            "texture_map" => self.inside(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
+            "interior" => self.inside(|r, _| Interior::read(r)),
+            "material" => self.inside(|r, _| read_material(r, &defaults)),
+            "camera" => self.inside(|r, at| Camera::read(r, at)),
+            "transform" => self.inside(|r, _| Ok(TransformThing(r.transform_block()?))),
+            _ => Err(self.unexpected_token("something that can be declared").into()),
+        }
+    }
+
+    /// Opens the block that comes next, at the place that `read` is told, and closes it.
+    fn inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
+        let at = self.take()?;
+        let thing = read(self, at)?;
         self.leave()?;
-        Ok(thing)
+        Ok(Arc::new(thing))
     }
 
     /// `#default { … }` and `default { … }`, between the braces.

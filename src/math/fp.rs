@@ -1,6 +1,8 @@
 //! Every transcendental function goes through here, so that one edit can make them the same on all
 //! platforms.
 
+use std::f64::consts::TAU;
+
 /// Sine of an angle in radians.
 pub fn sin(x: f64) -> f64 {
     x.sin()
@@ -34,6 +36,16 @@ pub fn acos(x: f64) -> f64 {
 /// Angle of the point (x, y) in radians.
 pub fn atan2(y: f64, x: f64) -> f64 {
     y.atan2(x)
+}
+
+/// What is left of a number above the whole number below it, in [0, 1].
+pub fn fraction(x: f64) -> f64 {
+    x - x.floor()
+}
+
+/// Angle of the point (x, y) as a part of a whole turn, in [0, 1].
+pub fn turn(y: f64, x: f64) -> f64 {
+    fraction(atan2(y, x) / TAU)
 }
 
 /// x to the power of y.

@@ -1,7 +1,7 @@
 //! `checker`: cubes with edges of length 1, of two kinds in turns (manual, "Checker").
 //!
 //! ```pov
-//! plane { y, 0 pigment { checker color rgb 1, color rgb 0 } }
+//! plane { y, 0.1 pigment { checker color rgb 1, color rgb 0 } }
 //! ```
 
 use super::{Cells, EDGE, Readable};

@@ -4,8 +4,8 @@
 //! sphere { 0, 1 pigment { cubic color rgb x, color rgb y, color rgb z, color rgb 1, color rgb 0.5, color rgb 0 } rotate <30, 30, 0> }
 //! ```
 
-use super::{Cells, Readable};
-use crate::color::{Color, Rgb};
+use super::{Cells, Readable, SIX_COLORS};
+use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::{Reader, Spec};
@@ -41,9 +41,7 @@ impl Cells for Cubic {
     }
 
     fn default_color(&self, cell: usize) -> Color {
-        let colors =
-            [Rgb::X, Rgb::Y, Rgb::Z, Rgb::new(1.0, 1.0, 0.0), Rgb::new(0.0, 1.0, 1.0), Rgb::new(1.0, 0.0, 1.0)];
-        Color::opaque(colors[cell])
+        Color::opaque(SIX_COLORS[cell])
     }
 }
 

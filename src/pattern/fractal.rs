@@ -5,7 +5,8 @@
 //! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, GRAYS, Readable, SIX_COLORS, Spot};
+use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec2;
 use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
@@ -305,6 +306,15 @@ impl Field for Mandel {
     fn value(&self, at: &Spot) -> f64 {
         let c = Complex::new(at.p.x, at.p.y);
         self.orbits.powers(self.exponent, c, c)
+    }
+
+    /// Other powers are gray (measured on POV-Ray 3.7).
+    fn default_colors(&self) -> Vec<(f64, Color)> {
+        if self.exponent != 2 {
+            return GRAYS.to_vec();
+        }
+        let [.., yellow, cyan, magenta] = SIX_COLORS.map(Color::opaque);
+        [(0.001, Color::BLACK), (0.001, cyan), (0.012, yellow), (0.015, magenta), (0.1, cyan)].to_vec()
     }
 }
 

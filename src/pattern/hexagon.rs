@@ -1,10 +1,10 @@
 //! `hexagon`: prisms along y with sides of length 1, of three kinds (manual, "Hexagon").
 //!
 //! ```pov
-//! plane { y, 0 pigment { hexagon color rgb x, color rgb y, color rgb z } }
+//! plane { y, 0.1 pigment { hexagon color rgb x, color rgb y, color rgb z } }
 //! ```
 
-use super::{Cells, Readable};
+use super::{Cells, EDGE, Readable};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -33,7 +33,9 @@ impl Cells for Hexagon {
         // coordinates (a, b, -a-b) and mending the one that was rounded most.
         let root3 = 3f64.sqrt();
         let a = p.x / 1.5;
-        let b = p.z / root3 - a / 2.0;
+        // Edges lie on z = 0, where walls stand too: there the cell behind it counts (measured on POV-Ray 3.7).
+        let z = if p.z.abs() < EDGE { EDGE } else { p.z };
+        let b = z / root3 - a / 2.0;
         let c = -a - b;
         let (mut ra, mut rb, rc) = (a.round(), b.round(), c.round());
         let (da, db, dc) = ((ra - a).abs(), (rb - b).abs(), (rc - c).abs());
@@ -64,5 +66,13 @@ mod tests {
         assert_eq!(cell(0.99, 0.0), 0);
         assert_eq!(cell(0.0, 0.86), 0);
         assert_eq!(cell(0.0, 0.87), 1);
+    }
+
+    #[test]
+    fn edges_on_z_0_belong_to_the_cell_behind_them() {
+        let cell = |x: f64, z: f64| Hexagon {}.cell(DVec3::new(x, 0.5, z));
+        for x in [1.2, 1.5, -1.5, -1.8, 4.3, 4.5, -7.5, 31.2] {
+            assert_eq!([cell(x, 0.0), cell(x, 1e-9), cell(x, -1e-9)], [2, 2, 1], "{x}");
+        }
     }
 }

@@ -86,6 +86,7 @@ pub use space::{Space, Step};
 pub use spherical::Spherical;
 pub use spiral1::Spiral1;
 pub use spiral2::Spiral2;
+use spot::GRAYS;
 pub use spot::{Field, Spot, Words};
 pub use spotted::Spotted;
 pub use square::Square;
@@ -100,7 +101,7 @@ pub use waves::Waves;
 pub use wood::Wood;
 pub use wrinkles::Wrinkles;
 
-use crate::color::Color;
+use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::{Reader, Spec};
@@ -219,6 +220,10 @@ fields! {
     Agate Bozo Bumps Crackle Dents Granite Leopard Marble Onion Quilted Radial RandomCells Ripples Spiral1 Spiral2 Spotted Waves
     Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling Pavement
 }
+
+/// Red, green, blue, yellow, cyan, magenta: what patterns show by themselves.
+const SIX_COLORS: [Rgb; 6] =
+    [Rgb::X, Rgb::Y, Rgb::Z, Rgb::new(1.0, 1.0, 0.0), Rgb::new(0.0, 1.0, 1.0), Rgb::new(1.0, 0.0, 1.0)];
 
 /// Added before `floor`, so that a surface at a whole number lies on one side (measured on POV-Ray 3.7).
 const EDGE: f64 = 1e-10;

@@ -74,7 +74,7 @@ impl Modifiers {
     pub fn apply(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 { raw } else { (raw * frequency + self.phase) % PERIOD };
-        let v = if shifted < 0.0 { shifted - shifted.floor() } else { shifted };
+        let v = if shifted < 0.0 { fp::fraction(shifted) } else { shifted };
         match self.wave {
             Wave::Ramp => v,
             Wave::Triangle => (1.0 - (2.0 * v - 1.0).abs()).max(0.0),

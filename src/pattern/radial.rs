@@ -4,7 +4,7 @@
 //! cylinder { 0, y, 1 pigment { radial frequency 6 color_map { [0.5 color rgb <1, 0.2, 0.2>] [0.5 color rgb 1] } } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, SIX_COLORS, Spot};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::fp;
@@ -35,8 +35,7 @@ impl Field for Radial {
     }
 
     fn default_colors(&self) -> Vec<(f64, Color)> {
-        let [cyan, yellow, magenta] =
-            [(0.0, 1.0, 1.0), (1.0, 1.0, 0.0), (1.0, 0.0, 1.0)].map(|c| Color::opaque(c.into()));
+        let [.., yellow, cyan, magenta] = SIX_COLORS.map(Color::opaque);
         [(0.0, cyan), (0.333, yellow), (0.666, magenta), (1.0, cyan)].to_vec()
     }
 }

@@ -1,7 +1,7 @@
 //! `ripples`: rings of equal waves from sources around the origin (manual, "Ripples").
 //!
 //! ```pov
-//! plane { y, 0 pigment { ripples color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } } }
+//! plane { y, 0.1 pigment { ripples color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } } }
 //! ```
 
 use super::waves::{Source, sources};

@@ -54,7 +54,7 @@ pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
         return p.z;
     }
     let turn = fp::atan2(p.y, p.x) / TAU + 0.25;
-    p.z + p.truncate().length() + arms * (turn - turn.floor())
+    p.z + p.truncate().length() + arms * fp::fraction(turn)
 }
 
 /// What `turbulence` adds beside displacing the point.

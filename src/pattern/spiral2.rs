@@ -7,6 +7,7 @@
 use super::spiral1::{ARMS, shift, thread};
 use super::{Field, Readable, Spot, Wave, Words};
 use crate::diagnostic::Result;
+use crate::math::fp;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
@@ -42,5 +43,5 @@ impl Field for Spiral2 {
 }
 
 fn triangle(x: f64) -> f64 {
-    1.0 - (2.0 * (x - x.floor()) - 1.0).abs()
+    1.0 - (2.0 * fp::fraction(x) - 1.0).abs()
 }

@@ -53,6 +53,9 @@ impl Words<'_> {
     pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &Turbulent::STILL };
 }
 
+/// The colours of most patterns without a map.
+pub(super) const GRAYS: [(f64, Color); 2] = [(0.0, Color::BLACK), (1.0, Color::WHITE)];
+
 /// A pattern that gives every point a number, which a map turns into colour.
 pub trait Field {
     /// The number before frequency, phase and wave; mostly in [0, 1].
@@ -81,6 +84,6 @@ pub trait Field {
 
     /// The colours it shows without a map.
     fn default_colors(&self) -> Vec<(f64, Color)> {
-        vec![(0.0, Color::BLACK), (1.0, Color::WHITE)]
+        GRAYS.to_vec()
     }
 }

@@ -1,11 +1,11 @@
 //! `square`: rods along y with square ends, of four kinds (manual, "Square Pattern").
 //!
 //! ```pov
-//! plane { y, 0 pigment { square color rgb 1, color rgb x, color rgb y, color rgb z } }
+//! plane { y, 0.1 pigment { square color rgb 1, color rgb x, color rgb y, color rgb z } }
 //! ```
 
-use super::{Cells, Readable};
-use crate::color::{Color, Rgb};
+use super::{Cells, Readable, SIX_COLORS};
+use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::{Reader, Spec};
@@ -40,7 +40,7 @@ impl Cells for Square {
     }
 
     fn default_color(&self, cell: usize) -> Color {
-        Color::opaque([Rgb::X, Rgb::Y, Rgb::Z, Rgb::new(1.0, 1.0, 0.0)][cell])
+        Color::opaque(SIX_COLORS[cell])
     }
 }
 

@@ -1,7 +1,7 @@
 //! `tiling N`: 24 ways to tile the xz plane, each tile with a bevel that leads to the joints (manual, "Tiling Pattern").
 //!
 //! ```pov
-//! plane { y, 0 pigment { tiling 7 color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1, 0.2, 0.6>] [1 color rgb 1] } } }
+//! plane { y, 0.1 pigment { tiling 7 color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1, 0.2, 0.6>] [1 color rgb 1] } } }
 //! ```
 
 use super::{Field, Readable, Spot};

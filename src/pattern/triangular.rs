@@ -1,11 +1,11 @@
 //! `triangular`: rods along y with triangular ends, of six kinds (manual, "Triangular Pattern").
 //!
 //! ```pov
-//! plane { y, 0 pigment { triangular color rgb 1, color rgb 0.8, color rgb 0.6, color rgb 0.4, color rgb 0.2, color rgb 0 } }
+//! plane { y, 0.1 pigment { triangular color rgb 1, color rgb 0.8, color rgb 0.6, color rgb 0.4, color rgb 0.2, color rgb 0 } }
 //! ```
 
-use super::{Cells, Readable};
-use crate::color::{Color, Rgb};
+use super::{Cells, Readable, SIX_COLORS};
+use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::{Reader, Spec};
@@ -40,9 +40,7 @@ impl Cells for Triangular {
     }
 
     fn default_color(&self, cell: usize) -> Color {
-        let colors =
-            [Rgb::X, Rgb::Y, Rgb::Z, Rgb::new(1.0, 1.0, 0.0), Rgb::new(0.0, 1.0, 1.0), Rgb::new(1.0, 0.0, 1.0)];
-        Color::opaque(colors[cell])
+        Color::opaque(SIX_COLORS[cell])
     }
 }
 

@@ -1,7 +1,7 @@
 //! `waves`: waves of all lengths from sources around the origin (manual, "Waves").
 //!
 //! ```pov
-//! plane { y, 0 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
+//! plane { y, 0.1 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
 //! ```
 
 use super::{Field, Readable, Spot, Words};

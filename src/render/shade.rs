@@ -94,9 +94,9 @@ fn scattered(shown: &Shown, at: &Incidence, grain: f64, double_illuminate: bool)
     if amount == 0.0 {
         return Rgb::ZERO;
     }
-    // d·|N·l|ᵇ, less some grain; what falls below zero darkens the other terms (measured on 3.7)
-    let intensity = amount * power(at.cos.abs(), layer.brilliance) - grain;
-    shown.color.rgb * (shown.opacity * intensity)
+    // opacity · d·|N·l|ᵇ, less some grain, of which all is seen however thin the layer is; what falls below zero darkens the other
+    // terms (measured on 3.7)
+    shown.color.rgb * (shown.opacity * amount * power(at.cos.abs(), layer.brilliance) - grain)
 }
 
 /// `phong` and `specular`, coloured by `metallic`.

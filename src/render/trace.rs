@@ -171,8 +171,10 @@ impl<'w> Tracer<'w> {
                 true => world.interiors[site.part.interior as usize].fade(found.t()),
                 false => Rgb::ONE,
             };
-            let pass = fade * site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
-            let onward = self.onward(&path, &site, &border, pass);
+            // What has faded counts as if it had not (measured on 3.7).
+            let count = site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
+            let pass = fade * count;
+            let onward = self.onward(&path, &site, &border, count);
             if mirrors && !matches!(onward, Onward::Total) {
                 rgb += through * self.mirrored(&path, &site, &border);
             }
@@ -181,7 +183,7 @@ impl<'w> Tracer<'w> {
                 Onward::Through(dir) => {
                     through *= pass;
                     passed *= gray(site.pass);
-                    path.weight *= pass.max_element();
+                    path.weight *= count.max_element();
                     // Straight on it stays on its level (measured on 3.7).
                     path.level += u32::from(border.bends());
                     path.ray = Ray::new(site.point, dir);
@@ -193,13 +195,13 @@ impl<'w> Tracer<'w> {
                 Onward::Total => {
                     // It takes no more from the light, but the ray counts less (measured on 3.7).
                     through *= fade;
-                    path.weight *= pass.max_element();
+                    path.weight *= count.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
                     path.ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
                     self.rays.reflected += 1;
                 }
                 Onward::Splits(samples) => {
-                    path.weight *= pass.max_element();
+                    path.weight *= count.max_element();
                     let split = self.split(&path, &site, &border, samples);
                     rgb += through * (pass * split.passing + fade * split.total);
                     return Sample { rgb, passed: 0.0 };

@@ -215,7 +215,8 @@ impl Object {
         }
     }
 
-    pub(super) fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
+    /// One of which nothing is said yet.
+    pub fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             body: Arc::new(ObjectBody::new(kind, word)),
             transform: Transform::IDENTITY,
@@ -333,7 +334,7 @@ impl Object {
                 }
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
-            Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.idle.contains(&word) => {
+            Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.ignores(word) => {
                 r.take()?;
                 r.flag()?;
             }

@@ -88,7 +88,7 @@ impl Settings {
                     r.take()?;
                     self.ambient_light = r.color()?.rgb;
                 }
-                Next::Word(word) if SETTINGS.idle.contains(&word) => {
+                Next::Word(word) if SETTINGS.ignores(word) => {
                     let mut row = vec![];
                     r.take()?;
                     while r.at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {

@@ -6,12 +6,12 @@
 //! cone { <0, 0, 0>, 1, <0, 2, 0>, 0 pigment { color rgb <0.9, 0.8, 0.5> } }
 //! ```
 
-use super::frustum::{Frustum, frustum_kernel};
+use super::frustum::{Frustum, OPEN, frustum_kernel};
 use super::{Hit, Hits, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 
 /// A cone or frustum.
@@ -35,12 +35,7 @@ impl Readable for Cone {
             Param { name: "cap_point", kind: Kind::Vector, summary: "the middle of the other end" },
             Param { name: "cap_radius", kind: Kind::Float, summary: "the radius there; 0 makes a tip" },
         ],
-        words: &[WordSpec {
-            name: "open",
-            kind: Kind::Nothing,
-            default: "",
-            summary: "takes the discs at the ends away",
-        }],
+        words: &[OPEN],
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -6,12 +6,12 @@
 //! cylinder { <0, 0, 0>, <0, 2, 0>, 0.5 open pigment { color rgb <0.5, 0.5, 0.6> } }
 //! ```
 
-use super::frustum::{Frustum, frustum_kernel};
+use super::frustum::{Frustum, OPEN, frustum_kernel};
 use super::{Hit, Hits, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 
 /// A round bar or tube.
@@ -35,12 +35,7 @@ impl Readable for Cylinder {
             Param { name: "cap_point", kind: Kind::Vector, summary: "the middle of the other end" },
             Param { name: "radius", kind: Kind::Float, summary: "its sign does not matter" },
         ],
-        words: &[WordSpec {
-            name: "open",
-            kind: Kind::Nothing,
-            default: "",
-            summary: "takes the discs at the ends away",
-        }],
+        words: &[OPEN],
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

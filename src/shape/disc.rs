@@ -12,7 +12,6 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp};
 use crate::source::Span;
 use crate::value::{Kind, Next, Param, Reader, Spec};
 use serde::Serialize;
-use std::f64::consts::TAU;
 
 /// A flat ring.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -104,8 +103,8 @@ impl Kernel for Disc {
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let (e1, e2) = self.normal.any_orthonormal_pair();
         let d = p - self.center;
-        let u = fp::atan2(d.dot(e2), d.dot(e1)) / TAU;
-        DVec2::new(if u < 0.0 { u + 1.0 } else { u }, d.length() / self.radius)
+        let u = fp::turn(d.dot(e2), d.dot(e1));
+        DVec2::new(u, d.length() / self.radius)
     }
 
     fn uv_mapped(&self) -> bool {

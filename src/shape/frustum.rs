@@ -2,8 +2,8 @@
 
 use super::{Hit, Hits};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
+use crate::value::{Kind, WordSpec};
 use serde::Serialize;
-use std::f64::consts::TAU;
 
 /// The side of the surface: the wall.
 pub const WALL: u32 = 0;
@@ -175,15 +175,19 @@ impl Frustum {
     /// Around the axis, and along it. POV-Ray has no mapping for these shapes.
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
         let at = self.split(p - self.base);
-        let u = fp::atan2(at.y, at.x) / TAU;
+        let u = fp::turn(at.y, at.x);
         let v = match part {
             WALL => at.w,
             BASE => at.across_squared().sqrt() / self.base_radius.abs(),
             _ => at.across_squared().sqrt() / self.cap_radius.abs(),
         };
-        DVec2::new(if u < 0.0 { u + 1.0 } else { u }, v)
+        DVec2::new(u, v)
     }
 }
+
+/// What cylinders and cones are without their ends.
+pub(super) const OPEN: WordSpec =
+    WordSpec { name: "open", kind: Kind::Nothing, default: "", summary: "takes the discs at the ends away" };
 
 /// A shape that is a frustum under another name.
 macro_rules! frustum_kernel {

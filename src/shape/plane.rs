@@ -5,7 +5,7 @@
 //! `point q span i, j` for q + u·i + v·j, whose outside is where i × j points and whose surface coordinates are (u, v).
 //!
 //! ```pov
-//! plane { <0, 1, 0>, 0 pigment { checker color rgb 1 color rgb 0 } }
+//! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
 use super::{Hit, Hits, Kernel, Readable, finite};

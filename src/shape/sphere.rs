@@ -85,8 +85,7 @@ impl Kernel for Sphere {
 
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let n = (p - self.center) / self.radius;
-        let u = fp::atan2(n.z, n.x) / (2.0 * PI);
-        DVec2::new(if u < 0.0 { u + 1.0 } else { u }, 0.5 + fp::asin(n.y) / PI)
+        DVec2::new(fp::turn(n.z, n.x), 0.5 + fp::asin(n.y) / PI)
     }
 }
 

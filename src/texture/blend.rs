@@ -20,10 +20,14 @@ pub struct Map<T> {
 pub type Shares<'a, T> = SmallVec<[(&'a T, f64); 2]>;
 
 impl<T> Map<T> {
-    /// The entries below and above a number, and how far it is from the one to the other; the first below the first entry,
-    /// the last above the last.
+    /// The entries below and above a number, and how far it is from the one to the other; the last from the last entry's number
+    /// on, the first up to the first's.
     pub fn around(&self, v: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
+        // The last goes before the first, also where both have one number (measured on POV-Ray 3.7).
+        if v >= last.0 {
+            return (&last.1, None);
+        }
         if v <= first.0 {
             return (&first.1, None);
         }
@@ -66,8 +70,9 @@ impl<T: Entry> Map<T>
 where
     Map<T>: Thing,
 {
-    /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map.
-    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture) -> Result<Self> {
+    /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map. Behind `average` the numbers are weights, and one that is
+    /// left out is 1, but not before a colour (measured on POV-Ray 3.7).
+    pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, average: bool) -> Result<Self> {
         if let Some(map) = r.thing::<Self>()? {
             return Ok((*map).clone());
         }
@@ -75,18 +80,26 @@ where
         let mut entries = vec![];
         while r.next()? == Next::Entry {
             r.take()?;
-            // A weight of `average` may be left out.
-            let number = r.optional_float()?.unwrap_or(1.0);
+            let number = match r.optional_float()? {
+                Some(number) => number,
+                None if average && !r.at_color()? => 1.0,
+                None => return Err(r.unexpected("the entry's number").help(example::<T>()).into()),
+            };
             entries.push((number, T::read_entry(r, defaults)?));
             r.leave()?;
         }
         if entries.is_empty() {
             return Diagnostic::new(codes::EMPTY_MAP, span, format!("a `{}` needs at least one entry", T::MAP))
-                .help(format!("entries look like `[0.5 {} … ]`", T::BLOCK))
+                .help(example::<T>())
                 .into();
         }
         Ok(Self { entries })
     }
+}
+
+/// A help line: what an entry looks like.
+fn example<T: Entry>() -> String {
+    format!("entries look like `[0.5 {} … ]`", T::BLOCK)
 }
 
 /// Reads the things for the cells of a pattern whose name was just read, in braces or declared, up to as many as it has;
@@ -170,6 +183,23 @@ mod tests {
         let map = Map { entries: vec![(0.25, gray(0.0)), (0.5, gray(1.0)), (0.5, gray(0.25)), (1.0, gray(0.75))] };
         let at = |v| map.at(v).rgb.x;
         assert_eq!([at(0.0), at(0.375), at(0.5), at(0.75), at(2.0)], [0.0, 0.5, 1.0, 0.5, 0.75]);
+    }
+
+    #[test]
+    fn entries_of_one_number_and_out_of_order() {
+        // which entry POV-Ray 3.7 shows
+        let shown = |numbers: &[f64], v: f64| {
+            let map = Map { entries: numbers.iter().copied().enumerate().map(|(i, number)| (number, i)).collect() };
+            match map.around(v) {
+                (i, None) => (*i, *i),
+                (below, Some((above, _))) => (*below, *above),
+            }
+        };
+        assert_eq!(shown(&[0.0, 0.5, 1.0, 1.0], 1.0), (3, 3));
+        assert_eq!(shown(&[0.5, 0.5], 0.5), (1, 1));
+        assert_eq!([0.25, 0.5, 0.75, 1.0].map(|v| shown(&[0.0, 1.0, 0.5], v)), [(0, 1), (2, 2), (2, 2), (2, 2)]);
+        assert_eq!([0.0, 0.5, 1.0].map(|v| shown(&[1.0, 0.0], v).0), [1, 1, 1]);
+        assert_eq!([0.25, 0.5, 0.75].map(|v| shown(&[0.5, 0.0, 0.75], v).0), [0, 0, 2]);
     }
 
     #[test]

@@ -127,7 +127,7 @@ impl Finish {
                     Some(declared) => f = (*declared).clone(),
                     None => return Err(r.unknown_word("finish", &FINISH.names()).into()),
                 },
-                Next::Word(word) if FINISH.obeys(word) => f.read_word(word, r)?,
+                Next::Word(word) if Self::takes(word) => f.read_word(word, r)?,
                 Next::Block("reflection") => {
                     r.take()?;
                     f.reflection = Reflection::read(r)?;
@@ -144,6 +144,11 @@ impl Finish {
                 _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),
             }
         }
+    }
+
+    /// Is it a word that [`Self::read_word`] reads?
+    pub(super) fn takes(word: &str) -> bool {
+        FINISH.obeys(word) || FINISH.ignores(word)
     }
 
     /// Reads one of the words of [`FINISH`], which comes next.
@@ -172,7 +177,7 @@ impl Finish {
             "crand" => self.crand = r.float()?,
             // Before 3.1, what is inside stood here.
             "ior" => self.ior = Some(r.float()?),
-            "refraction" | "caustics" | "fade_distance" | "fade_power" => drop(r.float()?),
+            _ if FINISH.ignores(word) => drop(r.float()?),
             "conserve_energy" => self.conserve_energy = r.flag()?,
             "reflection_exponent" => self.reflection.exponent = r.float()?,
             _ => {

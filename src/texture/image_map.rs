@@ -4,7 +4,7 @@ use super::words::IMAGE_MAP;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::pattern::bitmap::{Bitmap, Mapping, Texels};
+use crate::pattern::bitmap::{self, Bitmap, Mapping, Texels};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 
@@ -43,7 +43,10 @@ impl ImageMap {
                     }
                 }
                 next if bitmap.read_word(r, next)? => {}
-                _ => return Err(r.unknown_word("image_map", &IMAGE_MAP.names()).into()),
+                _ => {
+                    let words: Vec<_> = bitmap::word_names().chain(IMAGE_MAP.names()).collect();
+                    return Err(r.unknown_word("image_map", &words).into());
+                }
             }
         }
         Ok(Self { texels: bitmap.colors(r), mapping: bitmap.mapping, filter, transmit, palette })

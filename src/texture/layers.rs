@@ -1,7 +1,7 @@
 //! `texture` and `material` (manual, "Texture", "Material").
 
 use super::blend::{self, Entry, Map, Parts};
-use super::words::{FINISH, TEXTURE};
+use super::words::TEXTURE;
 use super::{Finish, Interior, Normal, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
@@ -117,7 +117,8 @@ impl Texture {
             }
             Next::Block("texture_map") => {
                 r.take()?;
-                draft.parts = Some(Parts::Map(Arc::new(Map::read_entries(r, base)?)));
+                draft.parts =
+                    Some(Parts::Map(Arc::new(Map::read_entries(r, base, draft.pattern.kind == Kind::Average)?)));
                 r.leave()?;
             }
             Next::Block("tiles") => {
@@ -125,7 +126,7 @@ impl Texture {
                 draft.parts = Some(read_tiles(r, &mut draft.pattern, base)?);
                 r.leave()?;
             }
-            Next::Word(word) if bare && FINISH.obeys(word) => self.top().finish.read_word(word, r)?,
+            Next::Word(word) if bare && Finish::takes(word) => self.top().finish.read_word(word, r)?,
             // A lone number was the texture's grain.
             Next::Value if bare => drop(r.float()?),
             next if self.read_part(r, next, base)? => {}

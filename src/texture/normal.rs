@@ -107,7 +107,10 @@ impl Normal {
             if matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function {
                 self.read_amount(r)?;
             }
-            if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &|_, _| Normal::default())? {
+            // Cells without a list make bumps of their own, where their numbers jump.
+            let listed = matches!(r.next()?, Next::Block(Self::BLOCK) | Next::Thing(Self::BLOCK));
+            let list = blend::read_list(r, next, &self.pattern, defaults, &|_, _| Normal::default())?;
+            if let (Some(list), true) = (list, listed) {
                 self.relief = Relief::Normals(list);
             }
             return Ok(());
@@ -142,12 +145,16 @@ impl Normal {
             }
             Next::Block("slope_map") => {
                 r.take()?;
-                self.relief = Relief::Slopes(Arc::new(Map::read_entries(r, defaults)?));
+                self.relief = Relief::Slopes(Arc::new(Map::read_entries(r, defaults, false)?));
                 r.leave()?;
             }
             Next::Block("normal_map") => {
                 r.take()?;
-                self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(r, defaults)?)));
+                self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(
+                    r,
+                    defaults,
+                    self.pattern.kind == Kind::Average,
+                )?)));
                 r.leave()?;
             }
             _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),

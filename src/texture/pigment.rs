@@ -96,7 +96,11 @@ impl Pigment {
             }
             Next::Block("pigment_map") => {
                 r.take()?;
-                self.paint = Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(r, defaults)?)));
+                self.paint = Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(
+                    r,
+                    defaults,
+                    self.pattern.kind == Kind::Average,
+                )?)));
                 r.leave()
             }
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),

@@ -1,7 +1,7 @@
 //! The words of `pigment`, `finish`, `texture` and `interior`: what the readers obey and the manual lists.
 
 use crate::pattern::{CellPattern, FieldPattern, Modifiers};
-use crate::value::Kind::{Block, Color, Flag, Float, Nothing};
+use crate::value::Kind::{Block, Color, Flag, Float};
 use crate::value::words::word;
 use crate::value::{Spec, Vocabulary};
 
@@ -27,18 +27,13 @@ pub const PIGMENT: Vocabulary = Vocabulary {
     not_drawn: &[],
 };
 
-/// `image_map { … }`
+/// `image_map { … }`, beside the words of all pictures ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
 pub const IMAGE_MAP: Vocabulary = Vocabulary {
     block: "image_map",
-    summary: "a picture as the colours of a surface: a file's name, or `function W, H { … }`, and these words",
+    summary: "a picture as the colours of a surface",
     words: &[
-        word("map_type", Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus"),
-        word("once", Nothing, "", "it is there once, not again and again"),
-        word("interpolate", Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance"),
         word("filter", Float, "0", "`filter all A` or, for one colour of a palette, `filter N, A`"),
         word("transmit", Float, "0", "`transmit all A` or, for one colour of a palette, `transmit N, A`"),
-        word("gamma", Float, "", "how the file's numbers stand to light, instead of what the file says; or `srgb`"),
-        word("premultiplied", Flag, "", "the file's colours are multiplied with alpha already"),
     ],
     moves: false,
     idle: &[],
@@ -125,13 +120,9 @@ pub const FINISH: Vocabulary = Vocabulary {
         word("irid", Block, "", "the colours of a thin film, as on soap bubbles"),
         word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through"),
         word("ior", Float, "", "as in `interior`, which is newer"),
-        word("refraction", Float, "", "of old scenes: changes nothing"),
-        word("caustics", Float, "", "of old scenes: changes nothing"),
-        word("fade_distance", Float, "", "of old scenes: changes nothing"),
-        word("fade_power", Float, "", "of old scenes: changes nothing"),
     ],
     moves: false,
-    idle: &[],
+    idle: &["refraction", "caustics", "fade_distance", "fade_power"],
     not_drawn: &["subsurface"],
 };
 

@@ -26,6 +26,11 @@ impl Vocabulary {
         self.words.iter().any(|w| w.name == word)
     }
 
+    /// Is it read without effect?
+    pub fn ignores(&self, word: &str) -> bool {
+        self.idle.contains(&word)
+    }
+
     /// Is it read and left out with a warning?
     pub fn leaves_out(&self, word: &str) -> bool {
         self.not_drawn.contains(&word)
@@ -69,6 +74,6 @@ mod tests {
         let table =
             Vocabulary { block: "thing", summary: "", words: WORDS, moves: true, idle: &["old"], not_drawn: &["new"] };
         assert_eq!(table.names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
-        assert!(table.obeys("radius") && !table.obeys("new") && table.leaves_out("new"));
+        assert!(table.obeys("radius") && !table.obeys("new") && table.leaves_out("new") && table.ignores("old"));
     }
 }

@@ -8,7 +8,7 @@ use durer::image_io::Frame;
 use durer::light::Light;
 use durer::math::{DVec3, Transform};
 use durer::render::{Options, Rays, Unwatched, render};
-use durer::scene::{CsgOp, Object, ObjectBody, ObjectKind, Painted, Scene};
+use durer::scene::{CsgOp, Defaults, Object, ObjectKind, Painted, Scene};
 use durer::shape::{Cuboid, Disc, Plane, Shape, Sphere};
 use durer::source::Span;
 use durer::texture::{Finish, Interior, Layer, Pigment, Texture};
@@ -33,12 +33,7 @@ pub fn rgbft(c: [f64; 5]) -> Color {
 }
 
 pub fn object(kind: ObjectKind, word: &'static str) -> Object {
-    Object {
-        body: Arc::new(ObjectBody::new(kind, word)),
-        transform: Transform::IDENTITY,
-        source: Span::NONE,
-        default_texture: Arc::default(),
-    }
+    Object::new(kind, word, Span::NONE, &Defaults::default())
 }
 
 pub fn shape(shape: Shape) -> Object {

@@ -9,6 +9,9 @@ const LONG: usize = 1_000_000;
 const SOON: &str = "check a.scene --max-steps 20000";
 const FEW_STEPS: &str = "render a.scene -o out.png --size 8x6 --max-steps 1000000";
 
+/// 4 GB of numbers.
+const LARGE_PICTURE: &str = "box { 0, 1 pigment { image_map { function 16384, 16384 { x } } } }";
+
 /// All of them.
 pub fn cases() -> Vec<Case> {
     [endless(), growing(), deep(), long(), many()].into_iter().flatten().collect()
@@ -63,6 +66,9 @@ fn growing() -> Vec<Case> {
             .args(SOON),
         case("difference_grows", "#declare A = sphere { 0, 1 }\n#while (1)\n#declare A = difference { object { A } sphere { 0, 1 } }\n#end\n", 4, &["E0240", "E0104", "a.scene:3:"])
             .args(SOON),
+        drawn("function_picture_too_large", LARGE_PICTURE, 4, &["E0242", "a.scene:1:43"]),
+        drawn("function_picture_limited", LARGE_PICTURE, 4, &["E0242", "a.scene:1:43"])
+            .args("render a.scene -o out.png --size 8x6 --max-memory 500M"),
         case("debug_floods", "#while (1)\n#debug \"x\"\n#end\n", 4, &["E0240"]).args("check a.scene --max-steps 10000"),
         case("warnings_flood", "#while (1)\n#warning \"x\"\n#end\n", 4, &["E0240"]).args("check a.scene --max-steps 100000"),
         case("warnings_differ", "#declare I = 0;\n#while (1)\n#warning str(I, 0, 0)\n#declare I = I + 1;\n#end\n", 4, &["E0240"])

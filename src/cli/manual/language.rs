@@ -1,7 +1,7 @@
 //! Blocks and their words.
 
 use super::{code, kind, list, section, table, word_table};
-use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp};
+use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp, bitmap};
 use crate::syntax::word::contextual;
 use crate::value::Spec;
 use crate::value::words::TRANSFORMS;
@@ -67,15 +67,35 @@ pub(super) fn pigments() -> String {
     let cells = CellPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let fields = FieldPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     section(&texture::words::PIGMENT, "pigment", &[])
+        + &pictures()
         + "# Patterns of cells\n\nEach kind of cell has a colour, or a pigment, of its own.\n\n"
         + &cells
         + "# Patterns of numbers\n\nEach point has a number, which `color_map` turns into a colour.\n\n"
         + &fields
+        + AVERAGE
         + &format!(
             "## Words of all patterns of numbers\n\n{modifiers}# Warps\n\n`warp {{ … }}` moves \
                     points in ways that no matrix can; it stands among the transforms, which are obeyed in the order in \
                     which they are written.\n\n{warps}"
         )
+}
+
+/// A pattern without numbers of its own.
+const AVERAGE: &str = "## average\n\n`average`: all entries of a `pigment_map`, `normal_map` or `texture_map` at once. Their \
+                       numbers are weights; one that is left out is 1, but before a colour it must be there.\n\n";
+
+/// `image_map` and its kin.
+fn pictures() -> String {
+    let formats = list(bitmap::FORMATS);
+    let all = word_table(bitmap::WORDS, &[]);
+    let image_map = section(&texture::words::IMAGE_MAP, "image_map", &[]);
+    let channels = word_table(bitmap::CHANNELS, &[]);
+    format!(
+        "# Pictures\n\n`image_map`, [`image_pattern`](#image_pattern), [`bump_map` and `material_map`](finishes.md) begin with \
+         a file's name, or with `function W, H {{ … }}`: a picture of W by H points from (0, 0), on top, to (1, 1). The name of a \
+         format may stand before the file's name and changes nothing: {formats}. All of them take these words:\n\n{all}{image_map}\
+         ## What counts of a pixel\n\nIn `image_pattern` and `bump_map`.\n\n{channels}"
+    )
 }
 
 fn pattern_section(spec: &Spec) -> String {

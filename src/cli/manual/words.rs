@@ -1,7 +1,7 @@
 //! The index: every word of the language, and where it belongs.
 
 use super::{code, list, table};
-use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp};
+use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp, bitmap};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
 use crate::value::words::TRANSFORMS;
 use crate::value::{Spec, Vocabulary, WordSpec};
@@ -11,12 +11,16 @@ use std::collections::BTreeMap;
 /// Words that stand in no table of a block, and the chapter about them.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("albedo", "[`finish`](finishes.md), before the number of `diffuse`, `phong` or `specular`"),
+    ("all", "`filter all` and `transmit all` in [`image_map`](pigments.md#image_map)"),
+    ("altitude", "[`slope`](pigments.md#slope)"),
     ("append", "[`#fopen`](directives.md)"),
     ("ascii", "behind `charset`"),
     ("array", "[arrays](../arrays.md)"),
+    ("average", "[a pattern](pigments.md#average)"),
     ("b_spline", "[splines](../functions.md)"),
     ("cubic_spline", "[splines](../functions.md)"),
     ("deprecated", "behind `#declare`: using the name gets a warning"),
+    ("df3", "[`density_file`](pigments.md#density_file)"),
     ("function", "[functions](../functions.md)"),
     ("gray", "a component of a [pigment's function](../functions.md)"),
     ("internal", "functions of `functions.inc`, in `function { }`"),
@@ -27,10 +31,20 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("prod", "products in `function { }`"),
     ("quadratic_spline", "[splines](../functions.md)"),
     ("read", "[`#fopen`](directives.md)"),
+    ("sint16be", "[`#write`](directives.md)"),
+    ("sint16le", "[`#write`](directives.md)"),
+    ("sint32be", "[`#write`](directives.md)"),
+    ("sint32le", "[`#write`](directives.md)"),
+    ("sint8", "[`#write`](directives.md)"),
     ("spline", "[splines](../functions.md)"),
     ("sum", "sums in `function { }`"),
     ("sys", "behind `charset`"),
+    ("tile2", "`tiles` in [`texture`](finishes.md)"),
+    ("uint16be", "[`#write`](directives.md)"),
+    ("uint16le", "[`#write`](directives.md)"),
+    ("uint8", "[`#write`](directives.md)"),
     ("utf8", "behind `charset`"),
+    ("warp", "[a block](pigments.md#warps) among transforms"),
     ("write", "[`#fopen`](directives.md)"),
 ];
 
@@ -69,14 +83,15 @@ fn add_words(index: &mut Index, words: &'static [WordSpec], place: &str) {
 }
 
 fn blocks(index: &mut Index) {
-    use texture::words::{FINISH, INTERIOR, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
-    let blocks: [(&'static Vocabulary, &str, &str); 12] = [
+    use texture::words::{FINISH, IMAGE_MAP, INTERIOR, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
+    let blocks: [(&'static Vocabulary, &str, &str); 13] = [
         (&interpreter::STATEMENTS, "the scene", "scene.md"),
         (&scene::words::MODIFIERS, "objects", "objects.md"),
         (&camera::words::PERSPECTIVE, "`camera`", "cameras.md"),
         (&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
         (&light::words::LIGHT, "`light_source`", "lights.md"),
         (&PIGMENT, "`pigment`", "pigments.md"),
+        (&IMAGE_MAP, "`image_map`", "pigments.md#image_map"),
         (&TEXTURE, "`texture`", "finishes.md"),
         (&NORMAL, "`normal`", "finishes.md"),
         (&FINISH, "`finish`", "finishes.md"),
@@ -115,6 +130,9 @@ fn families(index: &mut Index) {
     family(CellPattern::SPECS, "pattern", "pigments.md");
     family(FieldPattern::SPECS, "pattern", "pigments.md");
     family(Warp::SPECS, "warp", "pigments.md");
+    add_words(index, bitmap::WORDS, "[pictures](pigments.md#pictures)");
+    add_words(index, bitmap::CHANNELS, "[`image_pattern`, `bump_map`](pigments.md#what-counts-of-a-pixel)");
+    bitmap::FORMATS.iter().for_each(|word| add(index, word, "[pictures](pigments.md#pictures), without effect"));
     add_words(index, Modifiers::WORDS, "[patterns](pigments.md)");
     add_words(index, Turbulent::WORDS, "[patterns](pigments.md)");
     add_words(index, TRANSFORMS, "[transforms](objects.md#transforms)");

@@ -114,7 +114,7 @@ pub const TABLE: &[Entry] = &[
     entry(
         &["write"],
         "#write (Name, value, …)",
-        "writes values; texts are written without quotes, so put in commas and quotes yourself",
+        "writes values; texts are written without quotes, so put in commas and quotes yourself. `uint8`, `uint16le`, `uint16be`, `sint8`, `sint16le`, `sint16be`, `sint32le` or `sint32be` before a value writes it as a whole number of so many bits",
         "#fopen F \"manual_write.tmp\" write\n#write (F, 1, \",\", <1, 2, 3>, \"\\n\")\n#fclose F",
     ),
     entry(

@@ -339,10 +339,9 @@ impl Reader for Interpreter<'_> {
             _ => return Ok(None),
         };
         let [width, height] = &*function.size else { return Ok(None) };
-        let size = [width, height].map(|side| self.picture_side(side));
-        let [width, height] = size;
-        let size = [width?, height?];
+        let size = [self.picture_side(width)?, self.picture_side(height)?];
         let span = self.here();
+        self.check_picture(size, width.span.to(height.span))?;
         self.advance();
         Ok(Some((size, self.read_function(function, span)?)))
     }

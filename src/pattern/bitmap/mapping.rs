@@ -2,6 +2,7 @@
 //! on POV-Ray 3.7).
 
 use crate::math::{DVec3, fp};
+use crate::pattern::EDGE;
 use serde::Serialize;
 use smallvec::{SmallVec, smallvec};
 use std::f64::consts::{PI, TAU};
@@ -50,9 +51,6 @@ pub enum Between {
 /// Numbers of pixels, row by row from the top, and how much each counts.
 pub type Weighted = SmallVec<[(usize, f64); 4]>;
 
-/// Added before the whole part is taken, so that points on a border belong to the pixel behind it.
-const EDGE: f64 = 1e-10;
-
 impl Wrap {
     /// From the number behind `map_type`; those that do not exist are flat.
     pub fn from_number(n: f64) -> Self {
@@ -81,13 +79,13 @@ impl Between {
 impl Mapping {
     /// Where a point lies on the picture: (0, 0) is its lower left corner, (1, 1) the upper right one. `None` outside of it.
     pub fn place(&self, p: DVec3) -> Option<(f64, f64)> {
-        let around = || fraction(fp::atan2(p.z, p.x) / TAU);
+        let around = || fp::turn(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
         match self.wrap {
             Wrap::Planar => {
                 let unit = 0.0..=1.0;
                 let inside = !self.once || (unit.contains(&p.x) && unit.contains(&p.y));
-                inside.then(|| (fraction(p.x), fraction(p.y)))
+                inside.then(|| (fp::fraction(p.x), fp::fraction(p.y)))
             }
             Wrap::Spherical => {
                 let r = p.length();
@@ -95,11 +93,11 @@ impl Mapping {
             }
             Wrap::Cylindrical => {
                 let inside = !axis && (!self.once || (0.0..=1.0).contains(&p.y));
-                inside.then(|| (around(), fraction(p.y)))
+                inside.then(|| (around(), fp::fraction(p.y)))
             }
             Wrap::Toroidal => {
                 let tube = fp::atan2(p.y, p.x.hypot(p.z) - 1.0) / TAU + 0.5;
-                (!axis).then(|| (around(), fraction(tube)))
+                (!axis).then(|| (around(), fp::fraction(tube)))
             }
         }
     }
@@ -145,10 +143,6 @@ impl Size {
         };
         bring(j, self.height) * self.width + bring(i, self.width)
     }
-}
-
-fn fraction(x: f64) -> f64 {
-    x - x.floor()
 }
 
 /// The pixels of a grid whose first is (i, j), with the products of these weights.

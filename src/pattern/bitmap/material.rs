@@ -1,6 +1,6 @@
 //! `material_map`: the numbers of a picture's palette choose among textures (manual, "Material Maps").
 
-use super::{Bitmap, Mapping, Texels, WORDS};
+use super::{Bitmap, Mapping, Texels, word_names};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -35,7 +35,7 @@ impl Readable for MaterialMap {
                 Next::Block("texture") | Next::Thing("texture") | Next::End => break,
                 next if bitmap.read_word(r, next)? => {}
                 _ => {
-                    let words: Vec<_> = WORDS.iter().map(|w| w.name).chain(["texture"]).collect();
+                    let words: Vec<_> = word_names().chain(["texture"]).collect();
                     return Err(r.unknown_word("material_map", &words).into());
                 }
             }

@@ -8,7 +8,7 @@ mod texels;
 
 pub use mapping::{Between, Mapping, Weighted, Wrap};
 pub use material::MaterialMap;
-pub use pattern::{Channel, ImagePattern};
+pub use pattern::{CHANNELS, Channel, ImagePattern};
 pub use texels::{Texels, color_curve};
 
 use crate::color::Gamma;
@@ -29,8 +29,14 @@ pub const WORDS: &[WordSpec] = &[
     word("interpolate", Kind::Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance"),
 ];
 
+/// Their names.
+pub fn word_names() -> impl Iterator<Item = &'static str> {
+    WORDS.iter().map(|w| w.name)
+}
+
 /// The names of file formats, which change nothing: the bytes tell.
-const FORMATS: &[&str] = &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
+pub const FORMATS: &[&str] =
+    &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
 
 /// A picture with what is said of it in the words of all kinds.
 #[derive(Clone, Debug)]
@@ -63,7 +69,7 @@ impl Bitmap {
     /// Reads one of [`WORDS`], which comes next; false if it is none.
     pub fn read_word(&mut self, r: &mut dyn Reader, next: Next) -> Result<bool> {
         let Next::Word(word) = next else { return Ok(false) };
-        if !WORDS.iter().any(|w| w.name == word) {
+        if !word_names().any(|name| name == word) {
             return Ok(false);
         }
         r.take()?;
@@ -114,10 +120,12 @@ fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let color = function.gives() == Gives::Color;
     let step = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
     let points = (0..height).flat_map(|j| (0..width).map(move |i| DVec3::new(step(i, width), step(j, height), 0.0)));
-    let samples = points.flat_map(|p| {
+    // All its room at once: a list that grows would take twice as much.
+    let mut samples = Vec::with_capacity(width * height * 4);
+    samples.extend(points.flat_map(|p| {
         let c = function.call(&p.to_array());
         if color { [c[0], c[1], c[2], 1.0 - c[4]] } else { [c[0], c[0], c[0], 1.0] }.map(|x| x as f32)
-    });
-    let pixels = Pixels { width, height, channels: 4, samples: Samples::F32(samples.collect()) };
+    }));
+    let pixels = Pixels { width, height, channels: 4, samples: Samples::F32(samples) };
     Ok(Arc::new(Picture { pixels, stored: Stored::Plain, indices: None, gray_bytes: false }))
 }

@@ -1,11 +1,12 @@
 //! `image_pattern`: the brightness of a picture (manual, "Image Pattern").
 
-use super::{Bitmap, Mapping, Texels, WORDS};
+use super::{Bitmap, Mapping, Texels, word_names};
 use crate::color::{Rgb, gray};
 use crate::diagnostic::Result;
-use crate::math::DVec3;
+use crate::math::{DVec3, fp};
 use crate::pattern::{Field, Readable, Spot, Words};
-use crate::value::{Kind, Next, Param, Reader, Spec};
+use crate::value::words::word;
+use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
 
 /// A picture's brightness, or its alpha.
@@ -32,6 +33,14 @@ pub enum Channel {
     /// `use_index`: its number in the palette.
     Index,
 }
+
+/// What says which channel counts, in `image_pattern` and `bump_map`.
+pub const CHANNELS: &[WordSpec] = &[
+    word("use_alpha", Kind::Nothing, "", "how much shines through counts, where the file says it"),
+    word("use_color", Kind::Nothing, "", "brightness counts, which is so without it too"),
+    word("use_colour", Kind::Nothing, "", "the same"),
+    word("use_index", Kind::Nothing, "", "of a `bump_map`: the number in the palette counts, where the file has one"),
+];
 
 impl Readable for ImagePattern {
     const SPEC: Spec = Spec {
@@ -62,7 +71,7 @@ impl ImagePattern {
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word @ ("use_alpha" | "use_color" | "use_colour" | "use_index")) => {
+                Next::Word(word) if CHANNELS.iter().any(|w| w.name == word) => {
                     r.take()?;
                     channel = match word {
                         "use_alpha" => Channel::Alpha,
@@ -72,8 +81,9 @@ impl ImagePattern {
                 }
                 next if bitmap.read_word(r, next)? || other(r, next)? => {}
                 _ => {
-                    let own = ["use_alpha", "use_color", "use_index", "bump_size"];
-                    let words: Vec<_> = WORDS.iter().map(|w| w.name).chain(own).collect();
+                    let own = CHANNELS.iter().map(|w| w.name);
+                    let size = (block == "bump_map").then_some("bump_size");
+                    let words: Vec<_> = word_names().chain(own).chain(size).collect();
                     return Err(r.unknown_word(block, &words).into());
                 }
             }
@@ -120,8 +130,7 @@ impl Field for ImagePattern {
         // POV-Ray 3.7).
         let (across, up) = (1.0 / self.texels.width() as f64, 1.0 / self.texels.height() as f64);
         // Past an edge comes the other side, also of a picture that is there `once`.
-        let bring = |t: f64| t - t.floor();
-        let height = |du: f64, dv: f64| self.number_at((bring(u + du), bring(v + dv)));
+        let height = |du: f64, dv: f64| self.number_at((fp::fraction(u + du), fp::fraction(v + dv)));
         let (here, right, left) = (height(0.0, 0.0), height(across, -up), height(-across, -up));
         // The picture's directions, laid into the surface.
         let x = n.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);

@@ -1,7 +1,7 @@
 //! The pixels of a picture in the numbers of the scene.
 
 use crate::color::{GRAY_WEIGHTS, Gamma};
-use crate::image_io::{Picture, Samples, Stored};
+use crate::image_io::{Picture, Samples, Stored, spread};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -79,16 +79,6 @@ impl Texels {
 fn kept_gray(gray: f32) -> f32 {
     let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
     (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
-}
-
-fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
-    match *pixel {
-        [gray] => [color(gray), color(gray), color(gray), 1.0],
-        [gray, a] => [color(gray), color(gray), color(gray), alpha(a)],
-        [r, g, b] => [color(r), color(g), color(b), 1.0],
-        [r, g, b, a] => [color(r), color(g), color(b), alpha(a)],
-        _ => [0.0, 0.0, 0.0, 1.0],
-    }
 }
 
 /// From a file's numbers to those of a scene, whose colours relate to light by `scene`. `decodes` tells whether files that

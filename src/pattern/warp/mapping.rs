@@ -64,12 +64,6 @@ impl Layout {
     }
 }
 
-/// Part of a turn about y, from x towards z; 0 to 1.
-fn turn(p: DVec3) -> f64 {
-    let part = fp::atan2(p.z, p.x) / TAU;
-    part - part.floor()
-}
-
 /// Around the y axis: u is a part of a turn, v is y.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct CylindricalWarp(pub Layout);
@@ -97,7 +91,7 @@ impl Bend for CylindricalWarp {
         if distance == 0.0 {
             return p;
         }
-        self.0.place(turn(p) * self.0.growth(distance), p.y, distance)
+        self.0.place(fp::turn(p.z, p.x) * self.0.growth(distance), p.y, distance)
     }
 }
 
@@ -130,7 +124,7 @@ impl Bend for SphericalWarp {
         }
         let grown = self.0.growth(distance);
         let latitude = fp::asin(p.y / distance) / PI + 0.5;
-        self.0.place(turn(p) * grown, latitude * grown, distance)
+        self.0.place(fp::turn(p.z, p.x) * grown, latitude * grown, distance)
     }
 }
 
@@ -177,7 +171,7 @@ impl Bend for ToroidalWarp {
         let distance = outwards.hypot(p.y);
         let part = fp::atan2(p.y, outwards) / TAU + 0.5;
         let grown = self.layout.growth(distance);
-        self.layout.place(turn(p) * grown, (part - part.floor()) * grown, distance)
+        self.layout.place(fp::turn(p.z, p.x) * grown, fp::fraction(part) * grown, distance)
     }
 }
 
