@@ -58,6 +58,13 @@ pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
             };
             out.extend([x1, x2].into_iter().filter(|x| (lo..=hi).contains(x)));
         }
+        // Near 0 there is nothing that x² could be small against.
+        [rest @ .., 0.0] => {
+            solve_between(rest, lo, hi, out);
+            if (lo..=hi).contains(&0.0) {
+                out.insert(out.partition_point(|x| *x < 0.0), 0.0);
+            }
+        }
         _ => solve_by_derivative(c, lo, hi, out),
     }
 }
@@ -181,6 +188,7 @@ mod tests {
         assert_eq!(solve_quartic([0.0, 0.0, 0.0, 2.0, -1.0]).as_slice(), [0.5]);
         assert_eq!(solve_quartic([0.0; 5]).as_slice(), [0.0; 0]);
         assert!(solve_quartic([3.0, 0.0, 0.0, 0.0, 0.0]).iter().all(|x| x.abs() < 1e-15));
+        assert_eq!(solve_quartic([1.0, -8.25, -9.25, 0.0, 0.0]).as_slice(), [-1.0, 0.0, 0.0, 9.25]);
         assert_eq!(solve_cubic([1.0, 0.0, 0.0, -8.0]).as_slice(), [2.0]);
         assert_eq!(solve_cubic([1e-320, 0.0, 1.0, -8.0]).as_slice(), [8.0]);
     }
