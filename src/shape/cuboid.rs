@@ -6,7 +6,7 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -94,8 +94,8 @@ impl Kernel for Cuboid {
         self.bounds().contains(p)
     }
 
-    fn is_convex(&self) -> bool {
-        true
+    fn crossing(&self, ray: &Ray) -> Crossing {
+        self.faces(ray).map_or(Crossing::Misses, Crossing::Through)
     }
 
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {

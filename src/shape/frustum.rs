@@ -1,6 +1,6 @@
 //! What `cylinder` and `cone` share: the surface around an axis whose radius changes linearly, and its two end discs.
 
-use super::{Hit, Hits};
+use super::{Crossing, Hit, Hits};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
 use crate::value::{Kind, WordSpec};
 use serde::Serialize;
@@ -97,14 +97,25 @@ impl Frustum {
         around(self.base, self.base_radius).union(around(self.cap, self.cap_radius))
     }
 
+    /// A ray in the frame, measured from its point nearest to the middle, so that a far eye costs no digits: t of that point, it,
+    /// and the direction.
+    fn shifted(&self, ray: &Ray) -> (f64, Split, Split) {
+        let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
+        (shift, self.split(ray.at(shift) - self.base), self.split(ray.dir))
+    }
+
     /// Appends the hits in the range.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.is_empty() {
             return;
         }
-        // Measured from the ray's point nearest to the middle, so that a far eye costs no digits.
-        let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
-        let (o, v) = (self.split(ray.at(shift) - self.base), self.split(ray.dir));
+        if !self.open && self.base_radius == self.cap_radius {
+            if let Crossing::Through(ends) = self.cross_cylinder(ray) {
+                out.extend(ends.into_iter().filter(|hit| range.contains(hit.t)));
+            }
+            return;
+        }
+        let (shift, o, v) = self.shifted(ray);
         // Roots of |across(s)|² = r(w(s))²
         let dr = self.cap_radius - self.base_radius;
         let (r, slope) = (self.radius(o.w), v.w * dr);
@@ -149,9 +160,53 @@ impl Frustum {
         at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
     }
 
-    /// Is it closed, and no hourglass?
-    pub fn is_convex(&self) -> bool {
-        !self.open && self.base_radius * self.cap_radius >= 0.0
+    /// Where a line goes in and out of a closed cylinder or cone.
+    pub fn crossing(&self, ray: &Ray) -> Crossing {
+        if self.open || self.base_radius * self.cap_radius < 0.0 {
+            return Crossing::Unknown;
+        }
+        if self.base_radius == self.cap_radius {
+            return self.cross_cylinder(ray);
+        }
+        let mut all = Hits::new();
+        self.hits(ray, Range::ALL, &mut all);
+        match all[..] {
+            [] => Crossing::Misses,
+            [a, b] if a.t <= b.t => Crossing::Through([a, b]),
+            [a, b] => Crossing::Through([b, a]),
+            // The rim, which is on the wall and on a disc.
+            _ => Crossing::Unknown,
+        }
+    }
+
+    /// What the stretch between the ends and that within the wall have in common.
+    fn cross_cylinder(&self, ray: &Ray) -> Crossing {
+        let (shift, o, v) = self.shifted(ray);
+        let r2 = self.base_radius * self.base_radius;
+        let mut ends = [Hit::at(f64::NEG_INFINITY), Hit::at(f64::INFINITY)];
+        let a = v.across_squared();
+        if a > 0.0 {
+            let turn = o.x * v.y - o.y * v.x;
+            let half_b = o.x * v.x + o.y * v.y;
+            let Some((s1, s2)) = stable_pair(a, half_b, o.across_squared() - r2, a * r2 - turn * turn) else {
+                return Crossing::Misses;
+            };
+            ends = [Hit::on(s1, WALL), Hit::on(s2, WALL)];
+        } else if o.across_squared() >= r2 {
+            return Crossing::Misses;
+        }
+        if v.w != 0.0 {
+            let (base, cap) = (Hit::on(-o.w / v.w, BASE), Hit::on((1.0 - o.w) / v.w, CAP));
+            let (enter, leave) = if v.w > 0.0 { (base, cap) } else { (cap, base) };
+            ends =
+                [if enter.t > ends[0].t { enter } else { ends[0] }, if leave.t < ends[1].t { leave } else { ends[1] }];
+        } else if !(0.0..=1.0).contains(&o.w) {
+            return Crossing::Misses;
+        }
+        match ends[0].t <= ends[1].t {
+            true => Crossing::Through(ends.map(|end| Hit { t: end.t + shift, ..end })),
+            false => Crossing::Misses,
+        }
     }
 
     /// Outwards.
@@ -205,8 +260,8 @@ macro_rules! frustum_kernel {
                 self.0.inside(p)
             }
 
-            fn is_convex(&self) -> bool {
-                self.0.is_convex()
+            fn crossing(&self, ray: &Ray) -> $crate::shape::Crossing {
+                self.0.crossing(ray)
             }
 
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {

@@ -59,6 +59,17 @@ impl Hit {
 /// All hits of a ray with one shape.
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
+/// How a line passes a convex solid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Crossing {
+    /// The shape is not convex, or this line is too close to call.
+    Unknown,
+    /// It never gets in.
+    Misses,
+    /// In by the first hit and out by the second; at an infinite t where it has no such end.
+    Through([Hit; 2]),
+}
+
 /// What every shape can do, in its own space. Rays come with a direction of any length.
 pub trait Kernel {
     /// The smallest box around it; infinite where it is.
@@ -82,18 +93,9 @@ pub trait Kernel {
     /// Is the point in the solid? Points on the surface may go either way.
     fn inside(&self, p: DVec3) -> bool;
 
-    /// Is it a solid that every line enters once at most?
-    fn is_convex(&self) -> bool {
-        false
-    }
-
-    /// Where a line is inside a convex solid, given all hits on it (those in [`Range::ALL`]); `None` where they leave that open.
-    fn stretch(&self, _ray: &Ray, hits: &[Hit]) -> Option<Range> {
-        match hits {
-            [] => Some(Range { min: f64::INFINITY, max: f64::NEG_INFINITY }),
-            [a, b] => Some(Range { min: a.t.min(b.t), max: a.t.max(b.t) }),
-            _ => None,
-        }
+    /// Where a line goes into a solid and out of it, of shapes that know it as one stretch.
+    fn crossing(&self, _ray: &Ray) -> Crossing {
+        Crossing::Unknown
     }
 
     /// The outward normal at a hit, of any length but zero.
@@ -127,8 +129,7 @@ macro_rules! shapes {
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
-            fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
-            fn stretch(&self, ray: &Ray, hits: &[Hit]) -> Option<Range> { match self { $(Shape::$name(s) => s.stretch(ray, hits)),* } }
+            fn crossing(&self, ray: &Ray) -> Crossing { match self { $(Shape::$name(s) => s.crossing(ray)),* } }
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }

@@ -8,7 +8,7 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
@@ -171,18 +171,15 @@ impl Kernel for Plane {
         self.normal.dot(p) - self.distance < tolerance::INSIDE
     }
 
-    fn is_convex(&self) -> bool {
-        true
-    }
-
-    fn stretch(&self, ray: &Ray, hits: &[Hit]) -> Option<Range> {
-        let [hit] = hits else { return None };
+    fn crossing(&self, ray: &Ray) -> Crossing {
         let slope = self.normal.dot(ray.dir);
         // Along a line that is all but parallel, t says little.
         if slope * slope < 1e-6 * ray.dir.length_squared() {
-            return None;
+            return Crossing::Unknown;
         }
-        Some(if slope > 0.0 { Range { max: hit.t, ..Range::ALL } } else { Range { min: hit.t, ..Range::ALL } })
+        let t = (self.distance - self.normal.dot(ray.origin)) / slope;
+        let (enter, leave) = if slope > 0.0 { (f64::NEG_INFINITY, t) } else { (t, f64::INFINITY) };
+        Crossing::Through([Hit::at(enter), Hit::at(leave)])
     }
 
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {

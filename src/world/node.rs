@@ -11,6 +11,7 @@ use super::stretch::Gathered;
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::shape::{Hits, Kernel, Shape};
 use serde::Serialize;
+use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// A leaf, or a solid made of others.
@@ -203,10 +204,19 @@ impl Node {
 
     /// The hits on an intersection's or a merge's children.
     fn gather<'a>(&'a self, ray: &Ray, range: Range) -> Gathered<'a> {
-        let mut all = Gathered::new(self.children().len(), range);
-        let within = matches!(self.kind, NodeKind::Intersection(_));
-        self.each_child(ray, range, |i, child, range| all.add(i, child, ray, range, within));
-        all.close();
+        let children = self.children();
+        let mut all = Gathered::new(children.len(), range);
+        let only_inside = matches!(self.kind, NodeKind::Intersection(_));
+        let mut met: SmallVec<[u32; 16]> = SmallVec::new();
+        let mut left = Range::ALL;
+        self.each_child(ray, range, |i, child, range| {
+            met.push(i as u32);
+            left = range.and(all.look(i, child, ray, only_inside));
+            left
+        });
+        if !left.is_empty() {
+            met.into_iter().for_each(|i| all.add(i as usize, &children[i as usize], ray));
+        }
         all
     }
 

@@ -1,9 +1,9 @@
 //! Which of the hits on a solid's parts are hits of the solid: told along the ray, where that is safe.
 
-use super::leaf::{Found, FoundList};
+use super::leaf::{Found, FoundList, Leaf};
 use super::node::{Node, NodeKind};
-use crate::math::{Range, Ray};
-use crate::shape::{Hits, Kernel};
+use crate::math::{DVec2, Range, Ray};
+use crate::shape::{Crossing, Hit, Kernel};
 use smallvec::SmallVec;
 
 /// So near to where a convex part begins or ends, in units of its own space, its `inside` is asked: what lies in one surface with
@@ -13,7 +13,8 @@ const SLACK: f64 = 1e-6;
 /// The stretch of a ray that lies inside a convex part.
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
-    inside: Range,
+    /// Where it begins and ends; at an infinite t where it does not, the first behind the second where there is none.
+    ends: [Hit; 2],
     /// The part is what lies outside of that.
     inverse: bool,
     /// In units of t.
@@ -21,9 +22,30 @@ struct Stretch {
 }
 
 impl Stretch {
+    const NONE: [Hit; 2] =
+        [Hit { t: f64::INFINITY, part: 0, uv: DVec2::ZERO }, Hit { t: f64::NEG_INFINITY, part: 0, uv: DVec2::ZERO }];
+
+    /// That of a ray with a leaf, if it is known.
+    fn of(leaf: &Leaf, ray: &Ray) -> Option<Self> {
+        let local = leaf.local(ray);
+        let ends = match leaf.shape.crossing(&local) {
+            Crossing::Unknown => return None,
+            Crossing::Misses => Self::NONE,
+            Crossing::Through(ends) => ends,
+        };
+        // (At most the length of the direction, and no root.)
+        let slack = SLACK / local.dir.abs().element_sum();
+        Some(Self { ends, inverse: leaf.inverse, slack })
+    }
+
+    /// All that can count if only what lies inside does.
+    fn reach(&self) -> Range {
+        Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack }
+    }
+
     /// Is the point at `t` inside the part? `None` where that is for the part itself to say.
     fn holds(&self, t: f64) -> Option<bool> {
-        let Range { min, max } = self.inside;
+        let [min, max] = self.ends.map(|end| end.t);
         let near = (t - min).abs() < self.slack || (t - max).abs() < self.slack;
         (!near).then_some((t > min && t < max) != self.inverse)
     }
@@ -34,9 +56,9 @@ pub(super) struct Gathered<'a> {
     /// Outside of it nothing counts.
     range: Range,
     /// The hits, and the number of the child that each is on.
-    pub(super) hits: SmallVec<[(Found<'a>, u32); 8]>,
+    pub(super) hits: SmallVec<[(Found<'a>, u32); 4]>,
     /// Where the ray is inside the children, so far as that is known.
-    stretches: SmallVec<[Option<Stretch>; 8]>,
+    stretches: SmallVec<[Option<Stretch>; 4]>,
 }
 
 impl<'a> Gathered<'a> {
@@ -45,38 +67,36 @@ impl<'a> Gathered<'a> {
         Self { range, hits: SmallVec::new(), stretches: SmallVec::from_elem(None, children) }
     }
 
-    /// Adds the hits of a child in the range. If only what lies `within` the child will count, then that is all of the range from
-    /// now on. Returns the range.
-    pub(super) fn add(&mut self, i: usize, child: &'a Node, ray: &Ray, range: Range, within: bool) -> Range {
-        let number = i as u32;
-        self.range = self.range.and(range);
-        let leaf = match child.kind() {
-            NodeKind::Leaf(leaf) if child.is_whole() && leaf.shape.is_convex() => leaf,
-            _ => {
-                let mut all = FoundList::new();
-                child.hits(ray, self.range, &mut all);
-                self.hits.extend(all.into_iter().map(|found| (found, number)));
-                return self.range;
+    /// Looks where the ray is inside a child. If only what lies inside counts, then that is all of the range from now on, which is
+    /// returned.
+    pub(super) fn look(&mut self, i: usize, child: &Node, ray: &Ray, only_inside: bool) -> Range {
+        if let NodeKind::Leaf(leaf) = child.kind()
+            && child.is_whole()
+            && let Some(stretch) = Stretch::of(leaf, ray)
+        {
+            if only_inside && !leaf.inverse {
+                self.range = self.range.and(stretch.reach());
             }
-        };
-        let local = leaf.local(ray);
-        let mut hits = Hits::new();
-        leaf.shape.hits(&local, Range::ALL, &mut hits);
-        for hit in hits.iter().filter(|hit| self.range.contains(hit.t)) {
-            self.hits.push((Found { hit: *hit, leaf, object: child.object }, number));
-        }
-        let Some(inside) = leaf.shape.stretch(&local, &hits) else { return self.range };
-        let stretch = Stretch { inside, inverse: leaf.inverse, slack: SLACK / local.dir.length() };
-        self.stretches[i] = Some(stretch);
-        if within && !leaf.inverse {
-            self.range = self.range.and(Range { min: inside.min - stretch.slack, max: inside.max + stretch.slack });
+            self.stretches[i] = Some(stretch);
         }
         self.range
     }
 
-    /// Drops what lies outside of what is left of the range.
-    pub(super) fn close(&mut self) {
-        self.hits.retain(|(found, _)| self.range.contains(found.t()));
+    /// Adds the hits of a child in what is left of the range.
+    pub(super) fn add(&mut self, i: usize, child: &'a Node, ray: &Ray) {
+        let number = i as u32;
+        match (child.kind(), &self.stretches[i]) {
+            (NodeKind::Leaf(leaf), Some(stretch)) => {
+                for hit in stretch.ends.into_iter().filter(|hit| self.range.contains(hit.t)) {
+                    self.hits.push((Found { hit, leaf, object: child.object }, number));
+                }
+            }
+            _ => {
+                let mut all = FoundList::new();
+                child.hits(ray, self.range, &mut all);
+                self.hits.extend(all.into_iter().map(|found| (found, number)));
+            }
+        }
     }
 
     /// Is the ray at `t` inside child `i`?
