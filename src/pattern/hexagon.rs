@@ -4,7 +4,7 @@
 //! plane { y, 0 pigment { hexagon color rgb x, color rgb y, color rgb z } }
 //! ```
 
-use super::{Cells, Readable};
+use super::{Cells, EDGE, Readable};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -32,8 +32,10 @@ impl Cells for Hexagon {
         // Centres lie at (3a/2, √3(b + a/2)): the cell is that of the nearest one, found by rounding cube
         // coordinates (a, b, -a-b) and mending the one that was rounded most.
         let root3 = 3f64.sqrt();
-        let a = p.x / 1.5;
-        let b = p.z / root3 - a / 2.0;
+        // Only where z = 0 have corners exact coordinates: there the cell above counts, or the one farther out (measured on POV-Ray 3.7).
+        let (x, z) = if p.z == 0.0 { (p.x + 2.0 * EDGE.copysign(p.x), EDGE) } else { (p.x, p.z) };
+        let a = x / 1.5;
+        let b = z / root3 - a / 2.0;
         let c = -a - b;
         let (mut ra, mut rb, rc) = (a.round(), b.round(), c.round());
         let (da, db, dc) = ((ra - a).abs(), (rb - b).abs(), (rc - c).abs());

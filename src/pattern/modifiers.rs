@@ -77,7 +77,7 @@ impl Modifiers {
         let v = if shifted < 0.0 { shifted - shifted.floor() } else { shifted };
         match self.wave {
             Wave::Ramp => v,
-            Wave::Triangle => (1.0 - (2.0 * v - 1.0).abs()).max(0.0),
+            Wave::Triangle => 1.0 - (2.0 * v.fract() - 1.0).abs(),
             Wave::Sine => (1.0 + fp::sin(2.0 * PI * v)) / 2.0,
             Wave::Scallop => fp::sin(PI * v).abs(),
             Wave::Cubic => v * v * (3.0 - 2.0 * v),
