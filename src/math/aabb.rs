@@ -105,8 +105,9 @@ impl Aabb {
             }
             // Enters through the lower plane where v is positive. (Sorting t₁ and t₂ would find a way into an empty box.)
             let (enter, leave) = if v > 0.0 { (self.min, self.max) } else { (self.max, self.min) };
-            near = near.max((enter[axis] - o) / v);
-            far = far.min((leave[axis] - o) / v);
+            let inverse = 1.0 / v;
+            near = near.max((enter[axis] - o) * inverse);
+            far = far.min((leave[axis] - o) * inverse);
         }
         (near <= far).then_some((near, far))
     }

@@ -108,6 +108,16 @@ pub fn nearest(p: DVec3, metric: f64) -> Nearest {
     near
 }
 
+/// The site among the cubes around the point whose coordinates have the least sum.
+pub fn lowest(p: DVec3) -> DVec3 {
+    let (cell, within) = Cell::of(p);
+    let corner = p - within;
+    let sites = AROUND
+        .iter()
+        .map(|&[i, j, k]| corner + DVec3::new(i as f64, j as f64, k as f64) + cell.step([i, j, k]).random_point());
+    sites.min_by(|a, b| a.element_sum().total_cmp(&b.element_sum())).unwrap_or(p)
+}
+
 impl Nearest {
     /// Keeps the three smallest in order.
     fn insert(&mut self, sum: f64, site: DVec3) {

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { color rgb 0.8 } normal { facets coords 0.4 scale 3 } }
 //! ```
 
-use super::crackle::nearest;
+use super::crackle::{lowest, nearest};
 use super::{Field, Readable, Spot, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
@@ -81,7 +81,28 @@ impl Field for Facets {
                 let random = noise::noise_vector(nearest(at.p * 10.0, self.metric).site);
                 unit + turn * (random - random.dot(unit) * unit)
             }
+            // POV-Ray 3.7 adds the differences up with their signs, as was measured: near and far do not matter.
+            Cut::Size(size) if self.metric == 1.0 => lowest(unit / size),
             Cut::Size(size) => nearest(unit / size, self.metric).site,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::extreme_points;
+
+    #[test]
+    fn no_place_and_no_normal_is_too_strange() {
+        for p in extreme_points() {
+            let there = Spot::free(p, Default::default());
+            for (cut, metric) in [(Cut::Coords(0.5), 2.0), (Cut::Size(0.1), 1.0), (Cut::Size(0.0), -3.0)] {
+                let facets = Facets { cut, metric };
+                for normal in [DVec3::Y, p] {
+                    assert!(facets.bumped(&there, &Words::NONE, normal, 1.0).is_some());
+                }
+            }
+        }
     }
 }

@@ -32,9 +32,10 @@ impl Cells for Hexagon {
         // Centres lie at (3a/2, √3(b + a/2)): the cell is that of the nearest one, found by rounding cube
         // coordinates (a, b, -a-b) and mending the one that was rounded most.
         let root3 = 3f64.sqrt();
-        let a = p.x / 1.5;
-        // Edges lie on z = 0, where walls stand too: there the cell behind it counts (measured on POV-Ray 3.7).
-        let z = if p.z.abs() < EDGE { EDGE } else { p.z };
+        // On z = 0, where walls stand too, lie edges, and corners with exact coordinates: there the cell behind it counts, or the one
+        // farther out (measured on POV-Ray 3.7).
+        let (x, z) = if p.z.abs() < EDGE { (p.x + 2.0 * EDGE.copysign(p.x), EDGE) } else { (p.x, p.z) };
+        let a = x / 1.5;
         let b = z / root3 - a / 2.0;
         let c = -a - b;
         let (mut ra, mut rb, rc) = (a.round(), b.round(), c.round());

@@ -107,6 +107,32 @@ use crate::math::DVec3;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
+/// Where arithmetic goes wrong, for tests: far away, next to zero, and nowhere, in all mixes.
+#[cfg(test)]
+pub(crate) fn extreme_points() -> impl Iterator<Item = DVec3> {
+    const EXTREMES: [f64; 17] = [
+        0.0,
+        -0.0,
+        0.5,
+        -1.0,
+        5e-324,
+        -1e-310,
+        1e3,
+        -1e9,
+        1e9,
+        -1e15,
+        1e15,
+        -1e18,
+        1e18,
+        1e300,
+        -1e300,
+        f64::INFINITY,
+        f64::NAN,
+    ];
+    let n = EXTREMES.len();
+    (0..n * n * n).map(move |i| DVec3::new(EXTREMES[i % n], EXTREMES[i / n % n], EXTREMES[i / n / n]))
+}
+
 /// A pattern that tells cells apart: each has a colour, pigment or texture of its own.
 pub trait Cells {
     /// How many kinds of cells there are.

@@ -73,11 +73,13 @@ impl Modifiers {
     /// The pattern's number as the map sees it. A frequency of 0 leaves it as it is, but the wave still works on it.
     pub fn apply(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
-        let shifted = if frequency == 0.0 { raw } else { (raw * frequency + self.phase) % PERIOD };
+        let shifted = if frequency == 0.0 { raw } else { raw * frequency + self.phase };
+        // (A remainder takes its time, and mostly there is none to take.)
+        let shifted = if frequency == 0.0 || shifted.abs() < PERIOD { shifted } else { shifted % PERIOD };
         let v = if shifted < 0.0 { fp::fraction(shifted) } else { shifted };
         match self.wave {
             Wave::Ramp => v,
-            Wave::Triangle => (1.0 - (2.0 * v - 1.0).abs()).max(0.0),
+            Wave::Triangle => 1.0 - (2.0 * v.fract() - 1.0).abs(),
             Wave::Sine => (1.0 + fp::sin(2.0 * PI * v)) / 2.0,
             Wave::Scallop => fp::sin(PI * v).abs(),
             Wave::Cubic => v * v * (3.0 - 2.0 * v),

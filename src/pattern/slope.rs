@@ -122,6 +122,7 @@ impl Field for Slope {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pattern::extreme_points;
 
     #[test]
     fn facing_and_height() {
@@ -133,5 +134,21 @@ mod tests {
         assert_eq!(point.value(&spot), 1.0);
         let altitude = Some(Altitude { up: DVec3::Y * 3.0, range: [0.0, 2.0] });
         assert_eq!(Slope { altitude, ..slope }.value(&spot), (0.5 + 3.0 * 0.25) / 4.0);
+    }
+
+    #[test]
+    fn no_place_and_no_normal_is_too_strange() {
+        let slope = Slope { towards: Towards::Direction(DVec3::X), range: [0.0, 1.0], altitude: None };
+        let point = Slope { towards: Towards::Point(DVec3::Y), range: [0.5, 0.5], altitude: None };
+        let high = Slope { altitude: Some(Altitude { up: DVec3::Y, range: [1.0, -1.0] }), ..slope.clone() };
+        for p in extreme_points() {
+            let there = Spot::free(p, Default::default());
+            for spot in [there, Spot { normal: p, ..there }, Spot { normal: DVec3::ZERO, ray: p, ..there }] {
+                for pattern in [&slope, &point, &high] {
+                    pattern.value(&spot);
+                }
+                crate::pattern::Aoi {}.value(&spot);
+            }
+        }
     }
 }

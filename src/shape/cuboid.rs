@@ -6,7 +6,7 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -29,9 +29,9 @@ impl Cuboid {
 
     /// Where the ray enters and leaves, each with its face: axis · 2, plus 1 on the side of `max` (lecture,
     /// "Ray – AAB intersection").
-    fn faces(&self, ray: &Ray) -> Option<[Hit; 2]> {
-        let mut near = Hit::at(f64::NEG_INFINITY);
-        let mut far = Hit::at(f64::INFINITY);
+    fn faces(&self, ray: &Ray) -> Option<[End; 2]> {
+        let mut near = End::at(f64::NEG_INFINITY);
+        let mut far = End::at(f64::INFINITY);
         for axis in 0..3 {
             let (o, v) = (ray.origin[axis], ray.dir[axis]);
             let (lo, hi) = (self.min[axis], self.max[axis]);
@@ -46,10 +46,10 @@ impl Cuboid {
             let (enter, leave) = if v > 0.0 { (lo, hi) } else { (hi, lo) };
             let (t1, t2) = ((enter - o) / v, (leave - o) / v);
             if t1 > near.t {
-                near = Hit::on(t1, axis as u32 * 2 + side);
+                near = End::on(t1, axis as u32 * 2 + side);
             }
             if t2 < far.t {
-                far = Hit::on(t2, axis as u32 * 2 + (1 - side));
+                far = End::on(t2, axis as u32 * 2 + (1 - side));
             }
         }
         (near.t <= far.t).then_some([near, far])
@@ -82,12 +82,12 @@ impl Kernel for Cuboid {
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if let Some(faces) = self.faces(ray) {
-            out.extend(faces.into_iter().filter(|hit| range.contains(hit.t)));
+            out.extend(faces.into_iter().filter(|end| range.contains(end.t)).map(Hit::from));
         }
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        self.faces(ray)?.into_iter().find(|hit| range.contains(hit.t))
+        self.faces(ray)?.into_iter().find(|end| range.contains(end.t)).map(Hit::from)
     }
 
     fn inside(&self, p: DVec3) -> bool {

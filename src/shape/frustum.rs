@@ -1,6 +1,6 @@
 //! What `cylinder` and `cone` share: the surface around an axis whose radius changes linearly, and its two end discs.
 
-use super::{Crossing, Hit, Hits};
+use super::{Crossing, End, Hit, Hits};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
 use crate::value::{Kind, WordSpec};
 use serde::Serialize;
@@ -111,7 +111,7 @@ impl Frustum {
         }
         if !self.open && self.base_radius == self.cap_radius {
             if let Crossing::Through(ends) = self.cross_cylinder(ray) {
-                out.extend(ends.into_iter().filter(|hit| range.contains(hit.t)));
+                out.extend(ends.into_iter().filter(|end| range.contains(end.t)).map(Hit::from));
             }
             return;
         }
@@ -172,8 +172,8 @@ impl Frustum {
         self.hits(ray, Range::ALL, &mut all);
         match all[..] {
             [] => Crossing::Misses,
-            [a, b] if a.t <= b.t => Crossing::Through([a, b]),
-            [a, b] => Crossing::Through([b, a]),
+            [a, b] if a.t <= b.t => Crossing::Through([a, b].map(|hit| End::on(hit.t, hit.part))),
+            [a, b] => Crossing::Through([b, a].map(|hit| End::on(hit.t, hit.part))),
             // The rim, which is on the wall and on a disc.
             _ => Crossing::Unknown,
         }
@@ -183,7 +183,7 @@ impl Frustum {
     fn cross_cylinder(&self, ray: &Ray) -> Crossing {
         let (shift, o, v) = self.shifted(ray);
         let r2 = self.base_radius * self.base_radius;
-        let mut ends = [Hit::at(f64::NEG_INFINITY), Hit::at(f64::INFINITY)];
+        let mut ends = [End::at(f64::NEG_INFINITY), End::at(f64::INFINITY)];
         let a = v.across_squared();
         if a > 0.0 {
             let turn = o.x * v.y - o.y * v.x;
@@ -191,12 +191,12 @@ impl Frustum {
             let Some((s1, s2)) = stable_pair(a, half_b, o.across_squared() - r2, a * r2 - turn * turn) else {
                 return Crossing::Misses;
             };
-            ends = [Hit::on(s1, WALL), Hit::on(s2, WALL)];
+            ends = [End::on(s1, WALL), End::on(s2, WALL)];
         } else if o.across_squared() >= r2 {
             return Crossing::Misses;
         }
         if v.w != 0.0 {
-            let (base, cap) = (Hit::on(-o.w / v.w, BASE), Hit::on((1.0 - o.w) / v.w, CAP));
+            let (base, cap) = (End::on(-o.w / v.w, BASE), End::on((1.0 - o.w) / v.w, CAP));
             let (enter, leave) = if v.w > 0.0 { (base, cap) } else { (cap, base) };
             ends =
                 [if enter.t > ends[0].t { enter } else { ends[0] }, if leave.t < ends[1].t { leave } else { ends[1] }];
@@ -204,7 +204,7 @@ impl Frustum {
             return Crossing::Misses;
         }
         match ends[0].t <= ends[1].t {
-            true => Crossing::Through(ends.map(|end| Hit { t: end.t + shift, ..end })),
+            true => Crossing::Through(ends.map(|end| End { t: end.t + shift, ..end })),
             false => Crossing::Misses,
         }
     }

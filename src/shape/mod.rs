@@ -66,8 +66,35 @@ pub enum Crossing {
     Unknown,
     /// It never gets in.
     Misses,
-    /// In by the first hit and out by the second; at an infinite t where it has no such end.
-    Through([Hit; 2]),
+    /// In by the first end and out by the second; at an infinite t where there is no such end.
+    Through([End; 2]),
+}
+
+/// Where a line goes into a convex solid, or out of it: a [`Hit`] that remembers nothing else.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// See [`Hit::t`].
+    pub t: f64,
+    /// See [`Hit::part`].
+    pub part: u32,
+}
+
+impl End {
+    /// On a shape that has one piece.
+    pub fn at(t: f64) -> Self {
+        Self::on(t, 0)
+    }
+
+    /// On a numbered piece.
+    pub fn on(t: f64, part: u32) -> Self {
+        Self { t, part }
+    }
+}
+
+impl From<End> for Hit {
+    fn from(end: End) -> Self {
+        Hit::on(end.t, end.part)
+    }
 }
 
 /// What every shape can do, in its own space. Rays come with a direction of any length.

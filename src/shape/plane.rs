@@ -8,7 +8,7 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Crossing, Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
@@ -179,7 +179,7 @@ impl Kernel for Plane {
         }
         let t = (self.distance - self.normal.dot(ray.origin)) / slope;
         let (enter, leave) = if slope > 0.0 { (f64::NEG_INFINITY, t) } else { (t, f64::INFINITY) };
-        Crossing::Through([Hit::at(enter), Hit::at(leave)])
+        Crossing::Through([End::at(enter), End::at(leave)])
     }
 
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {

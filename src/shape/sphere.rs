@@ -4,7 +4,7 @@
 //! sphere { <0, 1, 0>, 1 pigment { color rgb <1, 0.5, 0> } }
 //! ```
 
-use super::{Crossing, Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair};
 use crate::source::Span;
@@ -76,7 +76,7 @@ impl Kernel for Sphere {
     }
 
     fn crossing(&self, ray: &Ray) -> Crossing {
-        self.roots(ray).map_or(Crossing::Misses, |(t1, t2)| Crossing::Through([Hit::at(t1), Hit::at(t2)]))
+        self.roots(ray).map_or(Crossing::Misses, |(t1, t2)| Crossing::Through([End::at(t1), End::at(t2)]))
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {

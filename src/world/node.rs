@@ -205,18 +205,14 @@ impl Node {
     /// The hits on an intersection's or a merge's children.
     fn gather<'a>(&'a self, ray: &Ray, range: Range) -> Gathered<'a> {
         let children = self.children();
-        let mut all = Gathered::new(children.len(), range);
+        let mut all = Gathered::new(children.len());
         let only_inside = matches!(self.kind, NodeKind::Intersection(_));
         let mut met: SmallVec<[u32; 16]> = SmallVec::new();
-        let mut left = Range::ALL;
         self.each_child(ray, range, |i, child, range| {
             met.push(i as u32);
-            left = range.and(all.look(i, child, ray, only_inside));
-            left
+            all.look(i, child, ray, range, only_inside)
         });
-        if !left.is_empty() {
-            met.into_iter().for_each(|i| all.add(i as usize, &children[i as usize], ray));
-        }
+        met.into_iter().for_each(|i| all.add(i as usize, &children[i as usize], ray));
         all
     }
 

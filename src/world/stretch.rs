@@ -2,8 +2,8 @@
 
 use super::leaf::{Found, FoundList, Leaf};
 use super::node::{Node, NodeKind};
-use crate::math::{DVec2, Range, Ray};
-use crate::shape::{Crossing, Hit, Kernel};
+use crate::math::{Range, Ray};
+use crate::shape::{Crossing, End, Kernel};
 use smallvec::SmallVec;
 
 /// So near to where a convex part begins or ends, in units of its own space, its `inside` is asked: what lies in one surface with
@@ -14,7 +14,7 @@ const SLACK: f64 = 1e-6;
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
     /// Where it begins and ends; at an infinite t where it does not, the first behind the second where there is none.
-    ends: [Hit; 2],
+    ends: [End; 2],
     /// The part is what lies outside of that.
     inverse: bool,
     /// In units of t.
@@ -22,8 +22,7 @@ struct Stretch {
 }
 
 impl Stretch {
-    const NONE: [Hit; 2] =
-        [Hit { t: f64::INFINITY, part: 0, uv: DVec2::ZERO }, Hit { t: f64::NEG_INFINITY, part: 0, uv: DVec2::ZERO }];
+    const NONE: [End; 2] = [End { t: f64::INFINITY, part: 0 }, End { t: f64::NEG_INFINITY, part: 0 }];
 
     /// That of a ray with a leaf, if it is known.
     fn of(leaf: &Leaf, ray: &Ray) -> Option<Self> {
@@ -63,13 +62,14 @@ pub(super) struct Gathered<'a> {
 
 impl<'a> Gathered<'a> {
     /// For so many children.
-    pub(super) fn new(children: usize, range: Range) -> Self {
-        Self { range, hits: SmallVec::new(), stretches: SmallVec::from_elem(None, children) }
+    pub(super) fn new(children: usize) -> Self {
+        Self { range: Range::ALL, hits: SmallVec::new(), stretches: SmallVec::from_elem(None, children) }
     }
 
     /// Looks where the ray is inside a child. If only what lies inside counts, then that is all of the range from now on, which is
     /// returned.
-    pub(super) fn look(&mut self, i: usize, child: &Node, ray: &Ray, only_inside: bool) -> Range {
+    pub(super) fn look(&mut self, i: usize, child: &Node, ray: &Ray, range: Range, only_inside: bool) -> Range {
+        self.range = self.range.and(range);
         if let NodeKind::Leaf(leaf) = child.kind()
             && child.is_whole()
             && let Some(stretch) = Stretch::of(leaf, ray)
@@ -84,11 +84,14 @@ impl<'a> Gathered<'a> {
 
     /// Adds the hits of a child in what is left of the range.
     pub(super) fn add(&mut self, i: usize, child: &'a Node, ray: &Ray) {
+        if self.range.is_empty() {
+            return;
+        }
         let number = i as u32;
         match (child.kind(), &self.stretches[i]) {
             (NodeKind::Leaf(leaf), Some(stretch)) => {
-                for hit in stretch.ends.into_iter().filter(|hit| self.range.contains(hit.t)) {
-                    self.hits.push((Found { hit, leaf, object: child.object }, number));
+                for end in stretch.ends.into_iter().filter(|end| self.range.contains(end.t)) {
+                    self.hits.push((Found { hit: end.into(), leaf, object: child.object }, number));
                 }
             }
             _ => {

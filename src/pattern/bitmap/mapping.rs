@@ -122,7 +122,11 @@ impl Mapping {
                 let row = |f: f64| [1.0 + f, f, 1.0 - f, 2.0 - f].map(catmull_rom);
                 grid(i - 1, j - 1, &row(s), &row(t), size)
             }
-            Between::Distance => by_distance(i, j, s, t, size),
+            Between::Distance => {
+                // Counted from the left and from below; level with centres, the four are those and the next.
+                let (left, above) = ((a + EDGE).floor(), (b - EDGE).ceil() - 1.0);
+                by_distance(left as i64, above as i64, a - left, b - above, size)
+            }
         }
     }
 }

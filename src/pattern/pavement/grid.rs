@@ -198,7 +198,8 @@ impl Plan {
     fn index(&self, cell: Cell) -> usize {
         let [a, b, c] = self.steps;
         let (up, j) = (cell.j.div_euclid(c), cell.j.rem_euclid(c));
-        let i = (cell.i - up * b).rem_euclid(a);
+        // no step overflows, wherever the cell is
+        let i = (cell.i.rem_euclid(a) - up.rem_euclid(a) * b).rem_euclid(a);
         (j * a + i) as usize * self.cells.kinds() + cell.kind
     }
 

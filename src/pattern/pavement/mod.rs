@@ -336,6 +336,7 @@ impl Field for Pavement {
 mod tests {
     use super::*;
     use crate::math::DVec3;
+    use crate::pattern::extreme_points;
 
     /// What POV-Ray 3.7 gives: sides, tiles, pattern, exterior, interior, form, x, z, number (in single precision).
     const MEASURED: &str = include_str!("../../../tests/patterns/pavement.txt");
@@ -355,6 +356,29 @@ mod tests {
             let pavement = Pavement::lay(said, Span::default()).unwrap();
             let ours = pavement.value(&Spot::free(DVec3::new(n[6], 0.3, n[7]), Default::default()));
             assert!((ours - n[8]).abs() < 1e-5, "{line}: {ours}");
+        }
+    }
+
+    #[test]
+    fn every_pavement_reaches_everywhere() {
+        for (sides, cells) in [(3.0, Cells::Triangles), (4.0, Cells::Squares), (6.0, Cells::Hexagons)] {
+            let all = cells.plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
+            for (tiles, pattern) in all {
+                let look = ((tiles + pattern) % 4) as f64;
+                let said = Said {
+                    number_of_sides: sides,
+                    number_of_tiles: tiles as f64 + 1.0,
+                    pattern: pattern as f64 + 1.0,
+                    exterior: look,
+                    interior: look,
+                    form: look,
+                };
+                let pavement = Pavement::lay(said, Span::default()).unwrap();
+                for p in extreme_points() {
+                    let value = pavement.value(&Spot::free(p, Default::default()));
+                    assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{said:?} {p}: {value}");
+                }
+            }
         }
     }
 }

@@ -6,7 +6,8 @@
 
 use super::super::Readable;
 use super::Bend;
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::Result;
+use crate::math::noise::Cell;
 use crate::math::{DVec3, fp};
 use crate::value::{Kind, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
@@ -24,9 +25,9 @@ pub struct BlackHole {
     pub falloff: f64,
     /// Does it push?
     pub inverse: bool,
-    /// Size of the blocks that have a black hole each; none along an axis where it is 0.
+    /// Size of the blocks that have a black hole each; none along an axis where it is 0 or less.
     pub repeat: DVec3,
-    /// How far each one's centre is moved, at most.
+    /// How far each one's centre is moved along each axis, at most; without `repeat` it stays where it is.
     pub turbulence: DVec3,
 }
 
@@ -75,7 +76,6 @@ impl Readable for BlackHole {
     }
 
     fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        let at = r.span();
         match word {
             "strength" => self.strength = r.float()?,
             "falloff" => self.falloff = r.float()?,
@@ -85,11 +85,6 @@ impl Readable for BlackHole {
             _ => {
                 r.float()?;
             }
-        }
-        if matches!(word, "repeat" | "turbulence") && self.repeat != DVec3::ZERO && self.turbulence != DVec3::ZERO {
-            let text =
-                "`repeat` with `turbulence` is not drawn yet: black holes stay where they are without `turbulence`";
-            r.report(Diagnostic::new(codes::UNSUPPORTED, at, text));
         }
         Ok(())
     }
@@ -102,11 +97,13 @@ impl BlackHole {
             return self.center;
         }
         // The hole must lie within its block: moved up and the block widened, if need be.
-        let repeats = self.repeat.cmpne(DVec3::ZERO);
+        let repeats = self.repeat.cmpgt(DVec3::ZERO);
         let center = DVec3::select(repeats, self.center.max(DVec3::splat(self.radius)), self.center);
-        let size = self.repeat.max(center + self.radius + self.turbulence);
+        let size = self.repeat.max(center + self.radius + self.turbulence.max(DVec3::ZERO));
         let block = DVec3::select(repeats, (p / size).floor(), DVec3::ZERO);
-        block * size + center
+        // The numbers of unit cubes: each block has those of the cube of its number, as was measured.
+        let random = Cell::of(block).0.random_point();
+        block * size + center + self.turbulence * random
     }
 }
 
@@ -152,5 +149,16 @@ mod tests {
     fn blocks_have_a_hole_each() {
         let holes = BlackHole { repeat: DVec3::X * 3.0, ..HOLE };
         assert_eq!(holes.apply(DVec3::new(-1.5, 1.0, 1.0)).x, -1.5 + 0.25 * 0.5);
+    }
+
+    #[test]
+    fn turbulence_moves_each_hole_along_its_axes() {
+        let holes = BlackHole { repeat: DVec3::X * 9.0, turbulence: DVec3::new(2.0, 0.0, -1.0), ..HOLE };
+        let [first, second] = [0.0, 9.0].map(|x| holes.center_near(DVec3::X * x) - DVec3::X * x - HOLE.center);
+        for moved in [first, second] {
+            assert!(moved.x > 0.0 && moved.x < 2.0 && moved.y == 0.0 && moved.z > -1.0 && moved.z < 0.0, "{moved}");
+        }
+        assert_ne!(first, second);
+        assert_eq!(BlackHole { repeat: DVec3::ZERO, ..holes }.center_near(DVec3::ZERO), HOLE.center);
     }
 }

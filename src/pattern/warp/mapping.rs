@@ -5,7 +5,7 @@
 //! sphere { 0, 1 pigment { checker color rgb 1, color rgb <0.6, 0, 0> scale 1/8 warp { spherical } } }
 //! ```
 
-use super::super::Readable;
+use super::super::{Cells, Cubic, Readable};
 use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
@@ -234,21 +234,19 @@ impl Readable for CubicWarp {
 
 impl Bend for CubicWarp {
     fn apply(&self, p: DVec3) -> DVec3 {
-        let a = p.abs();
-        let depth = a.max_element();
+        let depth = p.abs().max_element();
         if depth == 0.0 {
             return p;
         }
         let q = p / depth;
-        // six squares, 4 beside and 3 above each other: which one, and how far right and up from its centre
-        let ((column, row), right, up) = if a.x >= a.y && a.x >= a.z {
-            if p.x > 0.0 { ((2.0, 1.0), -q.z, q.y) } else { ((0.0, 1.0), q.z, q.y) }
-        } else if a.y >= a.z {
-            if p.y > 0.0 { ((1.0, 2.0), q.x, -q.z) } else { ((1.0, 0.0), q.x, q.z) }
-        } else if p.z > 0.0 {
-            ((1.0, 1.0), q.x, q.y)
-        } else {
-            ((3.0, 1.0), -q.x, q.y)
+        // six squares, 4 beside and 3 above each other: which one, and how far right and up from its centre; at edges as in the pattern `cubic`
+        let ((column, row), right, up) = match (Cubic {}).cell(p) {
+            0 => ((2.0, 1.0), -q.z, q.y),
+            1 => ((1.0, 2.0), q.x, -q.z),
+            2 => ((1.0, 1.0), q.x, q.y),
+            3 => ((0.0, 1.0), q.z, q.y),
+            4 => ((1.0, 0.0), q.x, q.z),
+            _ => ((3.0, 1.0), -q.x, q.y),
         };
         DVec3::new((column + 0.5 + right / 2.0) / 4.0, (row + 0.5 + up / 2.0) / 3.0, depth)
     }

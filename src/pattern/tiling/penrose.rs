@@ -1,0 +1,266 @@
+//! `tiling` 25 to 27: Penrose's tilings of pentagons, of kites and darts, and of rhombs, which have no period.
+//!
+//! All three come from triangles with the golden ratio's proportions (R. M. Robinson; B. Grünbaum and G. C. Shephard, *Tilings and
+//! Patterns*, 1987, § 10.3): an acute one, with angles of 36°, 72°, 72°, and an obtuse one, with 108°, 36°, 36°. Each can be cut into
+//! smaller ones of both kinds. Ten acute ones around a point, cut again and again and made larger as often, tile the plane. A point
+//! is found from the outside inwards: it lies in one of the ten, then in one of its pieces, and so on, in as many steps as the
+//! logarithm of its distance. That POV-Ray 3.7 shows these very tilings, with the origin as their centre, was measured at random
+//! points, and so were size, direction and bevel.
+
+use crate::math::DVec2;
+
+/// The golden ratio.
+const PHI: f64 = 1.618_033_988_749_895;
+
+// Sines and cosines of 18° and 36°.
+const S18: f64 = 0.309_016_994_374_947_4;
+const C18: f64 = 0.951_056_516_295_153_5;
+const S36: f64 = 0.587_785_252_292_473_1;
+const C36: f64 = 0.809_016_994_374_947_4;
+
+/// Directions at 0°, 36°, 72°, … from x towards z.
+const TOWARDS: [DVec2; 10] = [
+    DVec2::new(1.0, 0.0),
+    DVec2::new(C36, S36),
+    DVec2::new(S18, C18),
+    DVec2::new(-S18, C18),
+    DVec2::new(-C36, S36),
+    DVec2::new(-1.0, 0.0),
+    DVec2::new(-C36, -S36),
+    DVec2::new(-S18, -C18),
+    DVec2::new(S18, -C18),
+    DVec2::new(C36, -S36),
+];
+
+/// How deep the bevels of kites and darts reach; those of pentagons and rhombs.
+const KITE_DEPTH: f64 = 1.0 / 4.46;
+const DEPTH: f64 = PHI / 5.55;
+/// How much more than the number before it that of a bevel's end is.
+const MARGIN: f64 = 1e-6;
+
+/// Between the centres of two pentagons with a common side of length 1; also from the centre of a star to its tips.
+const APART: f64 = 1.376_381_920_471_173_5;
+/// The legs of the triangles that have the same piece of the tiling with pentagons each: `APART` φ².
+const LEG: f64 = 3.603_414_649_294_386_6;
+
+/// A tiling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Penrose {
+    /// 25: three kinds of pentagons, stars, boats and diamonds, with sides of length 1.
+    Pentagons,
+    /// 26: kites and darts with sides of length 1 and 1/φ.
+    Kites,
+    /// 27: thick and thin rhombs with sides of length 1.
+    Rhombs,
+}
+
+/// A point in a triangle with corners A, where its equal legs meet, B and C: how much weight each corner has.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    obtuse: bool,
+    a: f64,
+    b: f64,
+    c: f64,
+}
+
+impl Place {
+    /// Where a point lies, given the legs of the smallest triangles, and how often the first ones are cut at least, a multiple of four
+    /// times more if they do not reach far enough: after four cuts all lie as before, but φ⁴ times smaller.
+    fn of(p: DVec2, leg: f64, cuts: i32) -> Self {
+        // Fivefold symmetry and a mirror leave one of the ten triangles, with B at 36° and C at 0°.
+        let p = DVec2::new(p.x, p.y.abs());
+        let (x, z) = turn(p, widest(p, &[0, 2, 4]));
+        let (x, z) = (x, z.abs());
+        let (mut cuts, mut long) = (cuts, leg * PHI.powi(cuts));
+        while long * C18 < x.hypot(z) {
+            (cuts, long) = (cuts + 4, long * PHI.powi(4));
+        }
+        let b = z / (long * S36);
+        let c = x / long - b * C36;
+        (0..cuts).fold(Self { obtuse: false, a: 1.0 - b - c, b, c }, |place, _| place.cut())
+    }
+
+    /// In which piece it lies.
+    fn cut(self) -> Self {
+        let Self { obtuse, a, b, c } = self;
+        let inverse = PHI - 1.0;
+        if !obtuse {
+            // cut from C to the point that divides AB in the golden ratio, nearer to B
+            return if b >= PHI * a {
+                Self { obtuse: false, a: c, b: (PHI + 1.0) * a, c: b - PHI * a }
+            } else {
+                Self { obtuse: true, a: PHI * b, b: c, c: a - inverse * b }
+            };
+        }
+        // cut from A to the point R that divides BC, nearer to C; the part at B from R to the point that divides AB, nearer to A
+        if c >= PHI * b {
+            return Self { obtuse: true, a: (PHI + 1.0) * b, b: c - PHI * b, c: a };
+        }
+        let (b, r) = (b - inverse * c, PHI * c);
+        if b >= inverse * a {
+            Self { obtuse: true, a: PHI * a, b: r, c: b - inverse * a }
+        } else {
+            Self { obtuse: false, a: r, b: (PHI + 1.0) * b, c: a - PHI * b }
+        }
+    }
+}
+
+impl Penrose {
+    /// The tiling of a number.
+    pub fn numbered(number: usize) -> Option<Self> {
+        [Self::Pentagons, Self::Kites, Self::Rhombs].get(number.checked_sub(25)?).copied()
+    }
+
+    /// How many kinds of tiles there are.
+    pub fn kinds(self) -> usize {
+        if self == Self::Pentagons { 6 } else { 2 }
+    }
+
+    /// The kind of the tile at a point, and how far within its bevel the point lies: 0 at the edge, 1 at its end and beyond; a little
+    /// less, as was measured, so that no number is the same as that of the edges of the kind before.
+    pub fn at(self, p: DVec2) -> (usize, f64) {
+        let (kind, within) = match self {
+            Self::Pentagons => {
+                let (kind, distance) = pentagons(Place::of(p, LEG, 4));
+                (kind, distance / DEPTH)
+            }
+            Self::Kites => kites(Place::of(p, 1.0, 2)),
+            Self::Rhombs => rhombs(Place::of(p, 1.0, 3)),
+        };
+        let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.kinds() as f64 };
+        (kind, within.clamp(0.0, most))
+    }
+}
+
+/// Rhombs are two triangles that meet along BC.
+fn rhombs(at: Place) -> (usize, f64) {
+    let height = if at.obtuse { C18 } else { S36 };
+    (usize::from(!at.obtuse), at.b.min(at.c) * height / DEPTH)
+}
+
+/// Kites and darts are two triangles that meet along AB: the acute ones as they are, and the obtuse ones cut from A to the point R
+/// that divides BC.
+fn kites(at: Place) -> (usize, f64) {
+    let Place { obtuse, a, b, c } = at;
+    let inverse = PHI - 1.0;
+    let (dart, distance) = match obtuse {
+        false => (false, (a * C18).min(b * S36)),
+        true if c >= PHI * b => (true, ((PHI + 1.0) * b * S36).min((c - PHI * b) * C18) * inverse),
+        true => (false, ((b - inverse * c) * C18).min(a * S36)),
+    };
+    (usize::from(dart), distance / KITE_DEPTH)
+}
+
+/// The tile and the distance from its edge.
+fn pentagons(at: Place) -> (usize, f64) {
+    // A lies at the origin, B at <LEG, 0>.
+    let tip = TOWARDS[if at.obtuse { 3 } else { 1 }] * LEG;
+    let (end, p) = (DVec2::X * LEG, DVec2::X * (LEG * at.b) + tip * at.c);
+    let (left, right) = if at.obtuse { (1, 2) } else { (2, 1) };
+    let mut best = diamond(p - end / 2.0);
+    let mut tile = |kind, center: DVec2, mirrored: bool| {
+        let distance = pentagon(if mirrored { center - p } else { p - center });
+        if distance > best.1 {
+            best = (kind, distance);
+        }
+    };
+    tile(0, DVec2::ZERO, false);
+    tile(0, end, true);
+    tile(left, TOWARDS[1] * APART, true);
+    tile(right, end + TOWARDS[4] * APART, false);
+    if at.obtuse {
+        tile(2, TOWARDS[3] * APART, true);
+        tile(1, tip + TOWARDS[9] * APART, false);
+    }
+    if best.1 >= 0.0 {
+        return best;
+    }
+    let middle = end + TOWARDS[4] * LEG;
+    if at.obtuse && p.distance_squared(middle) < p.distance_squared(tip) { boat(p - middle) } else { star(p - tip) }
+}
+
+/// The distance from the edge of a pentagon around the origin, with a corner at 0°; below 0 outside.
+fn pentagon(p: DVec2) -> f64 {
+    APART / 2.0 - [1, 3, 5, 7, 9].map(|k| TOWARDS[k].dot(p)).into_iter().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// A rhomb around the origin, with its acute corners at 0° and 180°.
+fn diamond(p: DVec2) -> (usize, f64) {
+    (5, S18 * C18 - p.x.abs() * S18 - p.y.abs() * C18)
+}
+
+/// A star around the origin, with a tip at 0°.
+fn star(p: DVec2) -> (usize, f64) {
+    (3, arm(turn(p, widest(p, &[0, 2, 4, 6, 8]))))
+}
+
+/// Three arms of a star, the one in the middle at -36°, and a side across where the others would begin.
+fn boat(p: DVec2) -> (usize, f64) {
+    let across = (S18 * S18 / S36) + p.dot(TOWARDS[9]);
+    let k = widest(p, &[9, 1, 7, 3, 5]);
+    (4, if matches!(k, 3 | 5) { across } else { across.min(arm(turn(p, k))) })
+}
+
+/// The distance from the edges of a star's arm at 0°, 36° wide at its tip.
+fn arm((x, z): (f64, f64)) -> f64 {
+    (APART - x) * S18 - z.abs() * C18
+}
+
+/// Which of these directions the point lies nearest to.
+fn widest(p: DVec2, among: &[usize]) -> usize {
+    let farther = |best: usize, &k: &usize| if TOWARDS[k].dot(p) > TOWARDS[best].dot(p) { k } else { best };
+    among.iter().fold(among[0], farther)
+}
+
+/// The point's coordinates along and across a direction.
+fn turn(p: DVec2, k: usize) -> (f64, f64) {
+    (TOWARDS[k].dot(p), TOWARDS[k].perp_dot(p))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const ALL: [Penrose; 3] = [Penrose::Pentagons, Penrose::Kites, Penrose::Rhombs];
+
+    #[test]
+    fn thick_tiles_are_the_golden_ratio_of_thin_ones() {
+        // So are their numbers in any Penrose tiling: of kites to darts too.
+        for (tiling, area) in [(Penrose::Kites, PHI), (Penrose::Rhombs, PHI)] {
+            let (mut first, mut all) = (0.0, 0.0);
+            for i in 0..400_000 {
+                // a low-discrepancy sequence (R2) over a square
+                let t = f64::from(i);
+                let p = DVec2::new(t * 0.754_877_666_246_693, t * 0.569_840_290_998_053_3).fract();
+                first += f64::from(u8::from(tiling.at((p - 0.5) * 4000.0).0 == 0));
+                all += 1.0;
+            }
+            // in number φ : 1, and in area φ times more
+            let expected = PHI * area / (PHI * area + 1.0);
+            assert!((first / all - expected).abs() < 2e-3, "{tiling:?}: {}", first / all);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn there_is_fivefold_symmetry(x in -50.0..50.0f64, z in -50.0..50.0f64) {
+            let p = DVec2::new(x, z);
+            for tiling in ALL {
+                let (kind, within) = tiling.at(p);
+                let (along, across) = turn(p, 2);
+                let turned = tiling.at(DVec2::new(along, across));
+                prop_assert!((turned.1 - within).abs() < 1e-10 && (turned.0 == kind || within < 1e-10));
+                prop_assert_eq!(tiling.at(DVec2::new(x, -z)), (kind, within));
+            }
+        }
+
+        #[test]
+        fn bevels_have_no_jumps(x in -50.0..50.0f64, z in -50.0..50.0f64, dx in -1e-4..1e-4f64, dz in -1e-4..1e-4f64) {
+            for tiling in ALL {
+                let [(_, one), (_, other)] = [(x, z), (x + dx, z + dz)].map(|(x, z)| tiling.at(DVec2::new(x, z)));
+                prop_assert!((one - other).abs() < 1e-3, "{tiling:?}");
+            }
+        }
+    }
+}
