@@ -1,8 +1,9 @@
 //! Textures as a ray needs them: layers with all constants worked out.
 
+use super::Ink;
 use crate::color::{Color, Rgb};
 use crate::pattern::{Kind, Pattern, Spot};
-use crate::texture::{self, Irid, Map, Normal, Parts, Pigment, Reflection, Texture};
+use crate::texture::{self, Irid, Map, Normal, Parts, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -45,7 +46,7 @@ pub struct Layer {
     /// Its bumps.
     pub normal: Option<Arc<Normal>>,
     /// Its colour.
-    pub ink: Ink,
+    pub ink: LayerColor,
     /// Its colour where quality is low (`quick_color`).
     pub quick: Option<Color>,
     /// Light without a lamp: `ambient` times the scene's `ambient_light`, and `emission`.
@@ -75,11 +76,11 @@ pub struct Layer {
 /// What gives a layer its colour. Most layers have but one.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Ink {
+pub enum LayerColor {
     /// The same everywhere.
     Solid(Color),
     /// Another one at each point.
-    Pattern(Box<Pigment>),
+    Ink(Box<Ink>),
 }
 
 /// strength · cosⁿ
@@ -98,7 +99,9 @@ impl Material {
         Self {
             // One layer that lets nothing pass is enough.
             opaque: texture.layers.iter().any(is_opaque),
-            solid: layers.iter().all(|l| matches!(l.ink, Ink::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
+            solid: layers
+                .iter()
+                .all(|l| matches!(l.ink, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.passing()).product(),
             uv: texture.layers.iter().any(asks_uv),
             layers,
@@ -145,8 +148,8 @@ impl Layer {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, ambient_light))),
             normal: normal.clone().filter(|normal| !normal.is_flat()),
             ink: match pigment.as_solid() {
-                Some(color) => Ink::Solid(color),
-                None => Ink::Pattern(Box::new(pigment.clone())),
+                Some(color) => LayerColor::Solid(color),
+                None => LayerColor::Ink(Box::new(Ink::new(pigment))),
             },
             quick: pigment.quick_color,
             glow: f.ambient * ambient_light + f.emission,
@@ -166,8 +169,8 @@ impl Layer {
     /// Its colour at a spot in the texture's space; `quick` as the lower qualities show it: nothing is see-through.
     pub fn color(&self, spot: &Spot, quick: bool) -> Color {
         let real = || match &self.ink {
-            Ink::Solid(color) => *color,
-            Ink::Pattern(pigment) => pigment.at(spot),
+            LayerColor::Solid(color) => *color,
+            LayerColor::Ink(ink) => ink.at(spot),
         };
         if quick { Color::opaque(self.quick.unwrap_or_else(real).rgb) } else { real() }
     }

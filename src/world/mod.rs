@@ -4,6 +4,7 @@ mod bvh;
 mod crowd;
 mod geometry;
 mod halfspace;
+mod ink;
 mod leaf;
 mod lower;
 mod material;
@@ -12,9 +13,10 @@ mod probe;
 mod stretch;
 
 pub use geometry::Geometry;
+pub use ink::Ink;
 pub use leaf::{Found, FoundList, Leaf, Surface};
 pub use lower::lower;
-pub use material::{Choice, Ink, Layer, Lobe, Material};
+pub use material::{Choice, Layer, LayerColor, Lobe, Material};
 pub use node::{Node, NodeKind};
 pub use probe::Probe;
 
