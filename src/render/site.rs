@@ -58,8 +58,16 @@ impl<'w> Site<'w> {
         };
         let mut painter = Painter { coat, quick, opacity_by_color: world.opacity_by_color, layers: SmallVec::new() };
         let pass = painter.paint(material, &spot, Rgb::ONE, 1.0, None);
-        let bumped = painter.layers.first().map_or(normal, |top| top.normal);
-        Self { part, point: surface.point, normal: bumped, smooth: normal, layers: painter.layers, pass }
+        let (bumped, refraction) =
+            painter.layers.first().map_or((normal, 1.0), |top| (top.normal, top.layer.refraction));
+        Self {
+            part,
+            point: surface.point,
+            normal: bumped,
+            smooth: normal,
+            layers: painter.layers,
+            pass: refraction * pass,
+        }
     }
 }
 

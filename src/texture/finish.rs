@@ -47,9 +47,14 @@ pub struct Finish {
     pub irid: Option<Irid>,
     /// Takes from the light that passes what the mirror gives.
     pub conserve_energy: bool,
-    /// The index of refraction, where an old scene says it here and no `interior` does.
+    /// Of old scenes: the interior's, before what that says itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
+    /// Of old scenes: the interior's, in its own unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub caustics: Option<f64>,
+    /// Of old scenes: factor of the light that passes, if the layer is the topmost.
+    pub refraction: f64,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub undrawn: Vec<Said>,
@@ -104,6 +109,8 @@ impl Default for Finish {
             irid: None,
             conserve_energy: false,
             ior: None,
+            caustics: None,
+            refraction: 1.0,
             undrawn: vec![],
         }
     }
@@ -177,6 +184,9 @@ impl Finish {
             "crand" => self.crand = r.float()?,
             // Before 3.1, what is inside stood here.
             "ior" => self.ior = Some(r.float()?),
+            // (as was measured on POV-Ray 3.7)
+            "caustics" => self.caustics = Some(r.float()? / 45.0),
+            "refraction" => self.refraction = r.float()?,
             _ if FINISH.ignores(word) => drop(r.float()?),
             "conserve_energy" => self.conserve_energy = r.flag()?,
             "reflection_exponent" => self.reflection.exponent = r.float()?,

@@ -119,10 +119,27 @@ pub const FINISH: Vocabulary = Vocabulary {
         word("reflection_exponent", Float, "1", "old spelling of `exponent` in `reflection { }`"),
         word("irid", Block, "", "the colours of a thin film, as on soap bubbles"),
         word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through"),
-        word("ior", Float, "", "as in `interior`, which is newer"),
+        word(
+            "ior",
+            Float,
+            "",
+            "as in `interior`, which is newer; that of the topmost layer goes before the interior's",
+        ),
+        word(
+            "caustics",
+            Float,
+            "",
+            "45 times what it is in `interior`, which is newer; the topmost layer's goes before",
+        ),
+        word(
+            "refraction",
+            Float,
+            "1",
+            "in old scenes: factor of the light that passes the topmost layer, but not of shadows",
+        ),
     ],
     moves: false,
-    idle: &["refraction", "caustics", "fade_distance", "fade_power"],
+    idle: &["fade_distance", "fade_power"],
     not_drawn: &["subsurface"],
 };
 

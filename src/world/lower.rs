@@ -10,7 +10,7 @@ use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Cuboid, Kernel, Shape};
 use crate::source::Span;
-use crate::texture::{Interior, Texture};
+use crate::texture::{Finish, Interior, Texture};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -66,6 +66,21 @@ struct Around {
     inside: Option<Look>,
     interior: Option<u32>,
     flags: Flags,
+}
+
+/// What fills the object. Old scenes name some of it in the finish; what the topmost layer says goes before the interior
+/// (measured on POV-Ray 3.7).
+fn interior_of(object: &Object) -> Option<Interior> {
+    let said = object.interior.as_deref().cloned();
+    let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
+    match finish {
+        Some(&Finish { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
+            let inside = said.unwrap_or_default();
+            let (ior, caustics) = (ior.unwrap_or(inside.ior), caustics.unwrap_or(inside.caustics));
+            Some(Interior { ior, caustics, ..inside })
+        }
+        _ => said,
+    }
 }
 
 /// A texture and its place in the world.
@@ -139,10 +154,7 @@ impl Lowering {
             Ok(Some(Look { texture: painted.texture.clone(), transform: place }))
         };
         let texture = look(&object.texture)?;
-        // Old scenes name the index of refraction in the finish.
-        let ior_of = |painted: &Painted| painted.texture.layers.iter().find_map(|layer| layer.finish.ior);
-        let old_ior = || object.texture.as_ref().and_then(ior_of).map(|ior| Interior { ior, ..Interior::default() });
-        let interior = object.interior.as_deref().cloned().or_else(old_ior);
+        let interior = interior_of(object);
         // What a group says of its inside does not belong to a part's own texture.
         let inherited = if texture.is_none() { around.inside.clone() } else { None };
         Ok(Around {

@@ -69,6 +69,8 @@ pub struct Layer {
     pub irid: Option<Irid>,
     /// What it mirrors, if anything.
     pub mirror: Option<Box<Reflection>>,
+    /// Factor of the light that passes, if it is the topmost layer.
+    pub refraction: f64,
     /// Takes from the light that passes what the mirror gives.
     pub conserve_energy: bool,
 }
@@ -162,6 +164,7 @@ impl Layer {
             crand: f.crand,
             irid: f.irid,
             mirror: (!f.reflection.is_none()).then(|| Box::new(f.reflection.clone())),
+            refraction: f.refraction,
             conserve_energy: f.conserve_energy,
         }
     }

@@ -164,7 +164,8 @@ impl Node {
                 out[first..].iter_mut().for_each(|found| found.object = self.object);
             }
             _ => {
-                let all = self.gather(ray, range);
+                let mut all = Gathered::new();
+                self.gather(ray, range, &mut all);
                 let kept =
                     all.hits.iter().filter(|(found, child)| self.survives(&all, *child as usize, ray, found.t()));
                 out.extend(kept.map(|(found, _)| Found { object: self.object, ..*found }));
@@ -203,9 +204,9 @@ impl Node {
     }
 
     /// The hits on an intersection's or a merge's children.
-    fn gather<'a>(&'a self, ray: &Ray, range: Range) -> Gathered<'a> {
+    fn gather<'a>(&'a self, ray: &Ray, range: Range, all: &mut Gathered<'a>) {
         let children = self.children();
-        let mut all = Gathered::new(children.len());
+        all.expect(children.len());
         let only_inside = matches!(self.kind, NodeKind::Intersection(_));
         let mut met: SmallVec<[u32; 16]> = SmallVec::new();
         self.each_child(ray, range, |i, child, range| {
@@ -213,12 +214,12 @@ impl Node {
             all.look(i, child, ray, range, only_inside)
         });
         met.into_iter().for_each(|i| all.add(i as usize, &children[i as usize], ray));
-        all
     }
 
     /// Gathers the children's hits and asks about them in order, until one is kept.
     fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
-        let mut all = self.gather(ray, range);
+        let mut all = Gathered::new();
+        self.gather(ray, range, &mut all);
         all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(i.cmp(j)));
         let kept = all.hits.iter().find(|(found, child)| {
             self.survives(&all, *child as usize, ray, found.t()) && self.in_clip(ray.at(found.t()))

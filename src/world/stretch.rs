@@ -61,9 +61,14 @@ pub(super) struct Gathered<'a> {
 }
 
 impl<'a> Gathered<'a> {
-    /// For so many children.
-    pub(super) fn new(children: usize) -> Self {
-        Self { range: Range::ALL, hits: SmallVec::new(), stretches: SmallVec::from_elem(None, children) }
+    /// Nothing. (It is large: it stays where it is made.)
+    pub(super) fn new() -> Self {
+        Self { range: Range::ALL, hits: SmallVec::new(), stretches: SmallVec::new() }
+    }
+
+    /// Makes place for so many children.
+    pub(super) fn expect(&mut self, children: usize) {
+        self.stretches.resize(children, None);
     }
 
     /// Looks where the ray is inside a child. If only what lies inside counts, then that is all of the range from now on, which is
