@@ -24,7 +24,7 @@ impl Tracer<'_> {
     /// The light that a place sends back along the ray, without what it mirrors and lets pass.
     pub(super) fn shade(&mut self, dir: DVec3, site: &Site, inside: &Interiors) -> Rgb {
         if !self.setup.quality.lit {
-            return site.layers.first().map_or(Rgb::ZERO, |top| top.color.rgb);
+            return site.layers.iter().map(|shown| shown.weight * shown.color.rgb).sum();
         }
         let mut sum = Rgb::ZERO;
         for shown in &site.layers {

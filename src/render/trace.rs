@@ -22,10 +22,17 @@ pub(super) struct Quality {
     pub lit: bool,
     /// From 4 on.
     pub shadows: bool,
-    /// From 6 on: no quick colours, and see-through.
+    /// From 6 on: no quick colours, and what is see-through shows what is behind.
     pub real: bool,
-    /// From 8 on.
+    /// From 8 on: mirrors and bumps.
     pub mirrors: bool,
+}
+
+impl Quality {
+    /// What a number from 0 to 11 switches on (measured on POV-Ray 3.7).
+    fn new(q: u8) -> Self {
+        Self { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8 }
+    }
 }
 
 /// What is the same for all rays of a frame.
@@ -43,8 +50,7 @@ pub(super) struct Setup<'w> {
 impl<'w> Setup<'w> {
     pub fn new(world: &'w World, options: &Options) -> Self {
         let window = world.camera.window(options.width, options.height);
-        let q = options.quality;
-        let quality = Quality { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8 };
+        let quality = Quality::new(options.quality);
         let mut start = Interiors::new();
         if world.bends || world.colors_light {
             world
@@ -155,23 +161,24 @@ impl<'w> Tracer<'w> {
                 let (sky, open) = self.background(path.mirrored);
                 return Sample { rgb: rgb + through * sky, passed: passed * open };
             };
-            let site = Site::new(self.setup.world, &path.ray, &found, !self.setup.quality.real);
-            rgb += through * self.shade(path.ray.dir, &site, &path.inside);
             let world = self.setup.world;
+            let own = world.parts[found.leaf.id as usize].interior;
             let mut border = match world.bends || world.colors_light {
-                true => Border::new(&path.inside, site.part.interior, &world.interiors),
+                true => Border::new(&path.inside, own, &world.interiors),
                 false => Border::NONE,
             };
             if let Some(hue) = path.hue {
-                border = border.of_hue(hue, &path.inside, site.part.interior, &world.interiors);
+                border = border.of_hue(hue, &path.inside, own, &world.interiors);
             }
+            let site = Site::new(world, &path.ray, &found, &self.setup.quality, &border);
+            rgb += through * self.shade(path.ray.dir, &site, &path.inside);
             let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
             // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
             let fade = match world.colors_light && border.leaves() {
                 true => world.interiors[site.part.interior as usize].fade(found.t()),
                 false => Rgb::ONE,
             };
-            let pass = fade * site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
+            let pass = fade * site.pass;
             let onward = self.onward(&path, &site, &border, pass);
             if mirrors && !matches!(onward, Onward::Total) {
                 rgb += through * self.mirrored(&path, &site, &border);
@@ -233,7 +240,7 @@ impl<'w> Tracer<'w> {
     fn onward(&self, path: &Path, site: &Site, border: &Border, pass: Rgb) -> Onward {
         let world = self.setup.world;
         let count = gray(pass).min(path.weight * pass.max_element());
-        if site.pass == Rgb::ZERO || count <= world.adc_bailout || path.level >= world.max_trace_level {
+        if !self.setup.quality.real || site.pass == Rgb::ZERO || count <= world.adc_bailout || path.level >= world.max_trace_level {
             return Onward::Ends;
         }
         if world.disperses
@@ -245,22 +252,20 @@ impl<'w> Tracer<'w> {
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
-    /// The light that the place mirrors: one ray for each normal of its layers.
+    /// The light that the place mirrors.
     fn mirrored(&mut self, path: &Path, site: &Site, border: &Border) -> Rgb {
         let world = self.setup.world;
-        let count = Count { weight: path.weight, bailout: world.adc_bailout };
         let mut sum = Rgb::ZERO;
-        for normal in mirror::normals(site) {
-            let weight = mirror::weight(site, normal, border, count);
-            if weight == 0.0 || path.level >= world.max_trace_level {
-                continue;
-            }
+        if path.level >= world.max_trace_level {
+            return sum;
+        }
+        let count = Count { weight: path.weight, bailout: world.adc_bailout };
+        for mirrored in mirror::bounces(site, border, count) {
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, bounce(path.ray.dir, normal, site.smooth));
-            let path =
-                Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone(), hue: path.hue };
-            let light = self.follow(path).rgb;
-            sum += mirror::answer(site, normal, border, count, light);
+            let ray = Ray::new(site.point, bounce(path.ray.dir, mirrored.normal, site.smooth));
+            let (level, weight, inside) = (path.level + 1, mirrored.weight, path.inside.clone());
+            let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
+            sum += mirror::answer(site, mirrored, border, count, light);
         }
         sum
     }

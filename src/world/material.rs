@@ -2,7 +2,7 @@
 
 use crate::color::{Color, Rgb};
 use crate::pattern::{Kind, Pattern, Spot};
-use crate::texture::{self, Irid, Map, Normal, Parts, Pigment, Reflection, Texture};
+use crate::texture::{self, Irid, Normal, Parts, Pigment, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -46,8 +46,8 @@ pub struct Layer {
     pub normal: Option<Arc<Normal>>,
     /// Its colour.
     pub ink: Ink,
-    /// Its colour where quality is low (`quick_color`).
-    pub quick: Option<Color>,
+    /// Its colour where quality is low (`quick_color`), if that is another.
+    pub quick: Option<Box<Ink>>,
     /// Light without a lamp: `ambient` times the scene's `ambient_light`, and `emission`.
     pub glow: Rgb,
     /// Scattered on the side of the lamp.
@@ -121,14 +121,7 @@ fn asks_uv(layer: &texture::Layer) -> bool {
 }
 
 fn lower_choice(choice: &texture::Choice, ambient_light: Rgb) -> Choice {
-    let lower = |texture: &Texture| Material::new(texture, ambient_light);
-    let parts = match &choice.parts {
-        Parts::Map(map) => {
-            let entries = map.entries.iter().map(|(number, texture)| (*number, lower(texture))).collect();
-            Parts::Map(Arc::new(Map { entries }))
-        }
-        Parts::List(list) => Parts::List(list.iter().map(lower).collect()),
-    };
+    let parts = choice.parts.map(|texture| Material::new(texture, ambient_light));
     Choice { pattern: choice.pattern.clone(), parts }
 }
 
@@ -144,11 +137,8 @@ impl Layer {
         Self {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, ambient_light))),
             normal: normal.clone().filter(|normal| !normal.is_flat()),
-            ink: match pigment.as_solid() {
-                Some(color) => Ink::Solid(color),
-                None => Ink::Pattern(Box::new(pigment.clone())),
-            },
-            quick: pigment.quick_color,
+            ink: Ink::new(pigment),
+            quick: pigment.quick().map(|quick| Box::new(Ink::new(&quick))),
             glow: f.ambient * ambient_light + f.emission,
             diffuse: f.diffuse * diffuse,
             diffuse_back: f.diffuse_back * diffuse,
@@ -163,12 +153,21 @@ impl Layer {
         }
     }
 
-    /// Its colour at a spot in the texture's space; `quick` as the lower qualities show it: nothing is see-through.
+    /// Its colour at a spot in the texture's space; `quick` as the lower qualities show it.
     pub fn color(&self, spot: &Spot, quick: bool) -> Color {
-        let real = || match &self.ink {
+        let ink = self.quick.as_deref().filter(|_| quick).unwrap_or(&self.ink);
+        match ink {
             Ink::Solid(color) => *color,
             Ink::Pattern(pigment) => pigment.at(spot),
-        };
-        if quick { Color::opaque(self.quick.unwrap_or_else(real).rgb) } else { real() }
+        }
+    }
+}
+
+impl Ink {
+    fn new(pigment: &Pigment) -> Self {
+        match pigment.as_solid() {
+            Some(color) => Self::Solid(color),
+            None => Self::Pattern(Box::new(pigment.clone())),
+        }
     }
 }
