@@ -3,7 +3,7 @@
 use super::mirror::left_over;
 use super::refract::Border;
 use super::trace::Quality;
-use crate::color::{Color, Rgb};
+use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray};
 use crate::pattern::{Space, Spot};
 use crate::texture::Normal;
@@ -59,8 +59,14 @@ impl<'w> Site<'w> {
             noise: world.noise,
             waves: world.waves,
         };
-        let opacity_by_color = world.opacity_by_color;
-        let mut painter = Painter { coat, quality, border, opacity_by_color, layers: SmallVec::new() };
+        let mut painter = Painter {
+            coat,
+            quality,
+            border,
+            opacity_by_color: world.opacity_by_color,
+            bailout: world.adc_bailout,
+            layers: SmallVec::new(),
+        };
         let pass = painter.paint(material, &spot, Rgb::ONE, 1.0, None);
         let bumped = painter.layers.first().map_or(normal, |top| top.normal);
         Self { part, point: surface.point, normal: bumped, smooth: normal, layers: painter.layers, pass }
@@ -73,6 +79,7 @@ struct Painter<'w, 'a> {
     quality: &'a Quality,
     border: &'a Border,
     opacity_by_color: bool,
+    bailout: f64,
     layers: SmallVec<[Shown<'w>; 2]>,
 }
 
@@ -105,7 +112,8 @@ impl<'w> Painter<'w, '_> {
                     self.layers.push(shown);
                 }
             }
-            if pass == Rgb::ZERO {
+            // What shows too little of itself is not looked at (measured on POV-Ray 3.7).
+            if pass == Rgb::ZERO || gray(pass) <= self.bailout {
                 break;
             }
         }

@@ -93,6 +93,8 @@ enum Onward {
     Through(DVec3),
     /// It is mirrored, all of it.
     Total,
+    /// It would be, but counts too little.
+    Lost,
     /// It splits into so many colours.
     Splits(u32),
 }
@@ -180,11 +182,11 @@ impl<'w> Tracer<'w> {
             };
             let pass = fade * site.pass;
             let onward = self.onward(&path, &site, &border, pass);
-            if mirrors && !matches!(onward, Onward::Total) {
+            if mirrors && !matches!(onward, Onward::Total | Onward::Lost) {
                 rgb += through * self.mirrored(&path, &site, &border);
             }
             match onward {
-                Onward::Ends => return Sample { rgb, passed: 0.0 },
+                Onward::Ends | Onward::Lost => return Sample { rgb, passed: 0.0 },
                 Onward::Through(dir) => {
                     through *= pass;
                     passed *= gray(site.pass);
@@ -236,12 +238,17 @@ impl<'w> Tracer<'w> {
     }
 
     /// Does the ray go on behind the surface, which lets `pass` through, and where to? It must count enough by its largest
-    /// channel, and this surface alone by its gray (both measured on 3.7).
+    /// channel, and this surface alone by its gray; if only the former is too little, what is totally reflected is not seen in
+    /// the mirror either (all measured on 3.7).
     fn onward(&self, path: &Path, site: &Site, border: &Border, pass: Rgb) -> Onward {
         let world = self.setup.world;
-        let count = gray(pass).min(path.weight * pass.max_element());
-        if !self.setup.quality.real || site.pass == Rgb::ZERO || count <= world.adc_bailout || path.level >= world.max_trace_level {
+        let clear = self.setup.quality.real && site.pass != Rgb::ZERO && gray(pass) > world.adc_bailout;
+        if !clear || path.level >= world.max_trace_level {
             return Onward::Ends;
+        }
+        if path.weight * pass.max_element() <= world.adc_bailout {
+            let total = border.refract(path.ray.dir, site.normal).is_none();
+            return if total { Onward::Lost } else { Onward::Ends };
         }
         if world.disperses
             && path.hue.is_none()
