@@ -182,8 +182,10 @@ impl<'w> Tracer<'w> {
             };
             let pass = fade * site.pass;
             let onward = self.onward(&path, &site, &border, pass);
-            if mirrors && !matches!(onward, Onward::Total | Onward::Lost) {
-                rgb += through * self.mirrored(&path, &site, &border);
+            if mirrors {
+                // What is totally reflected takes the place of the mirror with the same bumps (measured on 3.7).
+                let taken = matches!(onward, Onward::Total | Onward::Lost).then_some(site.normal);
+                rgb += through * self.mirrored(&path, &site, &border, taken);
             }
             match onward {
                 Onward::Ends | Onward::Lost => return Sample { rgb, passed: 0.0 },
@@ -259,8 +261,8 @@ impl<'w> Tracer<'w> {
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
-    /// The light that the place mirrors.
-    fn mirrored(&mut self, path: &Path, site: &Site, border: &Border) -> Rgb {
+    /// The light that the place mirrors, but for mirrors with the normal `taken`.
+    fn mirrored(&mut self, path: &Path, site: &Site, border: &Border, taken: Option<DVec3>) -> Rgb {
         let world = self.setup.world;
         let mut sum = Rgb::ZERO;
         if path.level >= world.max_trace_level {
@@ -268,6 +270,9 @@ impl<'w> Tracer<'w> {
         }
         let count = Count { weight: path.weight, bailout: world.adc_bailout };
         for mirrored in mirror::bounces(site, border, count) {
+            if taken == Some(mirrored.normal) {
+                continue;
+            }
             self.rays.reflected += 1;
             let ray = Ray::new(site.point, bounce(path.ray.dir, mirrored.normal, site.smooth));
             let (level, weight, inside) = (path.level + 1, mirrored.weight, path.inside.clone());
