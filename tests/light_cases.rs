@@ -17,6 +17,31 @@ struct Expected {
     rgb: [f64; 3],
 }
 
+/// What povray's picture is kept as.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Kept {
+    Pixels(Vec<Expected>),
+    /// Row by row, three numbers a pixel, in steps of 1/65535.
+    Steps(Vec<u16>),
+}
+
+impl Kept {
+    fn pixels(self) -> Vec<Expected> {
+        let steps = match self {
+            Kept::Pixels(pixels) => return pixels,
+            Kept::Steps(steps) => steps,
+        };
+        assert_eq!(steps.len(), 3 * SIZE.0 * SIZE.1);
+        let pixel = |(i, [r, g, b]): (usize, &[u16; 3])| Expected {
+            x: i % SIZE.0,
+            y: i / SIZE.0,
+            rgb: [*r, *g, *b].map(|step| f64::from(step) / 65535.0),
+        };
+        steps.as_chunks().0.iter().enumerate().map(pixel).collect()
+    }
+}
+
 /// The values are rounded to 1/65535, and kept with six digits.
 const TOLERANCE: f64 = 1.0 / 65535.0;
 
@@ -40,9 +65,9 @@ fn all_cases() {
 /// What is wrong with one case.
 fn compare(path: &Path) -> Option<String> {
     let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-    let expected: Vec<Expected> =
-        serde_json::from_str(&std::fs::read_to_string(path.with_extension("json")).unwrap()).unwrap();
-    let frame = match draw(path) {
+    let kept: Kept = serde_json::from_str(&std::fs::read_to_string(path.with_extension("json")).unwrap()).unwrap();
+    let expected = kept.pixels();
+    let frame = match draw(path, quality(&name)) {
         Ok(frame) => frame,
         Err(message) => return Some(format!("{name}: {message}")),
     };
@@ -64,7 +89,12 @@ fn compare(path: &Path) -> Option<String> {
     }
 }
 
-fn draw(path: &Path) -> Result<durer::image_io::Frame, String> {
+/// `NAME_qN` is drawn with `--quality N`.
+fn quality(name: &str) -> u8 {
+    name.rsplit_once("_q").and_then(|(_, n)| n.parse().ok()).unwrap_or(9)
+}
+
+fn draw(path: &Path, quality: u8) -> Result<durer::image_io::Frame, String> {
     let sources = Sources::default();
     let reading = interpreter::Options {
         search: SearchPath::new(path.parent().unwrap(), &[]),
@@ -76,7 +106,6 @@ fn draw(path: &Path) -> Result<durer::image_io::Frame, String> {
     let messages: Vec<_> = built.diagnostics.iter().map(|d| d.message.clone()).collect();
     let world = built.world.ok_or_else(|| messages.join("; "))?;
     let (width, height) = SIZE;
-    let options =
-        Options { width, height, antialias: None, quality: 9, threads: 1, region: None, frame: 0, alpha: false };
+    let options = Options { width, height, antialias: None, quality, threads: 1, region: None, frame: 0, alpha: false };
     render(&world, &options, &Unwatched).map(|(frame, _)| frame).map_err(|_| "cancelled".into())
 }

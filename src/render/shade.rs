@@ -24,7 +24,7 @@ impl Tracer<'_> {
     /// The light that a place sends back along the ray, without what it mirrors and lets pass.
     pub(super) fn shade(&mut self, dir: DVec3, site: &Site, inside: &Interiors) -> Rgb {
         if !self.setup.quality.lit {
-            return site.layers.first().map_or(Rgb::ZERO, |top| top.color.rgb);
+            return site.layers.iter().map(|shown| shown.weight * shown.color.rgb).sum();
         }
         let mut sum = Rgb::ZERO;
         for shown in &site.layers {
@@ -65,7 +65,7 @@ impl Tracer<'_> {
             }
             if let Some(irid) = &shown.layer.irid {
                 let world = self.setup.world;
-                let cosines = at.cos + shown.cos;
+                let cosines = at.cos.abs() + shown.cos.abs();
                 answer *= irid.tint(site.point, cosines, world.irid_wavelength, world.noise);
             }
             sum += shown.weight * answer;
@@ -129,11 +129,11 @@ pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
         return Rgb::ONE;
     }
     const K: f64 = 1.12;
-    // What bumps show from behind counts as seen from the side (measured on POV-Ray 3.7).
-    let x = fp::acos(cos.max(0.0)) / FRAC_PI_2;
+    let x = fp::acos(cos.clamp(-1.0, 1.0)) / FRAC_PI_2;
     // F(x) = (1/(x-k)² - 1/k²) / (1/(1-k)² - 1/k²)
     let rise = |x: f64| 1.0 / ((x - K) * (x - K)) - 1.0 / (K * K);
-    let fresnel = rise(x) / rise(1.0);
+    // Bumps that are seen from behind lie past x = 1, where F first stays (measured on POV-Ray 3.7).
+    let fresnel = (rise(x) / rise(1.0)).min(1.0);
     Rgb::ONE + (pigment - Rgb::ONE) * (metallic * (1.0 - fresnel))
 }
 

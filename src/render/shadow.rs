@@ -1,6 +1,6 @@
 //! What reaches a surface of a lamp's light.
 
-use super::refract::Interiors;
+use super::refract::{Border, Interiors};
 use super::site::{self, Site};
 use super::trace::Tracer;
 use crate::color::Rgb;
@@ -15,7 +15,7 @@ impl Tracer<'_> {
         let world = self.setup.world;
         let ray = Ray::new(point, dir);
         let range = Range { min: tolerance::SHADOW, max: distance - tolerance::SHADOW };
-        let see_through = self.setup.quality.real && world.see_through;
+        let (see_through, quick) = (world.see_through, !self.setup.quality.real);
         // First whether anything opaque is in the way: that search ends at its first hit.
         let blocks = |id: u32| {
             let object = &world.objects[id as usize];
@@ -36,7 +36,7 @@ impl Tracer<'_> {
         }
         let mut light = Rgb::ONE;
         let _ = world.geometry.visit(&ray, range, filters, &mut |found| {
-            light *= site::pass(world, &ray, &found);
+            light *= site::pass(world, &ray, &found, quick);
             if light == Rgb::ZERO { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         light
@@ -56,7 +56,7 @@ impl Tracer<'_> {
         for found in surfaces {
             let own = world.parts[found.leaf.id as usize].interior;
             let interior = &world.interiors[own as usize];
-            light *= site::pass(world, ray, &found);
+            light *= site::pass(world, ray, &found, !self.setup.quality.real);
             if let Some(at) = inside.iter().rposition(|&i| i == own) {
                 inside.remove(at);
                 light *= interior.fade(found.t() - before);
@@ -64,7 +64,7 @@ impl Tracer<'_> {
                 inside.push(own);
             }
             if interior.caustics != 0.0 {
-                let site = Site::new(world, ray, &found, false);
+                let site = Site::new(world, ray, &found, &self.setup.quality, &Border::NONE);
                 light *= interior.caustic(site.normal.dot(ray.dir).abs());
             }
             before = found.t();

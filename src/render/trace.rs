@@ -22,10 +22,17 @@ pub(super) struct Quality {
     pub lit: bool,
     /// From 4 on.
     pub shadows: bool,
-    /// From 6 on: no quick colours, and see-through.
+    /// From 6 on: no quick colours, and what is see-through shows what is behind.
     pub real: bool,
-    /// From 8 on.
+    /// From 8 on: mirrors and bumps.
     pub mirrors: bool,
+}
+
+impl Quality {
+    /// What a number from 0 to 11 switches on (measured on POV-Ray 3.7).
+    fn new(q: u8) -> Self {
+        Self { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8 }
+    }
 }
 
 /// What is the same for all rays of a frame.
@@ -43,8 +50,7 @@ pub(super) struct Setup<'w> {
 impl<'w> Setup<'w> {
     pub fn new(world: &'w World, options: &Options) -> Self {
         let window = world.camera.window(options.width, options.height);
-        let q = options.quality;
-        let quality = Quality { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8 };
+        let quality = Quality::new(options.quality);
         let mut start = Interiors::new();
         if world.bends || world.colors_light {
             world
@@ -87,6 +93,8 @@ enum Onward {
     Through(DVec3),
     /// It is mirrored, all of it.
     Total,
+    /// It would be, but counts too little.
+    Lost,
     /// It splits into so many colours.
     Splits(u32),
 }
@@ -155,16 +163,17 @@ impl<'w> Tracer<'w> {
                 let (sky, open) = self.background(path.mirrored);
                 return Sample { rgb: rgb + through * sky, passed: passed * open };
             };
-            let site = Site::new(self.setup.world, &path.ray, &found, !self.setup.quality.real);
-            rgb += through * self.shade(path.ray.dir, &site, &path.inside);
             let world = self.setup.world;
+            let own = world.parts[found.leaf.id as usize].interior;
             let mut border = match world.bends || world.colors_light {
-                true => Border::new(&path.inside, site.part.interior, &world.interiors),
+                true => Border::new(&path.inside, own, &world.interiors),
                 false => Border::NONE,
             };
             if let Some(hue) = path.hue {
-                border = border.of_hue(hue, &path.inside, site.part.interior, &world.interiors);
+                border = border.of_hue(hue, &path.inside, own, &world.interiors);
             }
+            let site = Site::new(world, &path.ray, &found, &self.setup.quality, &border);
+            rgb += through * self.shade(path.ray.dir, &site, &path.inside);
             let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
             // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
             let fade = match world.colors_light && border.leaves() {
@@ -172,18 +181,19 @@ impl<'w> Tracer<'w> {
                 false => Rgb::ONE,
             };
             // What has faded counts as if it had not (measured on 3.7).
-            let count = site.pass * if mirrors { mirror::left_over(&site, &border) } else { Rgb::ONE };
-            let pass = fade * count;
-            let onward = self.onward(&path, &site, &border, count);
-            if mirrors && !matches!(onward, Onward::Total) {
-                rgb += through * self.mirrored(&path, &site, &border);
+            let pass = fade * site.pass;
+            let onward = self.onward(&path, &site, &border, site.pass);
+            if mirrors {
+                // What is totally reflected takes the place of the mirror with the same bumps (measured on 3.7).
+                let taken = matches!(onward, Onward::Total | Onward::Lost).then_some(site.normal);
+                rgb += through * self.mirrored(&path, &site, &border, taken);
             }
             match onward {
-                Onward::Ends => return Sample { rgb, passed: 0.0 },
+                Onward::Ends | Onward::Lost => return Sample { rgb, passed: 0.0 },
                 Onward::Through(dir) => {
                     through *= pass;
                     passed *= gray(site.pass);
-                    path.weight *= count.max_element();
+                    path.weight *= site.pass.max_element();
                     // Straight on it stays on its level (measured on 3.7).
                     path.level += u32::from(border.bends());
                     path.ray = Ray::new(site.point, dir);
@@ -195,13 +205,13 @@ impl<'w> Tracer<'w> {
                 Onward::Total => {
                     // It takes no more from the light, but the ray counts less (measured on 3.7).
                     through *= fade;
-                    path.weight *= count.max_element();
+                    path.weight *= site.pass.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
                     path.ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
                     self.rays.reflected += 1;
                 }
                 Onward::Splits(samples) => {
-                    path.weight *= count.max_element();
+                    path.weight *= site.pass.max_element();
                     let split = self.split(&path, &site, &border, samples);
                     rgb += through * (pass * split.passing + fade * split.total);
                     return Sample { rgb, passed: 0.0 };
@@ -231,12 +241,17 @@ impl<'w> Tracer<'w> {
     }
 
     /// Does the ray go on behind the surface, which lets `pass` through, and where to? It must count enough by its largest
-    /// channel, and this surface alone by its gray (both measured on 3.7).
+    /// channel, and this surface alone by its gray; if only the former is too little, what is totally reflected is not seen in
+    /// the mirror either (all measured on 3.7).
     fn onward(&self, path: &Path, site: &Site, border: &Border, pass: Rgb) -> Onward {
         let world = self.setup.world;
-        let count = gray(pass).min(path.weight * pass.max_element());
-        if site.pass == Rgb::ZERO || count <= world.adc_bailout || path.level >= world.max_trace_level {
+        let clear = self.setup.quality.real && site.pass != Rgb::ZERO && gray(pass) > world.adc_bailout;
+        if !clear || path.level >= world.max_trace_level {
             return Onward::Ends;
+        }
+        if path.weight * pass.max_element() <= world.adc_bailout {
+            let total = border.refract(path.ray.dir, site.normal).is_none();
+            return if total { Onward::Lost } else { Onward::Ends };
         }
         if world.disperses
             && path.hue.is_none()
@@ -247,22 +262,23 @@ impl<'w> Tracer<'w> {
         border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
     }
 
-    /// The light that the place mirrors: one ray for each normal of its layers.
-    fn mirrored(&mut self, path: &Path, site: &Site, border: &Border) -> Rgb {
+    /// The light that the place mirrors, but for mirrors with the normal `taken`.
+    fn mirrored(&mut self, path: &Path, site: &Site, border: &Border, taken: Option<DVec3>) -> Rgb {
         let world = self.setup.world;
-        let count = Count { weight: path.weight, bailout: world.adc_bailout };
         let mut sum = Rgb::ZERO;
-        for normal in mirror::normals(site) {
-            let weight = mirror::weight(site, normal, border, count);
-            if weight == 0.0 || path.level >= world.max_trace_level {
+        if path.level >= world.max_trace_level {
+            return sum;
+        }
+        let count = Count { weight: path.weight, bailout: world.adc_bailout };
+        for mirrored in mirror::bounces(site, border, count) {
+            if taken == Some(mirrored.normal) {
                 continue;
             }
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, bounce(path.ray.dir, normal, site.smooth));
-            let path =
-                Path { ray, level: path.level + 1, weight, mirrored: true, inside: path.inside.clone(), hue: path.hue };
-            let light = self.follow(path).rgb;
-            sum += mirror::answer(site, normal, border, count, light);
+            let ray = Ray::new(site.point, bounce(path.ray.dir, mirrored.normal, site.smooth));
+            let (level, weight, inside) = (path.level + 1, mirrored.weight, path.inside.clone());
+            let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
+            sum += mirror::answer(site, mirrored, border, count, light);
         }
         sum
     }

@@ -154,6 +154,17 @@ impl<T> Parts<T> {
         }
     }
 
+    /// The same with others in their places.
+    pub fn map<U>(&self, f: impl Fn(&T) -> U) -> Parts<U> {
+        match self {
+            Parts::Map(map) => {
+                let entries = map.entries.iter().map(|(number, entry)| (*number, f(entry))).collect();
+                Parts::Map(Arc::new(Map { entries }))
+            }
+            Parts::List(list) => Parts::List(list.iter().map(f).collect()),
+        }
+    }
+
     /// All of them.
     pub fn iter(&self) -> Box<dyn Iterator<Item = &T> + '_> {
         match self {

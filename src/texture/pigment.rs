@@ -134,6 +134,19 @@ impl Pigment {
         }
     }
 
+    /// As it is drawn at low quality, if that is another: `quick_color` stands for it and for the pigments inside of it.
+    pub fn quick(&self) -> Option<Pigment> {
+        if let Some(color) = self.quick_color {
+            return Some(Self::solid(color));
+        }
+        let Paint::Pigments(parts) = &self.paint else { return None };
+        if !parts.iter().any(|part| part.quick().is_some()) {
+            return None;
+        }
+        let parts = parts.map(|part| part.quick().unwrap_or_else(|| part.clone()));
+        Some(Self { paint: Paint::Pigments(parts), ..self.clone() })
+    }
+
     /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
     pub fn number_at(&self, spot: &Spot) -> f64 {
         self.pattern.see(spot).0

@@ -3,7 +3,7 @@
 use super::Ink;
 use crate::color::{Color, Rgb};
 use crate::pattern::{Kind, Pattern, Spot};
-use crate::texture::{self, Irid, Map, Normal, Parts, Reflection, Texture};
+use crate::texture::{self, Irid, Normal, Parts, Pigment, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -47,8 +47,8 @@ pub struct Layer {
     pub normal: Option<Arc<Normal>>,
     /// Its colour.
     pub ink: LayerColor,
-    /// Its colour where quality is low (`quick_color`).
-    pub quick: Option<Color>,
+    /// Its colour where quality is low (`quick_color`), if that is another.
+    pub quick: Option<Box<LayerColor>>,
     /// Light without a lamp: `ambient` times the scene's `ambient_light`, and `emission`.
     pub glow: Rgb,
     /// Scattered on the side of the lamp.
@@ -126,14 +126,7 @@ fn asks_uv(layer: &texture::Layer) -> bool {
 }
 
 fn lower_choice(choice: &texture::Choice, ambient_light: Rgb) -> Choice {
-    let lower = |texture: &Texture| Material::new(texture, ambient_light);
-    let parts = match &choice.parts {
-        Parts::Map(map) => {
-            let entries = map.entries.iter().map(|(number, texture)| (*number, lower(texture))).collect();
-            Parts::Map(Arc::new(Map { entries }))
-        }
-        Parts::List(list) => Parts::List(list.iter().map(lower).collect()),
-    };
+    let parts = choice.parts.map(|texture| Material::new(texture, ambient_light));
     Choice { pattern: choice.pattern.clone(), parts }
 }
 
@@ -149,11 +142,8 @@ impl Layer {
         Self {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, ambient_light))),
             normal: normal.clone().filter(|normal| !normal.is_flat()),
-            ink: match pigment.as_solid() {
-                Some(color) => LayerColor::Solid(color),
-                None => LayerColor::Ink(Box::new(Ink::new(pigment))),
-            },
-            quick: pigment.quick_color,
+            ink: LayerColor::new(pigment),
+            quick: pigment.quick().map(|quick| Box::new(LayerColor::new(&quick))),
             glow: f.ambient * ambient_light + f.emission,
             diffuse: f.diffuse * diffuse,
             diffuse_back: f.diffuse_back * diffuse,
@@ -169,12 +159,20 @@ impl Layer {
         }
     }
 
-    /// Its colour at a spot in the texture's space; `quick` as the lower qualities show it: nothing is see-through.
+    /// Its colour at a spot in the texture's space; `quick` as the lower qualities show it.
     pub fn color(&self, spot: &Spot, quick: bool) -> Color {
-        let real = || match &self.ink {
+        match self.quick.as_deref().filter(|_| quick).unwrap_or(&self.ink) {
             LayerColor::Solid(color) => *color,
             LayerColor::Ink(ink) => ink.at(spot),
-        };
-        if quick { Color::opaque(self.quick.unwrap_or_else(real).rgb) } else { real() }
+        }
+    }
+}
+
+impl LayerColor {
+    fn new(pigment: &Pigment) -> Self {
+        match pigment.as_solid() {
+            Some(color) => Self::Solid(color),
+            None => Self::Ink(Box::new(Ink::new(pigment))),
+        }
     }
 }
