@@ -7,7 +7,7 @@ use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray};
 use crate::pattern::{Space, Spot};
 use crate::texture::Normal;
-use crate::world::{Coat, Found, Layer, Material, Part, World};
+use crate::world::{Coat, Found, Layer, Material, Node, Part, Surface, World};
 use smallvec::SmallVec;
 
 /// A layer of the texture at a place.
@@ -48,26 +48,22 @@ impl<'w> Site<'w> {
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
         let normal = if against > 0.0 { -surface.normal } else { surface.normal };
-        let coat = coat(part, against > 0.0);
-        let material = &world.materials[coat.material as usize];
-        let spot = Spot {
-            p: coat.local(surface.point),
-            world: surface.point,
-            uv: if material.uv { found.mapped_uv(&surface) } else { DVec2::ZERO },
-            normal,
-            ray: ray.dir,
-            noise: world.noise,
-            waves: world.waves,
-        };
+        let coats = coats(world, part, against > 0.0, surface.point);
         let mut painter = Painter {
-            coat,
+            coat: &part.outside,
             quality,
             border,
             opacity_by_color: world.opacity_by_color,
             bailout: world.adc_bailout,
             layers: SmallVec::new(),
         };
-        let pass = painter.paint(material, &spot, Rgb::ONE, 1.0, None);
+        let share = 1.0 / coats.len() as f64;
+        let mut pass = Rgb::ZERO;
+        for coat in coats {
+            let (material, spot) = spot(world, coat, found, &surface, normal, ray);
+            painter.coat = coat;
+            pass += share * painter.paint(material, &spot, Rgb::splat(share), share, None);
+        }
         let (bumped, refraction) =
             painter.layers.first().map_or((normal, 1.0), |top| (top.normal, top.layer.refraction));
         Self {
@@ -156,31 +152,58 @@ impl Frame<'_> {
     }
 }
 
-/// What is painted on the side that a ray sees.
-fn coat(part: &Part, from_inside: bool) -> &Coat {
-    part.inside.as_ref().filter(|_| from_inside).unwrap_or(&part.outside)
+/// What is painted on the side that a ray sees, all of it in equal parts; mostly one.
+fn coats<'w>(world: &'w World, part: &'w Part, from_inside: bool, point: DVec3) -> SmallVec<[&'w Coat; 1]> {
+    if let Some(inside) = part.inside.as_ref().filter(|_| from_inside) {
+        return SmallVec::from_buf([inside]);
+    }
+    let mut found = SmallVec::new();
+    if let Some(cut) = part.cut {
+        let holds = |(node, coat): &'w (Node, Coat)| node.inside(point).then_some(coat);
+        found.extend(world.cuts[cut as usize].iter().filter_map(holds));
+    }
+    if found.is_empty() {
+        found.push(&part.outside);
+    }
+    found
+}
+
+/// A material, and the place as it sees it; the normal is in world space.
+fn spot<'w>(
+    world: &'w World,
+    coat: &Coat,
+    found: &Found,
+    surface: &Surface,
+    normal: DVec3,
+    ray: &Ray,
+) -> (&'w Material, Spot) {
+    let material = &world.materials[coat.material as usize];
+    let spot = Spot {
+        p: coat.local(surface.point),
+        world: surface.point,
+        uv: if material.uv { found.mapped_uv(surface) } else { DVec2::ZERO },
+        normal,
+        ray: ray.dir,
+        noise: world.noise,
+        waves: world.waves,
+    };
+    (material, spot)
 }
 
 /// What all layers at the place where `ray` meets `found` let pass; `quick` as the lower qualities show them.
 pub(super) fn pass(world: &World, ray: &Ray, found: &Found, quick: bool) -> Rgb {
     let part = &world.parts[found.leaf.id as usize];
-    let from_inside = part.inside.is_some() && ray.dir.dot(found.surface(ray).normal) > 0.0;
-    let coat = coat(part, from_inside);
-    let material = &world.materials[coat.material as usize];
-    if material.solid && !quick {
-        return material.pass;
+    let outside = &world.materials[part.outside.material as usize];
+    if part.inside.is_none() && part.cut.is_none() && outside.solid && !quick {
+        return outside.pass;
     }
     let surface = found.surface(ray);
-    let spot = Spot {
-        p: coat.local(surface.point),
-        world: surface.point,
-        uv: if material.uv { found.mapped_uv(&surface) } else { DVec2::ZERO },
-        normal: surface.normal,
-        ray: ray.dir,
-        noise: world.noise,
-        waves: world.waves,
-    };
-    pass_of(material, &spot, quick)
+    let coats = coats(world, part, ray.dir.dot(surface.normal) > 0.0, surface.point);
+    let pass = coats.iter().map(|coat| {
+        let (material, spot) = spot(world, coat, found, &surface, surface.normal, ray);
+        pass_of(material, &spot, quick)
+    });
+    pass.sum::<Rgb>() / coats.len() as f64
 }
 
 /// What passes the layers of a material.

@@ -25,7 +25,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
         lowering.default_texture = object.default_texture.clone();
         roots.extend(lowering.lower_object(object, &Around::default())?.map(|solid| solid.node));
     }
-    let Lowering { parts, objects, materials, interiors, lights, .. } = lowering;
+    let Lowering { parts, objects, cuts, materials, interiors, lights, .. } = lowering;
     Ok(World {
         camera: scene.camera.clone(),
         geometry: Geometry::new(roots),
@@ -35,6 +35,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
         colors_light: interiors.iter().any(Interior::colors_light),
         parts,
         objects,
+        cuts,
         materials,
         interiors,
         lights,
@@ -64,6 +65,10 @@ struct Around {
     transform: Transform,
     texture: Option<Look>,
     inside: Option<Look>,
+    /// Number of what its shapes cut, if they say nothing of their texture.
+    cut: Option<u32>,
+    /// Is it turned inside out an odd number of times?
+    inverted: bool,
     interior: Option<u32>,
     flags: Flags,
 }
@@ -105,6 +110,7 @@ struct Lowering {
     default_texture: Arc<Texture>,
     parts: Vec<Part>,
     objects: Vec<ObjectInfo>,
+    cuts: Vec<Vec<(Node, Coat)>>,
     materials: Vec<Material>,
     /// By the address of the texture, which the scene keeps alive.
     material_numbers: FxHashMap<*const Texture, u32>,
@@ -161,6 +167,8 @@ impl Lowering {
             transform,
             inside: look(&object.interior_texture)?.or(inherited),
             texture: texture.or_else(|| around.texture.clone()),
+            cut: around.cut,
+            inverted: around.inverted != object.flags.inverse,
             interior: interior.map(|i| self.add_interior(&i)).or(around.interior),
             flags: joined(object.flags, around.flags),
         })
@@ -196,12 +204,14 @@ impl Lowering {
         if bounds.min.is_nan() || bounds.max.is_nan() {
             return not_finite(object.source);
         }
-        let default = || Look { texture: self.default_texture.clone(), transform: Transform::IDENTITY };
-        let outside = self.lower_look(&own.texture.clone().unwrap_or_else(default));
+        let outside = self.lower_look(&own.texture.clone().unwrap_or_else(|| self.default_look()));
         let inside = own.inside.as_ref().map(|look| self.lower_look(look));
+        let cut = own.cut.filter(|_| own.texture.is_none());
+        let others = cut.map(|cut| self.cuts[cut as usize].iter().map(|(_, coat)| coat));
         let opaque = [Some(&outside), inside.as_ref()]
             .into_iter()
             .flatten()
+            .chain(others.into_iter().flatten())
             .all(|coat| self.materials[coat.material as usize].opaque);
         let interior = own.interior.unwrap_or_else(|| self.add_interior(&Interior::default()));
         let id = self.parts.len() as u32;
@@ -209,6 +219,7 @@ impl Lowering {
         self.parts.push(Part {
             outside,
             inside,
+            cut,
             interior,
             double_illuminate,
             word: object.word,
@@ -225,6 +236,11 @@ impl Lowering {
         self.objects.len() as u32 - 1
     }
 
+    /// What shapes show that say nothing.
+    fn default_look(&self) -> Look {
+        Look { texture: self.default_texture.clone(), transform: Transform::IDENTITY }
+    }
+
     fn lower_look(&mut self, look: &Look) -> Coat {
         let next = self.materials.len() as u32;
         let material = *self.material_numbers.entry(Arc::as_ptr(&look.texture)).or_insert(next);
@@ -235,18 +251,58 @@ impl Lowering {
         Coat { material, place: matters.then(|| Box::new(look.transform)) }
     }
 
+    /// Appends the shapes in a group by themselves, with what each shows where it is cut (manual, "Cutaway Textures"). What has no
+    /// texture cuts the others where all have to hold a point, and shows the default where one is enough; what a difference takes away
+    /// is not cut (measured on POV-Ray 3.7).
+    fn find_cut(
+        &mut self,
+        op: CsgOp,
+        parts: &[Object],
+        around: &Transform,
+        look: Option<&Look>,
+        out: &mut Vec<(Node, Coat)>,
+    ) {
+        let cut = if op == CsgOp::Difference { 1 } else { parts.len() };
+        let any = matches!(op, CsgOp::Union | CsgOp::Merge);
+        for part in parts.iter().take(cut) {
+            let place = part.transform.then(around);
+            let own = part.texture.as_ref().map(|painted| Look {
+                texture: painted.texture.clone(),
+                transform: painted.place(&part.transform).then(around),
+            });
+            let look = own.as_ref().or(look);
+            match (&part.kind, look) {
+                (ObjectKind::Csg(op, parts), look) => self.find_cut(*op, parts, &place, look, out),
+                (ObjectKind::Shape(shape), look) if look.is_some() || any => {
+                    let coat = self.lower_look(&look.cloned().unwrap_or_else(|| self.default_look()));
+                    let node = Node::leaf(Leaf::new(shape.clone(), &place, 0), 0);
+                    out.push((if part.flags.inverse { node.inverted() } else { node }, coat));
+                }
+                _ => {}
+            }
+        }
+    }
+
     fn lower_csg(&mut self, op: CsgOp, parts: &[Object], own: &Around) -> Result<Option<Solid>> {
         let mut within = own.clone();
         if op != CsgOp::Union && within.interior.is_none() {
             // All faces of one solid border on the same inside.
             within.interior = Some(self.add_interior(&Interior::default()));
         }
-        if own.flags.cutaway_textures && within.texture.is_none() {
-            // A cut shows the texture of what is cut.
-            within.texture = parts.iter().find_map(|part| first_look(part, &own.transform));
+        // Turned inside out, a union is an intersection, and an intersection a union. What is joined cuts nothing.
+        if matches!(op, CsgOp::Union | CsgOp::Merge) != own.inverted {
+            within.cut = None;
+        } else if own.flags.cutaway_textures && within.texture.is_none() && within.cut.is_none() {
+            let mut cut = vec![];
+            self.find_cut(op, parts, &own.transform, None, &mut cut);
+            within.cut = Some(self.cuts.len() as u32);
+            self.cuts.push(cut);
         }
         let (mut nodes, mut opaque) = (vec![], true);
         for (i, part) in parts.iter().enumerate() {
+            if op == CsgOp::Difference && i == 1 {
+                within.inverted = !within.inverted;
+            }
             match self.lower_object(part, &within)? {
                 Some(solid) => {
                     opaque &= solid.opaque;
@@ -272,23 +328,6 @@ impl Lowering {
             CsgOp::Merge => Node::merge(nodes, number),
         };
         Ok(Some(Solid { node, opaque }))
-    }
-}
-
-/// The texture of the first part that has one.
-fn first_look(object: &Object, around: &Transform) -> Option<Look> {
-    if let Some(painted) = &object.texture {
-        return Some(Look {
-            texture: painted.texture.clone(),
-            transform: painted.place(&object.transform).then(around),
-        });
-    }
-    match &object.kind {
-        ObjectKind::Csg(_, parts) => {
-            let inner = object.transform.then(around);
-            parts.iter().find_map(|part| first_look(part, &inner))
-        }
-        _ => None,
     }
 }
 

@@ -40,6 +40,8 @@ pub struct World {
     pub parts: Vec<Part>,
     /// By [`Node::object`].
     pub objects: Vec<ObjectInfo>,
+    /// By [`Part::cut`]: what can be cut. At a point, all that hold it are seen in equal parts, and [`Part::outside`] where none does.
+    pub cuts: Vec<Vec<(Node, Coat)>>,
     /// By [`Coat::material`].
     pub materials: Vec<Material>,
     /// What fills objects, by number of the interior.
@@ -79,6 +81,8 @@ pub struct Part {
     pub outside: Coat,
     /// Seen from inside, if that differs.
     pub inside: Option<Coat>,
+    /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
+    pub cut: Option<u32>,
     /// Number of what fills it.
     pub interior: u32,
     /// Light from behind counts as light from the front.
