@@ -7,6 +7,7 @@ use super::site::{Shown, Site};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, fp};
 use crate::texture::Reflection;
+use crate::world::World;
 use smallvec::SmallVec;
 
 /// How a ray counts, and how little is too little (`adc_bailout`).
@@ -34,10 +35,11 @@ pub(super) fn bounces(site: &Site, border: &Border, count: Count) -> SmallVec<[B
     bounces
 }
 
-/// What the layers that mirror this ray show of its light.
-pub(super) fn answer(site: &Site, ray: Bounce, border: &Border, count: Count, light: Rgb) -> Rgb {
+/// What the layers that mirror this ray, which goes on along `out`, show of its light.
+pub(super) fn answer(site: &Site, ray: Bounce, out: DVec3, border: &Border, count: Count, light: Rgb, world: &World) -> Rgb {
     let mut sum = Rgb::ZERO;
     for (mirror, shown) in mirrors(site).filter(|(mirror, shown)| bounce(mirror, shown, border, count) == Some(ray)) {
+        let light = light * film(site, shown, out, world);
         let seen = match mirror.exponent {
             1.0 => light,
             exponent => light.max(Rgb::ZERO).map(|x| fp::pow(x, 1.0 / exponent)),
@@ -45,6 +47,23 @@ pub(super) fn answer(site: &Site, ray: Bounce, border: &Border, count: Count, li
         sum += amount(mirror, shown, border) * seen * shown.share;
     }
     sum
+}
+
+/// What is totally reflected along `out`: all, but for a film on top.
+pub(super) fn total(site: &Site, out: DVec3, world: &World) -> Rgb {
+    site.layers.first().map_or(Rgb::ONE, |top| film(site, top, out, world))
+}
+
+/// What a thin film on a layer makes of light from a direction (`irid`).
+pub(super) fn film(site: &Site, shown: &Shown, from: DVec3, world: &World) -> Rgb {
+    match &shown.layer.irid {
+        // bumps that are seen or lit from behind count as from the front (measured on 3.7)
+        Some(irid) => {
+            let cosines = shown.normal.dot(from).abs() + shown.cos.abs();
+            irid.tint(site.point, cosines, world.irid_wavelength, world.noise)
+        }
+        None => Rgb::ONE,
+    }
 }
 
 /// The ray that one layer mirrors; `None` if it counts too little. What lies above takes from that, by its gray, although

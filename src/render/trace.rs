@@ -203,10 +203,11 @@ impl<'w> Tracer<'w> {
                 }
                 Onward::Total => {
                     // It takes no more from the light, but the ray counts less (measured on 3.7).
-                    through *= fade;
+                    let out = bounce(path.ray.dir, site.normal, site.smooth);
+                    through *= fade * mirror::total(&site, out, world);
                     path.weight *= pass.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
-                    path.ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
+                    path.ray = Ray::new(site.point, out);
                     self.rays.reflected += 1;
                 }
                 Onward::Splits(samples) => {
@@ -274,10 +275,11 @@ impl<'w> Tracer<'w> {
                 continue;
             }
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, bounce(path.ray.dir, mirrored.normal, site.smooth));
+            let out = bounce(path.ray.dir, mirrored.normal, site.smooth);
+            let ray = Ray::new(site.point, out);
             let (level, weight, inside) = (path.level + 1, mirrored.weight, path.inside.clone());
             let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
-            sum += mirror::answer(site, mirrored, border, count, light);
+            sum += mirror::answer(site, mirrored, out, border, count, light, world);
         }
         sum
     }
