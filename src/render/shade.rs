@@ -1,5 +1,6 @@
 //! How surfaces answer to light: one function for each term of `finish` (manual, "Finish"; details measured on 3.7).
 
+use super::mirror::film;
 use super::refract::Interiors;
 use super::site::{Shown, Site};
 use super::trace::Tracer;
@@ -63,11 +64,7 @@ impl Tracer<'_> {
             if at.cos > 0.0 && !lamp.shadowless {
                 answer += highlight(shown, &at);
             }
-            if let Some(irid) = &shown.layer.irid {
-                let world = self.setup.world;
-                let cosines = at.cos.abs() + shown.cos.abs();
-                answer *= irid.tint(site.point, cosines, world.irid_wavelength, world.noise);
-            }
+            answer *= film(site, shown, l, self.setup.world);
             sum += shown.weight * answer;
         }
         sum * light

@@ -1,6 +1,6 @@
 //! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
 
-use super::mirror::{self, Count};
+use super::mirror::{self, Incoming};
 use super::refract::{Border, Interiors, reflect};
 use super::site::Site;
 use super::{Options, Rays, Watch};
@@ -204,10 +204,11 @@ impl<'w> Tracer<'w> {
                 }
                 Onward::Total => {
                     // It takes no more from the light, but the ray counts less (measured on 3.7).
-                    through *= fade;
+                    let out = bounce(path.ray.dir, site.normal, site.smooth);
+                    through *= fade * mirror::total(&site, out, world);
                     path.weight *= site.pass.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
-                    path.ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
+                    path.ray = Ray::new(site.point, out);
                     self.rays.reflected += 1;
                 }
                 Onward::Splits(samples) => {
@@ -269,16 +270,17 @@ impl<'w> Tracer<'w> {
         if path.level >= world.max_trace_level {
             return sum;
         }
-        let count = Count { weight: path.weight, bailout: world.adc_bailout };
-        for mirrored in mirror::bounces(site, border, count) {
+        let incoming = Incoming { weight: path.weight, border, world };
+        for mirrored in mirror::bounces(site, incoming) {
             if taken == Some(mirrored.normal) {
                 continue;
             }
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, bounce(path.ray.dir, mirrored.normal, site.smooth));
+            let out = bounce(path.ray.dir, mirrored.normal, site.smooth);
+            let ray = Ray::new(site.point, out);
             let (level, weight, inside) = (path.level + 1, mirrored.weight, path.inside.clone());
             let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
-            sum += mirror::answer(site, mirrored, border, count, light);
+            sum += mirror::answer(site, incoming, mirrored, out, light);
         }
         sum
     }

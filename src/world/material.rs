@@ -133,26 +133,27 @@ fn lower_choice(choice: &texture::Choice, ambient_light: Rgb) -> Choice {
 impl Layer {
     fn new(layer: &texture::Layer, ambient_light: Rgb) -> Self {
         let texture::Layer { pigment, normal, finish: f, choice } = layer;
-        let albedo = |on: bool, factor: f64| if on { factor } else { 1.0 };
-        // `albedo` scales each lobe by one over its integral over the half sphere (measured on POV-Ray 3.7).
-        let diffuse = albedo(f.diffuse_albedo, (f.brilliance + 1.0) / 2.0);
-        let phong = albedo(f.phong_albedo, (f.phong_size + 1.0) / 2.0);
+        // `albedo` scales each lobe by one over its integral over the half sphere; what is negative counts as none (both
+        // measured on POV-Ray 3.7).
+        let lobe = |amount: f64, albedo: bool, factor: f64| (if albedo { amount * factor } else { amount }).max(0.0);
+        let diffuse = |amount| lobe(amount, f.diffuse_albedo, (f.brilliance + 1.0) / 2.0);
+        let phong = lobe(f.phong, f.phong_albedo, (f.phong_size + 1.0) / 2.0);
         let n = 1.0 / f.roughness;
-        let specular = albedo(f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - (-n / 2.0).exp2())));
+        let specular = lobe(f.specular, f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - (-n / 2.0).exp2())));
         Self {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, ambient_light))),
             normal: normal.clone().filter(|normal| !normal.is_flat()),
             ink: LayerColor::new(pigment),
             quick: pigment.quick().map(|quick| Box::new(LayerColor::new(&quick))),
             glow: f.ambient * ambient_light + f.emission,
-            diffuse: f.diffuse * diffuse,
-            diffuse_back: f.diffuse_back * diffuse,
+            diffuse: diffuse(f.diffuse),
+            diffuse_back: diffuse(f.diffuse_back),
             brilliance: f.brilliance,
-            phong: Lobe { strength: f.phong * phong, exponent: f.phong_size },
-            specular: Lobe { strength: f.specular * specular, exponent: n },
-            metallic: f.metallic,
+            phong: Lobe { strength: phong, exponent: f.phong_size },
+            specular: Lobe { strength: specular, exponent: n },
+            metallic: f.metallic.max(0.0),
             crand: f.crand,
-            irid: f.irid,
+            irid: f.irid.filter(|irid| irid.amount > 0.0),
             mirror: (!f.reflection.is_none()).then(|| Box::new(f.reflection.clone())),
             refraction: f.refraction,
             conserve_energy: f.conserve_energy,
