@@ -84,10 +84,12 @@ impl Border {
     /// ray and normal; bumps that are seen from behind mirror all of it (measured on 3.7).
     pub fn fresnel(&self, cos: f64) -> f64 {
         let (n1, n2) = self.mirror;
+        if cos < 0.0 {
+            return 1.0;
+        }
         if n1 == n2 {
             return 0.0;
         }
-        let cos = cos.max(0.0);
         // Snell: sin²θ₂ = (n₁/n₂)²·sin²θ₁
         let sin2 = (n1 / n2).powi(2) * (1.0 - cos * cos);
         if sin2 >= 1.0 {

@@ -1,0 +1,13 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -8> look_at 0 angle 24 }
+background { rgb <.2, .3, .5> }
+light_source { <-4, 5, -6> rgb <1, .9, .7> }
+light_source { <5, -1, -3> rgb <.3, .4, .6> }
+plane { y, -1.2 pigment { checker rgb .8 rgb <.3, .5, .2> scale .5 } }
+sphere { 0, 1.2
+  pigment { bozo color_map { [0 rgbft <.9,.3,.2,.3,.2>][1 rgbt <.2,.8,.9,.6>] } scale .4 }
+  normal { bumps 0.6 scale .2 }
+  finish { diffuse albedo -0.3 phong 0.4 ambient rgb <0.31,0.14,0.75> metallic .5 emission rgb <0.83,0.16,0.02> }
+  interior { ior 1.5 }
+}

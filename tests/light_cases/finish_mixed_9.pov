@@ -1,0 +1,13 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -8> look_at 0 angle 24 }
+background { rgb <.2, .3, .5> }
+light_source { <-4, 5, -6> rgb <1, .9, .7> }
+light_source { <5, -1, -3> rgb <.3, .4, .6> }
+plane { y, -1.2 pigment { checker rgb .8 rgb <.3, .5, .2> scale .5 } }
+sphere { 0, 1.2
+  pigment { bozo color_map { [0 rgbft <.9,.3,.2,.3,.2>][1 rgb <.2,.8,.9>] } scale .4 }
+  normal { bumps 0.6 scale .2 }
+  finish { ambient 0 conserve_energy  brilliance 2 diffuse 0.7, .4 reflection { rgb <0.05,0.66,0.63> falloff 0  metallic .5  } phong 0.4 }
+  interior { ior 1.3 }
+}
