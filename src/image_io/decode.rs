@@ -45,7 +45,16 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Pixels> {
     decode(bytes, ending).map_err(|reason| {
         let reason = reason.lines().next().unwrap_or_default();
         let text = format!("`{}` can't be decoded: {reason}", path.display());
-        Box::new(Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text))
+        let fault = Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text);
+        // (POV-Ray 3.7.0.10 knows the word `iff`, but reads no such file either.)
+        let help = match bytes {
+            [b'F', b'O', b'R', b'M', ..] => "IFF pictures have to be made into png first",
+            _ if ImageReader::new(Cursor::new(bytes)).with_guessed_format().is_ok_and(|r| r.format().is_some()) => {
+                return Box::new(fault);
+            }
+            _ => "pictures are png, jpeg, gif, tga, tiff, bmp, ppm, pgm, hdr or exr",
+        };
+        Box::new(fault.help(help))
     })
 }
 
