@@ -48,8 +48,7 @@ const TOLERANCE: f64 = 1.0 / 65535.0;
 const SIZE: (usize, usize) = (16, 12);
 
 /// Those that still differ, and why.
-const DIFFERS: &[(&str, &str)] =
-    &[("adc_conserve", "one pixel is off by 1.2 steps of 1/65535, in red alone; not yet understood")];
+const DIFFERS: &[(&str, &str)] = &[];
 
 #[test]
 fn all_cases() {
