@@ -89,6 +89,9 @@ where
             r.leave()?;
         }
         if entries.is_empty() {
+            if r.next()? != Next::End {
+                return Err(r.unknown_word(T::MAP, &["[0.5 …]"]).into());
+            }
             return Diagnostic::new(codes::EMPTY_MAP, span, format!("a `{}` needs at least one entry", T::MAP))
                 .help(example::<T>())
                 .into();

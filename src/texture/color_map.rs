@@ -38,6 +38,9 @@ impl ColorMap {
             r.leave()?;
         }
         if entries.is_empty() {
+            if r.next()? != Next::End {
+                return Err(r.unknown_word("color_map", &["[0.5 color …]"]).into());
+            }
             return Diagnostic::new(codes::EMPTY_MAP, span, "a `color_map` needs at least one entry")
                 .help("entries look like `[0.5 color rgb <1, 0, 0>]`")
                 .into();
