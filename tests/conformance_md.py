@@ -50,7 +50,6 @@ FEATURES = {
     "rainbow": ["rainbow"],
     "sphere_sweep": ["sphere_sweep"],
     "subsurface": ["subsurface"],
-    "black holes that repeat with turbulence": ["repeat"],
 }
 # Told together with a word above, or of no weight in the picture.
 BESIDE = {"adaptive", "jitter", "circular", "orient", "point_at", "radius", "falloff", "tightness"}
