@@ -10,11 +10,11 @@ use crate::texture::Reflection;
 use crate::world::World;
 use smallvec::SmallVec;
 
-/// How a ray counts, and how little is too little (`adc_bailout`).
+/// How much a ray counts, in a world that says how little is too little (`adc_bailout`).
 #[derive(Clone, Copy)]
-pub(super) struct Count {
+pub(super) struct Count<'w> {
     pub weight: f64,
-    pub bailout: f64,
+    pub world: &'w World,
 }
 
 /// A mirrored ray: what it is mirrored by, and how much it counts.
@@ -36,10 +36,10 @@ pub(super) fn bounces(site: &Site, border: &Border, count: Count) -> SmallVec<[B
 }
 
 /// What the layers that mirror this ray, which goes on along `out`, show of its light.
-pub(super) fn answer(site: &Site, ray: Bounce, out: DVec3, border: &Border, count: Count, light: Rgb, world: &World) -> Rgb {
+pub(super) fn answer(site: &Site, ray: Bounce, out: DVec3, border: &Border, count: Count, light: Rgb) -> Rgb {
     let mut sum = Rgb::ZERO;
     for (mirror, shown) in mirrors(site).filter(|(mirror, shown)| bounce(mirror, shown, border, count) == Some(ray)) {
-        let light = light * film(site, shown, out, world);
+        let light = light * film(site, shown, out, count.world);
         let seen = match mirror.exponent {
             1.0 => light,
             exponent => light.max(Rgb::ZERO).map(|x| fp::pow(x, 1.0 / exponent)),
@@ -76,7 +76,7 @@ fn bounce(mirror: &Reflection, shown: &Shown, border: &Border, count: Count) -> 
     };
     let above = if shown.share == 0.0 { 0.0 } else { gray(shown.weight) / shown.share };
     let weight = count.weight * above * part.max_element();
-    (weight > count.bailout).then_some(Bounce { normal: shown.normal, weight })
+    (weight > count.world.adc_bailout).then_some(Bounce { normal: shown.normal, weight })
 }
 
 /// What a layer leaves for the light that passes it: with `conserve_energy`, what it does not mirror.

@@ -269,7 +269,7 @@ impl<'w> Tracer<'w> {
         if path.level >= world.max_trace_level {
             return sum;
         }
-        let count = Count { weight: path.weight, bailout: world.adc_bailout };
+        let count = Count { weight: path.weight, world };
         for mirrored in mirror::bounces(site, border, count) {
             if taken == Some(mirrored.normal) {
                 continue;
@@ -279,7 +279,7 @@ impl<'w> Tracer<'w> {
             let ray = Ray::new(site.point, out);
             let (level, weight, inside) = (path.level + 1, mirrored.weight, path.inside.clone());
             let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
-            sum += mirror::answer(site, mirrored, out, border, count, light, world);
+            sum += mirror::answer(site, mirrored, out, border, count, light);
         }
         sum
     }
