@@ -279,8 +279,11 @@ fn layered_textures() {
     let mirrors = [(Pigment::solid(rgb(0.5, 0.25, 0.1)), mirror(0.2)), (pane, mirror(0.1))];
     let mut both = wall(mirrors, behind());
     assert_gray(&both, 0.3);
-    both.settings.adc_bailout = 0.15;
-    assert_gray(&both, 0.2);
+    // half of the lower one's 0.2 counts (what lies above takes from that alone), and the upper one's 0.1
+    both.settings.adc_bailout = 0.099;
+    assert_gray(&both, 0.3);
+    both.settings.adc_bailout = 0.101;
+    assert_gray(&both, 0.0);
     // both let light pass
     let panes = [rgbft([0.5, 0.25, 0.1, 0.0, 0.5]), rgbft([0.2, 0.4, 0.6, 0.5, 0.0])];
     let glass =
@@ -330,9 +333,9 @@ fn qualities() {
     let back = plane(Z, -9.0).painted(rgb(1.0, 1.0, 1.0), glowing());
     let scene = wall(rgb(1.0, 1.0, 1.0), glowing(), vec![pane, back]);
     let at = |q| look_with(&scene, |o| o.quality = q)[0];
-    // the pigment; what it sends; and what it lets pass; and what it mirrors
+    // the pigment; what it sends, less what would pass; and what passes; and what it mirrors (all measured on POV-Ray 3.7)
     let through = 0.5 * 0.5 * 0.2 + 0.5;
-    assert_near([at(1), at(3), at(7), at(9)], [0.5, 0.1, through, through + 0.5]);
+    assert_near([at(1), at(3), at(7), at(9)], [0.5, 0.05, through, through + 0.5]);
     let dark = wall(rgb(1.0, 1.0, 1.0), Finish::default(), vec![lamp(-8.0 * Z, 1.0), sphere(-7.0 * Z, 0.5)]);
     let at = |q| look_with(&dark, |o| o.quality = q)[0];
     assert_near([at(3), at(4)], [0.7, 0.1]);

@@ -6,7 +6,7 @@
 use durer::color::transfer::srgb_encode;
 use durer::interpreter;
 use durer::render::{Options, Unwatched, render};
-use durer::source::{SearchPath, Sources};
+use durer::source::{Sandbox, SearchPath, Sources};
 use serde::Deserialize;
 use std::path::Path;
 
@@ -95,9 +95,10 @@ fn quality(name: &str) -> u8 {
 
 fn draw(path: &Path, quality: u8) -> Result<durer::image_io::Frame, String> {
     let sources = Sources::default();
+    let search = SearchPath::new(path.parent().unwrap(), &[]);
     let reading = interpreter::Options {
-        search: SearchPath::new(path.parent().unwrap(), &[]),
-        sandbox: Default::default(),
+        sandbox: Sandbox::around(&search),
+        search,
         declares: vec![],
         timing: Default::default(),
         input_name: String::new(),
