@@ -1,10 +1,10 @@
 //! The bytes of a picture file to numbers.
 
-use super::Frame;
+use super::{Frame, bmp, netpbm, radiance, tga, tiff_palette};
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::source::{ReadError, Span};
-use exr::prelude::{ReadChannels, ReadLayers};
+use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel};
 use image::{DynamicImage, ImageFormat, ImageReader};
 use std::io::Cursor;
 use std::path::Path;
@@ -33,16 +33,28 @@ pub enum Samples {
     F32(Vec<f32>),
 }
 
+/// A picture, and where its reader tells them the numbers of its pixels in its palette.
+pub(super) struct Decoded {
+    pub pixels: Pixels,
+    pub indices: Option<Vec<u8>>,
+}
+
+impl From<Pixels> for Decoded {
+    fn from(pixels: Pixels) -> Self {
+        Self { pixels, indices: None }
+    }
+}
+
 /// Decodes a file (E0002, E0003, E0007).
 pub fn decode_file(path: &Path) -> Result<Pixels> {
     let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
-    decode_bytes(&bytes, path)
+    decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
 }
 
 /// Decodes the bytes of a file (E0007).
-pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Pixels> {
+pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
-    decode(bytes, ending).map_err(|reason| {
+    decode_any(bytes, ending).map_err(|reason| {
         let reason = reason.lines().next().unwrap_or_default();
         let text = format!("`{}` can't be decoded: {reason}", path.display());
         let fault = Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text);
@@ -61,13 +73,43 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Pixels> {
 /// Decodes png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes tell which; the ending of the file's name counts only for
 /// tga, which has no mark. The error is the reason in words.
 pub fn decode(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
-    if bytes.starts_with(b"\x76\x2f\x31\x01") {
-        return decode_exr(bytes).map_err(|e| e.to_string());
+    decode_any(bytes, ending).map(|decoded| decoded.pixels)
+}
+
+fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
+    if let Some(pixels) = netpbm::decode(bytes) {
+        return pixels.map(Decoded::from);
     }
-    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
-    if reader.format().is_none() && ending.eq_ignore_ascii_case("tga") {
-        reader.set_format(ImageFormat::Tga);
+    match bytes {
+        [0x76, 0x2f, 0x31, 0x01, ..] => {
+            let pixels = decode_exr(bytes).or_else(|fault| decode_gray_exr(bytes).map_err(|_| fault));
+            return pixels.map(Decoded::from).map_err(|e| e.to_string());
+        }
+        [b'#', b'?', ..] => return radiance::decode(bytes).map(Decoded::from),
+        [b'F', b'O', b'R', b'M', ..] => return Err("iff pictures are not read, as they are not by POV-Ray 3.7".into()),
+        _ => {}
     }
+    if let Some(decoded) = tiff_palette::decode(bytes, decode_usual) {
+        return decoded;
+    }
+    let format = image::guess_format(bytes).ok();
+    if format.is_none() && ending.eq_ignore_ascii_case("tga") {
+        return tga::decode(bytes);
+    }
+    let pixels = decode_usual(bytes)?;
+    if format != Some(ImageFormat::Bmp) {
+        return Ok(pixels.into());
+    }
+    let pixels = match bmp::alpha(bytes) {
+        Some(alpha) => pixels.with_alpha(&alpha),
+        None => pixels,
+    };
+    Ok(Decoded { pixels, indices: bmp::indices(bytes) })
+}
+
+/// What the crate `image` reads.
+fn decode_usual(bytes: &[u8]) -> Result<Pixels, String> {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     reader.decode().map(Pixels::from).map_err(|e| e.to_string())
 }
 
@@ -91,6 +133,33 @@ fn decode_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
     Ok(Pixels { width: frame.width, height: frame.height, channels: 4, samples })
 }
 
+/// Luminance alone.
+fn decode_gray_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
+    let image = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .specific_channels()
+        .required("Y")
+        .collect_pixels(
+            |size, _| Pixels {
+                width: size.width(),
+                height: size.height(),
+                channels: 1,
+                samples: Samples::F32(vec![0.0; size.area()]),
+            },
+            |pixels: &mut Pixels, at, (y,): (f32,)| {
+                if let Samples::F32(samples) = &mut pixels.samples {
+                    samples[at.y() * pixels.width + at.x()] = y;
+                }
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))?;
+    Ok(image.layer_data.channel_data.pixels)
+}
+
 impl From<DynamicImage> for Pixels {
     fn from(image: DynamicImage) -> Self {
         let (width, height) = (image.width() as usize, image.height() as usize);
@@ -109,6 +178,35 @@ impl From<DynamicImage> for Pixels {
 }
 
 impl Pixels {
+    /// Colour or gray alone.
+    pub(super) fn without_alpha(self) -> Self {
+        fn kept<T: Copy>(samples: &[T], n: usize) -> Vec<T> {
+            samples.chunks_exact(n).flat_map(|pixel| &pixel[..n - 1]).copied().collect()
+        }
+        let n = self.channels;
+        if !matches!(n, 2 | 4) {
+            return self;
+        }
+        let samples = match &self.samples {
+            Samples::U8(v) => Samples::U8(kept(v, n)),
+            Samples::U16(v) => Samples::U16(kept(v, n)),
+            Samples::F32(v) => Samples::F32(kept(v, n)),
+        };
+        Self { channels: n - 1, samples, ..self }
+    }
+
+    /// With the alpha of each pixel, if they are bytes of colour.
+    fn with_alpha(self, alpha: &[u8]) -> Self {
+        let solid = self.without_alpha();
+        let (Samples::U8(v), 3) = (&solid.samples, solid.channels) else { return solid };
+        if alpha.len() != solid.width * solid.height {
+            return solid;
+        }
+        let pixels = v.as_chunks::<3>().0.iter().zip(alpha);
+        let samples = Samples::U8(pixels.flat_map(|(&[r, g, b], &a)| [r, g, b, a]).collect());
+        Self { channels: 4, samples, ..solid }
+    }
+
     /// Linear light: integers are taken to follow the sRGB curve, floating-point numbers to be linear.
     pub fn to_frame(&self) -> Frame {
         let pixels = match &self.samples {

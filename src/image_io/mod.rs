@@ -1,16 +1,21 @@
 //! Decodes and encodes pixel files; nothing else opens one.
 
+mod bmp;
 mod decode;
 mod density;
 mod encode;
 mod format;
 mod frame;
+mod netpbm;
 mod picture;
 mod quantize;
+mod radiance;
 #[cfg(test)]
 mod tests;
+mod tga;
+mod tiff_palette;
 
-use decode::decode_bytes;
+use decode::{Decoded, decode_bytes};
 pub use decode::{Pixels, Samples, decode, decode_file, spread};
 pub use density::Voxels;
 pub use encode::{Encoding, encode};

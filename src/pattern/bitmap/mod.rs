@@ -38,6 +38,13 @@ pub fn word_names() -> impl Iterator<Item = &'static str> {
 pub const FORMATS: &[&str] =
     &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
 
+/// Those that POV-Ray 3.7 refuses in pictures too, and why.
+const NO_PICTURES: &[(&str, &str)] = &[
+    ("pot", "only a `height_field` takes a pot file; the picture in it can be read by `gif`"),
+    ("sys", "`sys` is a format of the system where POV-Ray runs, and there is none; save the picture as a png"),
+    ("iff", "iff pictures are not read, as they are not by POV-Ray 3.7; save the picture as a png"),
+];
+
 /// A picture with what is said of it in the words of all kinds.
 #[derive(Clone, Debug)]
 pub struct Bitmap {
@@ -57,6 +64,11 @@ impl Bitmap {
         while let Next::Word(word) = r.next()?
             && FORMATS.contains(&word)
         {
+            if let Some((_, reason)) = NO_PICTURES.iter().find(|(format, _)| *format == word) {
+                return Diagnostic::new(codes::BAD_ARGUMENT, r.span(), format!("`{word}` is no picture here"))
+                    .help(*reason)
+                    .into();
+            }
             r.take()?;
         }
         let picture = match r.next()? {

@@ -1,0 +1,163 @@
+//! What stands in a bmp beside its colours: the numbers of its palette, and what POV-Ray 3.7 takes for alpha.
+
+/// The parts of the header that matter here.
+struct Header {
+    /// Where the pixels begin.
+    start: usize,
+    width: usize,
+    height: usize,
+    /// The lowest row comes first.
+    up: bool,
+    bits: usize,
+    compression: u32,
+}
+
+const PLAIN: u32 = 0;
+const RUNS_OF_BYTES: u32 = 1;
+const RUNS_OF_HALVES: u32 = 2;
+
+impl Header {
+    fn read(bytes: &[u8]) -> Option<Self> {
+        let long = |at: usize| bytes.get(at..)?.first_chunk().copied().map(u32::from_le_bytes);
+        let height = long(22)? as i32;
+        Some(Self {
+            start: long(10)? as usize,
+            width: long(18)? as usize,
+            height: height.unsigned_abs() as usize,
+            up: height > 0,
+            bits: (long(26)? >> 16) as usize,
+            compression: long(30)?,
+        })
+    }
+
+    /// Rows as they stand in the file to rows from the top.
+    fn top_first<T: Copy>(&self, rows: Vec<T>) -> Vec<T> {
+        if self.up { rows.chunks(self.width).rev().flatten().copied().collect() } else { rows }
+    }
+}
+
+/// The numbers of the pixels in the palette, from the top left; `None` without a palette, or if the file is broken.
+pub(super) fn indices(bytes: &[u8]) -> Option<Vec<u8>> {
+    let header = Header::read(bytes)?;
+    let data = bytes.get(header.start..)?;
+    let rows = match (header.compression, header.bits) {
+        (PLAIN, 1 | 4 | 8) => plain(&header, data)?,
+        (RUNS_OF_BYTES, 8) | (RUNS_OF_HALVES, 4) => runs(&header, data)?,
+        _ => return None,
+    };
+    Some(header.top_first(rows))
+}
+
+/// Each row ends at a multiple of four bytes.
+fn plain(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
+    let stride = header.width.checked_mul(header.bits)?.div_ceil(32) * 4;
+    let data = data.get(..stride.checked_mul(header.height)?)?;
+    if data.is_empty() {
+        return None;
+    }
+    let per_byte = 8 / header.bits;
+    let number = |row: &[u8], x: usize| {
+        let shift = 8 - header.bits * (x % per_byte + 1);
+        ((u16::from(row[x / per_byte]) >> shift) & ((1 << header.bits) - 1)) as u8
+    };
+    Some(data.chunks(stride).flat_map(|row| (0..header.width).map(move |x| number(row, x))).collect())
+}
+
+/// Pairs of a count and what is repeated; a count of 0 ends a row (0), the picture (1), moves on (2), or says how many come
+/// as they are.
+fn runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
+    let (width, halves) = (header.width, header.bits == 4);
+    // A run of two bytes holds 255 pixels at most, and a move goes as far as 255 rows.
+    if width.checked_mul(header.height)? > data.len().checked_mul(255 * 255)? {
+        return None;
+    }
+    let mut out = vec![0; width * header.height];
+    let (mut x, mut y, mut at) = (0, 0, 0);
+    let mut put = |x: usize, y: usize, value: u8| {
+        if x < width && y < header.height {
+            out[y * width + x] = value;
+        }
+    };
+    let half = |byte: u8, i: usize| {
+        if !halves {
+            byte
+        } else if i.is_multiple_of(2) {
+            byte >> 4
+        } else {
+            byte & 15
+        }
+    };
+    while let Some(&[count, value]) = data.get(at..at + 2) {
+        at += 2;
+        match (count, value) {
+            (0, 0) => (x, y) = (0, y + 1),
+            (0, 1) => break,
+            (0, 2) => {
+                let &[right, down] = data.get(at..at + 2)? else { return None };
+                (x, y, at) = (x + usize::from(right), y + usize::from(down), at + 2);
+            }
+            (0, n) => {
+                let n = usize::from(n);
+                let size = if halves { n.div_ceil(2) } else { n };
+                let bytes = data.get(at..at + size)?;
+                (0..n).for_each(|i| put(x + i, y, half(bytes[if halves { i / 2 } else { i }], i)));
+                (x, at) = (x + n, at + size + size % 2);
+            }
+            (n, value) => {
+                (0..usize::from(n)).for_each(|i| put(x + i, y, half(value, i)));
+                x += usize::from(n);
+            }
+        }
+    }
+    Some(out)
+}
+
+/// The fourth bytes of a bmp of 32 bits a pixel, from the top left.
+pub(super) fn alpha(bytes: &[u8]) -> Option<Vec<u8>> {
+    let header = Header::read(bytes)?;
+    if header.bits != 32 || header.compression != PLAIN {
+        return None;
+    }
+    let size = header.width.checked_mul(header.height)?.checked_mul(4)?;
+    let data = bytes.get(header.start..)?.get(..size)?;
+    if data.is_empty() {
+        return None;
+    }
+    Some(header.top_first(data.iter().skip(3).step_by(4).copied().collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 3 by 2 pixels, the lower row first.
+    fn file(bits: u8, compression: u8, data: &[u8]) -> Vec<u8> {
+        let mut out = vec![0; 54];
+        (out[10], out[18], out[22], out[26], out[28], out[30]) = (54, 3, 2, 1, bits, compression);
+        out.extend(data);
+        out
+    }
+
+    #[test]
+    fn the_same_numbers_in_all_ways() {
+        let expected = Some(vec![1, 2, 1, 3, 3, 3]);
+        assert_eq!(indices(&file(8, 0, &[3, 3, 3, 0, 1, 2, 1, 0])), expected);
+        assert_eq!(indices(&file(4, 0, &[0x33, 0x30, 0, 0, 0x12, 0x10, 0, 0])), expected);
+        assert_eq!(indices(&file(8, 1, &[3, 3, 0, 0, 0, 3, 1, 2, 1, 0, 0, 1])), expected);
+        assert_eq!(indices(&file(4, 2, &[3, 0x33, 0, 0, 3, 0x12, 0, 1])), expected);
+        assert_eq!(indices(&file(1, 0, &[0b1010_0000, 0, 0, 0, 0, 0, 0, 0])), Some(vec![0, 0, 0, 1, 0, 1]));
+        assert_eq!(indices(&file(24, 0, &[0; 24])), None);
+    }
+
+    #[test]
+    fn broken_files_have_none() {
+        let whole = file(8, 1, &[3, 3, 0, 2, 1, 1, 0, 3, 1, 2, 1, 0]);
+        for end in 0..whole.len() {
+            drop(indices(&whole[..end]));
+        }
+        assert_eq!(indices(&file(8, 0, &[3])), None);
+        let mut huge = file(8, 1, &[0, 1]);
+        huge[18..26].fill(0x7f);
+        assert_eq!(indices(&huge), None);
+    }
+}

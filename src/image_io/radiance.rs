@@ -1,0 +1,107 @@
+//! Radiance's pictures: three mantissas share an exponent (Ward, Real pixels, Graphics Gems II, 1991).
+
+use super::{Pixels, Samples};
+
+/// The error is the reason in words.
+pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
+    let mut rest = bytes;
+    while !line(&mut rest)?.is_empty() {}
+    let size = String::from_utf8_lossy(line(&mut rest)?).into_owned();
+    let words: Vec<&str> = size.split_whitespace().collect();
+    let ["-Y", height, "+X", width] = words[..] else { return Err(format!("its size is `{size}`")) };
+    let (Ok(width), Ok(height)) = (width.parse::<usize>(), height.parse::<usize>()) else {
+        return Err(format!("its size is `{size}`"));
+    };
+    if width.checked_mul(height).is_none_or(|count| count > MOST) {
+        return Err(format!("its size is `{size}`, which is too large"));
+    }
+    let mut samples = vec![];
+    for _ in 0..height {
+        for [r, g, b, e] in row(&mut rest, width)? {
+            // As Ward's own programs and POV-Ray 3.7 do, mantissas stand for the middle of their steps.
+            let step = 2f64.powi(i32::from(e) - 136);
+            samples.extend([r, g, b].map(|m| if e == 0 { 0.0 } else { ((f64::from(m) + 0.5) * step) as f32 }));
+        }
+    }
+    if samples.is_empty() {
+        return Err(format!("its size is `{size}`"));
+    }
+    Ok(Pixels { width, height, channels: 3, samples: Samples::F32(samples) })
+}
+
+/// So many pixels at most: a short file can claim any number.
+const MOST: usize = 1 << 26;
+
+const CUT_OFF: &str = "it is cut off";
+
+fn line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
+    let end = memchr::memchr(b'\n', rest).ok_or("it ends within its header")?;
+    let (line, after) = rest.split_at(end);
+    *rest = &after[1..];
+    Ok(line)
+}
+
+fn take<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String> {
+    let (head, after) = rest.split_at_checked(count).ok_or(CUT_OFF)?;
+    *rest = after;
+    Ok(head)
+}
+
+/// One row: the four channels one after the other, each in runs, or else pixel by pixel.
+fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
+    match **rest {
+        [2, 2, a, b, ..] if usize::from(u16::from_be_bytes([a, b])) == width => *rest = &rest[4..],
+        _ => return plain(rest, width),
+    }
+    let mut channels = [const { vec![] }; 4];
+    for channel in &mut channels {
+        while channel.len() < width {
+            let run = usize::from(take(rest, 1)?[0]);
+            if run > 128 {
+                channel.resize(channel.len() + run - 128, take(rest, 1)?[0]);
+            } else {
+                channel.extend_from_slice(take(rest, run.max(1))?);
+            }
+        }
+    }
+    let [r, g, b, e] = &channels;
+    Ok((0..width).map(|i| [r[i], g[i], b[i], e[i]]).collect())
+}
+
+/// Pixel by pixel; (1, 1, 1, n) repeats the one before n times, several in a row count in bytes.
+fn plain(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
+    let mut out: Vec<[u8; 4]> = vec![];
+    let mut shift = 0;
+    while out.len() < width {
+        let pixel: [u8; 4] = take(rest, 4)?.try_into().map_err(|_| CUT_OFF)?;
+        match (pixel, out.last()) {
+            ([1, 1, 1, n], Some(&last)) if shift < 24 => {
+                let count = usize::from(n) << shift;
+                out.resize((out.len() + count).min(width), last);
+                shift += 8;
+            }
+            _ => {
+                out.push(pixel);
+                shift = 0;
+            }
+        }
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_in_runs_and_without() {
+        let head = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n".to_vec();
+        let plain = [head.clone(), vec![128, 0, 64, 129, 1, 1, 1, 1]].concat();
+        let runs = [head, vec![2, 2, 0, 2, 130, 128, 2, 0, 0, 130, 64, 130, 129]].concat();
+        let expected = [128.5, 0.5, 64.5, 128.5, 0.5, 64.5].map(|m| m / 128.0).to_vec();
+        for file in [plain, runs] {
+            assert_eq!(decode(&file).unwrap().samples, Samples::F32(expected.clone()));
+            assert!(decode(&file[..file.len() - 1]).is_err());
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Targa files, as POV-Ray 3.7 reads them: five bits of a channel become eight by zeros, and the sixteenth bit is alpha.
+
+use super::{Decoded, Pixels, Samples};
+
+/// The parts of the header that matter here.
+struct Header {
+    /// Is there a palette?
+    mapped: bool,
+    kind: u8,
+    first: usize,
+    colors: usize,
+    color_bits: u8,
+    width: usize,
+    height: usize,
+    bits: u8,
+    /// Rows come from the top.
+    down: bool,
+    /// Rows come from the right.
+    leftwards: bool,
+}
+
+const HEADER: usize = 18;
+
+/// The error is the reason in words.
+pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
+    let head = bytes.get(..HEADER).ok_or("it ends within its header")?;
+    let word = |at: usize| usize::from(u16::from_le_bytes([head[at], head[at + 1]]));
+    let header = Header {
+        mapped: head[1] == 1,
+        kind: head[2] & 7,
+        first: word(3),
+        colors: word(5),
+        color_bits: head[7],
+        width: word(12),
+        height: word(14),
+        bits: head[16],
+        down: head[17] & 0x20 != 0,
+        leftwards: head[17] & 0x10 != 0,
+    };
+    if header.width == 0 || header.height == 0 {
+        return Err(format!("its size is {} × {}", header.width, header.height));
+    }
+    let palette = HEADER + usize::from(head[0]);
+    let entry = usize::from(header.color_bits.div_ceil(8));
+    let start = palette + if header.mapped { header.colors * entry } else { 0 };
+    let (colors, data) =
+        bytes.get(palette..).and_then(|rest| rest.split_at_checked(start - palette)).ok_or("it is cut off")?;
+    let size = usize::from(header.bits.div_ceil(8));
+    let data =
+        if head[2] & 8 == 0 { data.to_vec() } else { unpacked(data, size, header.width * header.height * size)? };
+    let pixels = data.get(..header.width * header.height * size).ok_or("it is cut off")?;
+    match header.kind {
+        1 if header.mapped && size == 1 && entry > 0 => mapped(&header, colors, entry, pixels),
+        2 if matches!(header.bits, 15 | 16 | 24 | 32) => {
+            let samples = header.ordered(size, pixels).flat_map(|p| color(p, header.bits)).collect();
+            Ok(header.finished(4, header.bits == 16 || header.bits == 32, samples, None))
+        }
+        3 if size == 1 => Ok(header.finished(1, true, header.ordered(1, pixels).map(|p| p[0]).collect(), None)),
+        kind => Err(format!("there is no targa picture of kind {kind} with {} bits a pixel", header.bits)),
+    }
+}
+
+/// Runs: a byte below 128 says how many pixels follow, less one; any other how often the next one is repeated.
+fn unpacked(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, String> {
+    let mut out = vec![];
+    while out.len() < wanted {
+        let (&run, rest) = data.split_first().ok_or("it is cut off")?;
+        let count = usize::from(run & 0x7f) + 1;
+        let length = if run < 128 { count * size } else { size };
+        let (pixels, rest) = rest.split_at_checked(length).ok_or("it is cut off")?;
+        (0..if run < 128 { 1 } else { count }).for_each(|_| out.extend_from_slice(pixels));
+        data = rest;
+    }
+    Ok(out)
+}
+
+fn mapped(header: &Header, colors: &[u8], entry: usize, pixels: &[u8]) -> Result<Decoded, String> {
+    let indices: Vec<u8> = header.ordered(1, pixels).map(|p| p[0]).collect();
+    let mut samples = vec![];
+    for &index in &indices {
+        let at = usize::from(index).checked_sub(header.first).ok_or("a pixel is not in the palette")?;
+        let bytes = colors.get(at * entry..(at + 1) * entry).ok_or("a pixel is not in the palette")?;
+        samples.extend(color(bytes, header.color_bits));
+    }
+    Ok(header.finished(4, matches!(header.color_bits, 16 | 32), samples, Some(indices)))
+}
+
+/// Red, green, blue, alpha.
+fn color(bytes: &[u8], bits: u8) -> [u8; 4] {
+    match *bytes {
+        [b, g, r] => [r, g, b, 255],
+        [b, g, r, a] => [r, g, b, a],
+        [low, high] => {
+            let v = u16::from_le_bytes([low, high]);
+            let five = |shift: u32| ((v >> shift) as u8 & 31) << 3;
+            let alpha = if bits == 16 && v < 0x8000 { 0 } else { 255 };
+            [five(10), five(5), five(0), alpha]
+        }
+        _ => [0, 0, 0, 255],
+    }
+}
+
+impl Header {
+    /// The pixels from the top left.
+    fn ordered<'a>(&self, size: usize, pixels: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
+        let (width, height, down, leftwards) = (self.width, self.height, self.down, self.leftwards);
+        (0..width * height).map(move |i| {
+            let (x, y) = (i % width, i / width);
+            let x = if leftwards { width - 1 - x } else { x };
+            let y = if down { y } else { height - 1 - y };
+            &pixels[(y * width + x) * size..][..size]
+        })
+    }
+
+    /// Alpha is dropped where the file has none.
+    fn finished(&self, channels: usize, alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
+        let pixels = Pixels { width: self.width, height: self.height, channels, samples: Samples::U8(samples) };
+        Decoded { pixels: if alpha { pixels } else { pixels.without_alpha() }, indices }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn header(kind: u8, bits: u8, colors: u8, descriptor: u8) -> Vec<u8> {
+        let mapped = u8::from(colors > 0);
+        vec![0, mapped, kind, 0, 0, colors, 0, 24 * mapped, 0, 0, 0, 0, 2, 0, 1, 0, bits, descriptor]
+    }
+
+    #[test]
+    fn sixteen_bits_hold_alpha() {
+        let pixels = |bits| decode(&[header(2, bits, 0, 0x20), vec![0xff, 0x7f, 0x01, 0x80]].concat()).unwrap().pixels;
+        assert_eq!(pixels(16).samples, Samples::U8(vec![248, 248, 248, 0, 0, 0, 8, 255]));
+        assert_eq!(pixels(15).samples, Samples::U8(vec![248, 248, 248, 0, 0, 8]));
+    }
+
+    #[test]
+    fn runs_and_palettes() {
+        let file = [header(9, 8, 2, 0x20), vec![1, 2, 3, 4, 5, 6, 0x81, 1]].concat();
+        let decoded = decode(&file).unwrap();
+        assert_eq!(decoded.pixels.samples, Samples::U8(vec![6, 5, 4, 6, 5, 4]));
+        assert_eq!(decoded.indices, Some(vec![1, 1]));
+        for end in 0..file.len() {
+            assert!(decode(&file[..end]).is_err());
+        }
+    }
+
+    #[test]
+    fn rows_run_both_ways() {
+        let at = |descriptor| decode(&[header(3, 8, 0, descriptor), vec![7, 9]].concat()).unwrap().pixels.samples;
+        assert_eq!((at(0), at(0x10)), (Samples::U8(vec![7, 9]), Samples::U8(vec![9, 7])));
+    }
+}

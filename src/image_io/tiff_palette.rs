@@ -1,0 +1,105 @@
+//! Tiff files with a palette of 256 colours: they are decoded as if they were gray, and the palette is looked up here.
+
+use super::{Decoded, Pixels, Samples};
+
+/// Tags (TIFF 6.0, 1992, section 8).
+const BITS: u16 = 258;
+const PHOTOMETRIC: u16 = 262;
+const COLOR_MAP: u16 = 320;
+
+/// `PhotometricInterpretation` of a palette, and of gray.
+const BY_PALETTE: u16 = 3;
+const GRAY: u16 = 1;
+
+/// A file in its own order of bytes.
+struct File<'a> {
+    bytes: &'a [u8],
+    little: bool,
+}
+
+impl File<'_> {
+    fn word(&self, at: usize) -> Option<u16> {
+        let pair = self.bytes.get(at..)?.first_chunk()?;
+        Some(if self.little { u16::from_le_bytes(*pair) } else { u16::from_be_bytes(*pair) })
+    }
+
+    fn long(&self, at: usize) -> Option<usize> {
+        let four = self.bytes.get(at..)?.first_chunk()?;
+        Some((if self.little { u32::from_le_bytes(*four) } else { u32::from_be_bytes(*four) }) as usize)
+    }
+
+    /// Where the value of a tag of the first picture stands.
+    fn value(&self, tag: u16) -> Option<usize> {
+        let start = self.long(4)?;
+        let count = usize::from(self.word(start)?);
+        let entry = (0..count).map(|i| start + 2 + 12 * i).find(|&entry| self.word(entry) == Some(tag))?;
+        Some(entry + 8)
+    }
+}
+
+/// `None` if the file has no such palette; `gray` decodes the bytes of another file.
+pub(super) fn decode(bytes: &[u8], gray: impl Fn(&[u8]) -> Result<Pixels, String>) -> Option<Result<Decoded, String>> {
+    let little = match bytes.get(..4)? {
+        b"II*\0" => true,
+        b"MM\0*" => false,
+        _ => return None,
+    };
+    let file = File { bytes, little };
+    let photometric = file.value(PHOTOMETRIC)?;
+    if file.word(photometric)? != BY_PALETTE || file.word(file.value(BITS)?)? != 8 {
+        return None;
+    }
+    let map = file.long(file.value(COLOR_MAP)?)?;
+    // All reds, all greens, all blues.
+    let channel = |index: u8, c: usize| file.word(map.saturating_add(2 * (256 * c + usize::from(index)))).unwrap_or(0);
+    let mut plain = bytes.to_vec();
+    let value = if little { GRAY.to_le_bytes() } else { GRAY.to_be_bytes() };
+    plain[photometric..photometric + 2].copy_from_slice(&value);
+    Some(gray(&plain).map(|pixels| {
+        let Samples::U8(indices) = pixels.samples else { return pixels.into() };
+        let samples = indices.iter().flat_map(|&index| [0, 1, 2].map(|c| channel(index, c))).collect();
+        Decoded { pixels: Pixels { channels: 3, samples: Samples::U16(samples), ..pixels }, indices: Some(indices) }
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn usual(bytes: &[u8]) -> Result<Pixels, String> {
+        crate::image_io::decode(bytes, "tiff")
+    }
+
+    #[test]
+    fn colors_come_from_the_palette() {
+        let (width, palette_at) = (3u32, 11u32);
+        // the pixels, then the palette: reds i, greens 2i, blues 3i
+        let mut file = [&b"II*\0"[..], &(palette_at + 3 * 512).to_le_bytes(), &[0, 7, 255]].concat();
+        for c in 1..=3 {
+            file.extend((0..256u16).flat_map(|i| (i * c).to_le_bytes()));
+        }
+        let short = |tag: u16, value: u32| [&tag.to_le_bytes()[..], &[3, 0, 1, 0, 0, 0], &value.to_le_bytes()].concat();
+        let map = [&COLOR_MAP.to_le_bytes()[..], &[3, 0], &768u32.to_le_bytes(), &palette_at.to_le_bytes()].concat();
+        let tags = [
+            short(256, width),
+            short(257, 1),
+            short(BITS, 8),
+            short(259, 1),
+            short(PHOTOMETRIC, u32::from(BY_PALETTE)),
+            short(273, 8),
+            short(277, 1),
+            short(278, 1),
+            short(279, width),
+            map,
+        ];
+        file.extend((tags.len() as u16).to_le_bytes());
+        file.extend(tags.concat());
+        file.extend([0; 4]);
+        let decoded = decode(&file, usual).unwrap().unwrap();
+        assert_eq!(decoded.pixels.samples, Samples::U16(vec![0, 0, 0, 7, 14, 21, 255, 510, 765]));
+        assert_eq!(decoded.indices, Some(vec![0, 7, 255]));
+        for end in 0..file.len() {
+            drop(usual(&file[..end]));
+        }
+    }
+}
