@@ -22,6 +22,9 @@
 //! # Ok(()) }
 //! ```
 
+// What pest_derive writes names it.
+extern crate alloc;
+
 pub mod camera;
 pub mod cli;
 pub mod color;

@@ -91,23 +91,18 @@ impl Aabb {
         })
     }
 
-    /// Where the ray enters and leaves, by slabs (lecture, "Ray – AAB intersection"); a direction
-    /// component of zero is handled: the origin must then lie between the two planes.
+    /// Where the ray enters and leaves, by slabs (lecture, "Ray – AAB intersection"); where a
+    /// component of the direction is zero, the origin must lie between the two planes.
     pub fn slabs(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let (mut near, mut far) = (range.min, range.max);
         for axis in 0..3 {
-            let (o, v) = (ray.origin[axis], ray.dir[axis]);
-            if v == 0.0 {
-                if o < self.min[axis] || o > self.max[axis] {
-                    return None;
-                }
-                continue;
-            }
+            let (o, inverse) = (ray.origin[axis], 1.0 / ray.dir[axis]);
+            let (lo, hi) = ((self.min[axis] - o) * inverse, (self.max[axis] - o) * inverse);
             // Enters through the lower plane where v is positive. (Sorting t₁ and t₂ would find a way into an empty box.)
-            let (enter, leave) = if v > 0.0 { (self.min, self.max) } else { (self.max, self.min) };
-            let inverse = 1.0 / v;
-            near = near.max((enter[axis] - o) * inverse);
-            far = far.min((leave[axis] - o) * inverse);
+            let (enter, leave) = if inverse < 0.0 { (hi, lo) } else { (lo, hi) };
+            // Parallel to the planes they are infinite, or in one of them NaN, which counts for nothing.
+            near = if enter > near { enter } else { near };
+            far = if leave < far { leave } else { far };
         }
         (near <= far).then_some((near, far))
     }

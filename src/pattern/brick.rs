@@ -57,7 +57,7 @@ impl Cells for Brick {
     fn cell(&self, p: DVec3) -> usize {
         let mut q = (p + EDGE) / self.size;
         // every other row is moved by half a brick in x, the others in z
-        let odd = q.y.floor().rem_euclid(2.0) != 0.0;
+        let odd = q.y.floor() as i64 & 1 != 0;
         if odd {
             q.x += 0.5;
         } else {

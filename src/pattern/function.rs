@@ -54,6 +54,6 @@ impl Field for FunctionPattern {
     fn value(&self, at: &Spot) -> f64 {
         let [value, ..] = self.0.call(&at.p.to_array());
         // It begins anew after each 1, which belongs to the numbers below; those under 0 are left to the wave.
-        if value > 1.0 { value % 1.0 } else { value }
+        if value > 1.0 { value.fract() } else { value }
     }
 }

@@ -43,6 +43,6 @@ impl Field for Gradient {
     fn value(&self, at: &Spot) -> f64 {
         // Negative numbers keep their sign here; frequency and phase bring them into [0, 1]. The first unit keeps its end.
         let along = at.p.dot(self.direction);
-        if along > 1.0 { along % 1.0 } else { along }
+        if along > 1.0 { along.fract() } else { along }
     }
 }

@@ -31,12 +31,12 @@ impl Cells for Hexagon {
     fn cell(&self, p: DVec3) -> usize {
         // Centres lie at (3a/2, √3(b + a/2)): the cell is that of the nearest one, found by rounding cube
         // coordinates (a, b, -a-b) and mending the one that was rounded most.
-        let root3 = 3f64.sqrt();
+        const ROOT3: f64 = 1.732_050_807_568_877_2;
         // On z = 0, where walls stand too, lie edges, and corners with exact coordinates: there the cell behind it counts, or the one
         // farther out (measured on POV-Ray 3.7).
         let (x, z) = if p.z.abs() < EDGE { (p.x + 2.0 * EDGE.copysign(p.x), EDGE) } else { (p.x, p.z) };
         let a = x / 1.5;
-        let b = z / root3 - a / 2.0;
+        let b = z / ROOT3 - a / 2.0;
         let c = -a - b;
         let (mut ra, mut rb, rc) = (a.round(), b.round(), c.round());
         let (da, db, dc) = ((ra - a).abs(), (rb - b).abs(), (rc - c).abs());
@@ -45,7 +45,7 @@ impl Cells for Hexagon {
         } else if db > dc {
             rb = -ra - rc;
         }
-        (rb - ra).rem_euclid(3.0) as usize
+        ((rb - ra) as i64).rem_euclid(3) as usize
     }
 
     fn default_color(&self, cell: usize) -> Color {

@@ -74,8 +74,7 @@ impl Modifiers {
     pub fn apply(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 { raw } else { raw * frequency + self.phase };
-        // (A remainder takes its time, and mostly there is none to take.)
-        let shifted = if frequency == 0.0 || shifted.abs() < PERIOD { shifted } else { shifted % PERIOD };
+        let shifted = if frequency == 0.0 { shifted } else { wrapped(shifted) };
         let v = if shifted < 0.0 { fp::fraction(shifted) } else { shifted };
         match self.wave {
             Wave::Ramp => v,
@@ -94,6 +93,41 @@ impl Modifiers {
     }
 }
 
+/// What `%` leaves of a number after all of its periods, by subtractions that are exact too, as long as they are few.
+fn wrapped(x: f64) -> f64 {
+    let mut rest = x.abs();
+    if rest < PERIOD {
+        return x;
+    }
+    if rest >= 16.0 * PERIOD {
+        return x % PERIOD;
+    }
+    // A difference is exact if neither number is more than twice the other (Sterbenz, Floating-point computation, 1974).
+    for periods in [8.0, 4.0, 2.0, 1.0] {
+        if rest >= periods * PERIOD {
+            rest -= periods * PERIOD;
+        }
+    }
+    rest.copysign(x)
+}
+
 fn single(x: f64) -> f64 {
     f64::from(x as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wrapping_is_a_remainder() {
+        for i in 0..4000 {
+            let x = f64::from(i) * 0.010_001 - 20.0;
+            assert_eq!(wrapped(x), x % PERIOD, "{x}");
+            let near = f64::from(i - 2000) * PERIOD;
+            for x in [near, near.next_up(), near.next_down()] {
+                assert_eq!(wrapped(x), x % PERIOD, "{x}");
+            }
+        }
+    }
 }

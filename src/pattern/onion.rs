@@ -24,6 +24,6 @@ impl Readable for Onion {
 
 impl Field for Onion {
     fn value(&self, at: &Spot) -> f64 {
-        at.p.length() % 1.0
+        at.p.length().fract()
     }
 }

@@ -115,7 +115,7 @@ impl Field for Slope {
             }
         };
         // numbers below 0 are brought back behind the frequency
-        if value > 1.0 { value % 1.0 } else { value }
+        if value > 1.0 { value.fract() } else { value }
     }
 }
 

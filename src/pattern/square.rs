@@ -30,7 +30,7 @@ impl Cells for Square {
     }
 
     fn cell(&self, p: DVec3) -> usize {
-        let odd = |t: f64| t.floor().rem_euclid(2.0) != 0.0;
+        let odd = |t: f64| t.floor() as i64 & 1 != 0;
         match (odd(p.x), odd(p.z)) {
             (false, false) => 0,
             (false, true) => 1,

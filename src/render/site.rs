@@ -48,7 +48,6 @@ impl<'w> Site<'w> {
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
         let normal = if against > 0.0 { -surface.normal } else { surface.normal };
-        let coats = coats(world, part, against > 0.0, surface.point);
         let mut painter = Painter {
             coat: &part.outside,
             quality,
@@ -57,13 +56,11 @@ impl<'w> Site<'w> {
             bailout: world.adc_bailout,
             layers: SmallVec::new(),
         };
-        let share = 1.0 / coats.len() as f64;
-        let mut pass = Rgb::ZERO;
-        for coat in coats {
+        let pass = of_coats(world, part, against > 0.0, surface.point, |coat, share| {
             let (material, spot) = spot(world, coat, found, &surface, normal, ray);
             painter.coat = coat;
-            pass += share * painter.paint(material, &spot, Rgb::splat(share), share, None);
-        }
+            share * painter.paint(material, &spot, Rgb::splat(share), share, None)
+        });
         let (bumped, refraction) =
             painter.layers.first().map_or((normal, 1.0), |top| (top.normal, top.layer.refraction));
         Self {
@@ -107,8 +104,12 @@ impl<'w> Painter<'w, '_> {
                 None => {
                     let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
                     let normal = bumps.map_or(spot.normal, |bumps| self.bumped(bumps, spot, frame));
-                    // as was measured: `slope` and `aoi` of a pigment see the bumps
-                    let color = layer.color(&Spot { normal, ..*spot }, !self.quality.real);
+                    let quick = !self.quality.real;
+                    let color = match bumps {
+                        // as was measured: `slope` and `aoi` of a pigment see the bumps
+                        Some(_) => layer.color(&Spot { normal, ..*spot }, quick),
+                        None => layer.color(spot, quick),
+                    };
                     let cos = -spot.ray.dot(normal);
                     let opacity = color.opacity(self.opacity_by_color);
                     let shown = Shown { layer, color, opacity, weight: weight * pass, share, normal, cos };
@@ -152,20 +153,26 @@ impl Frame<'_> {
     }
 }
 
-/// What is painted on the side that a ray sees, all of it in equal parts; mostly one.
-fn coats<'w>(world: &'w World, part: &'w Part, from_inside: bool, point: DVec3) -> SmallVec<[&'w Coat; 1]> {
+/// The sum over what is painted on the side that a ray sees, all of it in equal parts, which `answer` is told; mostly one.
+fn of_coats<'w>(
+    world: &'w World,
+    part: &'w Part,
+    from_inside: bool,
+    point: DVec3,
+    mut answer: impl FnMut(&'w Coat, f64) -> Rgb,
+) -> Rgb {
     if let Some(inside) = part.inside.as_ref().filter(|_| from_inside) {
-        return SmallVec::from_buf([inside]);
+        return answer(inside, 1.0);
     }
-    let mut found = SmallVec::new();
     if let Some(cut) = part.cut {
         let holds = |(node, coat): &'w (Node, Coat)| node.inside(point).then_some(coat);
-        found.extend(world.cuts[cut as usize].iter().filter_map(holds));
+        let coats: SmallVec<[&Coat; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
+        if !coats.is_empty() {
+            let share = 1.0 / coats.len() as f64;
+            return coats.into_iter().map(|coat| answer(coat, share)).sum();
+        }
     }
-    if found.is_empty() {
-        found.push(&part.outside);
-    }
-    found
+    answer(&part.outside, 1.0)
 }
 
 /// A material, and the place as it sees it; the normal is in world space.
@@ -198,12 +205,10 @@ pub(super) fn pass(world: &World, ray: &Ray, found: &Found, quick: bool) -> Rgb 
         return outside.pass;
     }
     let surface = found.surface(ray);
-    let coats = coats(world, part, ray.dir.dot(surface.normal) > 0.0, surface.point);
-    let pass = coats.iter().map(|coat| {
+    of_coats(world, part, ray.dir.dot(surface.normal) > 0.0, surface.point, |coat, share| {
         let (material, spot) = spot(world, coat, found, &surface, surface.normal, ray);
-        pass_of(material, &spot, quick)
-    });
-    pass.sum::<Rgb>() / coats.len() as f64
+        share * pass_of(material, &spot, quick)
+    })
 }
 
 /// What passes the layers of a material.

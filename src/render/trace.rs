@@ -1,7 +1,7 @@
 //! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
 
 use super::mirror::{self, Incoming};
-use super::refract::{Border, Interiors, reflect};
+use super::refract::{Border, Interiors, copied, reflect};
 use super::site::Site;
 use super::{Options, Rays, Watch};
 use crate::camera::Window;
@@ -103,7 +103,10 @@ enum Onward {
 pub(super) struct Tracer<'w> {
     pub setup: &'w Setup<'w>,
     pub rays: Rays,
-    random: rng::Stream,
+    /// The frame, the pixel, the sample: what random numbers depend on.
+    sample: [u64; 3],
+    /// They are made where one is asked for.
+    random: Option<rng::Stream>,
     /// Who may want it to stop.
     watch: Option<&'w dyn Watch>,
     stopped: bool,
@@ -112,8 +115,7 @@ pub(super) struct Tracer<'w> {
 
 impl<'w> Tracer<'w> {
     pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>) -> Self {
-        let random = rng::Stream::new(&[]);
-        Self { setup, rays: Rays::default(), random, watch, stopped: false, crossings: 0 }
+        Self { setup, rays: Rays::default(), sample: [0; 3], random: None, watch, stopped: false, crossings: 0 }
     }
 
     /// Has the watcher asked to stop? What was traced since is worth nothing.
@@ -133,19 +135,19 @@ impl<'w> Tracer<'w> {
 
     /// All random numbers from here on belong to this sample of this pixel.
     pub fn begin(&mut self, pixel: u64, sample: u64) {
-        self.random = rng::Stream::new(&[u64::from(self.setup.frame), pixel, sample]);
+        (self.sample, self.random) = ([u64::from(self.setup.frame), pixel, sample], None);
     }
 
     /// The next random number of this sample, in [0, 1).
     pub fn random(&mut self) -> f64 {
-        self.random.next()
+        self.random.get_or_insert_with(|| rng::Stream::new(&self.sample)).next()
     }
 
     /// The light through a point of the picture, in pixels from its top left corner.
     pub fn see(&mut self, x: f64, y: f64) -> Sample {
         self.rays.camera += 1;
         let ray = self.setup.window.ray(x, y);
-        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, inside: self.setup.start.clone(), hue: None })
+        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, inside: copied(&self.setup.start), hue: None })
     }
 
     /// Follows a ray through all that lets it pass; only mirrors and dispersion recurse.
@@ -278,7 +280,7 @@ impl<'w> Tracer<'w> {
             self.rays.reflected += 1;
             let out = bounce(path.ray.dir, mirrored.normal, site.smooth);
             let ray = Ray::new(site.point, out);
-            let (level, weight, inside) = (path.level + 1, mirrored.weight, path.inside.clone());
+            let (level, weight, inside) = (path.level + 1, mirrored.weight, copied(&path.inside));
             let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
             sum += mirror::answer(site, incoming, mirrored, out, light);
         }

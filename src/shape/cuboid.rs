@@ -34,25 +34,18 @@ impl Cuboid {
         let mut far = End::at(f64::INFINITY);
         for axis in 0..3 {
             let (o, v) = (ray.origin[axis], ray.dir[axis]);
-            let (lo, hi) = (self.min[axis], self.max[axis]);
-            if v == 0.0 {
-                // Parallel to these two planes: between them, or never.
-                if o < lo || o > hi {
-                    return None;
-                }
-                continue;
+            let (lo, hi) = ((self.min[axis] - o) / v, (self.max[axis] - o) / v);
+            let side = u32::from(v.is_sign_negative());
+            let (enter, leave) = if side == 1 { (hi, lo) } else { (lo, hi) };
+            // Parallel to these two planes they are infinite, or in one of them NaN, which counts for nothing.
+            if enter > near.t {
+                near = End::on(enter, axis as u32 * 2 + side);
             }
-            let side = u32::from(v < 0.0);
-            let (enter, leave) = if v > 0.0 { (lo, hi) } else { (hi, lo) };
-            let (t1, t2) = ((enter - o) / v, (leave - o) / v);
-            if t1 > near.t {
-                near = End::on(t1, axis as u32 * 2 + side);
-            }
-            if t2 < far.t {
-                far = End::on(t2, axis as u32 * 2 + (1 - side));
+            if leave < far.t {
+                far = End::on(leave, axis as u32 * 2 + (1 - side));
             }
         }
-        (near.t <= far.t).then_some([near, far])
+        (near.t <= far.t && near.t < f64::INFINITY && far.t > f64::NEG_INFINITY).then_some([near, far])
     }
 }
 

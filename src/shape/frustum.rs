@@ -104,12 +104,28 @@ impl Frustum {
         (shift, self.split(ray.at(shift) - self.base), self.split(ray.dir))
     }
 
+    /// A cylinder with both its ends?
+    fn is_closed_cylinder(&self) -> bool {
+        !self.open && self.base_radius == self.cap_radius
+    }
+
+    /// The nearest hit in the range.
+    pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        if self.is_closed_cylinder() && !self.is_empty() {
+            let Crossing::Through(ends) = self.cross_cylinder(ray) else { return None };
+            return ends.into_iter().find(|end| range.contains(end.t)).map(Hit::from);
+        }
+        let mut all = Hits::new();
+        self.hits(ray, range, &mut all);
+        all.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+    }
+
     /// Appends the hits in the range.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.is_empty() {
             return;
         }
-        if !self.open && self.base_radius == self.cap_radius {
+        if self.is_closed_cylinder() {
             if let Crossing::Through(ends) = self.cross_cylinder(ray) {
                 out.extend(ends.into_iter().filter(|end| range.contains(end.t)).map(Hit::from));
             }
@@ -254,6 +270,10 @@ macro_rules! frustum_kernel {
 
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
                 self.0.hits(ray, range, out);
+            }
+
+            fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+                self.0.closest(ray, range)
             }
 
             fn inside(&self, p: DVec3) -> bool {

@@ -81,17 +81,19 @@ impl Ink {
 
     fn node(&self, i: usize, spot: &Spot) -> Color {
         let node = &self.nodes[i];
-        let inner = match &node.shows {
-            Shows::Solid(color) => return *color,
-            _ => spot.at(node.enter(spot)),
-        };
+        let inner = || spot.at(node.enter(spot));
         match &node.shows {
             Shows::Solid(color) => *color,
-            Shows::Colors(map) => map.at(node.value.at(inner)),
-            Shows::Image(image) => image.at(inner.p),
+            Shows::Colors(map) => map.at(node.value.at(inner())),
+            Shows::Image(image) => image.at(node.enter(spot)),
             Shows::Inks(parts, average) => {
-                let shares = parts.shares(node.value.at(inner), *average);
-                shares.iter().fold(Color::BLACK, |sum, (i, share)| sum.plus(self.node(**i as usize, &inner), *share))
+                let inner = inner();
+                match parts.shares(node.value.at(inner), *average)[..] {
+                    [(i, 1.0)] => self.node(*i as usize, &inner),
+                    ref shares => shares
+                        .iter()
+                        .fold(Color::BLACK, |sum, (i, share)| sum.plus(self.node(**i as usize, &inner), *share)),
+                }
             }
         }
     }

@@ -68,7 +68,10 @@ impl Leaf {
     }
 
     pub(super) fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        self.shape.closest(&self.local(ray), range)
+        match &self.place {
+            Some(m) => self.shape.closest(&m.inverse_ray(ray), range),
+            None => self.shape.closest(ray, range),
+        }
     }
 
     pub(super) fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

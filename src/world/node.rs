@@ -177,18 +177,25 @@ impl Node {
     }
 
     /// The nearest hit in the range.
+    #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
-        let clipped = !self.clip.is_empty();
         match &self.kind {
-            NodeKind::Leaf(leaf) if !clipped => {
+            NodeKind::Leaf(leaf) if self.clip.is_empty() => {
                 leaf.closest(ray, range).map(|hit| Found { hit, leaf, object: self.object })
             }
+            _ => self.closest_of_many(ray, range),
+        }
+    }
+
+    /// The nearest hit of what is more than a shape.
+    fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
+        match &self.kind {
             NodeKind::Leaf(_) => {
                 let mut all = FoundList::new();
                 self.hits(ray, range, &mut all);
                 all.into_iter().min_by(|a, b| a.t().total_cmp(&b.t()))
             }
-            NodeKind::Union(_) if !clipped => self.closest_of_all(ray, range),
+            NodeKind::Union(_) if self.clip.is_empty() => self.closest_of_all(ray, range),
             _ => self.closest_survivor(ray, range),
         }
     }

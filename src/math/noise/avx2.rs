@@ -3,14 +3,14 @@
 
 use super::super::DVec3;
 use super::lattice::ease;
-use super::tables::CORNERS;
-use super::value::{LANES, Lanes, corners};
+use super::tables::{CORNERS, Row};
+use super::value::{LANES, corners};
 use std::arch::x86_64::*;
 
 #[target_feature(enable = "avx2")]
 #[inline]
-fn load(lanes: &Lanes) -> __m256d {
-    _mm256_setr_pd(lanes[0], lanes[1], lanes[2], lanes[3])
+fn load(&Row([a, b, c, d]): &Row) -> __m256d {
+    _mm256_setr_pd(a, b, c, d)
 }
 
 /// sum + g·x

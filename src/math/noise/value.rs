@@ -2,7 +2,7 @@
 
 use super::super::DVec3;
 use super::lattice::{blend, cell, ease, from_corner};
-use super::tables::{CORNERS, HASH};
+use super::tables::{CORNERS, HASH, Row};
 
 /// POV-Ray adds 10000 to the number of a cell before it looks it up.
 const OFFSET: usize = 10_000;
@@ -31,7 +31,7 @@ pub(super) fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
 pub fn scalar(p: DVec3) -> f64 {
     let (hashes, t) = corners(p);
     let corner = |i: usize| {
-        let ([x, y, z], [v, gx, gy, gz]) = (from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
+        let ([x, y, z], Row([v, gx, gy, gz])) = (from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
         v + gx * x + gy * y + gz * z
     };
     // Written out: `map` over eight corners takes twice the time.
@@ -39,7 +39,7 @@ pub fn scalar(p: DVec3) -> f64 {
 }
 
 /// Four numbers that are computed side by side.
-pub(super) type Lanes = [f64; 4];
+type Lanes = [f64; 4];
 
 #[inline(always)]
 fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
@@ -47,16 +47,16 @@ fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
 }
 
 /// The values and gradients of the three components of [`vector`] side by side: v, gx, gy, gz. The last lane is not used.
-pub(super) static LANES: [[Lanes; 4]; 256] = lanes();
+pub(super) static LANES: [[Row; 4]; 256] = lanes();
 
 /// Each component takes its values and gradients four entries further on in the table.
-const fn lanes() -> [[Lanes; 4]; 256] {
-    let mut out = [[[0.0; 4]; 4]; 256];
+const fn lanes() -> [[Row; 4]; 256] {
+    let mut out = [[Row([0.0; 4]); 4]; 256];
     let mut i = 0;
     while i < 256 {
         let mut part = 0;
         while part < 4 {
-            out[i][part] = [CORNERS[i][part], CORNERS[i + 4][part], CORNERS[i + 8][part], 0.0];
+            out[i][part] = Row([CORNERS[i].0[part], CORNERS[i + 4].0[part], CORNERS[i + 8].0[part], 0.0]);
             part += 1;
         }
         i += 1;
@@ -70,8 +70,8 @@ pub fn vector(p: DVec3) -> DVec3 {
     let (hashes, t) = corners(p);
     let corner = |i: usize| {
         let ([x, y, z], [v, gx, gy, gz]) = (from_corner(i, t), &LANES[hashes[i >> 2][i & 3] & 0xff]);
-        let add = |sum: Lanes, g: &Lanes, x: f64| lanewise(sum, *g, |sum, g| sum + g * x);
-        add(add(add(*v, gx, x), gy, y), gz, z)
+        let add = |sum: Lanes, g: &Row, x: f64| lanewise(sum, g.0, |sum, g| sum + g * x);
+        add(add(add(v.0, gx, x), gy, y), gz, z)
     };
     let [sx, sy, sz] = t.map(ease);
     let lerp = |a: Lanes, b: Lanes, s: f64| lanewise(a, b, |a, b| a + s * (b - a));

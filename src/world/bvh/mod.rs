@@ -51,16 +51,14 @@ impl Bvh {
         }
         let flat = FlatRay::new(ray, range);
         let mut max = range.max;
-        let mut stack = [Entry { near: f32::NEG_INFINITY, child: 0, count: 0 }; STACK];
-        let mut height = 1;
-        while height > 0 {
-            height -= 1;
-            let Entry { near, child, count } = stack[height];
+        let mut stack = Stack::new();
+        flat.push_children(&self.nodes[0], max, &mut stack);
+        while let Some(Entry { near, child, count }) = stack.pop() {
             if f64::from(near) > max {
                 continue;
             }
             if count == 0 {
-                height = flat.push_children(&self.nodes[child as usize], max, &mut stack, height);
+                flat.push_children(&self.nodes[child as usize], max, &mut stack);
                 continue;
             }
             for item in child..child + count {
@@ -95,7 +93,10 @@ impl Bvh {
     }
 }
 
-/// What is still to be looked at: a node (`count` 0) or items, and where the ray enters its box at the earliest.
+/// What is still to be looked at, the nearest last. (Room that is not written before it is used.)
+type Stack = SmallVec<[Entry; STACK]>;
+
+/// A piece of it: a node (`count` 0) or items, and where the ray enters its box at the earliest.
 #[derive(Clone, Copy)]
 struct Entry {
     near: f32,
@@ -146,11 +147,11 @@ impl FlatRay {
         }
     }
 
-    /// Slab test of four boxes; pushes those that are met, the nearest last, and returns the new height.
-    fn push_children(&self, node: &Wide, max: f64, stack: &mut [Entry; STACK], first: usize) -> usize {
+    /// Slab test of four boxes; pushes those that are met, the nearest last.
+    fn push_children(&self, node: &Wide, max: f64, stack: &mut Stack) {
         let (near, met) = self.slabs(node, max);
         let near = near.to_array();
-        let mut height = first;
+        let first = stack.len();
         let mut mask = met.bitmask();
         while mask != 0 {
             let slot = mask.trailing_zeros() as usize & 3;
@@ -160,15 +161,13 @@ impl FlatRay {
             }
             let entry = Entry { near: near[slot], child: node.child[slot], count: node.count[slot] };
             // Insertion sort: at most four.
-            let mut at = height;
-            while at > first && stack[at - 1].near < entry.near {
-                stack[at] = stack[at - 1];
+            stack.push(entry);
+            let mut at = stack.len() - 1;
+            while at > first && stack[at - 1].near < stack[at].near {
+                stack.swap(at - 1, at);
                 at -= 1;
             }
-            stack[at] = entry;
-            height += 1;
         }
-        height
     }
 
     fn slabs(&self, node: &Wide, max: f64) -> (Vec4, BVec4A) {
