@@ -53,6 +53,19 @@ pub fn pow(x: f64, y: f64) -> f64 {
     x.powf(y)
 }
 
+/// xⁿ by products alone, which are the same on all machines.
+pub fn power_of(x: f64, n: u32) -> f64 {
+    let (mut out, mut square, mut rest) = (1.0, x, n);
+    while rest > 0 {
+        if rest & 1 == 1 {
+            out *= square;
+        }
+        square *= square;
+        rest >>= 1;
+    }
+    out
+}
+
 /// e to the power of x.
 pub fn exp(x: f64) -> f64 {
     x.exp()

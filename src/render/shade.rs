@@ -134,6 +134,8 @@ pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
     Rgb::ONE + (pigment - Rgb::ONE) * (metallic * (1.0 - fresnel))
 }
 
+/// x to a power; most are whole numbers, which takes a few products.
 fn power(x: f64, exponent: f64) -> f64 {
-    if exponent == 1.0 { x } else { fp::pow(x, exponent) }
+    let whole = exponent as u32;
+    if f64::from(whole) == exponent && whole < 4096 { fp::power_of(x, whole) } else { fp::pow(x, exponent) }
 }

@@ -87,6 +87,10 @@ impl Kernel for Cuboid {
         self.bounds().contains(p)
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn crossing(&self, ray: &Ray) -> Crossing {
         self.faces(ray).map_or(Crossing::Misses, Crossing::Through)
     }

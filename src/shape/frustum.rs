@@ -176,9 +176,14 @@ impl Frustum {
         at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
     }
 
+    /// Has it both its ends, and is it no hourglass?
+    pub fn is_convex(&self) -> bool {
+        !self.open && self.base_radius * self.cap_radius >= 0.0
+    }
+
     /// Where a line goes in and out of a closed cylinder or cone.
     pub fn crossing(&self, ray: &Ray) -> Crossing {
-        if self.open || self.base_radius * self.cap_radius < 0.0 {
+        if !self.is_convex() {
             return Crossing::Unknown;
         }
         if self.base_radius == self.cap_radius {
@@ -278,6 +283,10 @@ macro_rules! frustum_kernel {
 
             fn inside(&self, p: DVec3) -> bool {
                 self.0.inside(p)
+            }
+
+            fn is_convex(&self) -> bool {
+                self.0.is_convex()
             }
 
             fn crossing(&self, ray: &Ray) -> $crate::shape::Crossing {

@@ -120,6 +120,11 @@ pub trait Kernel {
     /// Is the point in the solid? Points on the surface may go either way.
     fn inside(&self, p: DVec3) -> bool;
 
+    /// Is it convex, and can [`Kernel::crossing`] tell of nearly all lines?
+    fn is_convex(&self) -> bool {
+        false
+    }
+
     /// Where a line goes into a solid and out of it, of shapes that know it as one stretch.
     fn crossing(&self, _ray: &Ray) -> Crossing {
         Crossing::Unknown
@@ -156,6 +161,7 @@ macro_rules! shapes {
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
+            fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
             fn crossing(&self, ray: &Ray) -> Crossing { match self { $(Shape::$name(s) => s.crossing(ray)),* } }
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }

@@ -171,6 +171,10 @@ impl Kernel for Plane {
         self.normal.dot(p) - self.distance < tolerance::INSIDE
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn crossing(&self, ray: &Ray) -> Crossing {
         let slope = self.normal.dot(ray.dir);
         // Along a line that is all but parallel, t says little.

@@ -75,6 +75,10 @@ impl Kernel for Sphere {
         p.distance_squared(self.center) < self.radius * self.radius
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn crossing(&self, ray: &Ray) -> Crossing {
         self.roots(ray).map_or(Crossing::Misses, |(t1, t2)| Crossing::Through([End::at(t1), End::at(t2)]))
     }

@@ -67,6 +67,7 @@ impl Leaf {
         self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray))
     }
 
+    #[inline]
     pub(super) fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         match &self.place {
             Some(m) => self.shape.closest(&m.inverse_ray(ray), range),

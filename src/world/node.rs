@@ -7,7 +7,7 @@
 use super::crowd::Crowd;
 use super::halfspace::{self, HalfSpaces};
 use super::leaf::{Found, FoundList, Leaf};
-use super::stretch::Gathered;
+use super::stretch::{self, Gathered};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::shape::{Hits, Kernel, Shape};
 use serde::Serialize;
@@ -26,6 +26,9 @@ pub struct Node {
     surface: Aabb,
     /// All points inside it are in here.
     solid: Aabb,
+    /// Is it an intersection or a merge of a few whole convex shapes?
+    #[serde(skip)]
+    convex_parts: bool,
     /// Over its children, if they are many.
     #[serde(skip)]
     crowd: Option<Box<Crowd>>,
@@ -83,8 +86,8 @@ impl Node {
     }
 
     fn new(kind: NodeKind, object: u32) -> Self {
-        let mut node =
-            Self { kind, clip: Box::default(), object, surface: Aabb::EMPTY, solid: Aabb::EMPTY, crowd: None };
+        let (surface, solid) = (Aabb::EMPTY, Aabb::EMPTY);
+        let mut node = Self { kind, clip: Box::default(), object, surface, solid, convex_parts: false, crowd: None };
         node.measure();
         node
     }
@@ -196,7 +199,18 @@ impl Node {
                 all.into_iter().min_by(|a, b| a.t().total_cmp(&b.t()))
             }
             NodeKind::Union(_) if self.clip.is_empty() => self.closest_of_all(ray, range),
+            _ if self.convex_parts => self.closest_of_convex(ray, range),
             _ => self.closest_survivor(ray, range),
+        }
+    }
+
+    fn closest_of_convex<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
+        let (min, max) = self.surface.slabs(ray, range)?;
+        let merged = matches!(self.kind, NodeKind::Merge(_));
+        let shows = |t| self.in_clip(ray.at(t));
+        match stretch::nearest(self.children(), merged, ray, Range { min, max }, shows) {
+            Ok(nearest) => nearest.map(|(end, leaf)| Found { hit: end.into(), leaf, object: self.object }),
+            Err(stretch::Unknown) => self.closest_survivor(ray, range),
         }
     }
 
@@ -317,7 +331,14 @@ impl Node {
             NodeKind::Intersection(_) => c.surface.union(c.hole()),
             _ => c.surface.union(c.solid),
         };
+        let is_convex = |c: &Node| matches!(&c.kind, NodeKind::Leaf(leaf) if c.is_whole() && leaf.shape.is_convex());
+        self.convex_parts = match &self.kind {
+            NodeKind::Leaf(_) | NodeKind::Union(_) => false,
+            NodeKind::Intersection(children) | NodeKind::Merge(children) => children.iter().all(is_convex),
+        };
         self.crowd = Crowd::over(&self.children().iter().map(reach).collect::<Vec<_>>());
+        // Many are quicker found by their boxes.
+        self.convex_parts &= self.crowd.is_none();
     }
 
     /// Cuts both boxes by the half-spaces that all of it lies in.

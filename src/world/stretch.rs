@@ -50,6 +50,47 @@ impl Stretch {
     }
 }
 
+/// A part that can't tell where a ray is inside it.
+pub(super) struct Unknown;
+
+/// The nearest hit of an intersection, or if `merged` of a merge, whose children are all convex, and the shape that it is on.
+/// `shows` says of a hit at t whether nothing clips it.
+pub(super) fn nearest<'a>(
+    children: &'a [Node],
+    merged: bool,
+    ray: &Ray,
+    mut range: Range,
+    shows: impl Fn(f64) -> bool,
+) -> Result<Option<(End, &'a Leaf)>, Unknown> {
+    let mut parts: SmallVec<[(Stretch, &Leaf); 4]> = SmallVec::new();
+    for child in children {
+        let NodeKind::Leaf(leaf) = child.kind() else { return Err(Unknown) };
+        let stretch = Stretch::of(leaf, ray).ok_or(Unknown)?;
+        if !merged && !leaf.inverse {
+            range = range.and(stretch.reach());
+            if range.is_empty() {
+                return Ok(None);
+            }
+        }
+        parts.push((stretch, leaf));
+    }
+    let mut best = None;
+    for (i, &(stretch, leaf)) in parts.iter().enumerate() {
+        for end in stretch.ends {
+            let inside = |j: usize, other: &Stretch| match other.holds(end.t) {
+                Some(inside) => inside,
+                None => children[j].inside(ray.at(end.t)),
+            };
+            let is_kept = || parts.iter().enumerate().all(|(j, (other, _))| j == i || inside(j, other) != merged);
+            if range.contains(end.t) && is_kept() && shows(end.t) {
+                range.max = end.t;
+                best = Some((end, leaf));
+            }
+        }
+    }
+    Ok(best)
+}
+
 /// What a ray finds on the children of an intersection or a merge.
 pub(super) struct Gathered<'a> {
     /// Outside of it nothing counts.

@@ -1,11 +1,12 @@
 //! What both lattice noises share: the cell of a point and the blend of its eight corners.
 
+/// 1.5·2⁵²: adding it rounds to the nearest whole number and leaves its two's complement in the low bits, without call or branch.
+pub const ROUND: f64 = 6_755_399_441_055_744.0;
+
 /// The lattice cell of one coordinate: its number (its low bits are right for any number below 2⁵¹), and how far the coordinate
 /// lies into it, 0 to 1.
 #[inline(always)]
 pub fn cell(x: f64) -> (usize, f64) {
-    // Adding 1.5·2⁵² rounds to the nearest whole number and leaves its two's complement in the low bits: no call, no branch.
-    const ROUND: f64 = 6_755_399_441_055_744.0;
     let rounded = x + ROUND;
     let nearest = rounded - ROUND;
     let above = nearest > x;

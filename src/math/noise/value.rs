@@ -13,17 +13,23 @@ fn hash(i: usize) -> usize {
     HASH[i & 0xfff] as usize
 }
 
-/// The hash of each corner of the cell, and where the point lies in the cell.
+/// The hash of each corner of a cell.
 #[inline(always)]
-pub(super) fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
-    let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x), cell(p.y), cell(p.z));
+pub(super) fn hashes([ix, iy, iz]: [usize; 3]) -> [[usize; 4]; 2] {
     let sides = |i: usize| [i.wrapping_add(OFFSET), i.wrapping_add(OFFSET + 1)];
     let ([x0, x1], [y0, y1], [z0, z1]) = (sides(ix), sides(iy), sides(iz));
     // The permutation is applied in turn to x, y and z (Perlin 1985).
     let (a, b) = (hash(x0), hash(x1));
     let [c, d, e, f] = [a ^ y0, b ^ y0, a ^ y1, b ^ y1].map(hash);
     let above = |z| [hash(c ^ z), hash(d ^ z), hash(e ^ z), hash(f ^ z)];
-    ([above(z0), above(z1)], [tx, ty, tz])
+    [above(z0), above(z1)]
+}
+
+/// The hash of each corner of a point's cell, and where the point lies in the cell.
+#[inline(always)]
+fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
+    let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x), cell(p.y), cell(p.z));
+    (hashes([ix, iy, iz]), [tx, ty, tz])
 }
 
 /// The first component of [`vector`]; about -1.2 to 1.2.

@@ -171,9 +171,10 @@ impl FlatRay {
     }
 
     fn slabs(&self, node: &Wide, max: f64) -> (Vec4, BVec4A) {
-        let at = |side: usize, i: usize, origin: &[Vec4; 3]| (node.planes[side][i] - origin[i]) * self.inverse[i];
+        // (`& 1` tells the compiler that there are but two.)
+        let at = |side: usize, i: usize, origin: &[Vec4; 3]| (node.planes[side & 1][i] - origin[i]) * self.inverse[i];
         let enter = |i: usize| at(self.side[i], i, &self.enter);
-        let leave = |i: usize| at(1 - self.side[i], i, &self.leave);
+        let leave = |i: usize| at(self.side[i] ^ 1, i, &self.leave);
         let near = enter(0).max(enter(1)).max(enter(2)).max(self.min);
         let far = leave(0).min(leave(1)).min(leave(2)).min(Vec4::splat(round_up(max)));
         let near = near - near.abs() * SLACK;
