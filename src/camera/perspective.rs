@@ -116,7 +116,8 @@ impl Perspective {
 
     /// Direction, right and up turned towards `look_at`, their lengths and their handedness kept.
     fn turned(&self, target: DVec3, direction: DVec3, right: DVec3, up: DVec3) -> (DVec3, DVec3, DVec3) {
-        let left_handed = up.cross(direction).dot(right) < 0.0;
+        // What has no handedness, as `up z` with the usual direction, counts as left-handed (measured on 3.7).
+        let left_handed = up.cross(direction).dot(right) <= 0.0;
         let ahead = (target - self.location).normalize();
         let side = self.sky.normalize().cross(ahead);
         // Looking along `sky`, the given `right` tells what is level.
@@ -160,5 +161,17 @@ mod tests {
         assert!(window.across.y.abs() < 1e-15);
         let middle = window.ray(32.0, 24.0).dir;
         assert!(middle.distance((DVec3::new(-1.0, -4.0, 7.0)).normalize()) < 1e-15);
+    }
+
+    #[test]
+    fn up_along_direction_mirrors() {
+        // seen in POV-Ray 3.7: `camera { location <0, 30, 0> up z right x look_at <0, 0, 0.0001> }`
+        let across = |up| {
+            let (location, right) = (DVec3::new(0.0, 30.0, 0.0), DVec3::X);
+            let look_at = Some(DVec3::new(0.0, 0.0, 0.0001));
+            Perspective { location, right, up, look_at, ..Perspective::default() }.window(1, 1).across
+        };
+        assert!(across(DVec3::Z).distance(-DVec3::X) < 1e-12);
+        assert!(across(DVec3::Y).distance(DVec3::X) < 1e-12);
     }
 }
