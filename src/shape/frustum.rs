@@ -1,6 +1,6 @@
 //! What `cylinder` and `cone` share: the surface around an axis whose radius changes linearly, and its two end discs.
 
-use super::{Crossing, End, Hit, Hits};
+use super::{Crossing, End, Hit, Hits, nearest};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
 use crate::value::{Kind, WordSpec};
 use serde::Serialize;
@@ -117,7 +117,7 @@ impl Frustum {
         }
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        all.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+        nearest(all)
     }
 
     /// Appends the hits in the range.

@@ -59,6 +59,11 @@ impl Hit {
 /// All hits of a ray with one shape.
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
+/// The nearest of some hits.
+fn nearest(hits: Hits) -> Option<Hit> {
+    hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+}
+
 /// How a line passes a convex solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Crossing {
@@ -114,7 +119,7 @@ pub trait Kernel {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        all.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+        nearest(all)
     }
 
     /// Is the point in the solid? Points on the surface may go either way.
