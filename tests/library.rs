@@ -178,15 +178,6 @@ fn draw(path: &Path) -> Result<Frame, Failed> {
     let told: Vec<_> = built.diagnostics.iter().map(|d| format!("{} {}", d.code, d.message)).collect();
     let world = built.world.filter(|_| told.is_empty()).ok_or(told.join("\n"))?;
     let (width, height) = SIZE;
-    let options = render::Options {
-        width,
-        height,
-        antialias: None,
-        quality: 9,
-        threads: 1,
-        region: None,
-        frame: 0,
-        alpha: false,
-    };
+    let options = render::Options::new(width, height);
     render::render(&world, &options, &Unwatched).map(|(frame, _)| frame).map_err(|_| "cancelled".into())
 }

@@ -8,6 +8,7 @@ use common::*;
 use durer::color::Gamma;
 use durer::color::{Color, Rgb};
 use durer::math::DVec3;
+use durer::render::Options;
 use durer::scene::Scene;
 use durer::texture::{Finish, Pigment, Reflection};
 
@@ -189,7 +190,7 @@ fn rays_that_count_for_little_are_dropped() {
     let cast = |max: f64| {
         let mut scene = wall(rgb(1.0, 1.0, 1.0), finish(max), vec![]);
         scene.settings.adc_bailout = 0.3;
-        draw(&scene, &options(1, 1)).1.reflected
+        draw(&scene, &Options::new(1, 1)).1.reflected
     };
     assert_eq!([cast(0.31), cast(0.29)], [1, 0]);
 }
@@ -365,7 +366,7 @@ fn what_passes_counts_by_its_largest_channel_and_each_surface_by_its_gray() {
 fn grain_darkens_what_else_shines() {
     // POV-Ray's mean over many pixels is 0.5488, its darkest 0.1
     let finish = Finish { ambient: Rgb::splat(0.5), diffuse: 0.5, crand: 0.9, ..dull() };
-    let (picture, _) = draw(&wall(rgb(1.0, 1.0, 1.0), finish, vec![lamp(-5.0 * Z, 1.0)]), &options(40, 40));
+    let (picture, _) = draw(&wall(rgb(1.0, 1.0, 1.0), finish, vec![lamp(-5.0 * Z, 1.0)]), &Options::new(40, 40));
     let mean = picture.pixels.iter().map(|p| f64::from(p[0])).sum::<f64>() / 1600.0;
     let darkest = picture.pixels.iter().map(|p| p[0]).fold(f32::INFINITY, f32::min);
     assert!((mean - 0.54).abs() < 0.03 && (0.05..0.15).contains(&darkest), "{mean} {darkest}");
@@ -376,7 +377,7 @@ fn grain_of_thin_layers_is_as_strong() {
     // 0.3 - 0.4·u, cut at 0: POV-Ray's mean over many pixels is 0.1123, and 0.249 of them are black
     let finish = Finish { ambient: Rgb::splat(0.1), diffuse: 0.5, crand: 0.4, ..dull() };
     let glass = rgbft([1.0, 1.0, 1.0, 0.0, 0.5]);
-    let (picture, _) = draw(&wall(glass, finish, vec![lamp(-5.0 * Z, 1.0)]), &options(40, 40));
+    let (picture, _) = draw(&wall(glass, finish, vec![lamp(-5.0 * Z, 1.0)]), &Options::new(40, 40));
     let mean = picture.pixels.iter().map(|p| f64::from(p[0])).sum::<f64>() / 1600.0;
     let black = picture.pixels.iter().filter(|p| p[0] <= 0.0).count() as f64 / 1600.0;
     assert!((mean - 0.1125).abs() < 0.01 && (black - 0.25).abs() < 0.04, "{mean} {black}");

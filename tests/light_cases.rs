@@ -106,6 +106,6 @@ fn draw(path: &Path, quality: u8) -> Result<durer::image_io::Frame, String> {
     let messages: Vec<_> = built.diagnostics.iter().map(|d| d.message.clone()).collect();
     let world = built.world.ok_or_else(|| messages.join("; "))?;
     let (width, height) = SIZE;
-    let options = Options { width, height, antialias: None, quality, threads: 1, region: None, frame: 0, alpha: false };
+    let options = Options { quality, ..Options::new(width, height) };
     render(&world, &options, &Unwatched).map(|(frame, _)| frame).map_err(|_| "cancelled".into())
 }

@@ -11,7 +11,7 @@ use durer::interpreter::{self, interpret};
 use durer::math::noise::NoiseGenerator;
 use durer::math::{DVec3, Transform, rng};
 use durer::pattern::{CellPattern, Checker, Kind, Pattern, Spot};
-use durer::render::{Cancelled, Region, Watch, pick, render};
+use durer::render::{Cancelled, Options, Region, Watch, pick, render};
 use durer::scene::{CsgOp, Object, ObjectKind, Scene};
 use durer::source::{Sources, Span};
 use durer::texture::{Finish, Paint, Parts, Pigment};
@@ -37,7 +37,7 @@ fn nested_transforms() {
     let outer = csg(CsgOp::Union, vec![middle]).moved(Transform::rotate(90.0 * Z));
     // its middle is at (0, 5, 0) and its radius 2
     let scene = scene(v(0.0, 5.0, -10.0), Z, vec![outer]);
-    let seen = pick(&lower(&scene).unwrap(), &options(1, 1), 0, 0).unwrap();
+    let seen = pick(&lower(&scene).unwrap(), &Options::new(1, 1), 0, 0).unwrap();
     assert_eq!(seen.shape, "sphere");
     assert_near([seen.t], [8.0]);
     assert_near(seen.point, [0.0, 5.0, -2.0]);
@@ -49,7 +49,7 @@ fn normals_under_uneven_scaling() {
     // x²/4 + y² + z² = 1: the normal at p is (x/4, y, z)
     let egg = sphere(DVec3::ZERO, 1.0).moved(scaled(2.0, 1.0, 1.0));
     let scene = scene(v(1.0, 0.0, -10.0), Z, vec![egg]);
-    let seen = pick(&lower(&scene).unwrap(), &options(1, 1), 0, 0).unwrap();
+    let seen = pick(&lower(&scene).unwrap(), &Options::new(1, 1), 0, 0).unwrap();
     let z = -(0.75f64.sqrt());
     assert_near(seen.point, [1.0, 0.0, z]);
     assert_near(seen.normal, v(0.25, 0.0, z).normalize().to_array());
@@ -61,11 +61,11 @@ fn a_pick_tells_the_place_in_the_text() {
     ball.source = Span::new(7, 12);
     let scene = scene(-5.0 * Z, Z, vec![ball]);
     let world = lower(&scene).unwrap();
-    let seen = pick(&world, &options(1, 1), 0, 0).unwrap();
+    let seen = pick(&world, &Options::new(1, 1), 0, 0).unwrap();
     assert_eq!((seen.source, seen.t), (Span::new(7, 12), 4.0));
     assert!(serde_json::to_string(&world).unwrap().contains("\"sphere\""));
     let empty = common::scene(-5.0 * Z, Z, vec![]);
-    assert_eq!(pick(&lower(&empty).unwrap(), &options(1, 1), 0, 0), None);
+    assert_eq!(pick(&lower(&empty).unwrap(), &Options::new(1, 1), 0, 0), None);
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn clipped_objects() {
     let mut ball = sphere(DVec3::ZERO, 1.0);
     // only what is behind z = 0; and what clips moves along
     ball.clipped_by = Some([plane(-Z, 0.0)].into());
-    let at = |o: Object| pick(&lower(&scene(-5.0 * Z, Z, vec![o])).unwrap(), &options(1, 1), 0, 0).unwrap().t;
+    let at = |o: Object| pick(&lower(&scene(-5.0 * Z, Z, vec![o])).unwrap(), &Options::new(1, 1), 0, 0).unwrap().t;
     assert_near([at(ball.clone()), at(ball.moved(Transform::translate(2.0 * Z)))], [6.0, 8.0]);
 }
 
@@ -182,7 +182,7 @@ fn busy() -> Scene {
 #[test]
 fn any_number_of_threads_makes_the_same_bytes() {
     let scene = busy();
-    let mut options = options(97, 61);
+    let mut options = Options::new(97, 61);
     options.antialias = Some(0.1);
     let (one, rays) = draw(&scene, &options);
     for threads in [2, 5, 0] {
@@ -199,7 +199,7 @@ fn any_number_of_threads_makes_the_same_bytes() {
 #[test]
 fn a_region_is_cut_out_of_the_whole() {
     let scene = busy();
-    let mut options = options(97, 61);
+    let mut options = Options::new(97, 61);
     options.antialias = Some(0.1);
     let (whole, _) = draw(&scene, &options);
     for region in [Region { x: 13, y: 7, width: 40, height: 21 }, Region { x: 90, y: 50, width: 99, height: 99 }] {
@@ -225,7 +225,7 @@ fn anti_aliasing_averages_edges() {
         location: v(0.01, 0.0, -5.0),
         ..Default::default()
     });
-    let mut options = options(3, 3);
+    let mut options = Options::new(3, 3);
     let (plain, _) = draw(&scene, &options);
     options.antialias = Some(0.3);
     let (smooth, rays) = draw(&scene, &options);
@@ -255,7 +255,7 @@ impl Watch for Watcher {
 #[test]
 fn progress_and_cancelling() {
     let world = lower(&busy()).unwrap();
-    let mut options = options(64, 64);
+    let mut options = Options::new(64, 64);
     options.antialias = Some(0.3);
     let watcher = Watcher { last: AtomicUsize::new(0), stop_at: usize::MAX };
     render(&world, &options, &watcher).unwrap();
@@ -277,7 +277,7 @@ fn many_see_through_surfaces_do_not_overflow_the_stack() {
     let faces = [plane(Z, 1.0), plane(-Z, 1.0)].map(|p| p.painted(rgb(1.0, 1.0, 1.0), finish.clone()));
     let mut hall = scene(DVec3::ZERO, Z, faces.into());
     hall.settings.max_trace_level = 256;
-    let (_, rays) = draw(&hall, &options(1, 1));
+    let (_, rays) = draw(&hall, &Options::new(1, 1));
     assert_eq!(rays.reflected, 255);
     assert!(matches!(hall.objects[0].kind, ObjectKind::Shape(_)));
 }

@@ -158,16 +158,7 @@ fn draw(object: &str, places: &[Vec<f64>]) -> Result<Vec<f64>, Failed> {
         let built = durer::build(&sources, file, &options(), &mut |_| {});
         let told = built.diagnostics.iter().map(|d| d.message.clone()).collect::<Vec<_>>().join("\n");
         let world = built.world.ok_or(told)?;
-        let options = render::Options {
-            width,
-            height,
-            antialias: None,
-            quality: 9,
-            threads: 1,
-            region: None,
-            frame: 0,
-            alpha: false,
-        };
+        let options = render::Options::new(width, height);
         render(&world, &options, &Unwatched).map(|(frame, _)| frame).map_err(|_| "cancelled".to_string())
     })?;
     let red = |place: &Vec<f64>| frame.pixels[place[1] as usize * width + place[0] as usize][0];

@@ -27,17 +27,7 @@ fn pick_in(text: String, x: usize, y: usize) -> Option<Picked> {
     };
     let built = durer::build(&sources, file, &reading, &mut |_| {});
     assert!(built.diagnostics.is_empty(), "{:?}", built.diagnostics);
-    let drawing = render::Options {
-        width: WIDTH,
-        height: HEIGHT,
-        antialias: None,
-        quality: 9,
-        threads: 1,
-        region: None,
-        frame: 0,
-        alpha: false,
-    };
-    render::pick(&built.world.unwrap(), &drawing, x, y)
+    render::pick(&built.world.unwrap(), &render::Options::new(WIDTH, HEIGHT), x, y)
 }
 
 /// The lecture's ray: u = x, v = y, w = z for this camera.

@@ -52,16 +52,7 @@ pub fn run(console: &Console, args: &PickArgs) -> Result {
     let options = session::reading_options(&args.scene, &args.input, timing);
     let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options);
     let world = session::settle(console, &sources, &mut built)?;
-    let drawing = render::Options {
-        width: size.width,
-        height: size.height,
-        antialias: None,
-        quality: 9,
-        threads: 1,
-        region: None,
-        frame: timing.frame,
-        alpha: false,
-    };
+    let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
     let picked = render::pick(&world, &drawing, x, y);
     let place = picked.as_ref().and_then(|p| sources.place(p.source));
     if args.json {

@@ -1,6 +1,7 @@
 //! Vectors, transforms, rays and boxes: plain mathematics, nothing of the language.
 
 mod aabb;
+mod complex;
 pub mod fp;
 pub mod noise;
 mod poly;
@@ -10,6 +11,7 @@ pub mod tolerance;
 mod transform;
 
 pub use aabb::Aabb;
+pub use complex::Complex;
 pub use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 pub use poly::{Roots, solve_between, solve_cubic, solve_quadratic, solve_quartic, stable_pair};
 pub use ray::{Range, Ray};

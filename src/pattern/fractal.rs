@@ -8,80 +8,9 @@
 use super::{Field, GRAYS, Readable, SIX_COLORS, Spot};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::DVec2;
+use crate::math::{Complex, DVec2};
 use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
-use std::ops::{Add, Div, Mul};
-
-/// A complex number, x + iy.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Complex {
-    x: f64,
-    y: f64,
-}
-
-impl Complex {
-    const fn new(x: f64, y: f64) -> Self {
-        Self { x, y }
-    }
-
-    fn square(self) -> Self {
-        Self::new(self.x * self.x - self.y * self.y, (self.x + self.x) * self.y)
-    }
-
-    fn length_squared(self) -> f64 {
-        self.x * self.x + self.y * self.y
-    }
-
-    /// z to the n-th, by squares.
-    fn power(self, mut n: u32) -> Self {
-        let (mut result, mut base) = (Self::new(1.0, 0.0), self);
-        while n > 0 {
-            if n & 1 == 1 {
-                result = result * base;
-            }
-            base = base.square();
-            n >>= 1;
-        }
-        result
-    }
-}
-
-impl Add for Complex {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self::new(self.x + other.x, self.y + other.y)
-    }
-}
-
-impl Add<f64> for Complex {
-    type Output = Self;
-    fn add(self, real: f64) -> Self {
-        Self::new(self.x + real, self.y)
-    }
-}
-
-impl Mul for Complex {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self::new(self.x * other.x - self.y * other.y, self.x * other.y + self.y * other.x)
-    }
-}
-
-impl Mul<Complex> for f64 {
-    type Output = Complex;
-    fn mul(self, z: Complex) -> Complex {
-        Complex::new(self * z.x, self * z.y)
-    }
-}
-
-impl Div for Complex {
-    type Output = Self;
-    fn div(self, by: Self) -> Self {
-        let d = by.length_squared();
-        Self::new((self.x * by.x + self.y * by.y) / d, (self.y * by.x - self.x * by.y) / d)
-    }
-}
 
 /// Which number is shown of an orbit, and times what.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -493,11 +422,5 @@ mod tests {
         // Their areas are 3π/8 and π/16, of the 1.507 of the whole.
         let share = f64::from(within) / f64::from(stays);
         assert!((share - 0.912).abs() < 0.01, "{share}");
-    }
-
-    #[test]
-    fn powers_by_squares() {
-        let z = Complex::new(0.6, -0.7);
-        assert!((z.power(5).x - (z * z * z * z * z).x).abs() < 1e-15);
     }
 }

@@ -120,6 +120,11 @@ impl Pattern {
         spec.words.iter().any(|w| w.name == word)
     }
 
+    /// Does it show all of its map's entries at once?
+    pub fn averages(&self) -> bool {
+        self.kind == Kind::Average
+    }
+
     /// Moves it after all it has been moved before.
     pub fn transform(&mut self, by: &Transform) {
         self.space.then(by);

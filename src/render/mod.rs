@@ -42,6 +42,13 @@ pub struct Options {
     pub alpha: bool,
 }
 
+impl Options {
+    /// A whole picture of this size at full quality on one thread, with one sample a pixel.
+    pub fn new(width: usize, height: usize) -> Self {
+        Self { width, height, antialias: None, quality: 9, threads: 1, region: None, frame: 0, alpha: false }
+    }
+}
+
 /// Pixels, counted from the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Region {

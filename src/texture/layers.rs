@@ -117,8 +117,7 @@ impl Texture {
             }
             Next::Block("texture_map") => {
                 r.take()?;
-                draft.parts =
-                    Some(Parts::Map(Arc::new(Map::read_entries(r, base, draft.pattern.kind == Kind::Average)?)));
+                draft.parts = Some(Parts::Map(Arc::new(Map::read_entries(r, base, draft.pattern.averages())?)));
                 r.leave()?;
             }
             Next::Block("tiles") => {

@@ -150,11 +150,8 @@ impl Normal {
             }
             Next::Block("normal_map") => {
                 r.take()?;
-                self.relief = Relief::Normals(Parts::Map(Arc::new(Map::read_entries(
-                    r,
-                    defaults,
-                    self.pattern.kind == Kind::Average,
-                )?)));
+                self.relief =
+                    Relief::Normals(Parts::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
                 r.leave()?;
             }
             _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),
@@ -201,7 +198,7 @@ impl Normal {
 
     /// What the entries make of it together.
     fn blended(&self, parts: &Parts<Normal>, inner: &Spot, n: DVec3, keep_length: bool) -> DVec3 {
-        let average = self.pattern.kind == Kind::Average;
+        let average = self.pattern.averages();
         let number = if average { 0.0 } else { self.pattern.number(inner) };
         let mut sum = DVec3::ZERO;
         for (entry, share) in parts.shares(number, average) {

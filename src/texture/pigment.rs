@@ -96,11 +96,8 @@ impl Pigment {
             }
             Next::Block("pigment_map") => {
                 r.take()?;
-                self.paint = Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(
-                    r,
-                    defaults,
-                    self.pattern.kind == Kind::Average,
-                )?)));
+                self.paint =
+                    Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
                 r.leave()
             }
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
@@ -128,7 +125,7 @@ impl Pigment {
             Paint::Image(image) => image.at(self.pattern.see(spot).1.p),
             Paint::Pigments(parts) => {
                 let (number, inner) = self.pattern.see(spot);
-                let shares = parts.shares(number, self.pattern.kind == Kind::Average);
+                let shares = parts.shares(number, self.pattern.averages());
                 shares.iter().fold(Color::BLACK, |sum, (pigment, share)| sum.plus(pigment.at(&inner), *share))
             }
         }

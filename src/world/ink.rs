@@ -139,7 +139,7 @@ fn push(pigment: &Pigment, nodes: &mut Vec<Node>) -> u32 {
                 }
                 Parts::List(list) => Parts::List(list.iter().map(|entry| push(entry, nodes)).collect()),
             };
-            Shows::Inks(parts, pattern.kind == Kind::Average)
+            Shows::Inks(parts, pattern.averages())
         }
     };
     nodes.push(Node { uv: pattern.uv, way: way(pattern), value: value(pattern), shows });

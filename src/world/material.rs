@@ -2,7 +2,7 @@
 
 use super::Ink;
 use crate::color::{Color, Rgb};
-use crate::pattern::{Kind, Pattern, Spot};
+use crate::pattern::{Pattern, Spot};
 use crate::texture::{self, Irid, Normal, Parts, Pigment, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
@@ -34,7 +34,7 @@ pub struct Choice {
 impl Choice {
     /// Does it show all of them at once?
     pub fn averages(&self) -> bool {
-        self.pattern.kind == Kind::Average
+        self.pattern.averages()
     }
 }
 

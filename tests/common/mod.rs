@@ -126,17 +126,13 @@ pub fn scene(eye: DVec3, dir: DVec3, objects: Vec<Object>) -> Scene {
     Scene { version: 370, camera, objects, ..Scene::default() }
 }
 
-pub fn options(width: usize, height: usize) -> Options {
-    Options { width, height, antialias: None, quality: 9, threads: 1, region: None, frame: 0, alpha: false }
-}
-
 pub fn draw(scene: &Scene, options: &Options) -> (Frame, Rays) {
     render(&lower(scene).unwrap(), options, &Unwatched).unwrap()
 }
 
 /// Red, green, blue, alpha of the one pixel of a picture.
 pub fn look_with(scene: &Scene, change: impl Fn(&mut Options)) -> [f64; 4] {
-    let mut options = options(1, 1);
+    let mut options = Options::new(1, 1);
     change(&mut options);
     draw(scene, &options).0.pixels[0].map(f64::from)
 }

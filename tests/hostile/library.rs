@@ -70,16 +70,7 @@ impl Run<'_> {
 
 /// Every pixel of a picture is a number. (Lights as bright as 1e308 may make it infinite.)
 fn picture(world: &durer::world::World) -> Option<String> {
-    let options = render::Options {
-        width: 8,
-        height: 6,
-        antialias: None,
-        quality: 9,
-        threads: 1,
-        region: None,
-        frame: 0,
-        alpha: false,
-    };
+    let options = render::Options::new(8, 6);
     let (frame, _) = render::render(world, &options, &Deadline(Instant::now() + Duration::from_secs(1))).ok()?;
     let bad = frame.pixels.iter().flatten().find(|x| x.is_nan())?;
     Some(format!("a pixel is {bad}"))
