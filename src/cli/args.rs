@@ -103,6 +103,9 @@ pub struct SceneArgs {
     /// The value of `clock`; A..B for the first and last of many frames [default: 0..1]
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub clock: Option<Clock>,
+    /// Take the text apart into single tokens: slow, and for tests, since what comes out is the same
+    #[arg(long, hide = true)]
+    pub single_tokens: bool,
     /// End with exit code 4 after so many statements
     #[arg(long, value_name = "N", default_value_t = DEFAULT_STEPS)]
     pub max_steps: u64,

@@ -124,6 +124,7 @@ impl SceneArgs {
             animation: animation.map(|a| Animation { clock: self.clock.unwrap_or(a.clock), ..a }),
             clock: self.clock.or(ini.clock),
             library: self.library,
+            single_tokens: false,
             max_steps: self.max_steps,
             max_memory: self.max_memory,
             max_time: self.max_time,

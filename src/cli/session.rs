@@ -9,6 +9,7 @@ use super::values::{Frames, Size};
 use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::source::{FileId, ReadError, Sandbox, SearchPath, Sources};
+use crate::syntax::Wholes;
 use crate::world::World;
 use crate::{Built, interpreter, render};
 use std::io::Read;
@@ -95,6 +96,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         max_steps: args.max_steps,
         max_time: args.max_time.map(|s| s.0),
         max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
+        wholes: if args.single_tokens { Wholes::TakenApart } else { Wholes::Kept },
     }
 }
 

@@ -1,12 +1,16 @@
 //! `array[2][3] { … }` and its elements (manual, "Arrays").
 
 use super::Interpreter;
+use super::argument::Argument;
+use super::eval::as_float;
+use super::pieces::joined;
 use super::scope::{Array, Place, Slot};
 use super::stream::Token;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
-use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Symbol};
+use crate::syntax::ast::{Bracket, ElementKind, Expr, ExprKind, Sign, Symbol};
 use crate::value::{Reader, Value};
+use smallvec::SmallVec;
 use std::rc::Rc;
 
 /// The most elements that an array may have.
@@ -19,26 +23,18 @@ impl<'a> Interpreter<'a> {
     pub(super) fn array(&mut self) -> Result<Slot<'a>> {
         let span = self.here();
         self.advance();
-        let mut sizes = vec![];
         // 3.8 asks for the word `mixed` where kinds are mixed; nobody needs it here.
-        if let Some(ElementKind::Expr(e)) = self.frames.last().and_then(|f| f.elements.get(f.at)).map(|e| &e.kind) {
-            match &e.kind {
-                ExprKind::Name(symbol) if self.names.text(*symbol) == "mixed" => self.advance(),
-                ExprKind::Index(word, indices) if self.sources.snippet(word.span) == "mixed" => {
-                    self.advance();
-                    for size in indices {
-                        let n = self.number(size)?;
-                        sizes.push(Some(self.size_of(n, size.span)?));
-                    }
-                }
-                _ => {}
+        if let Some(ElementKind::Expr(e)) = self.raw().map(|e| &e.kind) {
+            if matches!(&e.kind, ExprKind::Index(word, _) if self.sources.snippet(word.span) == "mixed") {
+                self.take_apart();
+            }
+            if self.raw().is_some_and(|e| self.sources.snippet(e.span) == "mixed") {
+                self.advance();
             }
         }
-        while let Token::Entry(elements) = self.peek_on()? {
-            let at = self.here();
-            self.advance();
-            let size = if elements.is_empty() { None } else { Some(self.array_size(elements, at)?) };
-            sizes.push(size);
+        let mut sizes = vec![];
+        while let Token::Open(Bracket::Square, _) = self.peek_on()? {
+            sizes.push(self.array_size()?);
         }
         if sizes.len() > MAX_DIMENSIONS {
             let message = format!("an array has at most {MAX_DIMENSIONS} dimensions, this has {}", sizes.len());
@@ -54,19 +50,26 @@ impl<'a> Interpreter<'a> {
             return self.limit(codes::MEMORY_LIMIT, span, message, "is a size right?");
         };
         let mut array = Array { sizes, items: vec![None; count], keys: None };
-        if let Token::Group(_) = self.peek_on()? {
+        if let Token::Open(Bracket::Brace, _) = self.peek_on()? {
             let rows = array.sizes.clone();
             self.fill(&rows, &mut array.items)?;
         }
         Ok(Slot::Array(Rc::new(array)))
     }
 
-    fn array_size(&mut self, elements: &'a [Element], at: Span) -> Result<usize> {
-        let size = self.numbers_in(elements, at)?;
-        match size[..] {
-            [size] => self.size_of(size, at),
-            _ => Diagnostic::err(codes::WRONG_COUNT, at, "each dimension of an array has one size in `[ ]`"),
+    /// `[3]`, or `[]` for what the braces tell.
+    fn array_size(&mut self) -> Result<Option<usize>> {
+        let at = self.open()?;
+        let mut size = None;
+        if !self.peek()?.ends() {
+            let (value, span) = self.value_here()?;
+            size = Some(self.size_of(as_float(&value, span)?, joined(at, span))?);
         }
+        if !self.peek()?.ends() {
+            return Diagnostic::err(codes::WRONG_COUNT, at, "each dimension of an array has one size in `[ ]`");
+        }
+        self.close("`]`")?;
+        Ok(size)
     }
 
     fn size_of(&self, size: f64, at: Span) -> Result<usize> {
@@ -78,96 +81,150 @@ impl<'a> Interpreter<'a> {
 
     /// Reads `{ … }` into as many elements as the sizes say; fewer leave the rest without a value.
     fn fill(&mut self, sizes: &[usize], items: &mut [Option<Slot<'a>>]) -> Result<()> {
-        let Token::Group(elements) = self.peek()? else {
+        let Token::Open(Bracket::Brace, _) = self.peek()? else {
             return Err(self.unexpected_token("`{` with a row of the array").into());
         };
-        let span = self.here();
-        self.advance();
+        self.open()?;
         let rows = sizes[0];
         let stride = items.len() / rows;
-        self.enclosed(None, elements, span, |me| {
-            for i in 0..rows {
-                if matches!(me.peek()?, Token::End) {
-                    return Ok(());
-                }
-                if sizes.len() > 1 {
-                    me.fill(&sizes[1..], &mut items[i * stride..(i + 1) * stride])?;
-                } else {
-                    items[i] = Some(me.array_item()?);
-                }
+        for i in 0..rows {
+            if self.peek()?.ends() {
+                break;
             }
-            match me.peek()? {
-                Token::End => Ok(()),
-                _ => Diagnostic::err(codes::WRONG_COUNT, me.here(), format!("there is room for {rows} elements only")),
+            if sizes.len() > 1 {
+                self.fill(&sizes[1..], &mut items[i * stride..(i + 1) * stride])?;
+            } else {
+                items[i] = Some(self.array_item()?);
             }
-        })
+        }
+        if !self.peek()?.ends() {
+            return Diagnostic::err(codes::WRONG_COUNT, self.here(), format!("there is room for {rows} elements only"));
+        }
+        self.close("`}`")
     }
 
     /// An element; without sizes, braces in braces make arrays of arrays.
     fn array_item(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
-            Token::Group(_) => self.array_of_braces(self.here()),
+            Token::Open(Bracket::Brace, _) => self.array_of_braces(self.here()),
             _ => self.rvalue(),
         }
     }
 
     /// `array { 1, 2, 3 }` (3.8): as many elements as there are.
     pub(super) fn array_of_braces(&mut self, span: Span) -> Result<Slot<'a>> {
-        let elements = match self.peek_on()? {
-            Token::Group(elements) => elements,
-            Token::Block(block) if block.name.word == Some("array") => &block.body,
+        match self.peek_on()? {
+            Token::Open(Bracket::Brace, _) => {}
+            Token::Block(block) if block.word == Some("array") => {}
             _ => {
                 let d = Diagnostic::new(codes::WRONG_COUNT, span, "an array needs a size");
                 return d.help("`array[10]`, or `array[3] { 1, 2, 3 }`").into();
             }
-        };
-        let at = self.here();
-        self.advance();
-        let items = self.enclosed(None, elements, at, |me| {
-            let mut items = vec![];
-            while !matches!(me.peek()?, Token::End) {
-                items.push(Some(me.array_item()?));
-            }
-            Ok(items)
-        })?;
+        }
+        self.open()?;
+        let mut items = vec![];
+        while !self.peek()?.ends() {
+            items.push(Some(self.array_item()?));
+        }
+        self.close("`}`")?;
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
     }
 
-    /// `dictionary { .Name: 1, ["other name"]: 2 }` (3.8).
-    pub(super) fn dictionary(&mut self, elements: &'a [Element], at: Span) -> Result<Slot<'a>> {
-        self.advance();
+    /// `dictionary { .Name: 1, ["other name"]: 2 }` (3.8), whose braces come next.
+    pub(super) fn dictionary(&mut self) -> Result<Slot<'a>> {
+        self.open()?;
         let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
-        self.enclosed(None, elements, at, |me| {
-            loop {
-                let key: Rc<str> = match me.peek()? {
-                    Token::End => return Ok(()),
-                    Token::Key(symbol) => {
-                        me.advance();
-                        me.names.text(symbol).into()
-                    }
-                    Token::Entry(inner) => {
-                        let span = me.here();
-                        me.advance();
-                        let key = me.enclosed(None, inner, span, |me| me.text())?;
-                        match me.peek()? {
-                            Token::Colon => me.advance(),
-                            _ => return Err(me.unexpected_token("`:` and a value").into()),
-                        }
-                        key.into()
-                    }
-                    _ => return Err(me.unexpected_token("`.Name:` or `[\"name\"]:`").into()),
-                };
-                let value = me.rvalue()?;
-                match keys.iter().position(|k| *k == key) {
-                    Some(i) => items[i] = Some(value),
-                    None => {
-                        keys.push(key);
-                        items.push(Some(value));
-                    }
+        while !self.peek()?.ends() {
+            let key: Rc<str> = self.dictionary_key()?;
+            match self.peek()? {
+                Token::Sign(Sign::Colon) => self.advance(),
+                _ => return Err(self.unexpected_token("`:` and a value").into()),
+            }
+            let value = self.rvalue()?;
+            match keys.iter().position(|k| *k == key) {
+                Some(i) => items[i] = Some(value),
+                None => {
+                    keys.push(key);
+                    items.push(Some(value));
                 }
             }
-        })?;
+        }
+        self.close("`}`")?;
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: Some(keys) })))
+    }
+
+    /// `.Name` or `["name"]`
+    fn dictionary_key(&mut self) -> Result<Rc<str>> {
+        match self.peek()? {
+            Token::Sign(Sign::Dot) => {
+                self.advance();
+                let name = self.component_name()?;
+                Ok(self.sources.snippet(name.span).into())
+            }
+            Token::Open(Bracket::Square, _) => {
+                self.open()?;
+                let key = self.text()?;
+                self.close("`]`")?;
+                Ok(key.into())
+            }
+            _ => Err(self.unexpected_token("`.Name:` or `[\"name\"]:`").into()),
+        }
+    }
+
+    /// An array's name has been seen, perhaps with an index behind it: where that element is kept, or the array itself.
+    pub(super) fn element_in_pieces(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
+        let span = name.span;
+        // (It is the name of the array that stands first.)
+        if let Some(frame) = self.frames.last_mut() {
+            self.comma = frame.elements.get(frame.at).is_some_and(|e| e.comma);
+            frame.at += 1;
+        }
+        let indices = self.indices_of(symbol)?;
+        if indices.is_empty() {
+            return Ok(self.hold(Token::Expr(name), span));
+        }
+        let whole = indices.last().map_or(span, |(_, at)| joined(span, Span { hi: at.hi + 1, ..*at }));
+        self.element = Some(self.place_of_values(symbol, span, &indices, false)?);
+        Ok(self.hold(Token::Element(whole), whole))
+    }
+
+    /// The indices and keys that come next, behind an array's name.
+    pub(super) fn indices_of(&mut self, symbol: Symbol) -> Result<Vec<(Value, Span)>> {
+        let mut indices = vec![];
+        loop {
+            match self.index_ahead()? {
+                Some(Token::Open(Bracket::Square, _)) => {
+                    self.open()?;
+                    indices.push(self.value_here()?);
+                    self.close("`]`")?;
+                }
+                Some(Token::Sign(Sign::Dot)) if self.is_dictionary(symbol, &indices)? => {
+                    self.advance();
+                    let name = self.component_name()?;
+                    indices.push((Value::Text(self.sources.snippet(name.span).into()), name.span));
+                }
+                _ => return Ok(indices),
+            }
+        }
+    }
+
+    /// What comes directly behind an array's name: no directive and no macro runs in between, as in POV-Ray.
+    fn index_ahead(&mut self) -> Result<Option<Token<'a>>> {
+        let outer = std::mem::replace(&mut self.closed, true);
+        let next = self.peek_after();
+        self.closed = outer;
+        next
+    }
+
+    fn is_dictionary(&self, symbol: Symbol, indices: &[(Value, Span)]) -> Result<bool> {
+        let Some(mut place) = self.scopes.resolve(symbol) else { return Ok(false) };
+        for (index, _) in indices {
+            let Some(dictionary) = self.scopes.dictionary(&place) else { return Ok(false) };
+            let Value::Text(key) = index else { return Ok(false) };
+            let Some(i) = dictionary.key_index(key) else { return Ok(false) };
+            place = place.element(&[i]);
+        }
+        Ok(self.scopes.dictionary(&place).is_some())
     }
 
     /// The place that `D.Key`, `D["key"].Key` and the like name, if D is a dictionary.
@@ -248,26 +305,40 @@ impl<'a> Interpreter<'a> {
 
     /// The same for a name and its place in the text.
     pub(super) fn new_place(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
-        let place = self.scopes.resolve(symbol);
-        match place.filter(|place| self.scopes.dictionary(place).is_some()) {
-            Some(place) => self.key_place(place, indices, true),
-            None => self.place_of(symbol, span, indices),
-        }
+        let indices = self.index_values(indices)?;
+        self.place_of_values(symbol, span, &indices, true)
     }
 
     fn place_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+        let indices = self.index_values(indices)?;
+        self.place_of_values(symbol, span, &indices, false)
+    }
+
+    fn index_values(&mut self, indices: &'a [Expr]) -> Result<SmallVec<[(Value, Span); 2]>> {
+        indices.iter().map(|e| Ok((self.eval(e)?, e.span))).collect()
+    }
+
+    /// Where the element with these indices or keys is kept; a dictionary's last key is added if it is new and `adds` says so.
+    pub(super) fn place_of_values(
+        &mut self,
+        symbol: Symbol,
+        span: Span,
+        indices: &[(Value, Span)],
+        adds: bool,
+    ) -> Result<Place> {
         let Some(place) = self.scopes.resolve(symbol) else {
             self.name_value(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
         if self.scopes.dictionary(&place).is_some() {
-            return self.key_place(place, indices, false);
+            return self.key_place(place, indices, adds);
         }
-        let numbers = indices.iter().map(|e| self.number(e)).collect::<Result<Vec<f64>>>()?;
-        let mut path = vec![];
+        let numbers: SmallVec<[f64; 4]> =
+            indices.iter().map(|(value, at)| as_float(value, *at)).collect::<Result<_>>()?;
+        let mut path = SmallVec::<[usize; 4]>::new();
         let mut rest = &numbers[..];
         while !rest.is_empty() {
-            let at = indices[numbers.len() - rest.len()].span;
+            let at = indices[numbers.len() - rest.len()].1;
             let slot = self.scopes.at(&place).and_then(|slot| slot.element(&path));
             if let Some(slot @ Slot::Faulty(_)) = slot {
                 let slot = slot.clone();
@@ -287,7 +358,7 @@ impl<'a> Interpreter<'a> {
             for (k, &size) in array.sizes.iter().enumerate() {
                 let i = rest[k];
                 if !(i > -1.0 && i < size as f64) {
-                    return Err(bad_index(i, size, indices[first + k].span));
+                    return Err(bad_index(i, size, indices[first + k].1));
                 }
                 flat = flat * size + i as usize;
             }
@@ -298,17 +369,17 @@ impl<'a> Interpreter<'a> {
     }
 
     /// An element of a dictionary by its keys, of which the last is added if it is new and `adds` says so.
-    fn key_place(&mut self, place: Place, indices: &'a [Expr], adds: bool) -> Result<Place> {
+    fn key_place(&mut self, place: Place, indices: &[(Value, Span)], adds: bool) -> Result<Place> {
         let mut place = place;
-        for (i, e) in indices.iter().enumerate() {
-            let key = self.text_value(e)?;
+        for (i, (value, span)) in indices.iter().enumerate() {
+            let Value::Text(key) = value else { return self.not_text(value, *span) };
             let Some(dictionary) = self.scopes.dictionary(&place) else {
-                return Diagnostic::err(codes::WRONG_TYPE, e.span, "this is no dictionary: it has no keys");
+                return Diagnostic::err(codes::WRONG_TYPE, *span, "this is no dictionary: it has no keys");
             };
-            let index = match dictionary.key_index(&key) {
+            let index = match dictionary.key_index(key) {
                 Some(index) => index,
-                None if adds && i + 1 == indices.len() => self.scopes.add_key(&place, &key),
-                None => return Err(self.missing_key(dictionary, &key, e.span)),
+                None if adds && i + 1 == indices.len() => self.scopes.add_key(&place, key),
+                None => return Err(self.missing_key(dictionary, key, *span)),
             };
             place = place.element(&[index]);
         }
@@ -328,9 +399,9 @@ impl<'a> Interpreter<'a> {
     }
 
     /// How many elements a dimension has; the first is 1.
-    pub(super) fn dimension_size(&mut self, array: &'a Expr, dimension: &'a Expr) -> Result<Value> {
+    pub(super) fn dimension_size(&mut self, array: &Argument<'a>, dimension: &Argument<'a>) -> Result<Value> {
         let array = self.array_argument(array)?;
-        let n = self.number(dimension)?;
+        let n = self.argument_number(dimension)?;
         match array.sizes.get((n as usize).wrapping_sub(1)).filter(|_| n >= 1.0) {
             Some(size) => Ok(Value::Float(*size as f64)),
             None => {
@@ -342,17 +413,13 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The array that an argument names, for `dimensions` and `dimension_size`.
-    pub(super) fn array_argument(&mut self, e: &'a Expr) -> Result<Rc<Array<'a>>> {
-        let slot = match &e.kind {
-            ExprKind::Name(symbol) => self.scopes.get(*symbol).cloned(),
-            ExprKind::Index(base, indices) => Some(self.indexed(base, indices, e.span)?),
-            _ => None,
-        };
-        match slot {
-            Some(Slot::Array(array)) => Ok(array),
-            _ => {
-                let value = self.eval(e)?;
-                Diagnostic::err(codes::WRONG_TYPE, e.span, format!("expected an array, found {}", value.describe()))
+    pub(super) fn array_argument(&mut self, argument: &Argument<'a>) -> Result<Rc<Array<'a>>> {
+        match self.argument_slot(argument)? {
+            Slot::Array(array) => Ok(array),
+            slot => {
+                let value = self.slot_value(slot, argument.span)?;
+                let message = format!("expected an array, found {}", value.describe());
+                Diagnostic::err(codes::WRONG_TYPE, argument.span, message)
             }
         }
     }

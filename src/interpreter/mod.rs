@@ -1,5 +1,6 @@
 //! Runs the AST: scopes, macros, directives, built-in functions.
 
+mod argument;
 mod array;
 mod builtin;
 mod compat;
@@ -10,6 +11,7 @@ mod hints;
 mod limits;
 mod operators;
 mod parsed;
+mod pieces;
 mod quick;
 mod reader;
 mod rvalue;
@@ -18,25 +20,26 @@ mod stream;
 mod timing;
 mod top;
 
-use crate::diagnostic::{Diagnostic, Label, Result, Severity, codes};
+use crate::diagnostic::{Diagnostic, Label, Severity, codes};
 use crate::image_io::Picture;
 use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
-use crate::syntax::Names;
-use crate::syntax::ast::{Chain, Element, Symbol};
+use crate::syntax::ast::{Element, Symbol};
+use crate::syntax::{Names, Wholes};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
 pub use directive::table as directives;
 pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use scope::{Place, Scopes, Slot};
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU8;
 use std::time::Instant;
-use stream::{Frame, FrameKind, Token};
+use smallvec::SmallVec;
+use stream::{Frame, FrameKind, Opened, Token};
 pub use timing::Timing;
 pub use top::STATEMENTS;
 
@@ -66,6 +69,8 @@ pub struct Options {
     pub max_time: Option<f64>,
     /// `--max-memory` in bytes.
     pub max_memory: Option<u64>,
+    /// How much of the text the parser keeps whole; tests have it taken apart.
+    pub wholes: Wholes,
 }
 
 /// A picture of one pixel, no files, and a million steps.
@@ -81,6 +86,7 @@ impl Default for Options {
             max_steps: 1_000_000,
             max_time: None,
             max_memory: None,
+            wholes: Wholes::Kept,
         }
     }
 }
@@ -131,8 +137,8 @@ pub(crate) struct Interpreter<'a> {
     options: &'a Options,
     debug: &'a mut dyn FnMut(&str),
     including: Vec<PathBuf>,
-    /// Sums behind a macro that gives a block: see [`Interpreter::call_before_sign`].
-    split_sums: FxHashMap<*const Chain, &'a [Element]>,
+    /// Expressions that were taken apart, by their elements.
+    parts: FxHashMap<*const (), &'a [Element]>,
     /// An empty list for the arguments of the next call.
     call_slots: Vec<Option<Slot<'a>>>,
     scopes: Scopes<'a>,
@@ -151,12 +157,27 @@ pub(crate) struct Interpreter<'a> {
     written: u64,
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
+    /// Tokens that come before those of the frames, the next one last.
+    held: SmallVec<[(Token<'a>, Span); 2]>,
+    /// Does a comma stand between what was read last and what comes next?
+    comma: bool,
+    /// Do directives and macros behind a value wait until it has been used? So it is with what a name gets, with what
+    /// an array holds and a macro is given, and with conditions.
+    closed: bool,
+    /// Is a value read that nobody wants?
+    skipping: bool,
+    /// How large a picture the function makes that was read last.
+    picture_size: Option<[usize; 2]>,
+    /// Values that are being read inside each other.
+    nested: usize,
     /// The element of an array that [`Token::Element`] announces.
     element: Option<Place>,
     /// How many frames there were when the declaration that is being read began.
     floor: usize,
-    /// The words of the blocks around here and their places, innermost last.
-    blocks: Vec<(&'static str, Span)>,
+    /// The brackets around here, innermost last.
+    opened: Vec<Opened>,
+    /// Where brackets stand that nothing in the rest of their file closes.
+    unclosed: FxHashSet<u32>,
     depth: usize,
     steps: u64,
     /// Bytes of strings made since memory was looked at.
@@ -189,7 +210,7 @@ impl<'a> Interpreter<'a> {
             options,
             debug,
             including: vec![],
-            split_sums: FxHashMap::default(),
+            parts: FxHashMap::default(),
             call_slots: vec![],
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
@@ -201,9 +222,16 @@ impl<'a> Interpreter<'a> {
             written: 0,
             frames: vec![],
             peeked: None,
+            held: SmallVec::new(),
+            comma: false,
+            closed: false,
+            skipping: false,
+            picture_size: None,
+            nested: 0,
             element: None,
             floor: 0,
-            blocks: vec![],
+            opened: vec![],
+            unclosed: FxHashSet::default(),
             depth: 0,
             steps: 0,
             text_made: 0,
@@ -232,31 +260,32 @@ impl<'a> Interpreter<'a> {
         let Ok(ast) = self.parse_file(file) else { return };
         // What is missing at the end of the text is told there.
         let end = self.sources.base(file) + self.sources.text(file).len();
-        self.push_frame(&ast.elements, FrameKind::Enclosed, Span::new(end, end));
+        self.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
         loop {
             // Directives and macros run while the next statement is looked for: their faults are met here.
+            (self.closed, self.nested) = (false, 0);
+            let mut mark = self.mark();
             let failed = match self.peek() {
-                Err(fault) => Some(fault),
+                Err(fault) => Some((fault, false)),
                 Ok(_) => {
-                    let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
+                    mark = self.mark();
                     match self.statement() {
                         Ok(true) => None,
                         Ok(false) => break,
-                        Err(fault) => {
-                            let fault = self.with_trace(*fault);
-                            self.unwind(depth);
-                            if let Some(frame) = self.frames.last_mut() {
-                                frame.skip_statement(at);
-                            }
-                            Some(Box::new(fault))
-                        }
+                        Err(fault) => Some((fault, true)),
                     }
                 }
             };
-            if let Some(fault) = failed {
-                self.blocks.clear();
+            if let Some((fault, in_statement)) = failed {
                 let ends = self.limit_reached || fault.code == codes::ENDS_RUN;
                 let fault = self.with_trace(*fault);
+                // What follows a bracket that is not closed makes no sense.
+                if let (Some(d), false) = (self.unclosed_bracket(), ends) {
+                    self.report_fault(d);
+                    return;
+                }
+                // A directive that failed has been passed.
+                if in_statement { self.skip_statement(mark) } else { self.forget_ahead(mark) }
                 self.report_fault(fault);
                 self.faults += 1;
                 // A fault in a loop's body is told once, but met in every pass.
@@ -317,7 +346,7 @@ impl<'a> Interpreter<'a> {
     /// The macro calls and includes around here, innermost first; of a deep recursion both ends.
     fn trace(&self) -> Vec<Label> {
         let label = |frame: &Frame| match frame.kind {
-            FrameKind::Macro(name) | FrameKind::Call(name) => {
+            FrameKind::Macro(name) => {
                 Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.names.text(name)) })
             }
             FrameKind::Include => Some(Label { span: frame.span, text: "included".into() }),
@@ -328,25 +357,6 @@ impl<'a> Interpreter<'a> {
             return all;
         }
         all[..6].iter().chain(&all[all.len() - 4..]).cloned().collect()
-    }
-
-    /// Reads a row of elements to its end by `read`.
-    fn enclosed<T>(
-        &mut self,
-        block: Option<&'static str>,
-        elements: &'a [Element],
-        span: Span,
-        read: impl FnOnce(&mut Self) -> Result<T>,
-    ) -> Result<T> {
-        let depth = self.frames.len();
-        self.push_frame(elements, FrameKind::Enclosed, span);
-        self.blocks.extend(block.map(|word| (word, span)));
-        let result = read(self).map_err(|fault| Box::new(self.with_trace(*fault)));
-        if block.is_some() {
-            self.blocks.pop();
-        }
-        self.unwind(depth);
-        result
     }
 
     fn division_by_zero(&mut self, span: Span) {

@@ -117,7 +117,7 @@ impl Interpreter<'_> {
                 let [condition, yes, no] = &**parts;
                 self.quick(if self.simple(condition)?.abs() > SMALL { yes } else { no })
             }
-            ExprKind::Builtin(name, arguments) => self.quick_call(name, arguments).map(T::float),
+            ExprKind::Builtin(name, arguments) => self.quick_call(name.name, arguments).map(T::float),
             ExprKind::Index(array, indices) => match &**indices {
                 [index] => self.quick_element(array, index),
                 _ => None,

@@ -3,12 +3,12 @@
 use super::Interpreter;
 use super::reader::TransformThing;
 use super::scope::Slot;
-use super::stream::Token;
+use super::stream::{BlockName, Token};
 use crate::camera::Camera;
 use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_layers, read_material};
 use crate::source::Span;
-use crate::syntax::ast::{Block, Expr, ExprKind, Name};
+use crate::syntax::ast::{Bracket, Expr, ExprKind, Sign};
 use crate::syntax::word;
 use crate::texture::{ColorMap, Finish, Interior, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
 use crate::value::{Next, Reader, Thing, Value};
@@ -31,43 +31,64 @@ const LATER: &[&str] = &[
 ];
 
 impl<'a> Interpreter<'a> {
-    /// The next complete value.
+    /// The next complete value. No directive and no macro behind it runs.
     pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
+        let closed = std::mem::replace(&mut self.closed, true);
+        let slot = self.rvalue_closed();
+        self.closed = closed;
+        slot
+    }
+
+    fn rvalue_closed(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
-            Token::Expr(Expr { kind: ExprKind::Name(symbol), span }) => {
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
                 if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.scopes.get(*symbol) {
                     let slot = slot.clone();
                     self.advance();
                     return Ok(slot);
                 }
+                if self.is_whole(false) {
+                    let value = self.name_value(*symbol, *span)?;
+                    self.advance();
+                    return Ok(Slot::Value(value));
+                }
+                self.advance();
                 let value = self.name_value(*symbol, *span)?;
-                self.advance();
-                Ok(Slot::Value(value))
+                self.rest_of_value(value, *span)
             }
-            Token::Function(function) => {
-                let span = self.here();
-                self.advance();
-                Ok(Slot::Value(Value::Thing(self.read_function(function, span)?)))
+            Token::Function(_) => Ok(Slot::Value(Value::Thing(self.read_function()?))),
+            Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => self.plain_value(),
+            Token::Sign(Sign::Not | Sign::Operator(_)) => self.plain_value(),
+            Token::Element(span) => {
+                let slot = self.take_element()?;
+                match slot {
+                    Slot::Value(value) => self.rest_of_value(value, span),
+                    slot => Ok(slot),
+                }
             }
-            Token::Expr(Expr { kind: ExprKind::Function(function), span }) => {
-                self.advance();
-                Ok(Slot::Value(Value::Thing(self.read_function(function, *span)?)))
-            }
-            Token::Expr(_) | Token::Numbers(_) => self.value_here().map(|(value, _)| Slot::Value(value)),
-            Token::Element(_) => self.take_element(),
             Token::Word("array") => self.array(),
-            Token::Block(Block { name: Name { word: Some("array"), .. }, .. }) => self.array_of_braces(self.here()),
-            Token::Block(block)
-                if block.name.word.is_none() && self.sources.snippet(block.name.span) == "dictionary" =>
-            {
-                self.dictionary(&block.body, block.name.span)
+            Token::Block(BlockName { word: Some("array"), .. }) => self.array_of_braces(self.here()),
+            Token::Block(BlockName { word: None, span, .. }) if self.sources.snippet(span) == "dictionary" => {
+                self.dictionary()
             }
-            Token::Word(_) if self.at_color()? => Ok(Slot::Value(Value::Color(self.color()?))),
+            Token::Word(_) if self.at_color()? => self.plain_value(),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),
             },
         }
+    }
+
+    fn plain_value(&mut self) -> Result<Slot<'a>> {
+        self.value_here().map(|(value, _)| Slot::Value(value))
+    }
+
+    /// What was read may be the first operand of more, or be called.
+    fn rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
+        if matches!(&value, Value::Thing(thing) if !matches!(thing.kind(), "function" | "spline")) {
+            return Ok(Slot::Value(value));
+        }
+        self.value_from(value, span).map(|(value, _)| Slot::Value(value))
     }
 
     /// A block that has a kind of value.

@@ -37,10 +37,12 @@ impl Interpreter<'_> {
     /// Reads one statement, which [`Self::peek`] has announced; false at the end of the file.
     pub(super) fn statement(&mut self) -> Result<bool> {
         match Reader::next(self)? {
-            Next::End if self.at_stray_closer() => {
+            Next::End if !matches!(self.peek()?, Token::End) => {
                 let span = self.here();
                 self.advance();
-                return Diagnostic::err(codes::UNMATCHED_CLOSER, span, "this `}` closes nothing");
+                let message = format!("`{}` closes nothing", self.sources.snippet(span));
+                let d = Diagnostic::new(codes::UNMATCHED_CLOSER, span, message);
+                return d.help("remove it, or look for its opener above").into();
             }
             Next::End => return Ok(false),
             Next::Block(word) => self.top_block(word)?,
@@ -60,10 +62,6 @@ impl Interpreter<'_> {
             _ => return Err(self.unknown_word("scene", &statement_names()).into()),
         }
         Ok(true)
-    }
-
-    fn at_stray_closer(&self) -> bool {
-        self.frames.last().is_some_and(|f| f.at < f.elements.len())
     }
 
     fn top_block(&mut self, word: &'static str) -> Result<()> {
@@ -111,7 +109,7 @@ impl Interpreter<'_> {
     /// A block that does not stand by itself.
     fn stray_block(&mut self, word: &'static str) -> Diagnostic {
         let span = match self.peek() {
-            Ok(Token::Block(block)) => block.name.span,
+            Ok(Token::Block(name)) => name.span,
             _ => self.here(),
         };
         let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` can't stand by itself"));
@@ -124,6 +122,9 @@ impl Interpreter<'_> {
     /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.
     fn stray_value(&mut self) -> Diagnostic {
         if let Ok(Token::Expr(e)) = self.peek() {
+            if e.compares() {
+                return self.comparison_outside(e);
+            }
             if let Err(fault) = self.eval(e) {
                 return *fault;
             }

@@ -1,19 +1,23 @@
-//! What is written: a sequence of elements, each with its place. Nothing is evaluated; comments are kept
+//! What is written: a sequence of elements, each with its place. Nothing is evaluated; tokens and comments are kept
 //! beside the tree.
 
+use super::tokens::Tokens;
+use super::word::Word;
 use crate::source::Span;
 
 /// A name that the author gave, or a constant of the language; an index into [`super::Names`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Symbol(pub u32);
 
-/// A parsed file.
+/// A parsed file, or what could be made of one with faults.
 #[derive(Debug, Default)]
 pub struct Ast {
     /// Outermost elements.
     pub elements: Vec<Element>,
-    /// Every comment, with its delimiters.
-    pub comments: Vec<Span>,
+    /// Every token and comment of the file: with the blanks between them they are its text.
+    pub tokens: Tokens,
+    /// Brackets that nothing in the rest of the file closes.
+    pub unclosed: Vec<Span>,
 }
 
 /// Something in a file, block, entry, group, directive's body, or macro's argument list.
@@ -21,41 +25,94 @@ pub struct Ast {
 pub struct Element {
     /// All of it.
     pub span: Span,
+    /// Does a comma stand behind it?
+    pub comma: bool,
     /// What it is.
     pub kind: ElementKind,
+}
+
+impl Element {
+    /// Without a comma.
+    pub fn new(span: Span, kind: ElementKind) -> Self {
+        Self { span, comma: false, kind }
+    }
 }
 
 /// See the variants.
 #[derive(Clone, Debug)]
 pub enum ElementKind {
-    /// A keyword that opens no block.
-    Word(&'static str),
+    /// A keyword, or the name of a built-in function without arguments.
+    Word(&'static Word),
     /// A number, vector, text, name, call or a combination of them.
     Expr(Box<Expr>),
     /// Two or more literal numbers and vectors with commas between them.
     Numbers(Box<NumberList>),
     /// `name { … }`.
     Block(Box<Block>),
-    /// `name {` whose `}` stands in another directive's body.
-    Open(Box<Name>),
-    /// A `}` or `)` whose opener stands in another directive's body.
-    Close,
     /// `{ … }` without a name.
-    Group(Box<[Element]>),
+    Group(Box<Group>),
     /// `[ … ]`.
-    Entry(Box<[Element]>),
-    /// `.Name :` in a dictionary.
-    Key(Symbol),
-    /// `:` behind `["name"]` in a dictionary.
-    Colon,
-    /// `(1, 2)`, what several names get at once.
-    Values(Box<[Element]>),
+    Entry(Box<Group>),
     /// `function (…) { … }`.
     Function(Box<Function>),
-    /// `;`
-    Semicolon,
     /// `#…`
     Directive(Box<Directive>),
+    /// `;`
+    Semicolon,
+    /// A comma that stands behind no element of its sequence.
+    Comma,
+    /// Any other token: an operator without its operands, a bracket without its partner.
+    Sign(Sign),
+}
+
+/// A token that is neither a word nor a literal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// An opening bracket.
+    Open(Bracket),
+    /// A closing one.
+    Close(Bracket),
+    /// Between two operands; `<` and `>` may also stand around a vector, `-` and `+` before an operand.
+    Operator(Operator),
+    /// `!`
+    Not,
+    /// `.`
+    Dot,
+    /// `?`
+    Question,
+    /// `:`
+    Colon,
+    /// A character that means nothing.
+    Other,
+}
+
+/// Brackets that always are brackets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bracket {
+    /// `{ }`
+    Brace,
+    /// `( )`
+    Paren,
+    /// `[ ]`
+    Square,
+}
+
+impl Bracket {
+    /// Both halves.
+    pub fn text(self) -> [&'static str; 2] {
+        match self {
+            Bracket::Brace => ["{", "}"],
+            Bracket::Paren => ["(", ")"],
+            Bracket::Square => ["[", "]"],
+        }
+    }
+}
+
+/// What stands in brackets without a name.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// Between the brackets.
+    pub body: Box<[Element]>,
 }
 
 /// A name and its elements.
@@ -99,8 +156,24 @@ pub enum Widths {
 pub struct Expr {
     /// All of it.
     pub span: Span,
+    /// Is a name called somewhere in it? What that name is, only the run can tell.
+    pub calls: bool,
     /// What it is.
     pub kind: ExprKind,
+}
+
+impl Expr {
+    /// Does it compare or choose, outside of its brackets? That has a meaning only in parentheses, conditions and colours.
+    pub fn compares(&self) -> bool {
+        match &self.kind {
+            ExprKind::Chain(chain) => {
+                let op = chain.rest.first().map(|(op, _)| *op);
+                op.is_some_and(|op| !op.adds() && !op.multiplies())
+            }
+            ExprKind::Choice(_) => true,
+            _ => false,
+        }
+    }
 }
 
 /// See the variants. Chains of operators are flat, so that no tree is deeper than the text's brackets.
@@ -112,18 +185,12 @@ pub enum ExprKind {
     Text(Box<str>),
     /// A name or constant.
     Name(Symbol),
-    /// A keyword where a value belongs: an error when it is reached.
-    Keyword(&'static str),
     /// `< … >` of literals only.
     Literal(Box<[f64]>),
-    /// `< … >`.
+    /// `< … >` of expressions.
     Vector(Box<[Element]>),
     /// `( … )`: kept, because `(A)` passes a copy where `A` passes a reference.
     Paren(Box<Expr>),
-    /// `( #if … #end … )`.
-    ParenSpliced(Box<[Element]>),
-    /// Directives as an operand.
-    Spliced(Box<[Element]>),
     /// `a op b op c …` of one precedence, from left to right.
     Chain(Box<Chain>),
     /// `-`, `+`, `!`.
@@ -131,7 +198,7 @@ pub enum ExprKind {
     /// `a ? b : c`
     Choice(Box<[Expr; 3]>),
     /// A built-in function.
-    Builtin(&'static str, Box<[Expr]>),
+    Builtin(&'static Word, Box<[Expr]>),
     /// A macro, user function or spline.
     Call(Symbol, Box<[Element]>),
     /// `A[i][j]`
@@ -140,9 +207,9 @@ pub enum ExprKind {
     Apply(Box<Expr>, Box<[Element]>),
     /// `A.x`
     Dot(Box<Expr>, Name, Symbol),
-    /// A function as a value.
+    /// A function as an argument.
     Function(Box<Function>),
-    /// A block as a value.
+    /// A block as an argument.
     Block(Box<Block>),
 }
 
@@ -197,6 +264,18 @@ impl Operator {
         }
     }
 
+    /// The same inside `function { … }`, where `&` binds tighter than `|` (measured on POV-Ray 3.7).
+    pub fn precedence_in_functions(self) -> u8 {
+        if self == Operator::And { 2 } else { self.precedence() }
+    }
+
+    /// The operator that is typed so.
+    pub fn of(text: &str) -> Option<Self> {
+        use Operator::*;
+        let all = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
+        all.into_iter().find(|op| op.text() == text)
+    }
+
     /// Is it `*` or `/`?
     pub fn multiplies(self) -> bool {
         matches!(self, Operator::Mul | Operator::Div)
@@ -232,7 +311,7 @@ impl Operator {
     }
 }
 
-/// `function { … }`: only its syntax so far.
+/// `function { … }`.
 #[derive(Clone, Debug)]
 pub struct Function {
     /// The names in parentheses; empty means `x, y, z`.
@@ -248,30 +327,29 @@ pub struct Function {
 pub enum Directive {
     /// `#declare`, `#local`; the value is what the following elements give.
     Declare(Declare),
-    /// `#undef`.
-    Undef(Expr),
+    /// The same where more than a name stands before the `=`, or nothing; the flag is `local`.
+    DeclarePieces(bool),
     /// `#if`, `#elseif`, `#else`.
     If(Box<[Branch]>),
     /// `#while`.
-    While(Expr, Box<[Element]>),
+    While(Head, Box<[Element]>),
     /// `#for`.
     For(For),
     /// `#switch`.
-    Switch(Expr, Box<[Arm]>),
-    /// `#break`.
-    Break,
+    Switch(Head, Box<[Arm]>),
     /// `#macro`.
     Macro(Macro),
-    /// `#include`.
-    Include(Expr),
-    /// `#version`.
-    Version(Expr),
-    /// `#debug`, `#warning`, `#error`, `#render`, `#statistics`.
-    Message(&'static str, Expr),
-    /// `#default { … }`.
-    Default(Box<[Element]>),
-    /// `#fopen`, `#fclose`, `#read`, `#write`.
-    File(&'static str, Box<[Element]>),
+    /// Any other, by its word: what it takes are the elements that follow.
+    Plain(Symbol),
+}
+
+/// What stands in parentheses behind a directive's word.
+#[derive(Clone, Debug)]
+pub enum Head {
+    /// One expression.
+    Whole(Expr),
+    /// Anything else; `None` if there are no parentheses.
+    Pieces(Option<Box<[Element]>>),
 }
 
 /// `#declare A[i] =`
@@ -303,6 +381,8 @@ pub struct Target {
 /// A condition and what happens where it holds.
 #[derive(Clone, Debug)]
 pub struct Branch {
+    /// From its directive's word to the next one.
+    pub span: Span,
     /// See the variants.
     pub condition: Condition,
     /// What happens.
@@ -313,11 +393,11 @@ pub struct Branch {
 #[derive(Clone, Debug)]
 pub enum Condition {
     /// The value is not 0.
-    True(Expr),
+    True(Head),
     /// The name is declared.
-    Declared(Expr),
+    Declared(Head),
     /// The name is not declared.
-    NotDeclared(Expr),
+    NotDeclared(Head),
     /// `#else`.
     Always,
 }
@@ -325,17 +405,26 @@ pub enum Condition {
 /// `#for (I, 0, 10, 1)`
 #[derive(Clone, Debug)]
 pub struct For {
-    /// The counter.
-    pub counter: Symbol,
-    /// First value, last value, step.
-    pub range: Box<[Expr]>,
+    /// See [`ForHead`].
+    pub head: ForHead,
     /// What is repeated.
     pub body: Box<[Element]>,
+}
+
+/// What stands in the parentheses of a `#for`.
+#[derive(Clone, Debug)]
+pub enum ForHead {
+    /// The counter; first value, last value, perhaps a step.
+    Whole(Symbol, Box<[Expr]>),
+    /// Anything else; `None` if there are no parentheses.
+    Pieces(Option<Box<[Element]>>),
 }
 
 /// One arm of a `#switch`.
 #[derive(Clone, Debug)]
 pub struct Arm {
+    /// From its directive's word to the next one.
+    pub span: Span,
     /// See the variants.
     pub when: When,
     /// What happens; it runs on into the next arm without `#break`.
@@ -346,9 +435,9 @@ pub struct Arm {
 #[derive(Clone, Debug)]
 pub enum When {
     /// `#case`.
-    Case(Expr),
-    /// `#range`.
-    Range(Expr, Expr),
+    Case(Head),
+    /// `#range`, with both ends.
+    Range(Option<Box<[Element]>>),
     /// `#else`.
     Otherwise,
 }
@@ -360,6 +449,8 @@ pub struct Macro {
     pub name: Symbol,
     /// The name's place.
     pub span: Span,
+    /// What can't be understood in its head: an error when it is reached.
+    pub fault: Option<Span>,
     /// Names of its parameters; the flag is `optional`.
     pub parameters: Box<[(Symbol, bool)]>,
     /// What a call runs.

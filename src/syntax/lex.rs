@@ -1,12 +1,13 @@
-//! Text to tokens: what the grammar's characters stand for. One pass over the bytes, which also checks the nesting of
-//! brackets and directives (see [`super::nesting`]) and keeps the comments.
+//! Text to tokens: what the grammar's characters stand for. One pass over the bytes, which also finds the partner of each
+//! bracket (see [`super::brackets`]) and keeps the comments.
 
 use super::Names;
 use super::ast::NumberList;
-use super::nesting::{Closing, Nesting, Opener};
+use super::brackets::{Brackets, MAX_DEPTH, Opener};
+use super::class::{self, Role};
 use super::numbers::{ListScanner, is_blank, scan_number};
 use super::word::{self, Category};
-use crate::diagnostic::{Code, Diagnostic, codes, did_you_mean};
+use crate::diagnostic::{Code, Diagnostic, codes};
 use crate::source::Span;
 
 /// One token.
@@ -27,20 +28,23 @@ pub(super) struct Lexed {
     pub(super) classes: Vec<u8>,
     /// As many as there are classes.
     pub(super) tokens: Vec<Token>,
-    /// Values of `1` tokens.
+    /// Values of `NUMBER` tokens.
     pub(super) numbers: Vec<f64>,
-    /// Values of `V` and `v` tokens; the tree takes them.
+    /// Values of `LITERAL` and `NUMBERS` tokens; the tree takes them.
     pub(super) lists: Vec<NumberList>,
     /// Numbers of tokens at which nothing is open, ascending: there the text can be cut.
     pub(super) cuts: Vec<u32>,
     /// All comments, in local offsets.
     pub(super) comments: Vec<(u32, u32)>,
+    /// Numbers of brackets that nothing in the rest of the text closes.
+    pub(super) unclosed: Vec<u32>,
     /// What can't be read.
     pub(super) faults: Vec<Diagnostic>,
 }
 
-/// Makes tokens of `text`, whose first byte has the global offset `base`.
-pub(super) fn lex(text: &str, base: usize, names: &Names) -> Lexed {
+/// Makes tokens of `text`, whose first byte has the global offset `base`; without `lists`, each number and each sign is a
+/// token of its own.
+pub(super) fn lex(text: &str, base: usize, names: &Names, lists: bool) -> Lexed {
     let mut lexer = Lexer {
         text,
         bytes: text.as_bytes(),
@@ -48,8 +52,9 @@ pub(super) fn lex(text: &str, base: usize, names: &Names) -> Lexed {
         at: 0,
         names,
         out: Lexed::default(),
-        nesting: Nesting::default(),
-        lists: ListScanner::default(),
+        brackets: Brackets::default(),
+        lists: lists.then(ListScanner::default),
+        loose_closers: 0,
     };
     lexer.run();
     lexer.out
@@ -65,8 +70,10 @@ struct Lexer<'t> {
     at: usize,
     names: &'t Names,
     out: Lexed,
-    nesting: Nesting,
-    lists: ListScanner,
+    brackets: Brackets,
+    lists: Option<ListScanner>,
+    /// How many closing brackets had no opener in their body.
+    loose_closers: usize,
 }
 
 impl Lexer<'_> {
@@ -80,25 +87,26 @@ impl Lexer<'_> {
                 b'"' => self.string(),
                 b'/' if matches!(self.bytes.get(at + 1), Some(b'/' | b'*')) => self.comment(),
                 b'#' => self.directive(),
-                b'{' | b'(' | b'[' | b'?' | b'}' | b')' | b']' | b'>' => self.bracket(b),
+                b'{' | b'(' | b'[' | b'?' => self.open(b),
+                b'}' | b')' | b']' | b'>' | b':' => self.close(b),
                 b'=' | b'!' => self.operator(b),
-                b',' | b';' | b':' | b'*' | b'/' | b'&' | b'|' => {
+                b',' | b';' | b'*' | b'/' | b'&' | b'|' => {
                     self.push(b, 1, 0);
-                    if b == b';' {
+                    if b == class::SEMICOLON {
                         self.cut();
                     }
                 }
                 _ => self.other(),
             }
-            if self.out.faults.len() >= MAX_FAULTS || self.nesting.too_deep() {
+            if self.out.faults.len() >= MAX_FAULTS || self.brackets.too_deep() {
                 break;
             }
         }
-        if self.nesting.too_deep() {
-            let message = format!("more than {} brackets and directives are nested here", super::nesting::MAX_DEPTH);
+        if self.brackets.too_deep() {
+            let message = format!("more than {MAX_DEPTH} brackets and directives are nested here");
             self.fault(codes::TOO_DEEP, self.at - 1, self.at, message, None);
         } else {
-            self.unclosed();
+            self.unended();
         }
         self.out.cuts.push(self.out.tokens.len() as u32);
     }
@@ -112,17 +120,27 @@ impl Lexer<'_> {
 
     /// The class of the token before; a `;` at the start.
     fn before(&self) -> u8 {
-        self.out.classes.last().copied().unwrap_or(b';')
+        self.out.classes.last().copied().unwrap_or(class::SEMICOLON)
     }
 
     /// Does the token before end an operand, so that a sign after it adds?
     fn after_operand(&self) -> bool {
-        matches!(self.before(), b'n' | b'1' | b'2' | b'3' | b'"' | b')' | b']' | b'>')
-            || matches!(self.before(), b'k' | b'f') && self.out.classes.iter().rev().nth(1) == Some(&b'.')
+        match self.before() {
+            class::NAME | class::NUMBER | class::LITERAL | class::NUMBERS | class::STRING => true,
+            class::PAREN_END | class::BRACKET_END | class::VECTOR_END | class::GREATER => true,
+            class::KEYWORD | class::BUILTIN => self.out.classes.iter().rev().nth(1) == Some(&class::DOT),
+            class::LOOSE => matches!(self.text_of(self.out.tokens.len() - 1), ")" | "]"),
+            _ => false,
+        }
+    }
+
+    fn text_of(&self, token: usize) -> &str {
+        let Token { start, end, .. } = self.out.tokens[token];
+        &self.text[start as usize..end as usize]
     }
 
     fn cut(&mut self) {
-        if self.nesting.is_empty() {
+        if self.brackets.is_empty() {
             self.out.cuts.push(self.out.tokens.len() as u32);
         }
     }
@@ -136,145 +154,126 @@ impl Lexer<'_> {
         let end = self.word_end(self.at);
         let text = &self.text[self.at..end];
         let (class, data) = match word::lookup_number(text) {
-            Some((_, Category::Keyword)) if text == "function" => (b'@', 0),
-            Some((_, Category::Keyword)) if text == "deprecated" => (b'%', 0),
-            Some((number, Category::Keyword)) => (b'k', number),
-            Some((number, Category::Function)) => (b'f', number),
-            _ => (b'n', self.names.intern(text).0),
+            Some((number, Category::Keyword)) if text == "function" => (class::FUNCTION, number),
+            Some((number, Category::Keyword)) if text == "deprecated" => (class::DEPRECATED, number),
+            Some((number, Category::Keyword)) => (class::KEYWORD, number),
+            Some((number, Category::Function)) => (class::BUILTIN, number),
+            _ => (class::NAME, self.names.intern(text).0),
         };
         self.push(class, end - self.at, data);
     }
 
     fn number_or_sign(&mut self, b: u8) {
-        let after_operand = self.after_operand();
-        // Lists stand between elements: not inside expressions, vectors or functions.
-        let starts = !matches!(
-            self.before(),
-            b'@' | b'+' | b'-' | b'*' | b'/' | b'.' | b'!' | b'?' | b':' | b'&' | b'|' | b'=' | b'4' | b'5' | b'6'
-        );
-        if self.nesting.takes_lists()
-            && starts
-            && let Some((count, end)) = self.lists.scan(self.bytes, self.at, !after_operand)
-            && (count > 1 || self.lists.first_width() > 1)
-        {
-            return self.push_list(if count > 1 { b'3' } else { b'2' }, end);
-        }
-        if b == b'<'
-            && !self.nesting.in_function()
-            && let Some(end) = self.lists.scan_vector(self.bytes, self.at)
-        {
-            return self.push_list(b'2', end);
+        if let Some((class, end)) = self.literal(b) {
+            let index = self.out.lists.len() as u32;
+            self.out.lists.extend(self.lists.as_mut().map(ListScanner::take));
+            return self.push(class, end - self.at, index);
         }
         match b {
-            b'<' if self.bytes.get(self.at + 1) == Some(&b'=') => self.push(b'4', 2, 0),
+            b'<' if self.bytes.get(self.at + 1) == Some(&b'=') => self.push(class::LESS_EQUAL, 2, 0),
             b'<' => {
-                if !after_operand && !self.nesting.in_function() {
-                    self.nesting.open(Opener::Angle, self.out.tokens.len());
+                // What is no vector after all stays this: the `>` tells.
+                if !self.brackets.in_function() && !(self.after_operand() && self.brackets.compares()) {
+                    self.brackets.open(Opener::Angle, self.out.tokens.len());
                 }
-                self.push(b'<', 1, 0);
+                self.push(class::LESS, 1, 0);
             }
             b'-' | b'+' => self.push(b, 1, 0),
             _ => match scan_number(self.bytes, self.at) {
                 Some((value, end)) => {
                     let index = self.out.numbers.len() as u32;
                     self.out.numbers.push(value);
-                    self.push(b'1', end - self.at, index);
+                    self.push(class::NUMBER, end - self.at, index);
                 }
-                None => self.push(b'.', 1, 0),
+                None => self.push(class::DOT, 1, 0),
             },
         }
     }
 
-    fn push_list(&mut self, class: u8, end: usize) {
-        let index = self.out.lists.len() as u32;
-        self.out.lists.push(self.lists.take());
-        self.push(class, end - self.at, index);
+    /// A list of literals or a vector of numbers that begins here: its class and its end.
+    fn literal(&mut self, b: u8) -> Option<(u8, usize)> {
+        let after_operand = self.after_operand();
+        // Lists stand between elements: not inside expressions, vectors or functions.
+        let goes_on = matches!(self.before(), class::FUNCTION | class::DOT | class::NOT | class::CHOICE | class::CHOICE_ELSE)
+            || matches!(self.before(), class::PLUS | class::MINUS | class::TIMES | class::OVER | class::AND | class::OR)
+            || matches!(self.before(), class::EQUAL | class::LESS_EQUAL | class::GREATER_EQUAL | class::NOT_EQUAL)
+            || matches!(self.before(), class::LESS | class::GREATER);
+        let vector = b == b'<' && !self.brackets.in_function() && !(after_operand && self.brackets.compares());
+        let lists = self.lists.as_mut()?;
+        if self.brackets.takes_lists()
+            && !goes_on
+            && let Some((count, end)) = lists.scan(self.bytes, self.at, !after_operand)
+            && (count > 1 || lists.first_width() > 1)
+        {
+            return Some((if count > 1 { class::NUMBERS } else { class::LITERAL }, end));
+        }
+        let end = if vector { lists.scan_vector(self.bytes, self.at)? } else { return None };
+        Some((class::LITERAL, end))
     }
 
     fn operator(&mut self, b: u8) {
         match (b, self.bytes.get(self.at + 1)) {
-            (b'!', Some(b'=')) => self.push(b'6', 2, 0),
+            (b'!', Some(b'=')) => self.push(class::NOT_EQUAL, 2, 0),
             _ => self.push(b, 1, 0),
         }
     }
 
-    fn bracket(&mut self, b: u8) {
-        let token = self.out.tokens.len();
-        match b {
-            b'{' => {
-                let function = self.opens_function();
-                self.nesting.open(if function { Opener::FunctionBrace } else { Opener::Brace }, token);
-            }
-            b'(' => self.nesting.open(Opener::Paren, token),
-            b'[' => self.nesting.open(Opener::Bracket, token),
-            b'?' => self.nesting.open(Opener::Choice, token),
-            b'>' if self.bytes.get(self.at + 1) == Some(&b'=') => return self.push(b'5', 2, 0),
-            b'>' => self.nesting.close_angle(),
-            closer => match self.nesting.close(closer) {
-                Closing::Closes => {}
-                Closing::Loose => {
-                    self.push(b'^', 1, 0);
-                    return self.cut();
-                }
-                // The closer is tried again, for a bracket further out.
-                Closing::Unclosed(opener, token) => return self.mismatch(opener, token, closer),
-                Closing::Swapped(opener, token) => {
-                    self.mismatch(opener, token, closer);
-                    self.at += 1;
-                    return;
-                }
-                Closing::Stray(open) => return self.stray(open, closer),
-            },
+    /// A bracket is loose until its other half comes.
+    fn open(&mut self, b: u8) {
+        let opener = match b {
+            b'{' if self.opens_function() => Opener::FunctionBrace,
+            b'{' => Opener::Brace,
+            b'(' if matches!(self.before(), class::NAME | class::PLAIN) => Opener::Arguments,
+            b'(' => Opener::Paren,
+            b'[' => Opener::Bracket,
+            _ => Opener::Choice,
+        };
+        self.brackets.open(opener, self.out.tokens.len());
+        self.push(class::LOOSE, 1, 0);
+    }
+
+    fn close(&mut self, b: u8) {
+        if b == b'>' && self.bytes.get(self.at + 1) == Some(&b'=') {
+            return self.push(class::GREATER_EQUAL, 2, 0);
         }
-        self.push(b, 1, 0);
-        if b == b'}' {
-            self.cut();
+        let class = if b == b'>' { class::VECTOR_END } else { b };
+        match self.brackets.close(class) {
+            Some((opener, token)) => {
+                self.out.classes[token] = opener.classes().0;
+                self.push(class, 1, 0);
+                if class == class::BRACE_END {
+                    self.cut();
+                }
+            }
+            None if b == b'>' => self.push(class::GREATER, 1, 0),
+            None => {
+                self.loose_closers += usize::from(b != b':');
+                self.push(class::LOOSE, 1, 0);
+                self.cut();
+            }
         }
     }
 
-    /// Is the brace that comes now that of `function (…) {`?
+    /// Is the brace that comes now that of `function (…) {` or `function 20, 20 {`?
     fn opens_function(&self) -> bool {
         let classes = &self.out.classes;
         let mut i = classes.len();
-        if i > 0 && classes[i - 1] == b')' {
-            while i > 0 && classes[i - 1] != b'(' {
+        if i > 0 && classes[i - 1] == class::PAREN_END {
+            while i > 0 && classes[i - 1] != class::PAREN {
                 i -= 1;
             }
             i = i.saturating_sub(1);
         }
-        i > 0 && (classes[i - 1] == b'@' || i > 3 && classes[i - 4] == b'@')
-    }
-
-    fn mismatch(&mut self, opener: Opener, token: usize, closer: u8) {
-        let (at, found) = (self.at, closer as char);
-        let start = self.out.tokens[token].start as usize;
-        let open = self.bytes[start] as char;
-        let wanted = opener.closer();
-        let message = format!("this `{open}` is not closed: found `{found}` where `{wanted}` was expected");
-        let d = Diagnostic::new(codes::UNCLOSED, self.span(start, start + 1), message)
-            .label("opened here")
-            .also(self.span(at, at + 1), format!("`{found}` found here"));
-        self.out.faults.push(d);
-    }
-
-    fn stray(&mut self, open: Option<usize>, closer: u8) {
-        let (at, found) = (self.at, closer as char);
-        let help = "remove it, or look for its opener above";
-        let d = Diagnostic::new(codes::UNMATCHED_CLOSER, self.span(at, at + 1), format!("`{found}` closes nothing"));
-        let open = open.map(|token| self.out.tokens[token].start as usize);
-        let d = match open {
-            Some(start) => d.also(self.span(start, start + 1), "this is open, and closes with `}`"),
-            None => d,
-        };
-        self.out.faults.push(d.help(help));
-        self.at += 1;
+        i > 0 && classes[i.saturating_sub(4)..i].iter().rev().take(4).enumerate().any(|(back, class)| {
+            *class == class::FUNCTION && matches!(back, 0 | 1 | 3)
+        })
     }
 
     fn string(&mut self) {
         let (start, mut at) = (self.at, self.at + 1);
         loop {
             match memchr::memchr2(b'"', b'\\', &self.bytes[at.min(self.bytes.len())..]) {
-                Some(step) if self.bytes[at + step] == b'"' => return self.push(b'"', at + step + 1 - start, 0),
+                Some(step) if self.bytes[at + step] == b'"' => return self.push(class::STRING, at + step + 1 - start, 0),
                 Some(step) => at += step + 2,
                 None => {
                     let end = self.text[start..].find(['\n', '\r']).map_or(self.bytes.len(), |i| start + i);
@@ -334,52 +333,66 @@ impl Lexer<'_> {
             self.at += 1;
             return;
         }
-        let Some(&(_, class)) = DIRECTIVES.iter().find(|(name, _)| *name == word) else {
-            let known = DIRECTIVES.iter().map(|(name, _)| *name);
-            let help = did_you_mean(word, known).map(|s| s.replacen('`', "`#", 1));
-            let message = format!("there is no directive `#{word}`");
-            self.fault(codes::UNKNOWN_DIRECTIVE, self.at, end, message, help.as_deref());
-            self.at = end;
-            return;
-        };
         let (at, token) = (self.at, self.out.tokens.len());
-        self.push(class, end - at, 0);
-        match class {
-            b'I' | b'J' | b'K' | b'W' | b'R' | b'S' | b'M' => self.nesting.open(Opener::Directive, token),
-            b'L' | b'G' | b'C' | b'T' | b'E' => match self.nesting.back_to_directive(class == b'E') {
-                Some(loose) => {
-                    for token in loose {
-                        let class = &mut self.out.classes[token];
-                        *class = if *class == b'(' { b'$' } else { b'~' };
-                    }
+        match class::directive(word) {
+            None => {
+                let symbol = self.names.intern(word).0;
+                self.push(class::PLAIN, end - at, symbol);
+            }
+            Some((class, Role::Declares)) => self.push(class, end - at, u32::from(word == "local")),
+            Some((class, Role::Opens)) => {
+                self.push(class, end - at, 0);
+                self.brackets.open(Opener::Directive(class), token);
+            }
+            Some((class, Role::Continues(which))) => match self.brackets.end_body() {
+                Some(open) if which.contains(&open) => {
+                    self.push(class, end - at, 0);
+                    // Behind `#else` only `#end` can come.
+                    let arm = if class == class::ELSE { class::ELSE } else { open };
+                    self.brackets.continue_as(arm);
+                }
+                _ => self.continues_nothing(word, at, end),
+            },
+            Some((class, Role::Ends)) => match self.brackets.end_body() {
+                Some(_) => {
+                    self.brackets.end();
+                    self.push(class, end - at, 0);
                     self.cut();
                 }
                 None => self.continues_nothing(word, at, end),
             },
-            _ => {}
         }
     }
 
     fn continues_nothing(&mut self, word: &str, at: usize, end: usize) {
         let help = match word {
             "end" => "each `#end` belongs to an `#if`, `#ifdef`, `#while`, `#for`, `#switch` or `#macro`",
-            _ => "it continues an `#if` or a `#switch`",
+            "case" | "range" => "it stands in a `#switch`, before its `#else`",
+            "elseif" => "it stands in an `#if`, before its `#else`",
+            _ => "it continues an `#if` or a `#switch`, once",
         };
         self.fault(codes::UNMATCHED_CLOSER, at, end, format!("`#{word}` continues nothing"), Some(help));
+        self.at = end;
     }
 
-    /// At the end of the text: what is still open. The innermost three tell enough.
-    fn unclosed(&mut self) {
-        for (opener, token) in self.nesting.unclosed().into_iter().rev().take(3) {
+    /// At the end of the text: directives without `#end`, of which the innermost three tell enough, and open brackets.
+    fn unended(&mut self) {
+        for token in self.brackets.unended().into_iter().rev().take(3) {
             let Token { start, end, .. } = self.out.tokens[token];
-            let what = self.text[start as usize..end as usize].to_string();
-            let help = format!("add `{}` where it should end", opener.closer());
-            let message = format!("this `{what}` is not closed");
-            self.fault(codes::UNCLOSED, start as usize, end as usize, message, Some(&help));
+            let message = format!("this `{}` is not closed", self.text_of(token));
+            let help = "add `#end` where it should end";
+            self.fault(codes::UNCLOSED, start as usize, end as usize, message, Some(help));
+        }
+        // There is a tree all the same.
+        for _ in self.brackets.unended() {
+            self.push(class::END, 0, 0);
+        }
+        if self.loose_closers == 0 {
+            self.out.unclosed = self.brackets.unclosed().map(|token| token as u32).collect();
         }
     }
 
-    /// A character that stands for nothing in the language.
+    /// A character that stands for nothing in the language: a token, since nobody may ever read it.
     fn other(&mut self) {
         let c = self.text[self.at..].chars().next().unwrap_or(' ');
         let mut len = c.len_utf8();
@@ -389,17 +402,11 @@ impl Lexer<'_> {
             let end = line[len..].find(['\'', '”', '’']).map(|i| len + i);
             len = end.map_or(len, |i| i + line[i..].chars().next().map_or(0, char::len_utf8));
         }
-        if !matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}') {
-            let help = match c {
-                '\'' | '“' | '”' | '‘' | '’' => "strings stand in double quotes: `\"`",
-                '%' => "the remainder is `mod(a, b)`",
-                '^' => "powers are `pow(a, b)`",
-                c if c.is_alphabetic() => "names are made of the letters a to z, digits and `_`",
-                _ => "outside of strings and comments no such character has a meaning",
-            };
-            self.fault(codes::SYNTAX, self.at, self.at + len, format!("`{c}` can't stand here"), Some(help));
+        if matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}') {
+            self.at += len;
+        } else {
+            self.push(class::LOOSE, len, 0);
         }
-        self.at += len;
     }
 
     fn span(&self, lo: usize, hi: usize) -> Span {
@@ -411,40 +418,3 @@ impl Lexer<'_> {
         self.out.faults.push(d);
     }
 }
-
-/// The words that may follow a `#`.
-pub fn directive_names() -> impl Iterator<Item = &'static str> {
-    DIRECTIVES.iter().map(|(name, _)| *name)
-}
-
-/// All words that may follow a `#`, and the grammar's character for each.
-const DIRECTIVES: &[(&str, u8)] = &[
-    ("declare", b'D'),
-    ("local", b'D'),
-    ("if", b'I'),
-    ("end", b'E'),
-    ("else", b'L'),
-    ("ifdef", b'J'),
-    ("ifndef", b'K'),
-    ("elseif", b'G'),
-    ("while", b'W'),
-    ("for", b'R'),
-    ("macro", b'M'),
-    ("switch", b'S'),
-    ("case", b'C'),
-    ("range", b'T'),
-    ("break", b'B'),
-    ("include", b'N'),
-    ("version", b'N'),
-    ("debug", b'N'),
-    ("warning", b'N'),
-    ("error", b'N'),
-    ("render", b'N'),
-    ("statistics", b'N'),
-    ("default", b'Z'),
-    ("undef", b'U'),
-    ("fopen", b'O'),
-    ("fclose", b'Q'),
-    ("read", b'A'),
-    ("write", b'A'),
-];

@@ -3,6 +3,7 @@
 
 use super::Names;
 use super::ast::Symbol;
+use super::class;
 use super::lex::{Lexed, lex};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
@@ -93,7 +94,7 @@ impl Scan {
     fn of(sources: &Sources, names: &Names, file: FileId) -> Self {
         let (text, base) = (sources.text(file), sources.base(file));
         let mut scanner =
-            Scanner { text, base, lexed: lex(text, base, names), at: 0, open: vec![], out: Scan::default() };
+            Scanner { text, base, lexed: lex(text, base, names, true), at: 0, open: vec![], out: Scan::default() };
         while scanner.at < scanner.lexed.classes.len() {
             scanner.step();
         }
@@ -118,26 +119,31 @@ impl Scanner<'_> {
 
     fn step(&mut self) {
         match self.class(0) {
-            b'D' => self.declaration(),
-            b'M' => self.definition(),
-            b'I' | b'J' | b'K' | b'W' | b'R' | b'S' => self.open.push(false),
-            b'E' => drop(self.open.pop()),
+            class::DECLARE => self.declaration(),
+            class::MACRO => self.definition(),
+            class if class::opens_body(class) => self.open.push(false),
+            class::END => drop(self.open.pop()),
             // `#undef A` uses nothing.
-            b'U' if self.class(1) == b'n' => self.at += 1,
-            b'n' => self.out.uses.push(Symbol(self.lexed.tokens[self.at].data)),
+            class::PLAIN if self.is_undef() && self.class(1) == class::NAME => self.at += 1,
+            class::NAME => self.out.uses.push(Symbol(self.lexed.tokens[self.at].data)),
             _ => {}
         }
         self.at += 1;
+    }
+
+    fn is_undef(&self) -> bool {
+        let token = self.lexed.tokens[self.at];
+        self.text[token.start as usize..token.end as usize].ends_with("undef")
     }
 
     /// `#declare A =`; of `#declare A[i] =` nothing is new but the element.
     fn declaration(&mut self) {
         let token = self.lexed.tokens[self.at];
         let local = self.text[token.start as usize..token.end as usize].ends_with("local");
-        let skipped = if self.class(1) == b'%' { 1 + (2..5).take_while(|&i| self.class(i) != b'n').count() } else { 0 };
-        if self.class(1 + skipped) == b'n' {
+        let skipped = if self.class(1) == class::DEPRECATED { 1 + (2..5).take_while(|&i| self.class(i) != class::NAME).count() } else { 0 };
+        if self.class(1 + skipped) == class::NAME {
             self.at += 1 + skipped;
-            if self.class(1) == b'=' {
+            if self.class(1) == class::EQUAL {
                 self.declare(if local { What::Local } else { What::Declare });
             }
         }
@@ -145,17 +151,17 @@ impl Scanner<'_> {
 
     /// `#macro A(B, optional C)`
     fn definition(&mut self) {
-        if self.class(1) == b'n' {
+        if self.class(1) == class::NAME {
             self.at += 1;
             self.declare(What::Macro);
         }
         self.open.push(true);
-        if self.class(1) == b'(' {
+        if self.class(1) == class::PAREN {
             self.at += 1;
-            while !matches!(self.class(1), b')' | 0) {
+            while !matches!(self.class(1), class::PAREN_END | 0) {
                 self.at += 1;
                 // `optional C`: the second name is the parameter's.
-                if self.class(0) == b'n' && self.class(1) != b'n' {
+                if self.class(0) == class::NAME && self.class(1) != class::NAME {
                     self.declare(What::Parameter);
                 }
             }

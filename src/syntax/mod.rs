@@ -1,17 +1,20 @@
 //! Text to AST. The only place that knows pest.
 
 pub mod ast;
+mod brackets;
 mod build;
-mod fault;
+mod class;
+pub mod fault;
 mod lex;
 pub mod lint;
 mod names;
-mod nesting;
 mod numbers;
 mod parse;
+mod tokens;
 pub mod word;
 
-pub use build::unescape;
-pub use lex::directive_names;
+pub use build::{SignRow, begins_with_sign, pieces, unescape};
+pub use class::structural_directives;
 pub use names::Names;
-pub use parse::parse;
+pub use parse::{Wholes, parse, parse_text};
+pub use tokens::{Piece, Tokens};

@@ -1,12 +1,14 @@
 //! Runs the grammar over a file, piece by piece.
 
+use super::Names;
 use super::ast::{Ast, Element};
 use super::build::Builder;
 use super::lex::{Lexed, lex};
-use super::{Names, fault};
-use crate::diagnostic::Diagnostic;
+use super::tokens::Tokens;
+use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use pest::Parser;
+use std::ops::Range;
 
 /// pest's parser, made from the grammar at compile time.
 #[derive(pest_derive::Parser)]
@@ -19,75 +21,87 @@ const PIECE: usize = 8 * 1024;
 /// At most this many errors of a file are told.
 const MAX_FAULTS: usize = 20;
 
-/// Parses a file; on errors, every one that can be told apart.
-pub fn parse(sources: &Sources, file: FileId, names: &Names) -> Result<Ast, Vec<Diagnostic>> {
-    let (text, base) = (sources.text(file), sources.base(file));
-    let mut lexed = lex(text, base, names);
-    if !lexed.faults.is_empty() {
-        lexed.faults.truncate(MAX_FAULTS);
-        return Err(lexed.faults);
+/// How much of a text the tree keeps whole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Wholes {
+    /// Everything that stands whole.
+    #[default]
+    Kept,
+    /// Nothing but directives: each token is an element. The Scene is the same; tests hold both ways against each other.
+    TakenApart,
+}
+
+/// Parses a file. There is a tree whatever the faults; they are those of the text itself: directives without `#end`, strings and
+/// comments that do not end, brackets that nest too deeply.
+pub fn parse(sources: &Sources, file: FileId, names: &Names, wholes: Wholes) -> (Ast, Vec<Diagnostic>) {
+    parse_text(sources.text(file), sources.base(file), names, wholes)
+}
+
+/// Parses a text whose first byte has the global offset `base`: a file, or a piece of one between two places where no
+/// bracket and no directive is open.
+pub fn parse_text(text: &str, base: usize, names: &Names, wholes: Wholes) -> (Ast, Vec<Diagnostic>) {
+    let single = wholes == Wholes::TakenApart;
+    let mut lexed = lex(text, base, names, !single);
+    let mut faults = std::mem::take(&mut lexed.faults);
+    faults.truncate(MAX_FAULTS);
+    let span = |token: &u32| {
+        let token = lexed.tokens[*token as usize];
+        Span::new(base + token.start as usize, base + token.end as usize)
+    };
+    let unclosed = lexed.unclosed.iter().map(span).collect();
+    let mut ast = Ast { elements: vec![], tokens: Tokens::of(&lexed, base), unclosed };
+    // Where the nesting is too deep, pest must not follow it.
+    if faults.iter().any(|fault| fault.code == codes::TOO_DEEP) {
+        return (ast, faults);
     }
-    let comments = lexed.comments.iter().map(|&(lo, hi)| Span::new(base + lo as usize, base + hi as usize)).collect();
-    let mut ast = Ast { elements: vec![], comments };
-    let mut faults = vec![];
     let cuts = std::mem::take(&mut lexed.cuts);
-    let (mut start, mut done) = (0, 0);
+    let mut start = 0;
     for (i, &cut) in cuts.iter().enumerate() {
         let cut = cut as usize;
         if cut - start < PIECE && i + 1 < cuts.len() {
             continue;
         }
-        if parse_piece(text, &mut lexed, start..cut, base, names, Some(&mut ast.elements)).is_err() {
-            // Somewhere in it is a fault: find out which of its statements are sound.
-            for &fine in &cuts[done..=i] {
-                let fine = fine as usize;
-                if let Err(fault) = parse_piece(text, &mut lexed, start..fine, base, names, None) {
-                    faults.push(*fault);
-                }
-                start = fine;
-                if faults.len() == MAX_FAULTS {
-                    return Err(faults);
-                }
-            }
+        if let Err(fault) = parse_piece(text, &mut lexed, start..cut, base, names, single, &mut ast.elements) {
+            faults.push(*fault);
         }
-        (start, done) = (cut, i + 1);
+        start = cut;
     }
-    if faults.is_empty() { Ok(ast) } else { Err(faults) }
+    (ast, faults)
 }
 
-/// Parses the tokens of a range; without `out`, only to see whether they are sound.
+/// Parses the tokens of a range.
 fn parse_piece(
     text: &str,
     lexed: &mut Lexed,
-    range: std::ops::Range<usize>,
+    range: Range<usize>,
     base: usize,
     names: &Names,
-    out: Option<&mut Vec<Element>>,
+    single: bool,
+    out: &mut Vec<Element>,
 ) -> Result<(), Box<Diagnostic>> {
     // The classes are ASCII, so this check is quick.
-    let classes = std::mem::take(&mut lexed.classes);
-    let piece = std::str::from_utf8(&classes[range.clone()]).unwrap_or("");
-    let result = SceneParser::parse(Rule::chunk, piece);
-    let result = match (result, out) {
-        (Ok(mut pairs), Some(out)) => {
+    let classes = lexed.classes[range.clone()].to_vec();
+    let piece = std::str::from_utf8(&classes).unwrap_or("");
+    match SceneParser::parse(Rule::chunk, piece) {
+        Ok(mut pairs) => {
             if let Some(chunk) = pairs.next() {
-                Builder::new(names, text, base, range.start, lexed).elements_into(chunk.into_inner(), "", out);
+                Builder::new(names, text, base, range.start, lexed, single).piece(chunk, out);
             }
             Ok(())
         }
-        (Ok(_), None) => Ok(()),
-        (Err(error), _) => {
+        // The grammar takes any row of tokens whose directives balance.
+        Err(error) => {
             let at = match error.location {
                 pest::error::InputLocation::Pos(at) | pest::error::InputLocation::Span((at, _)) => at,
             };
-            let offset = |i: usize| lexed.tokens.get(i).map_or(text.len(), |t| t.start as usize);
-            let end = lexed.tokens[..range.start + at].last().map_or(0, |t| t.end as usize);
-            // At the end of the piece the fault lies behind its last token, not at the next one.
-            let place =
-                if at == range.len() { end..end } else { offset(range.start + at)..offset(range.start + at + 1) };
-            Err(Box::new(fault::explain(text, place.start, base)))
+            let token = lexed.tokens.get(range.start + at).or(lexed.tokens.last());
+            let (lo, hi) = token.map_or((0, 0), |t| (t.start as usize, t.end as usize));
+            let found = &text[lo..hi];
+            Err(Box::new(Diagnostic::new(
+                codes::SYNTAX,
+                Span::new(base + lo, base + hi),
+                format!("`{found}` can't stand here"),
+            )))
         }
-    };
-    lexed.classes = classes;
-    result
+    }
 }

@@ -16,34 +16,48 @@ pub enum Category {
     Contextual,
 }
 
+/// A word of the language.
+#[derive(Debug)]
+pub struct Word {
+    /// As it is typed.
+    pub name: &'static str,
+    /// What it is to the grammar.
+    pub category: Category,
+}
+
 /// The word as a static string and its category; `None` for names that authors may give.
 pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
-    lookup_number(word).map(|(number, category)| (by_number(number), category))
+    lookup_number(word).map(|(number, category)| (by_number(number).name, category))
+}
+
+/// The word's entry.
+pub fn entry(word: &str) -> Option<&'static Word> {
+    lookup_number(word).map(|(number, _)| by_number(number))
 }
 
 /// The same with the word's number, which [`by_number`] takes.
 pub(super) fn lookup_number(word: &str) -> Option<(u32, Category)> {
-    TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].1))
+    TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].category))
 }
 
 /// The word of this number.
-pub(super) fn by_number(number: u32) -> &'static str {
-    TABLE.words[number as usize].0
+pub(super) fn by_number(number: u32) -> &'static Word {
+    &TABLE.words[number as usize]
 }
 
 struct Table {
-    words: Vec<(&'static str, Category)>,
+    words: Vec<Word>,
     numbers: FxHashMap<&'static str, u32>,
 }
 
 static TABLE: LazyLock<Table> = LazyLock::new(|| {
-    let of = |words: &'static [&'static str], category| words.iter().map(move |&w| (w, category));
+    let of = |words: &'static [&'static str], category| words.iter().map(move |&name| Word { name, category });
     let words: Vec<_> = of(KEYWORDS, Category::Keyword)
         .chain(of(FUNCTIONS, Category::Function))
-        .chain(CONSTANTS.iter().map(|&(word, _)| (word, Category::Constant)))
+        .chain(CONSTANTS.iter().map(|&(name, _)| Word { name, category: Category::Constant }))
         .chain(CONTEXTUAL.iter().flat_map(move |(_, words)| of(words, Category::Contextual)))
         .collect();
-    let numbers = words.iter().enumerate().map(|(i, (word, _))| (*word, i as u32)).collect();
+    let numbers = words.iter().enumerate().map(|(i, word)| (word.name, i as u32)).collect();
     Table { words, numbers }
 });
 

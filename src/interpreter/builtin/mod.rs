@@ -10,14 +10,16 @@ mod vector;
 pub(super) use text::leading_number;
 
 use super::Interpreter;
+use super::argument::Argument;
 use super::eval::{as_float, as_vector};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::numeric::{self as numeric_table, Domain, Numeric};
 use crate::math::DVec3;
 use crate::source::Span;
-use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::ast::Expr;
 use crate::value::Value;
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 use special::Special;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
@@ -95,29 +97,76 @@ impl Arguments {
 }
 
 impl<'a> Interpreter<'a> {
-    /// Calls the built-in function of this name.
+    /// Calls the built-in function of this name with arguments that stand whole.
     pub(super) fn builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
-        let Some(&function) = FUNCTIONS.get(name) else {
-            return Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet"));
-        };
-        match function {
+        match self.function_of(name, span)? {
+            Function::Special(row) if row.name == "select" => {
+                check_count(name, &row.arity, arguments.len(), span)?;
+                self.select(&arguments[0], &arguments[1..])
+            }
             Function::Special(row) => {
                 check_count(name, &row.arity, arguments.len(), span)?;
-                (row.run)(self, arguments, span)
+                let mut given = SmallVec::<[Argument<'a>; 4]>::new();
+                for argument in arguments {
+                    given.push(self.argument_of(argument)?);
+                }
+                (row.run)(self, &given, span)
             }
+            function => {
+                let mut values = Vec::with_capacity(arguments.len());
+                for argument in arguments {
+                    values.push((self.eval(argument)?, argument.span));
+                }
+                self.compute(name, function, Arguments { values }, span)
+            }
+        }
+    }
+
+    /// The same with arguments that came one by one.
+    pub(super) fn builtin_of(
+        &mut self,
+        name: &'static str,
+        arguments: SmallVec<[Argument<'a>; 4]>,
+        span: Span,
+    ) -> Result<Value> {
+        match self.function_of(name, span)? {
+            Function::Special(row) => {
+                check_count(name, &row.arity, arguments.len(), span)?;
+                (row.run)(self, &arguments, span)
+            }
+            function => {
+                let value = |argument: &Argument<'a>| Ok((self.argument_value(argument)?, argument.span));
+                let values = arguments.iter().map(value).collect::<Result<_>>()?;
+                self.compute(name, function, Arguments { values }, span)
+            }
+        }
+    }
+
+    fn function_of(&self, name: &'static str, span: Span) -> Result<Function> {
+        match FUNCTIONS.get(name) {
+            Some(&function) => Ok(function),
+            None => Diagnostic::err(codes::NOT_YET, span, format!("the function `{name}` is not supported yet")),
+        }
+    }
+
+    /// A function of values.
+    fn compute(&mut self, name: &str, function: Function, arguments: Arguments, span: Span) -> Result<Value> {
+        let found = arguments.values.len();
+        match function {
             Function::Numeric(row) => {
-                let arguments = self.given(name, &numeric::arity(row), arguments, span)?;
+                check_count(name, &numeric::arity(row), found, span)?;
                 if let (Domain::Divides, Some((Value::Float(0.0), at))) = (row.domain, arguments.values.last()) {
                     self.division_by_zero(*at);
                 }
                 numeric::compute(row, &arguments)
             }
             Function::Plain(row) => {
-                let arguments = self.given(name, &row.arity, arguments, span)?;
+                check_count(name, &row.arity, found, span)?;
                 let value = (row.run)(&arguments)?;
                 self.check_text(&value, span)?;
                 Ok(value)
             }
+            Function::Special(_) => Ok(Value::Float(0.0)),
         }
     }
 
@@ -131,34 +180,6 @@ impl<'a> Interpreter<'a> {
             Value::Text(text) => self.made(text.len(), span),
             _ => Ok(()),
         }
-    }
-
-    /// The values of all arguments, as many as the function takes.
-    fn given(
-        &mut self,
-        name: &str,
-        arity: &RangeInclusive<usize>,
-        arguments: &'a [Expr],
-        span: Span,
-    ) -> Result<Arguments> {
-        let mut values = Vec::with_capacity(arguments.len());
-        for argument in arguments {
-            self.argument_values(argument, &mut values)?;
-        }
-        check_count(name, arity, values.len(), span)?;
-        Ok(Arguments { values })
-    }
-
-    /// One argument; a macro may give several.
-    fn argument_values(&mut self, argument: &'a Expr, out: &mut Vec<(Value, Span)>) -> Result<()> {
-        match &argument.kind {
-            ExprKind::Call(name, arguments) if self.is_macro(*name) => {
-                let values = self.macro_values(*name, arguments, argument.span)?;
-                out.extend(values.into_iter().map(|value| (value, argument.span)));
-            }
-            _ => out.push((self.eval(argument)?, argument.span)),
-        }
-        Ok(())
     }
 }
 

@@ -3,13 +3,13 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::syntax::ast::Expr;
+use crate::interpreter::argument::Argument;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
     /// Opens a stream and gives its number: the first is 0.
-    pub(super) fn seed(&mut self, start: &'a Expr) -> Result<Value> {
-        let start = self.number(start)?;
+    pub(super) fn seed(&mut self, start: &Argument<'a>) -> Result<Value> {
+        let start = self.argument_number(start)?;
         // What 32 bits can't hold was seen to count as their smallest number.
         let holds = start > -2_147_483_649.0 && start < 2_147_483_648.0;
         self.random.push(if holds { start as i32 as u32 } else { 1 << 31 });
@@ -18,8 +18,8 @@ impl<'a> Interpreter<'a> {
 
     /// The next number of a stream, from 0 to 1: a linear congruence, found from the numbers that POV-Ray prints. The
     /// stream of seed 0 begins with the increment, that of seed 1 differs from it by the factor.
-    pub(super) fn rand(&mut self, stream: &'a Expr) -> Result<Value> {
-        let number = self.number(stream)?;
+    pub(super) fn rand(&mut self, stream: &Argument<'a>) -> Result<Value> {
+        let number = self.argument_number(stream)?;
         match self.random.get_mut(number as usize).filter(|_| number >= 0.0) {
             Some(state) => {
                 *state = state.wrapping_mul(1_812_433_253).wrapping_add(12_345);

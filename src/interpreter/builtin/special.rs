@@ -2,8 +2,9 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
+use crate::interpreter::argument::{Argument, Given};
 use crate::source::Span;
-use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::ast::Expr;
 use crate::value::Value;
 use std::ops::RangeInclusive;
 
@@ -18,7 +19,7 @@ pub(super) struct Special {
     /// How many arguments it takes.
     pub arity: RangeInclusive<usize>,
     /// What computes it.
-    pub run: for<'a> fn(&mut Interpreter<'a>, &'a [Expr], Span) -> Result<Value>,
+    pub run: for<'a> fn(&mut Interpreter<'a>, &[Argument<'a>], Span) -> Result<Value>,
 }
 
 pub(super) const TABLE: &[Special] = &[
@@ -34,7 +35,7 @@ pub(super) const TABLE: &[Special] = &[
         usage: "(A, B, C [, D])",
         summary: "B if A < 0, C if A = 0, D if A > 0; without D, C if A >= 0. Only the one is computed",
         arity: 3..=4,
-        run: |me, a, _| me.select(&a[0], &a[1..]),
+        run: |me, a, _| me.argument_value(&a[0]), // (It is computed where its arguments are read.)
     },
     Special {
         name: "file_exists",
@@ -102,22 +103,22 @@ pub(super) const TABLE: &[Special] = &[
 ];
 
 impl<'a> Interpreter<'a> {
-    fn is_defined(&mut self, name: &'a Expr, span: Span) -> Result<Value> {
-        match &name.kind {
-            ExprKind::Name(symbol) => Ok(Value::Float(f64::from(self.scopes.get(*symbol).is_some()))),
-            _ => Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name"),
+    fn is_defined(&mut self, argument: &Argument<'a>, span: Span) -> Result<Value> {
+        match argument.given {
+            Given::Slot(_) => Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name"),
+            _ => Ok(Value::Float(f64::from(self.is_argument_defined(argument)))),
         }
     }
 
     /// A file that may not be read is not there.
-    fn file_exists(&mut self, path: &'a Expr) -> Result<Value> {
-        let name = self.text_value(path)?;
+    fn file_exists(&mut self, path: &Argument<'a>) -> Result<Value> {
+        let name = self.argument_text(path)?;
         let found = self.options.search.find(&name).filter(|path| self.options.sandbox.may_read(path));
         Ok(Value::Float(f64::from(found.is_some())))
     }
 
     /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or ≥ 0 without D), else D. Only that one is evaluated.
-    fn select(&mut self, condition: &'a Expr, rest: &'a [Expr]) -> Result<Value> {
+    pub(super) fn select(&mut self, condition: &'a Expr, rest: &'a [Expr]) -> Result<Value> {
         let a = self.number(condition)?;
         match rest {
             [b, _] | [b, _, _] if a < 0.0 => self.eval(b),

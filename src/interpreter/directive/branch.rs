@@ -1,25 +1,56 @@
 //! `#if`, `#ifdef`, `#while`, `#for`, `#switch`.
 
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::interpreter::Interpreter;
+use crate::interpreter::argument::Given;
+use crate::interpreter::eval::as_float;
 use crate::interpreter::operators::SMALL;
 use crate::interpreter::scope::Slot;
 use crate::interpreter::stream::FrameKind;
 use crate::source::Span;
 use crate::syntax::ast::*;
+use crate::syntax::fault;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn condition(&mut self, condition: &'a Expr) -> Result<bool> {
-        Ok(self.number(condition)?.abs() > SMALL)
+    pub(in crate::interpreter) fn condition(&mut self, condition: &'a Head, span: Span) -> Result<bool> {
+        Ok(self.head_number(condition, span)?.abs() > SMALL)
+    }
+
+    /// The number in the parentheses behind a directive's word.
+    fn head_number(&mut self, head: &'a Head, span: Span) -> Result<f64> {
+        match head {
+            Head::Whole(e) if !self.splits(e) => self.number(e),
+            Head::Whole(e) => {
+                let elements = self.as_elements(e);
+                self.number_within(elements, e.span)
+            }
+            Head::Pieces(Some(elements)) => self.number_within(elements, span),
+            Head::Pieces(None) => Err(self.no_parentheses(span)),
+        }
+    }
+
+    fn number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
+        self.within(elements, Bracket::Paren, span, |me| {
+            let (value, at) = me.value_in(true)?;
+            as_float(&value, at)
+        })
+    }
+
+    /// `#if A = 1` instead of `#if (A = 1)`.
+    fn no_parentheses(&self, span: Span) -> Fault {
+        let Some((file, range)) = self.sources.locate(span) else {
+            return Box::new(Diagnostic::new(codes::SYNTAX, span, "expected `(`"));
+        };
+        Box::new(fault::explain(self.sources.text(file), range.start, self.sources.base(file)))
     }
 
     pub(in crate::interpreter) fn branch(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
         for branch in branches {
             let taken = match &branch.condition {
-                Condition::True(e) => self.condition(e)?,
-                Condition::Declared(e) => self.is_declared(e)?,
-                Condition::NotDeclared(e) => !self.is_declared(e)?,
+                Condition::True(head) => self.condition(head, branch.span)?,
+                Condition::Declared(head) => self.head_is_declared(head, branch.span)?,
+                Condition::NotDeclared(head) => !self.head_is_declared(head, branch.span)?,
                 Condition::Always => true,
             };
             if taken {
@@ -28,6 +59,26 @@ impl<'a> Interpreter<'a> {
             }
         }
         Ok(())
+    }
+
+    fn head_is_declared(&mut self, head: &'a Head, span: Span) -> Result<bool> {
+        match head {
+            Head::Whole(e) => self.is_declared(e),
+            Head::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| {
+                // (The name may be a macro's, which is not called here.)
+                match me.bare_name() {
+                    Some((symbol, _)) => Ok(me.scopes.get(symbol).is_some()),
+                    None => {
+                        let argument = me.argument_here()?;
+                        match argument.given {
+                            Given::Slot(_) => Diagnostic::err(codes::WRONG_TYPE, argument.span, "`#ifdef` takes a name"),
+                            _ => Ok(me.is_argument_defined(&argument)),
+                        }
+                    }
+                }
+            }),
+            Head::Pieces(None) => Err(self.no_parentheses(span)),
+        }
     }
 
     pub(super) fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
@@ -56,32 +107,56 @@ impl<'a> Interpreter<'a> {
 
     pub(in crate::interpreter) fn while_loop(
         &mut self,
-        condition: &'a Expr,
+        condition: &'a Head,
         body: &'a [Element],
         span: Span,
     ) -> Result<()> {
-        if self.condition(condition)? {
+        if self.condition(condition, span)? {
             self.push_frame(body, FrameKind::While(condition), span);
         }
         Ok(())
     }
 
     pub(in crate::interpreter) fn for_loop(&mut self, f: &'a For, span: Span) -> Result<()> {
-        let first = self.number(&f.range[0])?;
-        let Some(last) = f.range.get(1) else {
-            return Diagnostic::err(codes::WRONG_COUNT, span, "`#for` takes a name, a first and a last value");
+        let (counter, [first, last, step], at) = match &f.head {
+            ForHead::Whole(counter, range) => {
+                let [first, last, rest @ ..] = &**range else { return Err(self.no_parentheses(span)) };
+                let (first, last) = (self.number(first)?, self.number(last)?);
+                let (step, at) = match rest {
+                    [step, ..] => (self.number(step)?, step.span),
+                    [] => (1.0, span),
+                };
+                (*counter, [first, last, step], at)
+            }
+            ForHead::Pieces(Some(elements)) => {
+                self.within(elements, Bracket::Paren, span, |me| me.for_head(span))?
+            }
+            ForHead::Pieces(None) => return Err(self.no_parentheses(span)),
         };
-        let last = self.number(last)?;
-        let step = f.range.get(2).map_or(Ok(1.0), |e| self.number(e))?;
         if step.is_nan() || step.abs() < SMALL {
-            let at = f.range.get(2).map_or(span, |e| e.span);
             return Diagnostic::err(codes::ZERO_STEP, at, format!("a step of {step} would never reach the last value"));
         }
-        self.scopes.set_local(f.counter, Slot::Value(Value::Float(first)), vec![]);
+        self.scopes.set_local(counter, Slot::Value(Value::Float(first)), vec![]);
         if within(first, last, step) {
-            self.push_frame(&f.body, FrameKind::For { counter: f.counter, last, step }, span);
+            self.push_frame(&f.body, FrameKind::For { counter, last, step }, span);
         }
         Ok(())
+    }
+
+    /// `I, 0, 10, 2`; the commas may be left out.
+    fn for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
+        let Some((counter, _)) = self.raw_name() else { return Err(self.unexpected_token("a name").into()) };
+        let (mut numbers, mut at) = ([0.0, 0.0, 1.0], span);
+        let mut count = 0;
+        while count < 3 && !self.peek()?.ends() {
+            let (value, place) = self.value_here()?;
+            numbers[count] = as_float(&value, place)?;
+            (count, at) = (count + 1, place);
+        }
+        if count < 2 {
+            return Diagnostic::err(codes::WRONG_COUNT, span, "`#for` takes a name, a first and a last value");
+        }
+        Ok((counter, numbers, at))
     }
 
     /// Adds the step to the counter, which the body may have changed; is there another pass?
@@ -102,15 +177,16 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs the first arm that fits and all after it until a `#break`.
-    pub(in crate::interpreter) fn switch(&mut self, value: &'a Expr, arms: &'a [Arm], span: Span) -> Result<()> {
-        let value = self.number(value)?;
+    pub(in crate::interpreter) fn switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
+        let value = self.head_number(value, span)?;
         for (i, arm) in arms.iter().enumerate() {
             let fits = match &arm.when {
-                When::Case(e) => (self.number(e)? - value).abs() < SMALL,
-                When::Range(a, b) => {
-                    let (a, b) = (self.number(a)?, self.number(b)?);
-                    value >= a - SMALL && value <= b + SMALL
+                When::Case(head) => (self.head_number(head, arm.span)? - value).abs() < SMALL,
+                When::Range(Some(elements)) => {
+                    let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.two_numbers())?;
+                    value >= low - SMALL && value <= high + SMALL
                 }
+                When::Range(None) => return Err(self.no_parentheses(arm.span)),
                 When::Otherwise => true,
             };
             if fits {
@@ -123,6 +199,12 @@ impl<'a> Interpreter<'a> {
             }
         }
         Ok(())
+    }
+
+    fn two_numbers(&mut self) -> Result<[f64; 2]> {
+        let (low, at) = self.value_in(true)?;
+        let (high, end) = self.value_in(true)?;
+        Ok([as_float(&low, at)?, as_float(&high, end)?])
     }
 }
 

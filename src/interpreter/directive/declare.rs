@@ -2,12 +2,25 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
+use crate::interpreter::argument::Given;
 use crate::interpreter::scope::{Place, Slot};
 use crate::interpreter::stream::Token;
 use crate::source::Span;
-use crate::syntax::ast::{Declare, Element, Expr, ExprKind, Target};
+use crate::syntax::ast::*;
+use crate::syntax::word::{self, Category};
 use crate::value::Value;
 use std::rc::Rc;
+
+/// What gets a value.
+struct Declared {
+    symbol: Symbol,
+    span: Span,
+    /// The element of an array.
+    place: Option<Place>,
+}
+
+/// `deprecated "why"`; the flag is `once`.
+type Deprecated<'a> = Option<(bool, &'a str)>;
 
 impl<'a> Interpreter<'a> {
     /// Takes the next complete value from the stream. A thing that can't be built is declared all the same: the
@@ -15,124 +28,280 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn declare(&mut self, declare: &'a Declare) -> Result<()> {
         let target = &declare.target;
         if let Some(word) = target.keyword {
-            // Its value is read all the same, so that what follows is no second fault.
-            self.rvalue().ok();
-            return Diagnostic::new(codes::RESERVED_NAME, target.span, format!("`{word}` is a word of the language"))
-                .help("names with a capital letter can never collide with one")
-                .into();
+            return self.reserved_name(word, target.span);
         }
-        if let Some(at) = self.at_semicolon() {
-            let message = format!("expected a value for `{}`, found `;`", self.names.text(target.symbol));
-            return Diagnostic::err(codes::EXPECTED, at, message);
-        }
-        if !declare.others.is_empty() {
-            return self.declare_several(declare);
-        }
-        if target.indices.is_empty()
+        self.expect_value_of(target.symbol)?;
+        if declare.others.is_empty()
+            && target.indices.is_empty()
             && declare.deprecated.is_none()
             && let Some(x) = self.simple_statement()
         {
-            self.bind(declare, target, None, Slot::Value(Value::Float(x)), vec![]);
+            let declared = Declared { symbol: target.symbol, span: target.span, place: None };
+            self.bind(declare.local, &declared, Slot::Value(Value::Float(x)), vec![]);
             return Ok(());
         }
-        let place = self.target_place(target)?;
-        let mark = self.diagnostics.len();
-        let (depth, at) = (self.frames.len(), self.frames.last().map_or(0, |f| f.at));
-        let outer = std::mem::replace(&mut self.floor, depth);
-        let value = self.rvalue().and_then(|slot| self.drain(depth).map(|()| slot));
+        let deprecated = declare.deprecated.as_ref().map(|(once, why)| (*once, &**why));
+        if !declare.others.is_empty() {
+            let targets: Vec<&'a Target> = std::iter::once(target).chain(&declare.others).collect();
+            let values = self.values_in_parentheses(targets.len())?;
+            for (target, slot) in targets.into_iter().zip(values) {
+                let declared = self.declared(target)?;
+                self.bind(declare.local, &declared, slot, vec![]);
+            }
+            return Ok(());
+        }
+        let declared = self.declared(target)?;
+        self.declare_one(declare.local, deprecated, declared)
+    }
+
+    fn reserved_name(&mut self, word: &str, span: Span) -> Result<()> {
+        // Its value is read all the same, so that what follows is no second fault.
+        self.rvalue().ok();
+        Diagnostic::new(codes::RESERVED_NAME, span, format!("`{word}` is a word of the language"))
+            .help("names with a capital letter can never collide with one")
+            .into()
+    }
+
+    fn expect_value_of(&self, symbol: Symbol) -> Result<()> {
+        match self.at_semicolon() {
+            Some(at) => {
+                let message = format!("expected a value for `{}`, found `;`", self.names.text(symbol));
+                Diagnostic::err(codes::EXPECTED, at, message)
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// `#declare` where what stands before the `=` comes in pieces.
+    pub(in crate::interpreter) fn declare_pieces(&mut self, local: bool, span: Span) -> Result<()> {
+        let mark = self.mark();
+        let result = self.declare_tokens(local, span);
+        result.map_err(|fault| {
+            let fault = self.with_trace(*fault);
+            if self.unclosed_bracket().is_none() {
+                self.skip_statement(mark);
+            }
+            Box::new(fault)
+        })
+    }
+
+    fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
+        let deprecated = self.deprecated_tokens()?;
+        if let Some(ElementKind::Expr(_) | ElementKind::Sign(Sign::Open(Bracket::Paren))) = self.raw().map(|e| &e.kind)
+            && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis()?
+        {
+            self.open()?;
+            let mut targets = vec![];
+            while !self.peek()?.ends() {
+                targets.push(self.declared_tokens(span)?);
+            }
+            self.close("`)`")?;
+            self.expect_equal()?;
+            let values = self.values_in_parentheses(targets.len())?;
+            for (target, slot) in targets.into_iter().zip(values) {
+                self.bind(local, &target, slot, vec![]);
+            }
+            return Ok(());
+        }
+        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.raw() {
+            self.advance();
+            self.expect_equal()?;
+            return self.reserved_name(word.name, *span);
+        }
+        let declared = self.declared_tokens(span)?;
+        self.expect_equal()?;
+        self.expect_value_of(declared.symbol)?;
+        let text: Option<(bool, &'a str)> = deprecated.map(|(once, why)| (once, why));
+        self.declare_one(local, text, declared)
+    }
+
+    /// `(` as a token, if it comes next.
+    fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
+        match self.raw().map(|e| &e.kind) {
+            Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.take_apart(),
+            Some(ElementKind::Sign(_)) => {}
+            _ => return Ok(Token::End),
+        }
+        self.peek()
+    }
+
+    /// `deprecated once "why"`
+    fn deprecated_tokens(&mut self) -> Result<Deprecated<'a>> {
+        let word = |me: &Self, name: &str| matches!(me.raw().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
+        if !word(self, "deprecated") {
+            return Ok(None);
+        }
+        self.advance();
+        let once = word(self, "once");
+        if once {
+            self.advance();
+        }
+        match self.raw().map(|e| &e.kind) {
+            Some(ElementKind::Expr(e)) if let ExprKind::Text(why) = &e.kind => {
+                self.advance();
+                Ok(Some((once, why)))
+            }
+            _ => Ok(Some((once, ""))),
+        }
+    }
+
+    /// A name, perhaps with indices.
+    fn declared_tokens(&mut self, directive: Span) -> Result<Declared> {
+        let Some((symbol, span)) = self.raw_name() else { return Err(self.no_name(directive)) };
+        let text = self.names.text(symbol);
+        if let Some((word, _)) = word::lookup(text).filter(|(_, category)| *category != Category::Contextual) {
+            self.expect_equal()?;
+            self.reserved_name(word, span)?;
+        }
+        let indices = self.indices_of(symbol)?;
+        let place = match indices.is_empty() {
+            true => None,
+            false => Some(self.place_of_values(symbol, span, &indices, true)?),
+        };
+        Ok(Declared { symbol, span, place })
+    }
+
+    fn no_name(&self, directive: Span) -> crate::diagnostic::Fault {
+        let at = self.raw().map_or(directive.end(), |e| e.span);
+        self.explained(at)
+    }
+
+    /// What can't stand where it does, told from the text.
+    fn explained(&self, at: Span) -> crate::diagnostic::Fault {
+        let Some((file, range)) = self.sources.locate(at) else {
+            return Box::new(Diagnostic::new(codes::SYNTAX, at, "this can't stand here"));
+        };
+        Box::new(crate::syntax::fault::explain(self.sources.text(file), range.start, self.sources.base(file)))
+    }
+
+    fn expect_equal(&mut self) -> Result<()> {
+        match self.raw().map(|e| &e.kind) {
+            Some(ElementKind::Sign(Sign::Operator(Operator::Equal))) => {
+                self.advance();
+                Ok(())
+            }
+            _ => {
+                let at = self.raw().map_or(Span::NONE, |e| e.span);
+                Err(if at == Span::NONE { self.unexpected_token("`=`").into() } else { self.explained(at) })
+            }
+        }
+    }
+
+    fn declare_one(&mut self, local: bool, deprecated: Deprecated<'a>, declared: Declared) -> Result<()> {
+        let first = self.diagnostics.len();
+        let mark = self.mark();
+        let outer = std::mem::replace(&mut self.floor, mark.frames);
+        let value = self.rvalue().and_then(|slot| self.drain(mark.frames).map(|()| slot));
         self.floor = outer;
         let slot = match value {
             Ok(slot) => slot,
-            Err(fault) if self.limit_reached || fault.code == codes::ENDS_RUN => return Err(fault),
+            Err(fault) if self.limit_reached || fault.code == codes::ENDS_RUN || self.unclosed_bracket().is_some() => {
+                return Err(fault);
+            }
             Err(fault) => {
-                self.unwind(depth);
-                if let Some(frame) = self.frames.last_mut() {
-                    frame.skip_statement(at);
-                    frame.skip_layers(at);
-                }
                 let fault = self.with_trace(*fault);
-                let mut faults = self.diagnostics.split_off(mark);
+                self.skip_statement(mark);
+                if let Some(frame) = self.frames.last_mut() {
+                    frame.skip_layers(mark.at);
+                }
+                let mut faults = self.diagnostics.split_off(first);
                 faults.push(fault);
                 Slot::Faulty(Rc::new(faults))
             }
         };
         // Warnings about a thing wait until it is used; those about a number are told here.
         let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
-        let pending = if waits { self.diagnostics.split_off(mark.min(self.diagnostics.len())) } else { vec![] };
-        self.bind(declare, target, place, slot, pending);
-        if let Some((_, why)) = &declare.deprecated {
-            self.deprecated.insert(target.symbol, why);
+        let pending = if waits { self.diagnostics.split_off(first.min(self.diagnostics.len())) } else { vec![] };
+        self.bind(local, &declared, slot, pending);
+        if let Some((_, why)) = deprecated {
+            self.deprecated.insert(declared.symbol, why);
         }
         Ok(())
     }
 
-    /// Where the array or dictionary keeps what gets a value, if the target is an element.
-    fn target_place(&mut self, target: &'a Target) -> Result<Option<Place>> {
-        if target.indices.is_empty() {
-            return Ok(None);
-        }
-        self.new_place(target.symbol, target.span, &target.indices).map(Some)
+    fn declared(&mut self, target: &'a Target) -> Result<Declared> {
+        let place = match target.indices.is_empty() {
+            true => None,
+            false => Some(self.new_place(target.symbol, target.span, &target.indices)?),
+        };
+        Ok(Declared { symbol: target.symbol, span: target.span, place })
     }
 
     /// Gives the target its value; `pending` are the warnings that wait for its use.
-    fn bind(
-        &mut self,
-        declare: &Declare,
-        target: &Target,
-        place: Option<Place>,
-        slot: Slot<'a>,
-        pending: Vec<Diagnostic>,
-    ) {
-        match place {
+    fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        match &declared.place {
             Some(place) => {
-                self.scopes.set_element(&place, Some(slot));
+                self.scopes.set_element(place, Some(slot));
                 pending.into_iter().for_each(|d| self.report_fault(d));
             }
-            None if declare.local => self.scopes.set_local(target.symbol, slot, pending),
-            None => self.scopes.set_global(target.symbol, slot, pending),
+            None if local => self.scopes.set_local(declared.symbol, slot, pending),
+            None => self.scopes.set_global(declared.symbol, slot, pending),
         }
     }
 
-    /// `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
+    /// `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
     /// `(A, B) = (B, A)` swaps them.
-    fn declare_several(&mut self, declare: &'a Declare) -> Result<()> {
-        let targets: Vec<&'a Target> = std::iter::once(&declare.target).chain(&declare.others).collect();
-        let Token::Values(elements) = self.peek()? else {
+    fn values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
+        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
+            self.take_apart();
+        }
+        let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
         };
-        let span = self.here();
-        self.advance();
-        let values = self.enclosed(None, elements, span, |me| {
-            let mut values = vec![];
-            while !matches!(me.peek()?, Token::End) {
-                values.push(me.rvalue()?);
-            }
-            Ok(values)
-        })?;
-        if values.len() != targets.len() {
-            let message = format!("{} names get {} values", targets.len(), values.len());
-            return Diagnostic::err(codes::WRONG_COUNT, span, message);
+        let span = self.open()?;
+        let mut values = vec![];
+        while !self.peek()?.ends() {
+            values.push(self.rvalue()?);
         }
-        for (target, slot) in targets.into_iter().zip(values) {
-            let place = self.target_place(target)?;
-            self.bind(declare, target, place, slot, vec![]);
+        let end = self.here();
+        self.close("`)`")?;
+        if values.len() == wanted {
+            return Ok(values);
+        }
+        Diagnostic::err(codes::WRONG_COUNT, span.to(end), format!("{wanted} names get {} values", values.len()))
+    }
+
+    pub(in crate::interpreter) fn undef(&mut self, span: Span) -> Result<()> {
+        // (Nothing behind the name runs before it is forgotten, and a macro's is not called.)
+        let next = self.frames.last().and_then(|f| f.elements.get(f.at + 1)).map(|e| &e.kind);
+        if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Sign(_)))
+            && let Some((symbol, _)) = self.raw_name()
+        {
+            self.scopes.remove(symbol);
+            return Ok(());
+        }
+        if self.raw().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
+            return Err(self.no_name(span));
+        }
+        if let Some(ElementKind::Expr(e)) = self.raw().map(|e| &e.kind)
+            && matches!(e.kind, ExprKind::Index(..) | ExprKind::Dot(..))
+            && !self.is_declared(e)?
+        {
+            self.advance();
+            return Ok(());
+        }
+        let argument = self.argument_here()?;
+        match argument.given {
+            Given::Name(symbol) => drop(self.scopes.remove(symbol)),
+            Given::Place(place) => self.scopes.set_element(&place, None),
+            Given::Slot(_) => {}
         }
         Ok(())
     }
 
-    pub(in crate::interpreter) fn undef(&mut self, name: &'a Expr) -> Result<()> {
-        match &name.kind {
-            ExprKind::Name(symbol) => drop(self.scopes.remove(*symbol)),
-            ExprKind::Index(array, indices) if self.is_declared(name)? => {
-                let place = self.element_place(array, indices)?;
-                self.scopes.set_element(&place, None);
-            }
-            _ => {}
+    pub(in crate::interpreter) fn default_block(&mut self, span: Span) -> Result<()> {
+        if !matches!(self.peek()?, Token::Open(Bracket::Brace, _)) {
+            let d = self.unexpected_token("`{` behind `#default`");
+            return d.help("`#default { finish { ambient 0 } }`").into();
         }
+        let closed = std::mem::replace(&mut self.closed, false);
+        self.open()?;
+        if let Some(opened) = self.opened.last_mut() {
+            (opened.word, opened.span) = (Some("default"), span);
+        }
+        self.read_defaults()?;
+        self.close("the end of this block")?;
+        self.closed = closed;
         Ok(())
-    }
-
-    pub(in crate::interpreter) fn default_block(&mut self, body: &'a [Element], span: Span) -> Result<()> {
-        self.enclosed(Some("default"), body, span, |me| me.read_defaults())
     }
 }

@@ -1,12 +1,13 @@
 //! `#fopen`, `#fclose`, `#read`, `#write` (manual, "User Defined File I/O").
 
-use super::data::{Binary, data_bytes, data_value, skip, skip_blanks};
+use super::data::{Binary, data_bytes, data_value, skip_blanks};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
+use crate::interpreter::argument::Given;
 use crate::interpreter::scope::Slot;
 use crate::interpreter::stream::Token;
 use crate::source::{FileId, Span};
-use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Symbol};
+use crate::syntax::ast::{ElementKind, Expr, ExprKind, Symbol};
 use crate::value::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -38,48 +39,17 @@ enum Access {
 }
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn file(
-        &mut self,
-        kind: &'static str,
-        elements: &'a [Element],
-        span: Span,
-    ) -> Result<()> {
-        match kind {
-            "fopen" => self.open_file(elements, span),
-            "fclose" => match file_name(elements) {
-                Some(symbol) => {
-                    self.close_file(symbol, span);
-                    Ok(())
-                }
-                None => Ok(()),
-            },
-            "read" => self.read_file(elements, span),
-            // Without its `)` the list is continued by later directives.
-            _ if elements.is_empty() => self.write_on(span),
-            _ => self.enclosed(None, elements, span, |me| me.write_file(span)),
-        }
-    }
-
     /// `#fopen Name "file" read`
-    fn open_file(&mut self, elements: &'a [Element], span: Span) -> Result<()> {
-        let (Some(symbol), Some(Element { kind: ElementKind::Expr(path), span: at })) =
-            (file_name(elements), elements.get(1))
-        else {
-            return Diagnostic::err(
-                codes::EXPECTED,
-                span,
-                "`#fopen` takes a name, a file and `read`, `write` or `append`",
-            );
+    pub(in crate::interpreter) fn open_file(&mut self, span: Span) -> Result<()> {
+        let Some((symbol, _)) = self.name_here()? else {
+            let message = "`#fopen` takes a name, a file and `read`, `write` or `append`";
+            return Diagnostic::err(codes::EXPECTED, span, message);
         };
-        let name = self.text_value(path)?;
-        let word = match elements.get(2).map(|e| &e.kind) {
-            Some(ElementKind::Word(word)) => *word,
-            Some(ElementKind::Expr(e)) => self.sources.snippet(e.span),
-            _ => "",
-        };
+        let (name, at) = self.text_here()?;
+        let word = self.last_word();
         let file = match word {
-            "read" => self.open_to_read(&name, *at),
-            "write" | "append" => self.open_to_write(&name, word == "append", *at),
+            "read" => self.open_to_read(&name, at),
+            "write" | "append" => self.open_to_write(&name, word == "append", at),
             _ => {
                 let d = Diagnostic::new(
                     codes::EXPECTED,
@@ -93,6 +63,43 @@ impl<'a> Interpreter<'a> {
         let file = file.inspect_err(|_| self.scopes.set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
         self.files.push(file);
         self.scopes.set_global(symbol, Slot::File(self.files.len() - 1), vec![]);
+        Ok(())
+    }
+
+    /// A name that comes next, which need not be declared.
+    fn name_here(&mut self) -> Result<Option<(Symbol, Span)>> {
+        match self.peek()? {
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
+                self.advance();
+                Ok(Some((*symbol, *span)))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The word behind the file's name, or nothing. It is the last one: no directive behind it may run before the file is open.
+    fn last_word(&mut self) -> &'static str {
+        while let Some(ElementKind::Comma) = self.raw().map(|e| &e.kind) {
+            self.advance();
+        }
+        let word = match self.raw().map(|e| &e.kind) {
+            Some(ElementKind::Word(word)) => word.name,
+            Some(ElementKind::Expr(e)) if let ExprKind::Name(symbol) = e.kind => {
+                crate::syntax::word::lookup(self.names.text(symbol)).map_or("", |(word, _)| word)
+            }
+            _ => "",
+        };
+        if !word.is_empty() {
+            self.advance();
+        }
+        word
+    }
+
+    /// `#fclose Name`
+    pub(in crate::interpreter) fn close_named_file(&mut self, span: Span) -> Result<()> {
+        if let Some((symbol, _)) = self.name_here()? {
+            self.close_file(symbol, span);
+        }
         Ok(())
     }
 
@@ -167,38 +174,39 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `#read (Name, A, B)`: a file that has been read to its end is closed, which `defined` tells.
-    fn read_file(&mut self, elements: &'a [Element], span: Span) -> Result<()> {
-        let Some(file) = file_name(elements) else {
+    pub(in crate::interpreter) fn read_file(&mut self, span: Span) -> Result<()> {
+        self.expect_paren("#read")?;
+        let Some((file, at)) = self.name_here()? else {
             return Diagnostic::err(codes::EXPECTED, span, "`#read` takes an open file and names");
         };
-        let index = self.file_number(file, elements[0].span)?;
-        for element in &elements[1..] {
-            let ElementKind::Expr(target) = &element.kind else {
-                return Diagnostic::err(codes::EXPECTED, element.span, "expected a name for what is read");
-            };
+        let index = self.file_number(file, at)?;
+        let mut more = true;
+        while !self.peek()?.ends() {
+            let target = self.argument_here()?;
+            // What comes behind the file's end keeps what it has.
+            if !more {
+                continue;
+            }
             let value = self.next_value(index, span);
-            if let (Err(_), ExprKind::Name(symbol)) = (&value, &target.kind) {
+            if let (Err(_), Given::Name(symbol)) = (&value, &target.given) {
                 self.scopes.set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
             }
-            let (value, more) = match value? {
-                Some(found) => found,
-                None => {
-                    self.close_file(file, span);
-                    return Ok(());
-                }
+            let Some((value, follows)) = value? else {
+                more = false;
+                continue;
             };
-            match &target.kind {
-                ExprKind::Name(symbol) => self.scopes.set_global(*symbol, Slot::Value(value), vec![]),
-                ExprKind::Index(array, indices) => {
-                    let place = self.new_element_place(array, indices)?;
-                    self.scopes.set_element(&place, Some(Slot::Value(value)));
+            match &target.given {
+                Given::Name(symbol) => self.scopes.set_global(*symbol, Slot::Value(value), vec![]),
+                Given::Place(place) => self.scopes.set_element(place, Some(Slot::Value(value))),
+                Given::Slot(_) => {
+                    return Diagnostic::err(codes::EXPECTED, target.span, "expected a name for what is read");
                 }
-                _ => return Diagnostic::err(codes::EXPECTED, element.span, "expected a name for what is read"),
             }
-            if !more {
-                self.close_file(file, span);
-                return Ok(());
-            }
+            more = follows;
+        }
+        self.close("`)`")?;
+        if !more {
+            self.close_file(file, span);
         }
         Ok(())
     }
@@ -229,36 +237,26 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The arguments of a `#write` whose `)` stands in a later directive.
-    fn write_on(&mut self, span: Span) -> Result<()> {
-        self.write_file(span)?;
-        self.advance();
-        Ok(())
-    }
-
-    /// `#write (Name, A, B)`, what stands in the parentheses.
-    fn write_file(&mut self, span: Span) -> Result<()> {
-        let index = match self.peek()? {
-            Token::Expr(Expr { kind: ExprKind::Name(symbol), span }) => {
-                self.advance();
-                self.file_number(*symbol, *span)?
-            }
-            _ => return Err(self.unexpected_token("an open file").into()),
+    /// `#write (Name, A, B)`
+    pub(in crate::interpreter) fn write_file(&mut self, span: Span) -> Result<()> {
+        self.expect_paren("#write")?;
+        let index = match self.name_here()? {
+            Some((symbol, at)) => self.file_number(symbol, at)?,
+            None => return Err(self.unexpected_token("an open file").into()),
         };
         // The binary form of the values that follow the word up to a comma; with one behind the word itself it says nothing.
         let mut form = None;
         loop {
             let token = self.peek()?;
-            if self.behind_comma() {
+            if self.comma {
                 form = None;
             }
             match token {
-                Token::End => return Ok(()),
+                token if token.ends() => return self.close("`)`"),
                 Token::Word(word) if Binary::of(word).is_some() => {
                     self.advance();
                     form = Binary::of(word);
                 }
-                Token::Word(_) => return Err(self.unexpected_token("a value").into()),
                 _ => {
                     let (value, at) = self.value_here()?;
                     let Some(bytes) = data_bytes(&value, form) else {
@@ -270,24 +268,6 @@ impl<'a> Interpreter<'a> {
                 }
             }
         }
-    }
-
-    /// Does a comma stand between what was read last and what comes next? The tree keeps none.
-    fn behind_comma(&self) -> bool {
-        // What comes next is the element at hand, or the first of a body whose call or directive has been passed.
-        let mut back = 1;
-        for frame in self.frames.iter().rev() {
-            if frame.item.0 > 0 {
-                return true;
-            }
-            if let Some(before) = frame.at.checked_sub(back).and_then(|i| frame.elements.get(i)) {
-                let Some((file, range)) = self.sources.locate(before.span) else { return false };
-                let text = self.sources.text(file);
-                return text[skip(text, range.end, |_| false)..].starts_with(',');
-            }
-            back = 2;
-        }
-        false
     }
 
     fn write_bytes(&mut self, index: usize, bytes: &[u8], span: Span) -> Result<()> {
@@ -305,17 +285,6 @@ impl<'a> Interpreter<'a> {
             }
         };
         written.map_err(|error| Box::new(unwritable(&file.path, &error, span)))
-    }
-}
-
-/// The name that a directive's elements begin with.
-fn file_name(elements: &[Element]) -> Option<Symbol> {
-    match elements.first().map(|e| &e.kind) {
-        Some(ElementKind::Expr(e)) => match e.kind {
-            ExprKind::Name(symbol) => Some(symbol),
-            _ => None,
-        },
-        _ => None,
     }
 }
 

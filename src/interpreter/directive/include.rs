@@ -6,22 +6,22 @@ use crate::interpreter::limits::MAX_INCLUDES;
 use crate::interpreter::stream::FrameKind;
 use crate::library;
 use crate::source::{FileId, Found, Span, read_text};
-use crate::syntax::ast::{Ast, Expr};
+use crate::syntax::ast::Ast;
 use crate::syntax::parse;
 use std::path::{Path, PathBuf};
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn include(&mut self, name: &'a Expr, span: Span) -> Result<()> {
-        let text = self.text_value(name)?;
+    pub(in crate::interpreter) fn include(&mut self, span: Span) -> Result<()> {
+        let (text, name) = self.text_here()?;
         if self.including.len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
             return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
-        let (path, ast) = match self.find_read_file(&text, name.span)? {
-            Some(path) => (path.clone(), self.load(&path, &text, name.span)?),
+        let (path, ast) = match self.find_read_file(&text, name)? {
+            Some(path) => (path.clone(), self.load(&path, &text, name)?),
             None => match library::find(&text) {
-                Some(built_in) => self.load_built_in(&text, built_in, name.span)?,
-                None => return Err(self.missing_include(&text, name.span).into()),
+                Some(built_in) => self.load_built_in(&text, built_in, name)?,
+                None => return Err(self.missing_include(&text, name).into()),
             },
         };
         self.scopes.enter();
@@ -96,25 +96,23 @@ impl<'a> Interpreter<'a> {
         Ok((path, ast))
     }
 
-    /// Parses a text that [`crate::source::Sources`] holds; all but the last of its errors are reported here.
+    /// Parses a text that [`crate::source::Sources`] holds.
     pub(in crate::interpreter) fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
         if let Some(ast) = self.parsed.tree(file) {
+            self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
             return Ok(ast);
         }
-        match parse(self.sources, file, self.names) {
-            Ok(ast) => Ok(self.parsed.keep(file, ast)),
-            Err(mut faults) => {
-                let last = faults.pop();
-                for fault in faults {
-                    self.report_fault(fault);
-                }
-                let nothing = || Diagnostic::new(codes::SYNTAX, Span::NONE, "the text can't be read");
-                let mut last = last.unwrap_or_else(nothing);
-                last.trace = self.trace();
-                self.report_fault(last);
-                Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
-            }
+        let (ast, mut faults) = parse(self.sources, file, self.names, self.options.wholes);
+        let Some(mut last) = faults.pop() else {
+            self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
+            return Ok(self.parsed.keep(file, ast));
+        };
+        for fault in faults {
+            self.report_fault(fault);
         }
+        last.trace = self.trace();
+        self.report_fault(last);
+        Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
     }
 
     fn missing_include(&self, name: &str, span: Span) -> Diagnostic {

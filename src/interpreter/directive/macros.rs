@@ -2,17 +2,22 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
+use crate::interpreter::argument::Given;
 use crate::interpreter::limits::MAX_CALLS;
+use crate::interpreter::pieces::joined;
 use crate::interpreter::scope::Slot;
-use crate::interpreter::stream::{FrameKind, Token};
+use crate::interpreter::stream::{Frame, FrameKind, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
 
-/// Macros that call macros are followed so deep to see what they begin with.
-const LOOK_DEPTH: usize = 8;
-
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn define_macro(&mut self, definition: &'a Macro) -> Result<()> {
+        if let Some(at) = definition.fault {
+            let found = self.sources.snippet(at);
+            let found = if found.is_empty() { "nothing".into() } else { format!("`{found}`") };
+            let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name behind `#macro`, found {found}"));
+            return d.help("`#macro Name(A, B) … #end`").into();
+        }
         self.scopes.set_global(definition.name, Slot::Macro(definition), vec![]);
         Ok(())
     }
@@ -21,23 +26,56 @@ impl<'a> Interpreter<'a> {
         matches!(self.scopes.get(name), Some(Slot::Macro(_)))
     }
 
-    /// Evaluates the arguments, opens a scope and puts the body next in the stream.
+    /// Evaluates the arguments, opens a scope and puts the body next in the stream, then perhaps a comma.
     pub(in crate::interpreter) fn call_macro(
         &mut self,
         name: Symbol,
         arguments: &'a [Element],
         span: Span,
+        comma: bool,
     ) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.scopes.get(name) else { return Ok(()) };
-        self.step(span)?;
-        if self.depth >= MAX_CALLS {
-            let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.names.text(name));
-            return self.limit(codes::CALL_DEPTH, span, message, "does this recursion ever end?");
-        }
-        let mut slots = match self.plain_arguments(definition, arguments)? {
+        self.check_depth(name, span)?;
+        let slots = match self.plain_arguments(definition, arguments)? {
             Some(slots) => slots,
-            None => self.enclosed(None, arguments, span, |me| me.arguments(definition, span))?,
+            None => self.within(arguments, Bracket::Paren, span, |me| me.arguments(definition, span))?,
         };
+        self.enter_macro(definition, slots, span, comma);
+        Ok(())
+    }
+
+    /// The same for a name that has been consumed, whose `(` comes next.
+    pub(in crate::interpreter) fn call_macro_in_pieces(&mut self, name: Symbol, span: Span) -> Result<()> {
+        let Some(&Slot::Macro(definition)) = self.scopes.get(name) else { return Ok(()) };
+        self.check_depth(name, span)?;
+        self.comma = false;
+        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
+            self.take_apart();
+        }
+        if !matches!(self.peek()?, Token::Open(Bracket::Paren, _)) {
+            let name = self.names.text(name);
+            let d = Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"));
+            return d.help(format!("a call needs parentheses: `{name}()`")).into();
+        }
+        self.open()?;
+        let slots = self.arguments(definition, span)?;
+        let end = self.here();
+        self.close("`)`")?;
+        let comma = std::mem::take(&mut self.comma);
+        self.enter_macro(definition, slots, joined(span, end), comma);
+        Ok(())
+    }
+
+    fn check_depth(&mut self, name: Symbol, span: Span) -> Result<()> {
+        self.step(span)?;
+        if self.depth < MAX_CALLS {
+            return Ok(());
+        }
+        let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.names.text(name));
+        self.limit(codes::CALL_DEPTH, span, message, "does this recursion ever end?")
+    }
+
+    fn enter_macro(&mut self, definition: &'a Macro, mut slots: Vec<Option<Slot<'a>>>, span: Span, comma: bool) {
         self.scopes.enter();
         for ((parameter, _), slot) in definition.parameters.iter().zip(slots.drain(..)) {
             if let Some(slot) = slot {
@@ -46,61 +84,10 @@ impl<'a> Interpreter<'a> {
         }
         self.call_slots = slots;
         self.depth += 1;
-        self.push_frame(&definition.body, FrameKind::Macro(name), span);
-        Ok(())
-    }
-
-    /// Is this a sum whose first term is a macro that gives a block, not a number? In `Boxed(A) -y` the sign then begins
-    /// a value of its own, as it would if the macro's text stood there.
-    pub(in crate::interpreter) fn leads_with_block(&self, chain: &Chain) -> bool {
-        matches!(&chain.first.kind, ExprKind::Call(name, _) if self.gives_block(*name, 0))
-            && chain.rest.first().is_some_and(|(op, _)| op.adds())
-    }
-
-    fn gives_block(&self, name: Symbol, depth: usize) -> bool {
-        let Some(Slot::Macro(definition)) = self.scopes.get(name) else { return false };
-        depth < LOOK_DEPTH && self.begins_with_block(&definition.body, depth).unwrap_or(false)
-    }
-
-    /// Is the first thing that these elements give a block? `None` if they give nothing.
-    fn begins_with_block(&self, elements: &[Element], depth: usize) -> Option<bool> {
-        // Between `#declare A =` and its `;` stands what A gets.
-        let mut declares = false;
-        elements.iter().find_map(|element| match &element.kind {
-            ElementKind::Directive(directive) => {
-                declares = matches!(**directive, Directive::Declare(_));
-                match &**directive {
-                    Directive::If(branches) => branches.iter().find_map(|b| self.begins_with_block(&b.body, depth)),
-                    _ => None,
-                }
-            }
-            ElementKind::Semicolon => {
-                declares = false;
-                None
-            }
-            _ if declares => None,
-            ElementKind::Block(_) | ElementKind::Open(_) => Some(true),
-            ElementKind::Expr(e) => match e.kind {
-                ExprKind::Call(name, _) => Some(self.gives_block(name, depth + 1)),
-                _ => Some(false),
-            },
-            _ => Some(false),
-        })
-    }
-
-    /// Puts the macro that a sum begins with next in the stream, and behind it the rest of the sum.
-    pub(in crate::interpreter) fn call_before_sign(&mut self, chain: &'a Chain, span: Span) -> Result<()> {
-        let ExprKind::Call(name, arguments) = &chain.first.kind else { return Ok(()) };
-        let key: *const Chain = chain;
-        let rest = match self.split_sums.get(&key) {
-            Some(rest) => *rest,
-            None => {
-                let rest = &self.parsed.asts.push_get(Box::new(rest_of_sum(chain))).elements;
-                *self.split_sums.entry(key).or_insert(rest)
-            }
-        };
-        self.push_frame(rest, FrameKind::Branch, span);
-        self.call_macro(*name, arguments, chain.first.span)
+        self.push_frame(&definition.body, FrameKind::Macro(definition.name), span);
+        if let Some(frame) = self.frames.last_mut() {
+            frame.comma = comma;
+        }
     }
 
     /// The common case, without a frame: as many expressions as parameters, none of them a macro's or of several values.
@@ -112,9 +99,9 @@ impl<'a> Interpreter<'a> {
         let is_plain = |element: &Element| match &element.kind {
             ElementKind::Expr(e) => match &e.kind {
                 ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
-                ExprKind::Chain(chain) => !self.leads_with_block(chain),
-                ExprKind::Number(_) | ExprKind::Paren(_) | ExprKind::Literal(_) | ExprKind::Vector(_) => true,
-                ExprKind::Prefix(..) | ExprKind::Builtin(..) | ExprKind::Text(_) => true,
+                ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
+                ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => !e.compares() && !self.splits(e),
+                ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.splits(e),
                 _ => false,
             },
             _ => false,
@@ -143,7 +130,7 @@ impl<'a> Interpreter<'a> {
         let (depth, wanted) = (self.frames.len(), definition.parameters.len());
         let mut slots = Vec::with_capacity(wanted);
         for &(parameter, optional) in &definition.parameters {
-            if matches!(self.peek()?, Token::End) {
+            if self.peek()?.ends() {
                 if optional {
                     slots.push(None);
                     continue;
@@ -160,7 +147,14 @@ impl<'a> Interpreter<'a> {
             }
             slots.push(Some(self.argument(depth)?));
         }
-        if !matches!(self.peek()?, Token::End) {
+        let next = self.peek()?;
+        if let Some(d) = self.called_value() {
+            return d.into();
+        }
+        if matches!(next, Token::Sign(_)) && !next.ends() {
+            return Err(self.unexpected_token("`)`").into());
+        }
+        if !next.ends() {
             let message = format!("macro `{name}` takes {}, but more are given", counted(wanted));
             return Diagnostic::new(codes::WRONG_COUNT, self.here(), message)
                 .also(definition.span, "defined here")
@@ -171,34 +165,25 @@ impl<'a> Interpreter<'a> {
 
     /// A bare name is passed by reference, all else as a copy; so is a name that a macro gives, which may end with it.
     fn argument(&mut self, depth: usize) -> Result<Slot<'a>> {
-        if let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
-            && self.frames[depth..].iter().all(|f| !matches!(f.kind, FrameKind::Macro(_) | FrameKind::Include))
-            && !self.is_macro(*symbol)
-            && let Some(place) = self.scopes.resolve(*symbol)
-        {
-            self.advance();
-            return Ok(Slot::Alias(place));
+        if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
+            return self.rvalue();
         }
-        if let (Token::Element(_), Some(place)) = (self.peek()?, self.element.clone()) {
-            self.take_element()?;
-            return Ok(Slot::Alias(place));
+        let gives_own = |f: &Frame| matches!(f.kind, FrameKind::Macro(_) | FrameKind::Include);
+        let lasting = !self.frames[depth.min(self.frames.len())..].iter().any(gives_own);
+        let closed = std::mem::replace(&mut self.closed, true);
+        let argument = self.argument_here();
+        self.closed = closed;
+        let argument = argument?;
+        match argument.given {
+            Given::Name(symbol) if lasting => match self.scopes.resolve(symbol) {
+                Some(place) => Ok(Slot::Alias(place)),
+                None => self.argument_slot(&argument),
+            },
+            Given::Place(place) => self.slot_at(&place, argument.span).map(|_| Slot::Alias(place)),
+            Given::Slot(slot) => Ok(slot),
+            Given::Name(_) => self.argument_slot(&argument),
         }
-        self.rvalue()
     }
-}
-
-/// `-b + c` of `a - b + c`.
-fn rest_of_sum(chain: &Chain) -> Ast {
-    let Some(((sign, term), rest)) = chain.rest.split_first() else { return Ast::default() };
-    let prefix = if *sign == Operator::Sub { Prefix::Minus } else { Prefix::Plus };
-    let first = Expr { span: term.span, kind: ExprKind::Prefix(prefix, Box::new(term.clone())) };
-    let span = rest.iter().fold(term.span, |span, (_, e)| span.to(e.span));
-    let kind = match rest {
-        [] => first.kind,
-        rest => ExprKind::Chain(Box::new(Chain { first, rest: rest.into() })),
-    };
-    let element = Element { span, kind: ElementKind::Expr(Box::new(Expr { span, kind })) };
-    Ast { elements: vec![element], comments: vec![] }
 }
 
 fn counted(n: usize) -> String {

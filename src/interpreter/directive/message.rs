@@ -2,18 +2,17 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::syntax::ast::Expr;
 
-impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn message(&mut self, kind: &'static str, text: &'a Expr) -> Result<()> {
-        let message = self.text_value(text)?;
+impl Interpreter<'_> {
+    pub(in crate::interpreter) fn message(&mut self, kind: &'static str) -> Result<()> {
+        let (message, span) = self.text_here()?;
         match kind {
             "error" => {
-                self.report_fault(Diagnostic::new(codes::USER_ERROR, text.span, message));
-                Diagnostic::err(codes::ENDS_RUN, text.span, "")
+                self.report_fault(Diagnostic::new(codes::USER_ERROR, span, message));
+                Diagnostic::err(codes::ENDS_RUN, span, "")
             }
             "warning" => {
-                self.report_fault(Diagnostic::new(codes::USER_WARNING, text.span, message.trim_end()));
+                self.report_fault(Diagnostic::new(codes::USER_WARNING, span, message.trim_end()));
                 Ok(())
             }
             _ => {

@@ -13,27 +13,54 @@ mod version;
 pub(super) use file::OpenFile;
 
 use super::Interpreter;
-use crate::diagnostic::Result;
+use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
-use crate::syntax::ast::Directive;
+use crate::syntax::ast::{Directive, Symbol};
 
 impl<'a> Interpreter<'a> {
     /// Runs a directive; branches and loops push a frame that is read next.
     pub(super) fn run_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
         match directive {
             Directive::Declare(declare) => self.declare(declare),
-            Directive::Undef(name) => self.undef(name),
+            Directive::DeclarePieces(local) => self.declare_pieces(*local, span),
             Directive::If(branches) => self.branch(branches, span),
             Directive::While(condition, body) => self.while_loop(condition, body, span),
             Directive::For(f) => self.for_loop(f, span),
             Directive::Switch(value, arms) => self.switch(value, arms, span),
-            Directive::Break => self.break_out(span),
             Directive::Macro(definition) => self.define_macro(definition),
-            Directive::Include(name) => self.include(name, span),
-            Directive::Version(value) => self.version(value),
-            Directive::Message(kind, text) => self.message(kind, text),
-            Directive::Default(body) => self.default_block(body, span),
-            Directive::File(kind, elements) => self.file(kind, elements, span),
+            Directive::Plain(word) => self.plain_directive(*word, span),
         }
+    }
+
+    /// A directive without a body; or a `#` that stands before something else, as in `#Ball(1)`.
+    fn plain_directive(&mut self, word: Symbol, span: Span) -> Result<()> {
+        let name = self.names.text(word);
+        if let Some((name, run)) = table::find(name) {
+            // No other directive runs before this one has got what it takes.
+            let closed = std::mem::replace(&mut self.closed, true);
+            let floor = std::mem::replace(&mut self.floor, self.frames.len());
+            let mark = self.mark();
+            let result = run(self, name, span).map_err(|fault| {
+                let fault = self.with_trace(*fault);
+                if self.unclosed_bracket().is_none() {
+                    self.skip_statement(mark);
+                }
+                Box::new(fault)
+            });
+            (self.closed, self.floor) = (closed, floor);
+            return result;
+        }
+        let declared = self.scopes.get(word).is_some();
+        if declared || crate::syntax::word::lookup(name).is_some() {
+            let text = Span { lo: span.hi - name.len() as u32, hi: span.hi };
+            let elements = self.tokens_of(text);
+            let parts = self.keep_elements(elements);
+            self.push_piece(parts, None, text, false);
+            return Ok(());
+        }
+        self.skip_statement(self.mark());
+        let help = did_you_mean(name, table::names()).map(|s| s.replacen('`', "`#", 1));
+        let message = format!("there is no directive `#{name}`");
+        Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).maybe_help(help).into()
     }
 }

@@ -1,6 +1,11 @@
-//! What the manual says of each directive; a test holds it against the words that the lexer knows.
+//! All directives: what runs them, and what the manual says of them. Those with a body are nodes of the tree; the tree knows how
+//! to run them.
 
-/// A directive in the manual.
+use crate::diagnostic::Result;
+use crate::interpreter::Interpreter;
+use crate::source::Span;
+
+/// A directive.
 #[derive(Debug)]
 pub struct Entry {
     /// Behind the `#`; several share an entry.
@@ -11,6 +16,22 @@ pub struct Entry {
     pub summary: &'static str,
     /// A few lines that run.
     pub example: &'static str,
+    /// What runs one that has no body: it gets its name and place, and reads what follows.
+    pub(in crate::interpreter) run: Option<Run>,
+}
+
+/// See [`Entry::run`].
+pub(in crate::interpreter) type Run = for<'a> fn(&mut Interpreter<'a>, &'static str, Span) -> Result<()>;
+
+/// The row of a directive without a body, and its name there.
+pub(in crate::interpreter) fn find(name: &str) -> Option<(&'static str, Run)> {
+    let found = TABLE.iter().find_map(|row| Some((*row.names.iter().find(|n| **n == name)?, row.run?)));
+    found
+}
+
+/// The names of all directives.
+pub(in crate::interpreter) fn names() -> impl Iterator<Item = &'static str> {
+    TABLE.iter().flat_map(|row| row.names).copied()
 }
 
 const fn entry(
@@ -19,7 +40,13 @@ const fn entry(
     summary: &'static str,
     example: &'static str,
 ) -> Entry {
-    Entry { names, form, summary, example }
+    Entry { names, form, summary, example, run: None }
+}
+
+impl Entry {
+    const fn runs(self, run: Run) -> Self {
+        Self { run: Some(run), ..self }
+    }
 }
 
 /// All directives, in the order in which one learns them.
@@ -36,7 +63,7 @@ pub const TABLE: &[Entry] = &[
         "the same, but the name ends with the macro or file it stands in",
         "#macro Ring(R)\n  #local Thin = R / 10;\n  torus { R, Thin }\n#end\nRing(1)",
     ),
-    entry(&["undef"], "#undef Name", "forgets a name", "#declare A = 1;\n#undef A"),
+    entry(&["undef"], "#undef Name", "forgets a name", "#declare A = 1;\n#undef A").runs(|me, _, span| me.undef(span)),
     entry(
         &["if", "elseif", "else", "end"],
         "#if (condition) … #elseif (condition) … #else … #end",
@@ -66,7 +93,7 @@ pub const TABLE: &[Entry] = &[
         "#break",
         "leaves the loop, the macro or the `#switch` around it",
         "#for (I, 1, 100)\n  #if (I * I > 50) #break #end\n#end",
-    ),
+    ).runs(|me, _, span| me.break_out(span)),
     entry(
         &["switch", "case", "range"],
         "#switch (value) #case (number) … #break #range (low, high) … #break #else … #end",
@@ -79,51 +106,51 @@ pub const TABLE: &[Entry] = &[
         "a piece of scene with parameters; `Name(1, 2)` puts it where it stands",
         "#macro Pill(A, B, R)\n  sphere { A, R } sphere { B, R } cylinder { A, B, R }\n#end\nunion { Pill(0, 2*y, 0.5) }",
     ),
-    entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\""),
-    entry(&["version"], "#version number;", "the version of the language that the file is written in", "#version 3.7;"),
+    entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\"").runs(|me, _, span| me.include(span)),
+    entry(&["version"], "#version number;", "the version of the language that the file is written in", "#version 3.7;").runs(|me, _, _| me.version()),
     entry(
         &["default"],
         "#default { texture, pigment, finish or camera }",
         "what all objects that follow look like where they don't say",
         "#default { finish { ambient 0 specular 0.3 } }",
-    ),
+    ).runs(|me, _, span| me.default_block(span)),
     entry(
         &["debug", "render", "statistics"],
         "#debug text",
         "prints to standard error",
         "#debug concat(\"pi is \", str(pi, 0, 3), \"\\n\")",
-    ),
+    ).runs(|me, kind, _| me.message(kind)),
     entry(
         &["warning"],
         "#warning text",
         "prints a warning, with its place",
         "#if (clock > 1) #warning \"the clock runs fast\" #end",
-    ),
+    ).runs(|me, kind, _| me.message(kind)),
     entry(
         &["error"],
         "#error text",
         "prints an error, with its place, and ends the run",
         "#if (clock > 9) #error \"too late\" #end",
-    ),
+    ).runs(|me, kind, _| me.message(kind)),
     entry(
         &["fopen"],
         "#fopen Name text read | write | append",
         "opens a file of numbers and texts",
         "#fopen F \"manual_fopen.tmp\" write\n#fclose F",
-    ),
+    ).runs(|me, _, span| me.open_file(span)),
     entry(
         &["write"],
         "#write (Name, value, …)",
         "writes values; texts are written without quotes, so put in commas and quotes yourself. `uint8`, `uint16le`, `uint16be`, `sint8`, `sint16le`, `sint16be`, `sint32le` or `sint32be` before a value writes it as a whole number of so many bits",
         "#fopen F \"manual_write.tmp\" write\n#write (F, 1, \",\", <1, 2, 3>, \"\\n\")\n#fclose F",
-    ),
+    ).runs(|me, _, span| me.write_file(span)),
     entry(
         &["read"],
         "#read (Name, A, B, …)",
         "declares A, B … to be the next values in the file; at its end the name `Name` is forgotten",
         "#fopen F \"manual_read.tmp\" write\n#write (F, \"1, 2, 3\")\n#fclose F\n#fopen F \"manual_read.tmp\" read\n#while (defined(F))\n  #read (F, A)\n#end",
-    ),
-    entry(&["fclose"], "#fclose Name", "closes the file", "#fopen F \"manual_fclose.tmp\" write\n#fclose F"),
+    ).runs(|me, _, span| me.read_file(span)),
+    entry(&["fclose"], "#fclose Name", "closes the file", "#fopen F \"manual_fclose.tmp\" write\n#fclose F").runs(|me, _, span| me.close_named_file(span)),
 ];
 
 #[cfg(test)]
@@ -131,11 +158,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_directive_has_an_entry() {
-        let mut told: Vec<_> = TABLE.iter().flat_map(|e| e.names).copied().collect();
-        let mut known: Vec<_> = crate::syntax::directive_names().collect();
-        told.sort_unstable();
+    fn what_the_tree_runs_has_no_other_runner_and_all_others_have_one() {
+        let mut by_tree: Vec<_> = TABLE.iter().filter(|e| e.run.is_none()).flat_map(|e| e.names).copied().collect();
+        let mut known: Vec<_> = crate::syntax::structural_directives().collect();
+        by_tree.sort_unstable();
         known.sort_unstable();
-        assert_eq!(told, known);
+        assert_eq!(by_tree, known);
     }
 }

@@ -2,13 +2,20 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::{Interpreter, compat};
-use crate::syntax::ast::Expr;
+use crate::interpreter::stream::Token;
+use crate::syntax::ast::{Expr, ExprKind};
 use std::sync::atomic::Ordering;
 
-impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn version(&mut self, value: &'a Expr) -> Result<()> {
-        let value_span = value.span;
-        let number = self.number(value)?;
+impl Interpreter<'_> {
+    pub(in crate::interpreter) fn version(&mut self) -> Result<()> {
+        // `#version unofficial patch 3.7;`: the names of MegaPOV and its kin say nothing here.
+        while let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
+            && self.scopes.get(*symbol).is_none()
+            && !self.is_constant(*symbol)
+        {
+            self.advance();
+        }
+        let (number, value_span) = self.float_after()?;
         let version = compat::version_number(number);
         if version > compat::NEWEST_VERSION {
             let message = format!("this scene asks for version {number} of the language; durer knows up to 3.8");

@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Gives, Spline, SplineKind};
 use crate::interpreter::Interpreter;
+use crate::interpreter::eval::as_float;
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -24,8 +25,9 @@ impl<'a> Interpreter<'a> {
             let text = self.names.text(name);
             return Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"));
         };
-        let numbers = self.call_numbers(arguments, span)?;
-        self.check_count(name, numbers.len(), function.arity(), span)?;
+        let numbers = self.whole_numbers(arguments)?;
+        let name = Span { hi: span.lo + self.names.text(name).len() as u32, ..span };
+        self.check_arity(name, numbers.len(), function.arity())?;
         Ok(answer(&function, &numbers))
     }
 
@@ -41,7 +43,7 @@ impl<'a> Interpreter<'a> {
                 return self.call_spline(&spline, arguments, span);
             }
             if let Some(function) = downcast::<Function>(thing) {
-                let numbers = self.call_numbers(arguments, span)?;
+                let numbers = self.whole_numbers(arguments)?;
                 if numbers.len() == function.arity() {
                     return Ok(answer(&function, &numbers));
                 }
@@ -52,34 +54,43 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("{} can't be called", thing.describe()))
     }
 
-    fn call_numbers(&mut self, arguments: &'a [Element], span: Span) -> Result<Vec<f64>> {
-        // The common case, without a frame.
-        if arguments.iter().all(|a| self.is_plain(a)) {
-            let number = |a: &'a Element| match &a.kind {
-                ElementKind::Expr(e) => self.number(e),
-                _ => Ok(0.0),
-            };
-            return arguments.iter().map(number).collect();
-        }
-        self.numbers_in(arguments, span)
-    }
-
     /// `S(0.5)`, `S(0.5, cubic_spline)`
     fn call_spline(&mut self, spline: &Spline, arguments: &'a [Element], span: Span) -> Result<Value> {
-        self.enclosed(None, arguments, span, |me| {
-            let t = me.float()?;
-            let kind = match me.peek()? {
-                Token::Word(word) if SplineKind::of(word).is_some() => {
-                    me.advance();
-                    SplineKind::of(word).unwrap_or(spline.kind)
-                }
-                _ => spline.kind,
-            };
-            match me.peek()? {
-                Token::End => Ok(Value::Vector(VecN { c: spline.at(t, kind), len: spline.len })),
-                _ => Err(me.unexpected_token("one number and, at most, the kind of spline").into()),
+        self.within(arguments, Bracket::Paren, span, |me| me.spline_arguments(spline))
+    }
+
+    fn spline_arguments(&mut self, spline: &Spline) -> Result<Value> {
+        let t = self.float()?;
+        let kind = match self.peek()? {
+            Token::Word(word) if SplineKind::of(word).is_some() => {
+                self.advance();
+                SplineKind::of(word).unwrap_or(spline.kind)
             }
-        })
+            _ => spline.kind,
+        };
+        if self.peek()?.ends() {
+            return Ok(Value::Vector(VecN { c: spline.at(t, kind), len: spline.len }));
+        }
+        Err(self.unexpected_token("one number and, at most, the kind of spline").into())
+    }
+
+    /// Reads the arguments of a function or spline, whose `(` has been read, up to the `)`.
+    pub(in crate::interpreter) fn call_with_arguments(&mut self, callee: &Value, span: Span) -> Result<Value> {
+        if let Value::Thing(thing) = callee {
+            if let Some(spline) = downcast::<Spline>(thing) {
+                return self.spline_arguments(&spline);
+            }
+            if let Some(function) = downcast::<Function>(thing) {
+                let mut numbers = vec![];
+                while !self.peek()?.ends() {
+                    let (value, at) = self.value_here()?;
+                    numbers.push(as_float(&value, at)?);
+                }
+                self.check_arity(span, numbers.len(), function.arity())?;
+                return Ok(answer(&function, &numbers));
+            }
+        }
+        Diagnostic::err(codes::NOT_CALLABLE, span, format!("{} can't be called", callee.describe()))
     }
 }
 

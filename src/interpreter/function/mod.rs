@@ -1,10 +1,13 @@
 //! `function { … }` and its calls: names are looked up where the function is declared, and what is left is arithmetic.
 
 mod call;
+mod pieces;
 mod sampler;
 
 use super::Interpreter;
+use super::eval::as_float;
 use super::operators::component_index;
+use super::pieces::joined;
 use super::scope::Slot;
 use super::stream::Token;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -12,9 +15,10 @@ use crate::function::{
     self, Body, Callee, Function, Gives, Graph, Id, Node, Program, Sampler, Spline, SplineKind, internal, numeric,
 };
 use crate::source::Span;
-use crate::syntax::ast::{self, *};
+use crate::syntax::ast::{Bracket, Element, ElementKind, Expr, ExprKind, Name, Operator, Prefix, Symbol};
 use crate::texture::Pigment;
 use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN, downcast};
+use pieces::Compiled;
 use sampler::{PatternSampler, PigmentSampler, TransformSampler};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU8;
@@ -30,72 +34,152 @@ struct Compiler {
 
 impl<'a> Interpreter<'a> {
     /// The function that comes next in the stream.
-    pub(super) fn read_function(&mut self, f: &'a ast::Function, span: Span) -> Result<Arc<dyn Thing>> {
-        self.enclosed(None, &f.body, span, |me| {
-            if let Token::Block(block) = me.peek()? {
-                return me.sampled_function(f, block.name.word.unwrap_or(""), span);
+    pub(super) fn read_function(&mut self) -> Result<Arc<dyn Thing>> {
+        let token = self.peek()?;
+        let span = self.here();
+        self.advance();
+        match token {
+            Token::Function(Some(f)) => {
+                let size = f.size.iter().map(|e| self.number(e).map(|n| (n, e.span))).collect::<Result<Vec<_>>>()?;
+                let parameters = &f.parameters;
+                self.function_of_size(size, span)?;
+                self.within(&f.body, Bracket::Brace, span, |me| me.function_body(parameters, span))
             }
-            if let Some(internal) = me.internal_function(f)? {
-                return Ok(internal);
+            _ => self.function_in_pieces(span),
+        }
+    }
+
+    /// The same behind the word `function`.
+    fn function_in_pieces(&mut self, span: Span) -> Result<Arc<dyn Thing>> {
+        let (mut parameters, mut size) = (vec![], vec![]);
+        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
+            self.take_apart();
+        }
+        if let Token::Open(Bracket::Paren, _) = self.peek()? {
+            self.open()?;
+            while !self.peek()?.ends() {
+                match self.raw_parameter() {
+                    Some(symbol) => parameters.push(symbol),
+                    None => return Err(self.unexpected_token("the name of a parameter").into()),
+                }
             }
-            let mut compiler = Compiler::new(me, &f.parameters);
-            let mut sum = None;
-            me.compile_pieces(&mut compiler, &mut sum)?;
-            match sum {
-                Some(sum) => compiler.graph.result = sum,
-                None => return Err(me.unexpected_token("an expression").into()),
+            self.close("`)`")?;
+        } else {
+            while !matches!(self.peek()?, Token::Open(..)) {
+                let (value, at) = self.value_here()?;
+                size.push((as_float(&value, at)?, at));
             }
-            compiler.finish(me, span)
-        })
+        }
+        self.function_of_size(size, span)?;
+        if !matches!(self.peek()?, Token::Open(Bracket::Brace, _)) {
+            return Err(self.unexpected_token("`{`").into());
+        }
+        self.open()?;
+        let function = self.function_body(&parameters, span)?;
+        let end = self.here();
+        self.close("`}`")?;
+        let _ = joined(span, end);
+        Ok(function)
+    }
+
+    fn raw_parameter(&mut self) -> Option<Symbol> {
+        let Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. })) = self.peek() else { return None };
+        self.advance();
+        Some(*symbol)
+    }
+
+    /// `function 200, 100 { … }` makes a picture: how many points it has across and down.
+    fn function_of_size(&mut self, size: Vec<(f64, Span)>, span: Span) -> Result<()> {
+        self.picture_size = None;
+        let [(width, at), (height, end)] = size[..] else {
+            return match size.len() {
+                0 => Ok(()),
+                n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a picture has a width and a height, this has {n} numbers")),
+            };
+        };
+        let size = [self.picture_side(width, at)?, self.picture_side(height, end)?];
+        self.check_picture(size, joined(at, end))?;
+        self.picture_size = Some(size);
+        Ok(())
+    }
+
+    /// The function that comes next, if it says how large the picture is that it makes.
+    pub(super) fn picture_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
+        if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
+            return Ok(None);
+        }
+        let span = self.here();
+        let function = self.read_function()?;
+        match self.picture_size.take() {
+            Some(size) => Ok(Some((size, function))),
+            None => Diagnostic::err(codes::EXPECTED, span, "expected the width and the height of the function's picture"),
+        }
+    }
+
+    /// What stands between the braces.
+    fn function_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
+        let size = self.picture_size.take();
+        let function = self.function_of_body(parameters, span);
+        self.picture_size = size;
+        function
+    }
+
+    fn function_of_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
+        if let Token::Block(name) = self.peek()? {
+            return self.sampled_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
+        }
+        if let Some(internal) = self.internal_call()? {
+            return Ok(internal);
+        }
+        let mut compiler = Compiler::new(self, parameters);
+        if self.peek()?.ends() {
+            return Err(self.unexpected_token("an expression").into());
+        }
+        let result = match self.peek()? {
+            Token::Expr(e) if self.is_whole(true) => {
+                self.advance();
+                self.compile(&mut compiler, e)?
+            }
+            _ => self.climb(&mut Compiled(&mut compiler), true)?.0,
+        };
+        compiler.graph.result = result;
+        if !self.peek()?.ends() {
+            return Err(self.unexpected_token("an operator or the end of the function").into());
+        }
+        compiler.finish(self, span)
     }
 
     /// `internal(61)` alone: one of the functions behind functions.inc.
-    fn internal_function(&mut self, f: &'a ast::Function) -> Result<Option<Arc<dyn Thing>>> {
-        let Token::Expr(Expr { kind: ExprKind::Builtin("internal", arguments), span }) = self.peek()? else {
-            return Ok(None);
+    fn internal_call(&mut self) -> Result<Option<Arc<dyn Thing>>> {
+        let token = self.peek()?;
+        let mut span = self.here();
+        let number = match token {
+            Token::Expr(Expr { kind: ExprKind::Builtin(word, arguments), .. }) if word.name == "internal" => {
+                let [number] = &**arguments else {
+                    return Diagnostic::err(codes::WRONG_COUNT, span, "`internal` takes one number");
+                };
+                self.advance();
+                self.number(number)?
+            }
+            Token::Callee("internal") => {
+                self.advance();
+                self.expect_paren("internal")?;
+                let (value, at) = self.value_here()?;
+                span = joined(span, self.here());
+                self.close("`)`")?;
+                as_float(&value, at)?
+            }
+            _ => return Ok(None),
         };
-        let [number] = &**arguments else {
-            return Diagnostic::err(codes::WRONG_COUNT, *span, "`internal` takes one number");
-        };
-        self.advance();
-        let number = self.number(number)?;
         match internal_function(number, &self.noise_generator) {
-            Some(function) if f.body.len() == 1 => Ok(Some(Arc::new(function))),
+            Some(function) if self.peek()?.ends() => Ok(Some(Arc::new(function))),
             Some(_) => Err(self.unexpected_token("the end of the function").into()),
-            None => Diagnostic::err(codes::NOT_YET, *span, format!("`internal({number})` is not supported yet")),
+            None => Diagnostic::err(codes::NOT_YET, span, format!("`internal({number})` is not supported yet")),
         }
     }
 
-    /// An expression, mostly in one piece; `sin(x) #if (Steep) * 2 #end` is a sum in several, each with its sign.
-    fn compile_pieces(&mut self, c: &mut Compiler, sum: &mut Option<Id>) -> Result<()> {
-        loop {
-            let token = self.peek()?;
-            let piece = match token {
-                Token::End => return Ok(()),
-                Token::Expr(Expr { kind: ExprKind::Spliced(elements), span }) => {
-                    self.advance();
-                    self.enclosed(None, elements, *span, |me| me.compile_pieces(c, sum))?;
-                    continue;
-                }
-                Token::Expr(e) if sum.is_none() || self.sources.snippet(e.span).starts_with(['+', '-']) => {
-                    self.advance();
-                    self.compile(c, e)?
-                }
-                Token::Numbers([x]) if sum.is_none() => {
-                    self.advance();
-                    c.graph.constant(*x)
-                }
-                _ => return Err(self.unexpected_token("an operator or the end of the function").into()),
-            };
-            *sum = Some(match *sum {
-                Some(before) => c.graph.add(Node::Binary(Operator::Add, before, piece)),
-                None => piece,
-            });
-        }
-    }
-
-    fn sampled_function(&mut self, f: &'a ast::Function, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
-        if !f.parameters.is_empty() {
+    fn sampled_function(&mut self, parameters: bool, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
+        if parameters {
             let message = format!("a function made of a `{word}` has no parameters of its own");
             return Diagnostic::new(codes::WRONG_COUNT, span, message)
                 .help(format!("`function {{ {word} {{ … }} }}`"))
@@ -129,10 +213,10 @@ impl<'a> Interpreter<'a> {
                     .into());
             }
         };
-        match self.peek()? {
-            Token::End => Ok(Arc::new(Function { parameters: default_names(), body: Body::Sampled(sampler) })),
-            _ => Err(self.unexpected_token("the end of the function").into()),
+        if self.peek()?.ends() {
+            return Ok(Arc::new(Function { parameters: default_names(), body: Body::Sampled(sampler) }));
         }
+        Err(self.unexpected_token("the end of the function").into())
     }
 
     /// What stands between the braces of a pigment, as a function.
@@ -189,15 +273,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Paren(inner) => self.compile(c, inner),
             ExprKind::Prefix(prefix, inner) => {
                 let a = self.compile(c, inner)?;
-                let zero = c.graph.constant(0.0);
-                Ok(match prefix {
-                    Prefix::Plus => a,
-                    Prefix::Minus => {
-                        let minus = c.graph.constant(-1.0);
-                        c.graph.add(Node::Binary(Operator::Mul, a, minus))
-                    }
-                    Prefix::Not => c.graph.add(Node::Binary(Operator::Equal, a, zero)),
-                })
+                Ok(c.prefixed(*prefix, a))
             }
             ExprKind::Chain(chain) => {
                 let mut left = self.compile(c, &chain.first)?;
@@ -213,14 +289,23 @@ impl<'a> Interpreter<'a> {
                 let (yes, no) = (self.compile(c, yes)?, self.compile(c, no)?);
                 Ok(c.graph.add(Node::Choice(condition, yes, no)))
             }
-            ExprKind::Builtin(name, arguments) => self.compile_builtin(c, name, arguments, e.span),
+            ExprKind::Builtin(name, arguments) => self.compile_builtin(c, name.name, arguments, e.span),
             ExprKind::Call(name, arguments) => self.compile_call(c, *name, arguments, None, e.span),
             ExprKind::Dot(base, component, _) => match &base.kind {
-                ExprKind::Call(name, arguments) if !self.is_macro(*name) => {
-                    self.compile_call(c, *name, arguments, Some(component), e.span)
+                ExprKind::Call(name, arguments) => self.compile_call(c, *name, arguments, Some(component), e.span),
+                ExprKind::Apply(callee, arguments) => {
+                    let callee = self.eval(callee)?;
+                    let ids = self.compile_arguments(c, arguments)?;
+                    self.compile_call_of(c, &callee, ids, Some(component), e.span)
                 }
                 _ => self.constant_number(c, e),
             },
+            // A function in an array.
+            ExprKind::Apply(callee, arguments) => {
+                let callee = self.eval(callee)?;
+                let ids = self.compile_arguments(c, arguments)?;
+                self.compile_call_of(c, &callee, ids, None, e.span)
+            }
             _ => self.constant_number(c, e),
         }
     }
@@ -251,21 +336,20 @@ impl<'a> Interpreter<'a> {
         if name == "sum" || name == "prod" {
             return self.compile_series(c, name == "prod", arguments, span);
         }
-        let mut ids = Vec::with_capacity(arguments.len());
-        if name == "select" && (3..=4).contains(&arguments.len()) {
-            for argument in arguments {
-                ids.push(self.compile(c, argument)?);
-            }
-            return Ok(c.select(&ids));
+        let ids = arguments.iter().map(|e| self.compile(c, e)).collect::<Result<Vec<Id>>>()?;
+        self.compile_builtin_of(c, name, &ids, span)
+    }
+
+    /// A built-in function of what has been compiled.
+    fn compile_builtin_of(&mut self, c: &mut Compiler, name: &str, ids: &[Id], span: Span) -> Result<Id> {
+        if name == "select" && (3..=4).contains(&ids.len()) {
+            return Ok(c.select(ids));
         }
         let Some(row) = numeric::find(name) else {
             let message = format!("`{name}` does not give a number of numbers: a function can't call it");
             return Diagnostic::err(codes::NOT_CALLABLE, span, message);
         };
-        for argument in arguments {
-            ids.push(self.compile(c, argument)?);
-        }
-        let (wanted, node): (&str, Option<Id>) = match (numeric::TABLE[row as usize].kernel, &ids[..]) {
+        let (wanted, node): (&str, Option<Id>) = match (numeric::TABLE[row as usize].kernel, ids) {
             (numeric::Kernel::One(_), [a]) => ("", Some(c.graph.add(Node::One(row, *a)))),
             (numeric::Kernel::Two(_), [a, b]) => ("", Some(c.graph.add(Node::Two(row, *a, *b)))),
             (numeric::Kernel::Many(_), [first, rest @ ..]) => {
@@ -293,15 +377,11 @@ impl<'a> Interpreter<'a> {
             .help(format!("`{name}(I, 1, 10, x/I)`"))
             .into();
         };
-        let mut ids = vec![self.compile(c, first)?, self.compile(c, last)?];
-        let parameters = c.parameters.iter().copied().chain([*counter]).collect();
-        let mut inner = Compiler { graph: Graph::default(), parameters };
+        let ids = vec![self.compile(c, first)?, self.compile(c, last)?];
+        let mut inner = c.with_counter(*counter);
         inner.graph.result = self.compile(&mut inner, term)?;
-        let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large(span) };
-        ids.extend((0..c.parameters.len()).map(|i| c.graph.add(Node::Parameter(i as u16))).collect::<Vec<_>>());
-        Ok(c.graph.call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
+        series(c, product, ids, inner, span)
     }
-
     /// A call inside a function.
     fn compile_call(
         &mut self,
@@ -311,20 +391,11 @@ impl<'a> Interpreter<'a> {
         component: Option<&Name>,
         span: Span,
     ) -> Result<Id> {
-        if self.is_macro(name) {
-            self.call_macro(name, arguments, span)?;
-            return self.macro_body(name, |me| match me.peek()? {
-                Token::Expr(e) => {
-                    me.advance();
-                    me.compile(c, e)
-                }
-                _ => {
-                    let x = me.float()?;
-                    Ok(c.graph.constant(x))
-                }
-            });
-        }
-        let (callee, gives, arity) = self.callee(name, span)?;
+        let ids = self.compile_arguments(c, arguments)?;
+        self.compile_call_ids(c, name, ids, component, span)
+    }
+
+    fn compile_arguments(&mut self, c: &mut Compiler, arguments: &'a [Element]) -> Result<Vec<Id>> {
         let mut ids = vec![];
         for element in arguments {
             match &element.kind {
@@ -333,8 +404,37 @@ impl<'a> Interpreter<'a> {
                 _ => return Diagnostic::err(codes::EXPECTED_VALUE, element.span, "expected a number"),
             }
         }
-        self.check_count(name, ids.len(), arity, span)?;
-        let component = self.component_number(gives, component, name, span)?;
+        Ok(ids)
+    }
+
+    /// A call of a name with compiled arguments.
+    fn compile_call_ids(
+        &mut self,
+        c: &mut Compiler,
+        name: Symbol,
+        ids: Vec<Id>,
+        component: Option<&Name>,
+        span: Span,
+    ) -> Result<Id> {
+        let callee = match self.scopes.get(name) {
+            Some(Slot::Value(value)) => value.clone(),
+            _ => self.name_value(name, span)?,
+        };
+        self.compile_call_of(c, &callee, ids, component, span)
+    }
+
+    /// A call of a function or spline with compiled arguments. The name that is called begins the span.
+    fn compile_call_of(
+        &mut self,
+        c: &mut Compiler,
+        callee: &Value,
+        ids: Vec<Id>,
+        component: Option<&Name>,
+        span: Span,
+    ) -> Result<Id> {
+        let (callee, gives, arity) = self.callee(callee, span)?;
+        self.check_arity(span, ids.len(), arity)?;
+        let component = self.component_number(gives, component, span)?;
         if let Callee::Function(f) = &callee
             && let Body::Numeric(program) = &f.body
             && program.graph().nodes.len() <= MAX_COPIED
@@ -356,23 +456,30 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// What a name that is called stands for.
-    fn callee(&mut self, name: Symbol, span: Span) -> Result<(Callee, Gives, usize)> {
-        if let Some(f) = self.thing_of::<Function>(name) {
-            let (gives, arity) = (f.gives(), f.arity());
-            let callee = match &f.body {
-                Body::Sampled(sampler) => Callee::Sampler(sampler.clone()),
-                Body::Numeric(_) => Callee::Function(f.clone()),
-            };
-            return Ok((callee, gives, arity));
+    /// What is called.
+    fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, Gives, usize)> {
+        if let Value::Thing(thing) = callee {
+            if let Some(f) = downcast::<Function>(thing) {
+                let (gives, arity) = (f.gives(), f.arity());
+                let callee = match &f.body {
+                    Body::Sampled(sampler) => Callee::Sampler(sampler.clone()),
+                    Body::Numeric(_) => Callee::Function(f.clone()),
+                };
+                return Ok((callee, gives, arity));
+            }
+            if let Some(spline) = downcast::<Spline>(thing) {
+                let gives = Gives::Vector(spline.len);
+                return Ok((Callee::Sampler(spline), gives, 1));
+            }
         }
-        if let Some(spline) = self.thing_of::<Spline>(name) {
-            let gives = Gives::Vector(spline.len);
-            return Ok((Callee::Sampler(spline), gives, 1));
-        }
-        self.name_value(name, span)?;
-        let text = self.names.text(name);
+        let text = self.called_text(span);
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"))
+    }
+
+    /// The name that a call begins with.
+    fn called_text(&self, span: Span) -> &'a str {
+        let text = self.sources.snippet(span);
+        text.split('(').next().unwrap_or(text).trim_end()
     }
 
     fn thing_of<T: Thing>(&self, name: Symbol) -> Option<Arc<T>> {
@@ -382,18 +489,18 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn check_count(&self, name: Symbol, found: usize, wanted: usize, span: Span) -> Result<()> {
+    fn check_arity(&self, called: Span, found: usize, wanted: usize) -> Result<()> {
         if found == wanted {
             return Ok(());
         }
-        let name = self.names.text(name);
+        let name = self.called_text(called);
         let plural = if wanted == 1 { "" } else { "s" };
         let message = format!("function `{name}` takes {wanted} argument{plural}, found {found}");
-        Diagnostic::err(codes::WRONG_COUNT, span, message)
+        Diagnostic::err(codes::WRONG_COUNT, called, message)
     }
 
-    fn component_number(&self, gives: Gives, component: Option<&Name>, name: Symbol, span: Span) -> Result<Component> {
-        let text = self.names.text(name);
+    fn component_number(&self, gives: Gives, component: Option<&Name>, span: Span) -> Result<Component> {
+        let text = self.called_text(span);
         let Some(component) = component else {
             return match gives {
                 Gives::Number => Ok(Component::Of(0)),
@@ -411,10 +518,10 @@ impl<'a> Interpreter<'a> {
         if let Some(i) = component_index(component) {
             return Ok(Component::Of(i as u8));
         }
-        match (component.word, gives) {
-            (Some("gray" | "grey"), Gives::Color) => Ok(Component::Weighted(weights)),
+        match (self.sources.snippet(component.span), gives) {
+            ("gray" | "grey", Gives::Color) => Ok(Component::Weighted(weights)),
             // A height field's 16 bits: red is the upper byte, green the lower one (weights as measured).
-            (_, Gives::Color) if self.sources.snippet(component.span) == "hf" => {
+            ("hf", Gives::Color) => {
                 Ok(Component::Weighted([0.996093, 0.003906, 0.0]))
             }
             _ => {
@@ -440,6 +547,26 @@ impl Compiler {
         Self { graph: Graph::default(), parameters }
     }
 
+    /// For what `sum` and `prod` compute in each step: with the counter behind the parameters.
+    fn with_counter(&self, counter: Symbol) -> Self {
+        let parameters = self.parameters.iter().copied().chain([counter]).collect();
+        Self { graph: Graph::default(), parameters }
+    }
+
+    fn prefixed(&mut self, prefix: Prefix, a: Id) -> Id {
+        match prefix {
+            Prefix::Plus => a,
+            Prefix::Minus => {
+                let minus = self.graph.constant(-1.0);
+                self.graph.add(Node::Binary(Operator::Mul, a, minus))
+            }
+            Prefix::Not => {
+                let zero = self.graph.constant(0.0);
+                self.graph.add(Node::Binary(Operator::Equal, a, zero))
+            }
+        }
+    }
+
     /// `select(a, below, zero, above)`, or `select(a, below, from zero on)`.
     fn select(&mut self, ids: &[Id]) -> Id {
         let zero = self.graph.constant(0.0);
@@ -458,6 +585,13 @@ impl Compiler {
             None => too_large(span),
         }
     }
+}
+
+/// `sum` or `prod` from one value to another.
+fn series(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, span: Span) -> Result<Id> {
+    let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large(span) };
+    ids.extend((0..c.parameters.len()).map(|i| c.graph.add(Node::Parameter(i as u16))).collect::<Vec<_>>());
+    Ok(c.graph.call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
 }
 
 fn too_large<T>(span: Span) -> Result<T> {

@@ -35,7 +35,7 @@ pub const COLOR_WORDS: &[WordSpec] = &[
 ];
 
 /// Does a colour begin with this word?
-pub(super) fn begins_color(word: &str) -> bool {
+pub(in crate::interpreter) fn begins_color(word: &str) -> bool {
     COLOR_WORDS.iter().any(|w| w.name == word)
 }
 
@@ -48,7 +48,8 @@ impl Interpreter<'_> {
     /// The colour that an expression gives after one of the words `rgb`, `rgbt` …: a number stands for as many components
     /// as the word has letters, and the two last of `rgbt` are swapped into place.
     fn color_after(&mut self, word: &str) -> Result<Color> {
-        let (value, span) = self.value_here()?;
+        // Where a colour stands, POV-Ray compares without parentheses: `color (A > 1) ? Red : Blue`.
+        let (value, span) = self.value_in(true)?;
         self.as_color(value, word, span)
     }
 

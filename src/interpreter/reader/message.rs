@@ -1,11 +1,13 @@
 //! "expected …, found …", and which words a block takes.
 
 use super::super::scope::Slot;
-use super::super::stream::Token;
+use super::super::stream::{Opened, Token};
 use super::super::{Interpreter, hints};
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
 use crate::syntax::ast::*;
+use crate::syntax::fault;
+use crate::syntax::word::lookup;
 
 impl Interpreter<'_> {
     /// "expected …, found …" about what comes next.
@@ -13,11 +15,9 @@ impl Interpreter<'_> {
         let span = self.here();
         let found = match self.peek() {
             Err(fault) => return *fault,
-            Ok(Token::Word(word)) => format!("`{word}`"),
-            Ok(Token::Block(Block { name, .. }) | Token::Open(name)) => {
-                format!("`{} {{`", self.sources.snippet(name.span))
-            }
-            Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), span })) => {
+            Ok(Token::Word(word) | Token::Callee(word)) => format!("`{word}`"),
+            Ok(Token::Block(name)) => format!("`{} {{`", self.sources.snippet(name.span)),
+            Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. })) => {
                 let slot = self.scopes.get(*symbol);
                 if matches!(slot, Some(Slot::Faulty(_))) || slot.is_none() && !self.is_constant(*symbol) {
                     let Err(fault) = self.name_value(*symbol, *span) else {
@@ -28,30 +28,136 @@ impl Interpreter<'_> {
                 format!("`{}`", self.names.text(*symbol))
             }
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
-            Ok(Token::Entry(_)) => "`[`".to_string(),
-            Ok(Token::Values(_)) => {
-                let d = self.expected(span, expected, "a list in parentheses");
-                return d.help("vectors stand in angle brackets: `<1, 2, 3>`");
-            }
-            Ok(Token::Key(_) | Token::Colon) => format!("`{}`", self.sources.snippet(span)),
-            Ok(Token::Group(_)) => "`{`".to_string(),
-            Ok(Token::Element(e))
+            Ok(Token::Element(span))
                 if let Some(slot @ Slot::Faulty(_)) = self.element.as_ref().and_then(|place| self.scopes.at(place)) =>
             {
                 let slot = slot.clone();
-                return match self.slot_value(slot, e.span) {
+                return match self.slot_value(slot, span) {
                     Err(fault) => *fault,
-                    Ok(_) => self.expected(e.span, expected, "an element"),
+                    Ok(_) => self.expected(span, expected, "an element"),
                 };
             }
-            Ok(Token::Element(e)) => format!("`{}`", self.sources.snippet(e.span)),
+            Ok(Token::Element(span)) => format!("`{}`", self.sources.snippet(span)),
             Ok(Token::Function(_)) => "a function".to_string(),
-            Ok(Token::End) => match self.blocks.last() {
-                Some((block, _)) => format!("the end of `{block} {{…}}`"),
-                None => "the end".to_string(),
+            Ok(Token::Open(Bracket::Paren, _)) if let Some(d) = self.called_value() => return d,
+            Ok(Token::Open(Bracket::Paren, _)) => {
+                let d = self.expected(span, expected, "`(`");
+                return d.help("vectors stand in angle brackets: `<1, 2, 3>`");
+            }
+            Ok(Token::Open(bracket, _)) => format!("`{}`", bracket.text()[0]),
+            Ok(Token::Sign(Sign::Close(bracket))) => match self.opened.last() {
+                Some(opened) if opened.bracket != bracket => return self.not_closed(),
+                Some(Opened { word: Some(block), .. }) => format!("the end of `{block} {{…}}`"),
+                _ => format!("`{}`", bracket.text()[1]),
             },
+            Ok(Token::Sign(_)) => return self.misplaced(span),
+            Ok(Token::End) if self.opened.last().is_some() => return self.not_closed(),
+            Ok(Token::End) => "the end".to_string(),
         };
         self.expected(span, expected, &found)
+    }
+
+    /// `A(2)` where A is a value: nothing that could be called.
+    pub(in crate::interpreter) fn called_value(&mut self) -> Option<Diagnostic> {
+        let opens = matches!(self.peek(), Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. })));
+        let (file, range) = self.sources.locate(self.here()).filter(|_| opens && !self.comma)?;
+        let text = &self.sources.text(file)[..range.start];
+        let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let name = &text[text.trim_end_matches(is_word).len()..];
+        if !name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') || lookup(name).is_some() {
+            return None;
+        }
+        let lo = self.sources.base(file) + range.start - name.len();
+        let message = format!("`{name}` is neither a macro nor a function");
+        Some(Diagnostic::new(codes::NOT_CALLABLE, Span::new(lo, lo + name.len()), message))
+    }
+
+    /// An operator that compares, outside of parentheses.
+    pub(in crate::interpreter) fn comparison_outside(&self, e: &Expr) -> Diagnostic {
+        let (before, after) = match &e.kind {
+            ExprKind::Chain(chain) => match chain.rest.first() {
+                Some((_, operand)) => (chain.first.span, operand.span),
+                None => (e.span, e.span),
+            },
+            ExprKind::Choice(parts) => (parts[0].span, parts[1].span),
+            _ => (e.span, e.span),
+        };
+        self.misplaced(Span { lo: before.hi, hi: after.lo })
+    }
+
+    /// A sign that can't stand where it does.
+    pub(in crate::interpreter) fn misplaced(&self, span: Span) -> Diagnostic {
+        // (The place of an operator that was taken out of an expression is all that stands between its operands.)
+        let text = self.sources.snippet(span);
+        let span = Span { lo: span.lo + (text.len() - text.trim_start().len()) as u32, ..span };
+        let Some((file, range)) = self.sources.locate(span) else {
+            return Diagnostic::new(codes::SYNTAX, span, "something can't stand here");
+        };
+        fault::explain(self.sources.text(file), range.start, self.sources.base(file))
+    }
+
+    /// What was opened last is not closed where something further out is, or where the text ends.
+    pub(in crate::interpreter) fn not_closed(&mut self) -> Diagnostic {
+        let token = self.peek();
+        let here = self.here();
+        let Some(opened) = self.opened.last() else {
+            return Diagnostic::new(codes::UNMATCHED_CLOSER, here, "this closes nothing");
+        };
+        let [open, close] = opened.bracket.text();
+        let place = opened.alone.unwrap_or(opened.span);
+        let found = self.sources.snippet(here);
+        match (token, opened.bracket) {
+            (Ok(Token::Sign(Sign::Close(_))), Bracket::Brace) => {
+                let d = Diagnostic::new(codes::UNMATCHED_CLOSER, here, format!("`{found}` closes nothing"));
+                d.also(place, "this is open, and closes with `}`").help("remove it, or look for its opener above")
+            }
+            (Ok(Token::Sign(Sign::Close(_))), _) => {
+                let message = format!("this `{open}` is not closed: found `{found}` where `{close}` was expected");
+                let d = Diagnostic::new(codes::UNCLOSED, place, message).label("opened here");
+                d.also(here, format!("`{found}` found here"))
+            }
+            _ if self.unclosed.contains(&place.lo) || opened.word.is_none() => self.unclosed_at(place, open, close),
+            _ => {
+                let block = opened.word.unwrap_or("block");
+                let message = format!("this `{block} {{` has no end");
+                let help = "its `}` must come in the same file, or from the macro that opens it";
+                self.with_trace(Diagnostic::new(codes::UNCLOSED_BLOCK, opened.span, message).help(help))
+            }
+        }
+    }
+
+    fn unclosed_at(&self, place: Span, open: &str, close: &str) -> Diagnostic {
+        let message = format!("this `{open}` is not closed");
+        let d = Diagnostic::new(codes::UNCLOSED, place, message);
+        let d = d.help(format!("add `{close}` where it should end"));
+        self.with_trace(d)
+    }
+
+    /// The bracket around here that nothing in the rest of its file closes: what is found inside it is no fault of its own.
+    pub(in crate::interpreter) fn unclosed_bracket(&self) -> Option<Diagnostic> {
+        let unclosed = |o: &&Opened| o.alone.is_some_and(|span| self.unclosed.contains(&span.lo));
+        let opened = self.opened.iter().rev().find(unclosed)?;
+        let [open, close] = opened.bracket.text();
+        Some(self.unclosed_at(opened.alone?, open, close))
+    }
+
+    /// The `<` at `start` opens a vector that something else than `>` ends, which comes next.
+    pub(in crate::interpreter) fn open_vector(&mut self, start: Span) -> Diagnostic {
+        let here = self.here();
+        let found = match self.peek() {
+            Err(fault) => return *fault,
+            Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square))) => {
+                let found = self.sources.snippet(here);
+                let message = format!("this `<` is not closed: found `{found}` where `>` was expected");
+                let d = Diagnostic::new(codes::UNCLOSED, Span { hi: start.lo + 1, ..start }, message).label("opened here");
+                return d.also(here, format!("`{found}` found here"));
+            }
+            Ok(Token::End) => "the end of the text".to_string(),
+            Ok(_) => format!("`{}`", self.sources.snippet(here)),
+        };
+        Diagnostic::new(codes::SYNTAX, here, format!("{found} can't stand here"))
+            .also(Span { hi: start.lo + 1, ..start }, "the vector that begins here is not closed")
+            .help("a vector ends with `>`; comparisons need parentheses around them")
     }
 
     fn expected(&self, span: Span, expected: &str, found: &str) -> Diagnostic {
@@ -61,9 +167,10 @@ impl Interpreter<'_> {
     /// Must a value come next? Says which one is missing.
     pub(super) fn at_value(&mut self, wanted: &str) -> Result<()> {
         match self.peek()? {
-            Token::End | Token::Block(_) | Token::Entry(_) | Token::Group(_) => {
+            Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => {
                 Err(self.unexpected_token(wanted).into())
             }
+            token if token.ends() => Err(self.unexpected_token(wanted).into()),
             _ => Ok(()),
         }
     }
@@ -74,7 +181,8 @@ impl Interpreter<'_> {
         let word = match self.peek() {
             Err(fault) => return *fault,
             Ok(Token::Word(word)) => word.to_string(),
-            Ok(Token::Block(Block { name, .. }) | Token::Open(name)) => self.sources.snippet(name.span).to_string(),
+            Ok(Token::Block(name)) => self.sources.snippet(name.span).to_string(),
+            Ok(Token::Sign(_)) => return self.unexpected_token(block),
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
                 if self.scopes.get(*symbol).is_none() && !self.is_constant(*symbol) =>
             {

@@ -10,7 +10,7 @@ pub(super) use transform::TransformThing;
 use super::eval::{as_float, as_vector};
 use super::operators::SMALL;
 use super::scope::Slot;
-use super::stream::{FrameKind, Token};
+use super::stream::Token;
 use super::{Interpreter, compat, hints};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
@@ -18,54 +18,28 @@ use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
 use crate::source::{Span, fonts};
-use crate::syntax::ast::{self, *};
-use crate::value::{FloatOrColor, Language, Next, Reader, Said, Solid, Thing, Value, VecN};
+use crate::syntax::ast::*;
+use crate::value::{FloatOrColor, Language, Next, Reader, Said, Solid, Thing, Value};
 use crate::world::Probe;
 pub use color::COLOR_WORDS;
-use color::begins_color;
+pub(super) use color::begins_color;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
-    /// The next value that is a number, vector, colour or text, with its place.
-    pub(super) fn value_here(&mut self) -> Result<(Value, Span)> {
-        let token = self.peek()?;
-        let span = self.here();
-        match token {
-            Token::Expr(e) => {
-                self.advance();
-                Ok((self.eval(e)?, e.span))
-            }
-            Token::Element(e) => {
-                let slot = self.take_element()?;
-                Ok((self.slot_value(slot, e.span)?, e.span))
-            }
-            Token::Numbers(data) => {
-                self.advance();
-                let value = match data {
-                    [x] => Value::Float(*x),
-                    data if data.len() <= 5 => Value::Vector(VecN::from_slice(data)),
-                    _ => {
-                        let message = format!("a vector has two to five numbers, this has {}", data.len());
-                        return Diagnostic::err(codes::WRONG_COUNT, span, message);
-                    }
-                };
-                Ok((value, span))
-            }
-            // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
-            Token::Word(word) if self.names.find(word).is_some_and(|s| self.scopes.get(s).is_some()) => {
-                self.advance();
-                match self.names.find(word) {
-                    Some(symbol) => Ok((self.name_value(symbol, span)?, span)),
-                    None => Err(self.unexpected_token("a value").into()),
-                }
-            }
-            Token::Word(word) if begins_color(word) => {
-                let color = self.color()?;
-                Ok((Value::Color(color), span))
-            }
-            _ => Err(self.unexpected_token("a value").into()),
+    /// A text, with its place.
+    pub(super) fn text_here(&mut self) -> Result<(String, Span)> {
+        let (value, span) = self.value_here()?;
+        match value {
+            Value::Text(text) => Ok((text.to_string(), span)),
+            other => self.not_text(&other, span),
         }
+    }
+
+    /// A number behind a directive's word, with its place.
+    pub(super) fn float_after(&mut self) -> Result<(f64, Span)> {
+        let (value, span) = self.value_here()?;
+        Ok((as_float(&value, span)?, span))
     }
 
     /// What a name in word position is: a thing, a value, or nothing.
@@ -87,8 +61,7 @@ fn finite(v: DVec3, span: Span) -> Result<DVec3> {
 impl Reader for Interpreter<'_> {
     fn next(&mut self) -> Result<Next> {
         Ok(match self.peek()? {
-            Token::Word(word) => Next::Word(word),
-            Token::Block(Block { name, .. }) | Token::Open(name) => match name.word {
+            Token::Block(name) => match name.word {
                 Some(word) => Next::Block(word),
                 None => {
                     let (text, span) = (self.sources.snippet(name.span), name.span);
@@ -102,13 +75,16 @@ impl Reader for Interpreter<'_> {
                 Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
                 _ => Next::Value,
             },
-            Token::Function(_) | Token::Expr(Expr { kind: ExprKind::Function(_), .. }) => Next::Function,
+            Token::Function(_) => Next::Function,
             Token::Expr(_) | Token::Numbers(_) => Next::Value,
-            Token::Entry(_) => Next::Entry,
+            Token::Callee(_) => Next::Value,
+            Token::Word(word) => Next::Word(word),
+            Token::Open(Bracket::Square, _) => Next::Entry,
+            Token::Open(Bracket::Brace, _) => Next::Group,
             // Whoever asks for a value says what is wrong with it.
-            Token::Values(_) | Token::Key(_) | Token::Colon => Next::Value,
-            Token::Group(_) => Next::Group,
-            Token::End => Next::End,
+            Token::Open(Bracket::Paren, _) => Next::Value,
+            Token::Sign(Sign::Close(_)) | Token::End => Next::End,
+            Token::Sign(_) => Next::Value,
         })
     }
 
@@ -122,46 +98,11 @@ impl Reader for Interpreter<'_> {
     }
 
     fn take(&mut self) -> Result<Span> {
-        let token = self.peek()?;
-        let span = self.here();
-        self.advance();
-        match token {
-            Token::Block(block) => {
-                self.blocks.extend(block.name.word.map(|word| (word, block.name.span)));
-                self.push_frame(&block.body, FrameKind::Enclosed, span);
-                return Ok(block.name.span);
-            }
-            Token::Open(name) => self.blocks.extend(name.word.map(|word| (word, name.span))),
-            Token::Entry(elements) | Token::Group(elements) => self.push_frame(elements, FrameKind::Enclosed, span),
-            _ => {}
-        }
-        Ok(span)
+        self.open()
     }
 
     fn leave(&mut self) -> Result<()> {
-        let token = self.peek()?;
-        if !matches!(token, Token::End) {
-            return Err(self.unexpected_token("the end of this block").into());
-        }
-        let at_end = self.frames.last().is_some_and(|f| f.at >= f.elements.len());
-        if !at_end {
-            // A `}` whose opener stands in another directive's body.
-            self.advance();
-            self.blocks.pop();
-            return Ok(());
-        }
-        let is_block = self.frames.last().is_some_and(|f| self.is_block(f.span));
-        if self.frames.len() <= 1 {
-            let (block, opened) = self.blocks.last().copied().unwrap_or(("block", Span::NONE));
-            let message = format!("this `{block} {{` has no end");
-            let help = "its `}` must come in the same file, or from the macro that opens it";
-            return Diagnostic::new(codes::UNCLOSED_BLOCK, opened, message).help(help).into();
-        }
-        self.pop_frame();
-        if is_block {
-            self.blocks.pop();
-        }
-        Ok(())
+        self.close("the end of this block")
     }
 
     fn value(&mut self) -> Result<(Value, Span)> {
@@ -169,25 +110,27 @@ impl Reader for Interpreter<'_> {
     }
 
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)> {
-        if let Token::Expr(Expr { kind: ExprKind::Name(symbol), span }) = self.peek()? {
-            self.advance();
-            if let Value::Thing(thing) = self.name_value(*symbol, *span)? {
-                return Ok((thing, *span));
+        let token = self.peek()?;
+        let span = self.here();
+        let value = match token {
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
+                self.advance();
+                Some(self.name_value(*symbol, span)?)
             }
-        }
-        if let Token::Function(_) | Token::Expr(Expr { kind: ExprKind::Function(_), .. }) = self.peek()? {
-            let span = self.here();
-            if let Slot::Value(Value::Thing(thing)) = self.rvalue()? {
-                return Ok((thing, span));
+            Token::Function(_) => match self.rvalue()? {
+                Slot::Value(value) => Some(value),
+                _ => None,
+            },
+            Token::Element(_) => {
+                let slot = self.take_element()?;
+                Some(self.slot_value(slot, span)?)
             }
+            _ => None,
+        };
+        match value {
+            Some(Value::Thing(thing)) => Ok((thing, span)),
+            _ => Err(self.unexpected_token("a declared thing").into()),
         }
-        if let Token::Element(e) = self.peek()? {
-            let slot = self.take_element()?;
-            if let Value::Thing(thing) = self.slot_value(slot, e.span)? {
-                return Ok((thing, e.span));
-            }
-        }
-        Err(self.unexpected_token("a declared thing").into())
     }
 
     fn solid(&mut self) -> Result<Arc<dyn Solid>> {
@@ -234,10 +177,11 @@ impl Reader for Interpreter<'_> {
                 self.advance();
                 data.to_vec()
             }
-            Token::Expr(Expr { kind: ExprKind::Vector(parts), span }) => {
+            Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) => {
                 self.advance();
-                self.numbers_in(parts, *span)?
+                self.whole_numbers(parts)?
             }
+            Token::Sign(Sign::Operator(Operator::Less)) => self.numbers_in_pieces(span)?.0,
             _ => {
                 let (value, span) = self.value_here()?;
                 match value {
@@ -285,7 +229,8 @@ impl Reader for Interpreter<'_> {
                 let slot = self.element.as_ref().and_then(|place| self.scopes.at(place));
                 matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
-            Token::Expr(_) | Token::Numbers(_) => true,
+            Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,
+            Token::Sign(sign) => matches!(sign, Sign::Not | Sign::Operator(_)),
             _ => false,
         })
     }
@@ -333,17 +278,10 @@ impl Reader for Interpreter<'_> {
     }
 
     fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
-        let function: &ast::Function = match self.peek()? {
-            Token::Function(function) => function,
-            Token::Expr(Expr { kind: ExprKind::Function(function), .. }) => function,
-            _ => return Ok(None),
-        };
-        let [width, height] = &*function.size else { return Ok(None) };
-        let size = [self.picture_side(width)?, self.picture_side(height)?];
-        let span = self.here();
-        self.check_picture(size, width.span.to(height.span))?;
-        self.advance();
-        Ok(Some((size, self.read_function(function, span)?)))
+        if !matches!(self.peek()?, Token::Function(_)) {
+            return Ok(None);
+        }
+        self.picture_function()
     }
 
     fn similar_font(&mut self, name: &str) -> Option<PathBuf> {
@@ -372,20 +310,12 @@ impl Reader for Interpreter<'_> {
     }
 }
 
-impl<'a> Interpreter<'a> {
+impl Interpreter<'_> {
     /// How many points a picture that a function makes has along a side.
-    fn picture_side(&mut self, side: &'a Expr) -> Result<usize> {
-        let n = self.number(side)?;
+    pub(super) fn picture_side(&self, n: f64, span: Span) -> Result<usize> {
         if (1.0..=16384.0).contains(&n) {
             return Ok(n as usize);
         }
-        Diagnostic::err(codes::BAD_ARGUMENT, side.span, format!("a picture has 1 to 16384 points a side, found {n}"))
-    }
-}
-
-impl Interpreter<'_> {
-    /// Was this frame's span pushed for a block with a word in front?
-    fn is_block(&self, span: Span) -> bool {
-        !self.sources.snippet(span).starts_with(['{', '['])
+        Diagnostic::err(codes::BAD_ARGUMENT, span, format!("a picture has 1 to 16384 points a side, found {n}"))
     }
 }

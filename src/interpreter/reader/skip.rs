@@ -5,7 +5,8 @@ use super::super::scope::Slot;
 use super::super::stream::Token;
 use super::color::{begins_color, is_component};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::syntax::ast::{Block, Expr, ExprKind};
+use super::super::eval::vector_value;
+use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Sign};
 use crate::value::{Next, Reader, Said};
 
 impl Interpreter<'_> {
@@ -13,13 +14,13 @@ impl Interpreter<'_> {
     pub(super) fn keep_with_warning(&mut self, what: &'static str) -> Result<Said> {
         let token = self.peek()?;
         let (word, span) = match token {
-            Token::Block(Block { name, .. }) | Token::Open(name) => (name.word.unwrap_or(what), name.span),
+            Token::Block(name) => (name.word.unwrap_or(what), name.span),
             Token::Word(word) => (word, self.here()),
             _ => (what, self.here()),
         };
         self.report(Diagnostic::new(codes::UNSUPPORTED, span, format!("`{word}` is not drawn yet: it is left out")));
         match token {
-            Token::Block(_) | Token::Open(_) => self.enclosed_said(word),
+            Token::Block(_) => self.enclosed_said(word),
             Token::Function(_) | Token::Expr(_) => {
                 let mut row = vec![];
                 self.pass_over(&mut row)?;
@@ -50,7 +51,7 @@ impl Interpreter<'_> {
     fn enclosed_said(&mut self, word: &'static str) -> Result<Said> {
         self.take()?;
         let mut row = vec![];
-        while !matches!(self.peek()?, Token::End) {
+        while !self.peek()?.ends() {
             self.pass_over(&mut row)?;
         }
         self.leave()?;
@@ -60,26 +61,37 @@ impl Interpreter<'_> {
     /// Whatever comes next, with all that is in it. Directives run and values are computed, so that mistakes are found.
     pub(super) fn pass_over(&mut self, row: &mut Vec<Said>) -> Result<()> {
         match self.peek()? {
-            Token::Block(Block { name, .. }) | Token::Open(name) => {
+            Token::Block(name) => {
                 row.push(self.enclosed_said(name.word.unwrap_or("block"))?);
             }
-            Token::Entry(_) => row.push(self.enclosed_said("entry")?),
-            Token::Group(_) => row.push(self.enclosed_said("group")?),
-            Token::Numbers(data) => {
+            Token::Open(Bracket::Square, _) => row.push(self.enclosed_said("entry")?),
+            Token::Open(Bracket::Brace, _) => row.push(self.enclosed_said("group")?),
+            Token::Numbers(data) if self.is_whole(false) => {
                 self.advance();
                 Said::push_numbers(row, data);
             }
             // `<a, b, … >` of a quartic has more numbers than a vector.
-            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) => {
+            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if self.is_whole(false) => {
                 self.advance();
                 Said::push_numbers(row, data);
             }
-            Token::Expr(Expr { kind: ExprKind::Vector(parts), span }) => {
+            Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) if self.is_whole(false) => {
                 self.advance();
-                let data = self.numbers_in(parts, *span)?;
+                let data = self.whole_numbers(parts)?;
                 Said::push_numbers(row, &data);
             }
-            Token::Expr(_) | Token::Element(_) | Token::Function(_) => {
+            Token::Sign(Sign::Operator(Operator::Less)) => {
+                let start = self.here();
+                let (data, span) = self.numbers_in_pieces(start)?;
+                if self.value_ends()? {
+                    Said::push_numbers(row, &data);
+                } else {
+                    let first = vector_value(&data, span)?;
+                    Said::push_value(row, &self.value_from(first, span)?.0);
+                }
+            }
+            Token::Expr(_) | Token::Callee(_) | Token::Element(_) | Token::Function(_) | Token::Open(Bracket::Paren, _)
+            | Token::Sign(Sign::Not | Sign::Operator(_)) => {
                 if let Slot::Value(value) = self.rvalue()? {
                     Said::push_value(row, &value);
                 }
@@ -89,7 +101,11 @@ impl Interpreter<'_> {
                 self.advance();
                 row.push(Said::Word(word));
             }
-            Token::Values(_) | Token::Key(_) | Token::Colon | Token::End => {
+            Token::Numbers(_) => {
+                let (value, _) = self.value_here()?;
+                Said::push_value(row, &value);
+            }
+            Token::Sign(_) | Token::End => {
                 return Err(self.unexpected_token("a word, a value or a block").into());
             }
         }

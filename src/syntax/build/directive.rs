@@ -1,7 +1,7 @@
 //! Directives.
 
-use super::Builder;
 use super::expr::unescape;
+use super::{Builder, In, name_of};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::parse::Rule;
@@ -9,194 +9,194 @@ use crate::syntax::word::{self, Category};
 use pest::iterators::Pair;
 
 impl Builder<'_> {
-    pub(super) fn directive(&self, pair: Pair<Rule>, block: &str) -> Directive {
+    pub(super) fn directive(&self, pair: Pair<Rule>, place: In) -> Directive {
         match pair.as_rule() {
             Rule::declare => self.declare(pair),
-            Rule::conditional => self.conditional(pair, block),
-            Rule::loop_while => self.loop_while(pair, block),
-            Rule::loop_for => self.loop_for(pair, block),
-            Rule::switch => self.switch(pair, block),
-            Rule::end_of_loop => Directive::Break,
-            Rule::undef => {
-                let target = pair.into_inner().next().map(|p| self.declared(p));
-                let nothing = || Expr { span: Span::NONE, kind: ExprKind::Number(0.0) };
-                Directive::Undef(target.map_or_else(nothing, |t| {
-                    let name = Expr { span: t.span, kind: ExprKind::Name(t.symbol) };
-                    match t.indices.len() {
-                        0 => name,
-                        _ => Expr { span: t.span, kind: ExprKind::Index(Box::new(name), t.indices) },
-                    }
-                }))
+            Rule::conditional => Directive::If(self.branches_of(pair, place)),
+            Rule::while_loop => {
+                let (head, body) = self.head_and_body(pair, place);
+                Directive::While(self.head(head), body)
             }
-            Rule::simple => self.simple(pair),
-            Rule::default => Directive::Default(self.elements(pair.into_inner(), "default")),
+            Rule::for_loop => {
+                let (head, body) = self.head_and_body(pair, place);
+                Directive::For(For { head: self.for_head(head), body })
+            }
+            Rule::switch => self.switch(pair, place),
             Rule::macro_definition => self.macro_definition(pair),
-            rule => {
-                let name = match rule {
-                    Rule::file_open => "fopen",
-                    Rule::file_close => "fclose",
-                    _ if self.text_of(&pair).ends_with("read") => "read",
-                    _ => "write",
-                };
-                Directive::File(name, self.file_arguments(pair))
-            }
+            _ => Directive::Plain(Symbol(self.token(&pair).data)),
         }
     }
 
-    fn file_arguments(&self, pair: Pair<Rule>) -> Box<[Element]> {
-        let mut out = vec![];
-        for part in pair.into_inner() {
-            match part.as_rule() {
-                Rule::arguments => self.elements_into(part.into_inner(), "", &mut out),
-                Rule::name => {
-                    let span = self.span(&part);
-                    let kind = ElementKind::Expr(Box::new(Expr { span, kind: ExprKind::Name(self.symbol(&part)) }));
-                    out.push(Element { span, kind });
-                }
-                _ => out.push(self.element(part, "")),
+    /// What stands in parentheses behind a directive's word.
+    fn head(&self, head: Option<Pair<Rule>>) -> Head {
+        let Some(head) = head else { return Head::Pieces(None) };
+        let whole = if self.single { None } else { self.only_expr(head.clone(), In::Script) };
+        match whole {
+            Some(e) => Head::Whole(e),
+            None => Head::Pieces(Some(self.elements(head, In::Script))),
+        }
+    }
+
+    fn for_head(&self, head: Option<Pair<Rule>>) -> ForHead {
+        let elements = head.map(|head| self.elements(head, In::Script));
+        if let (Some([counter, range @ ..]), false) = (elements.as_deref(), self.single)
+            && let (Some(symbol), true) = (name_of(counter), counter.comma)
+            && (2..=3).contains(&range.len())
+            && range.iter().enumerate().all(|(i, e)| e.comma == (i + 1 < range.len()))
+        {
+            let expr = |e: &Element| match &e.kind {
+                ElementKind::Expr(e) => Some((**e).clone()),
+                _ => None,
+            };
+            if let Some(range) = range.iter().map(expr).collect() {
+                return ForHead::Whole(symbol, range);
             }
         }
-        out.into_boxed_slice()
+        ForHead::Pieces(elements)
+    }
+
+    fn head_and_body<'i>(&self, pair: Pair<'i, Rule>, place: In) -> (Option<Pair<'i, Rule>>, Box<[Element]>) {
+        let (mut head, mut body) = (None, Box::default());
+        for part in pair.into_inner() {
+            match part.as_rule() {
+                Rule::head => head = Some(part),
+                _ => body = self.elements(part, place),
+            }
+        }
+        (head, body)
     }
 
     fn declare(&self, pair: Pair<Rule>) -> Directive {
-        let local = self.text_of(&pair).ends_with("local");
-        let mut deprecated = None;
-        let (mut target, mut others) = (None, vec![]);
+        let local = self.token(&pair).data == 1;
+        let (mut deprecated, mut targets) = (None, vec![]);
         for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::deprecated => {
-                    let span = part.as_span();
-                    let once = self.tokens[span.start()..span.end()].iter().any(|t| self.token_text(*t) == "once");
-                    let why = part.into_inner().next().map_or("".into(), |s| unescape(self.text_of(&s)));
-                    deprecated = Some((once, why));
+                    let tokens = &self.tokens[super::range(&part)];
+                    let once = tokens.iter().any(|t| self.token_text(*t) == "once");
+                    let why = part.into_inner().find(|p| p.as_rule() == Rule::STRING);
+                    deprecated = Some((once, why.map_or("".into(), |s| unescape(self.text_of(&s)))));
                 }
-                _ if target.is_none() => target = Some(self.declared(part)),
-                _ => others.push(self.declared(part)),
+                Rule::targets => targets.extend(part.into_inner().map(|p| self.target(p))),
+                _ => targets.push(self.target(part)),
             }
         }
-        let nothing =
-            || Target { symbol: self.names.intern(""), span: Span::NONE, keyword: None, indices: Box::new([]) };
-        let target = target.unwrap_or_else(nothing);
-        Directive::Declare(Declare { local, deprecated, target, others: others.into() })
+        let targets: Option<Vec<Target>> = if self.single { None } else { targets.into_iter().collect() };
+        match targets.map(|mut all| (if all.is_empty() { None } else { Some(all.remove(0)) }, all)) {
+            Some((Some(target), others)) => {
+                Directive::Declare(Declare { local, deprecated, target, others: others.into() })
+            }
+            _ => Directive::DeclarePieces(local),
+        }
     }
 
-    fn declared(&self, pair: Pair<Rule>) -> Target {
+    fn target(&self, pair: Pair<Rule>) -> Option<Target> {
         let name = self.name(&pair);
         let category = word::lookup(self.text_of(&pair)).filter(|(_, category)| *category != Category::Contextual);
         let keyword = category.map(|(word, _)| word);
         let symbol = self.symbol(&pair);
         let index = |part: Pair<Rule>| match part.as_rule() {
-            Rule::index => part.into_inner().next().map(|p| self.chain(p)),
+            Rule::index => Some(self.only_expr(part, In::Script)),
             // `D.Key` is `D["Key"]`.
-            _ => {
+            Rule::dot => {
                 let token = self.tokens[part.as_span().start() + 1];
                 let (span, text) = (self.token_span(token), self.token_text(token));
-                Some(Expr { span, kind: ExprKind::Text(text.into()) })
+                Some(Some(Expr { span, calls: false, kind: ExprKind::Text(text.into()) }))
             }
+            _ => None,
         };
-        let indices = pair.into_inner().filter_map(index).collect();
-        Target { symbol, span: name.span, keyword, indices }
+        let indices = pair.into_inner().filter_map(index).collect::<Option<Box<[Expr]>>>()?;
+        Some(Target { symbol, span: name.span, keyword, indices })
     }
 
-    fn conditional(&self, pair: Pair<Rule>, block: &str) -> Directive {
-        let (kind, mut branches, mut condition) = (self.text_of(&pair), vec![], None);
-        let kind = kind[1..].trim_start();
+    /// Each branch from its directive's word to the next one.
+    fn branches_of(&self, pair: Pair<Rule>, place: In) -> Box<[Branch]> {
+        let (kind, mut branches, mut head) = (self.text_of(&pair), vec![], None);
+        let kind = kind[1..].trim_start().to_string();
+        let mut start = pair.as_span().start();
         for part in pair.into_inner() {
+            let end = part.as_span().end();
             match part.as_rule() {
-                Rule::condition => condition = Some(self.chain(part)),
+                Rule::head => head = Some(part),
+                Rule::otherwise => {
+                    let span = self.tokens_span(start, end);
+                    let body = part.into_inner().next().map_or(Box::default(), |b| self.elements(b, place));
+                    branches.push(Branch { span, condition: Condition::Always, body });
+                }
                 _ => {
-                    let body = self.elements(part.into_inner(), block);
-                    let condition = match (condition.take(), kind, branches.is_empty()) {
-                        (None, ..) => Condition::Always,
-                        (Some(e), "ifdef", true) => Condition::Declared(e),
-                        (Some(e), "ifndef", true) => Condition::NotDeclared(e),
-                        (Some(e), ..) => Condition::True(e),
+                    let given = self.head(head.take());
+                    let condition = match (&*kind, branches.is_empty()) {
+                        ("ifdef", true) => Condition::Declared(given),
+                        ("ifndef", true) => Condition::NotDeclared(given),
+                        _ => Condition::True(given),
                     };
-                    branches.push(Branch { condition, body });
+                    let span = self.tokens_span(start, end);
+                    branches.push(Branch { span, condition, body: self.elements(part, place) });
+                    start = end;
                 }
             }
         }
-        Directive::If(branches.into_boxed_slice())
+        branches.into_boxed_slice()
     }
 
-    fn loop_while(&self, pair: Pair<Rule>, block: &str) -> Directive {
-        let span = self.span(&pair);
-        let mut inner = pair.into_inner();
-        let nothing = Expr { span, kind: ExprKind::Number(0.0) };
-        let condition = inner.next().map_or(nothing, |p| self.chain(p));
-        let body = inner.next().map_or(Box::default(), |b| self.elements(b.into_inner(), block));
-        Directive::While(condition, body)
+    fn tokens_span(&self, start: usize, end: usize) -> Span {
+        self.token_span(self.tokens[start]).to(self.token_span(self.tokens[end.max(start + 1) - 1]))
     }
 
-    fn loop_for(&self, pair: Pair<Rule>, block: &str) -> Directive {
-        let (mut counter, mut range, mut body) = (Symbol(0), vec![], Box::default());
+    fn switch(&self, pair: Pair<Rule>, place: In) -> Directive {
+        let (mut value, mut arms) = (None, vec![]);
         for part in pair.into_inner() {
-            match part.as_rule() {
-                Rule::name => counter = self.symbol(&part),
-                Rule::condition => range.push(self.chain(part)),
-                _ => body = self.elements(part.into_inner(), block),
-            }
-        }
-        Directive::For(For { counter, range: range.into_boxed_slice(), body })
-    }
-
-    fn switch(&self, pair: Pair<Rule>, block: &str) -> Directive {
-        let mut value = Expr { span: self.span(&pair), kind: ExprKind::Number(0.0) };
-        let mut arms = vec![];
-        for part in pair.into_inner() {
-            match part.as_rule() {
-                Rule::condition => value = self.chain(part),
-                // Elements before the first `#case` never run.
-                Rule::arm => {
-                    let mut inner = part.into_inner();
-                    let mut tested =
-                        inner.next().map_or(vec![], |p| p.into_inner().map(|e| self.chain(e)).collect::<Vec<_>>());
-                    let when = match (tested.pop(), tested.pop()) {
-                        (Some(b), Some(a)) => When::Range(a, b),
-                        (Some(a), None) => When::Case(a),
+            let (rule, span) = (part.as_rule(), self.span(&part));
+            match rule {
+                Rule::head => value = Some(part),
+                Rule::case | Rule::range | Rule::otherwise => {
+                    let (head, body) = self.head_and_body(part, place);
+                    let when = match rule {
+                        Rule::case => When::Case(self.head(head)),
+                        Rule::range => When::Range(head.map(|head| self.elements(head, In::Script))),
                         _ => When::Otherwise,
                     };
-                    let body = inner.next().map_or(Box::default(), |b| self.elements(b.into_inner(), block));
-                    arms.push(Arm { when, body });
+                    arms.push(Arm { span, when, body });
                 }
+                // Elements before the first `#case` never run.
                 _ => {}
             }
         }
-        Directive::Switch(value, arms.into_boxed_slice())
+        Directive::Switch(self.head(value), arms.into_boxed_slice())
     }
 
     fn macro_definition(&self, pair: Pair<Rule>) -> Directive {
-        let mut out = Macro { name: Symbol(0), span: Span::NONE, parameters: Box::new([]), body: Box::new([]) };
-        let mut parameters = vec![];
+        let (mut name, mut head, mut body) = (None, None, Box::default());
+        let span = self.token_span(self.token(&pair));
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::name => (out.name, out.span) = (self.symbol(&part), self.span(&part)),
-                Rule::macro_parameter => {
-                    let names: Vec<_> = part.into_inner().collect();
-                    let optional = names.len() > 1 && self.text_of(&names[0]) == "optional";
-                    let names = names.iter().skip(usize::from(optional));
-                    parameters.extend(names.map(|name| (self.symbol(name), optional)));
-                }
-                _ => out.body = self.elements(part.into_inner(), ""),
+                Rule::head => head = Some(part),
+                Rule::body => body = self.elements(part, In::Script),
+                _ => name = Some(part),
             }
         }
-        out.parameters = parameters.into_boxed_slice();
-        Directive::Macro(out)
-    }
-
-    fn simple(&self, pair: Pair<Rule>) -> Directive {
-        let (span, word) = (self.span(&pair), self.text_of(&pair));
-        let expr = pair.into_inner().find(|part| part.as_rule() == Rule::expr);
-        let value = expr.map_or(Expr { span, kind: ExprKind::Number(0.0) }, |e| self.chain(e));
-        match word[1..].trim_start() {
-            "include" => Directive::Include(value),
-            "version" => Directive::Version(value),
-            "warning" => Directive::Message("warning", value),
-            "error" => Directive::Message("error", value),
-            "render" => Directive::Message("render", value),
-            "statistics" => Directive::Message("statistics", value),
-            _ => Directive::Message("debug", value),
+        let mut fault = None;
+        let mut parameters = vec![];
+        let mut optional = false;
+        for element in head.map_or(Box::default(), |head| self.elements(head, In::Script)) {
+            match name_of(&element) {
+                // `optional A`
+                Some(symbol) if self.names.text(symbol) == "optional" && !optional && !element.comma => optional = true,
+                Some(symbol) => parameters.push((symbol, std::mem::take(&mut optional))),
+                None if matches!(element.kind, ElementKind::Comma) => {}
+                None => fault = fault.or(Some(element.span)),
+            }
         }
+        if optional {
+            parameters.push((self.names.intern("optional"), false));
+        }
+        let (symbol, place) = match &name {
+            Some(name) => (self.symbol(name), self.span(name)),
+            None => {
+                fault = Some(span.end());
+                (self.names.intern(""), span)
+            }
+        };
+        Directive::Macro(Macro { name: symbol, span: place, fault, parameters: parameters.into(), body })
     }
 }

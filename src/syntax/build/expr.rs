@@ -1,92 +1,95 @@
 //! Expressions.
 
-use super::{Builder, known_word};
+use super::{Builder, In, known_word};
 use crate::source::Span;
 use crate::syntax::ast::*;
+use crate::syntax::class;
 use crate::syntax::parse::Rule;
-use crate::syntax::word::{self, Category};
+use crate::syntax::word;
 use pest::iterators::Pair;
 
 impl Builder<'_> {
-    /// `expr`, `condition` and `fcondition`: terms and operators in a row, perhaps a choice.
-    pub(super) fn chain(&self, pair: Pair<Rule>) -> Expr {
+    /// Terms and operators in a row, perhaps a choice. `None` where its brackets hold something else than expressions.
+    pub(super) fn expr(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
+        let precedence = if place == In::Function { Operator::precedence_in_functions } else { Operator::precedence };
         let span = self.span(&pair);
-        let precedence = if pair.as_rule() == Rule::fcondition { in_functions } else { Operator::precedence };
-        let mut inner = pair.into_inner().peekable();
-        let first = inner.next().map_or(Expr { span, kind: ExprKind::Number(0.0) }, |term| self.term(term));
-        let mut rest = vec![];
-        while inner.peek().is_some_and(|p| matches!(p.as_rule(), Rule::arithmetic | Rule::operator)) {
-            if let (Some(op), Some(term)) = (inner.next(), inner.next()) {
-                rest.push((operator(self.text_of(&op)), self.term(term)));
+        let mut inner = pair.into_inner();
+        let first = self.term(inner.next()?, place)?;
+        let (mut rest, mut choice) = (vec![], None);
+        while let Some(part) = inner.next() {
+            match part.as_rule() {
+                Rule::operator => {
+                    let op = Operator::of(self.text_of(&part))?;
+                    rest.push((op, self.term(inner.next()?, place)?));
+                }
+                _ => choice = Some(part),
             }
         }
-        let value = climb(first, rest, precedence);
-        match (inner.next(), inner.next()) {
-            (Some(yes), Some(no)) => {
-                Expr { span, kind: ExprKind::Choice(Box::new([value, self.chain(yes), self.chain(no)])) }
-            }
-            _ => value,
-        }
+        let condition = climb(first, rest, precedence);
+        let Some(choice) = choice else { return Some(condition) };
+        let [yes, no] = self.branches(choice, place)?;
+        let calls = condition.calls || yes.calls || no.calls;
+        Some(Expr { span, calls, kind: ExprKind::Choice(Box::new([condition, yes, no])) })
     }
 
-    /// `term` and `fterm`: signs, a primary, components and indices.
-    pub(super) fn term(&self, pair: Pair<Rule>) -> Expr {
-        let span = self.span(&pair);
+    /// `? yes : no`
+    fn branches(&self, choice: Pair<Rule>, place: In) -> Option<[Expr; 2]> {
+        let range = super::range(&choice);
+        let mut parts: Vec<Pair<Rule>> = choice.into_inner().collect();
+        let no = parts.pop().filter(|p| p.as_rule() == Rule::expr && p.as_span().end() == range.end)?;
+        let yes = parts.pop().filter(|p| p.as_rule() == Rule::expr && parts.is_empty())?;
+        // Nothing but the two signs stands beside them.
+        let whole = yes.as_span().start() == range.start + 1 && yes.as_span().end() + 1 == no.as_span().start();
+        if whole { Some([self.expr(yes, place)?, self.expr(no, place)?]) } else { None }
+    }
+
+    /// Signs, a primary, components and indices.
+    fn term(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let mut prefixes = vec![];
-        let mut value = None;
+        let mut value: Option<Expr> = None;
         let mut parts = pair.into_inner().peekable();
         while let Some(part) = parts.next() {
-            match (part.as_rule(), value.take()) {
-                (Rule::prefix, _) => prefixes.push(self.token(&part)),
-                (Rule::dot, Some(base)) => value = Some(self.dot(base, part)),
+            value = match (part.as_rule(), value) {
+                (Rule::prefix, _) => {
+                    prefixes.push(self.token(&part));
+                    None
+                }
+                (Rule::dot, Some(base)) => Some(self.dot(base, part)),
                 (Rule::index, Some(base)) => {
                     let mut all = vec![part];
                     while let Some(next) = parts.next_if(|p| p.as_rule() == Rule::index) {
                         all.push(next);
                     }
-                    value = Some(self.index(base, all));
+                    Some(self.index(base, all, place)?)
                 }
                 (Rule::arguments, Some(base)) => {
                     let span = base.span.to(self.span(&part));
-                    let arguments = self.elements(part.into_inner(), "");
-                    value = Some(Expr { span, kind: ExprKind::Apply(Box::new(base), arguments) });
+                    let kind = ExprKind::Apply(Box::new(base), self.elements(part, place));
+                    Some(Expr { span, calls: true, kind })
                 }
-                (_, _) => value = Some(self.primary(part)),
-            }
+                _ => Some(self.primary(part, place)?),
+            };
         }
-        let mut value = value.unwrap_or(Expr { span, kind: ExprKind::Number(0.0) });
-        // A row of signs is folded to at most two, so that `- - - … 1` does not nest.
-        let mut folded: Vec<(Span, Prefix)> = vec![];
+        let mut value = value?;
+        let mut signs = SignRow::default();
         for token in prefixes.into_iter().rev() {
             let prefix = match self.token_text(token) {
                 "-" => Prefix::Minus,
                 "+" => Prefix::Plus,
                 _ => Prefix::Not,
             };
-            let span = self.token_span(token).to(value.span);
-            match folded.last() {
-                Some(&(_, last)) if last == prefix && prefix == Prefix::Minus => {
-                    folded.pop();
-                    folded.push((span, Prefix::Plus));
-                }
-                Some(&(_, Prefix::Plus)) => *folded.last_mut().unwrap_or(&mut (span, prefix)) = (span, prefix),
-                Some(_) if prefix == Prefix::Plus => {}
-                Some(&(_, Prefix::Not)) if prefix == Prefix::Not && folded.len() > 1 => {
-                    folded.pop();
-                }
-                _ => folded.push((span, prefix)),
-            }
+            signs.push_outer(prefix, self.token_span(token).to(value.span));
         }
-        for (span, prefix) in folded {
+        for (prefix, span) in signs.0 {
             value = match (prefix, value.kind) {
-                (Prefix::Minus, ExprKind::Number(x)) => Expr { span, kind: ExprKind::Number(-x) },
+                (Prefix::Minus, ExprKind::Number(x)) => Expr { span, calls: false, kind: ExprKind::Number(-x) },
                 (prefix, kind) => {
-                    let inner = Expr { span: value.span, kind };
-                    Expr { span, kind: ExprKind::Prefix(prefix, Box::new(inner)) }
+                    let inner = Expr { span: value.span, calls: value.calls, kind };
+                    Expr { span, calls: value.calls, kind: ExprKind::Prefix(prefix, Box::new(inner)) }
                 }
             };
         }
-        value
+        Some(value)
     }
 
     fn dot(&self, base: Expr, pair: Pair<Rule>) -> Expr {
@@ -94,110 +97,121 @@ impl Builder<'_> {
         let token = self.tokens[pair.as_span().start() + 1];
         let text = self.token_text(token);
         let name = Name { word: known_word(text), span: self.token_span(token) };
-        Expr { span, kind: ExprKind::Dot(Box::new(base), name, self.names.intern(text)) }
+        let calls = base.calls;
+        Expr { span, calls, kind: ExprKind::Dot(Box::new(base), name, self.names.intern(text)) }
     }
 
     /// `[i]` after an array or after another index.
-    fn index(&self, array: Expr, pairs: Vec<Pair<Rule>>) -> Expr {
+    fn index(&self, array: Expr, pairs: Vec<Pair<Rule>>, place: In) -> Option<Expr> {
         let span = pairs.last().map_or(array.span, |last| array.span.to(self.span(last)));
-        let indices = pairs.into_iter().flat_map(Pair::into_inner).map(|p| self.chain(p)).collect();
-        Expr { span, kind: ExprKind::Index(Box::new(array), indices) }
+        let indices: Box<[Expr]> = pairs.into_iter().map(|p| self.only_expr(p, place)).collect::<Option<_>>()?;
+        if indices.iter().any(Expr::compares) {
+            return None;
+        }
+        let calls = array.calls || indices.iter().any(|e| e.calls);
+        Some(Expr { span, calls, kind: ExprKind::Index(Box::new(array), indices) })
     }
 
-    fn primary(&self, pair: Pair<Rule>) -> Expr {
+    /// The expression between two brackets, if nothing else is there.
+    pub(super) fn only_expr(&self, brackets: Pair<Rule>, place: In) -> Option<Expr> {
+        let range = super::range(&brackets);
+        let mut inner = brackets.into_inner();
+        let only = inner.next().filter(|p| p.as_rule() == Rule::expr)?;
+        let own = super::range(&only);
+        let alone = own.start == range.start + 1 && own.end + 1 == range.end;
+        if alone { self.expr(only, place) } else { None }
+    }
+
+    fn primary(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let span = self.span(&pair);
-        let kind = match pair.as_rule() {
-            Rule::NUMBER => ExprKind::Number(self.number(&pair)),
-            Rule::LITERAL => ExprKind::Literal(self.list(&pair).data),
-            Rule::STRING => ExprKind::Text(unescape(self.text_of(&pair))),
-            Rule::vector => self.vector(pair),
-            Rule::paren | Rule::fparen => self.paren(pair),
-            Rule::function => ExprKind::Function(Box::new(self.function(pair))),
-            Rule::nested => match pair.into_inner().next() {
-                Some(block) => ExprKind::Block(Box::new(self.block(block))),
-                None => ExprKind::Number(0.0),
-            },
-            Rule::spliced => ExprKind::Spliced(self.elements(pair.into_inner(), "")),
-            Rule::call => ExprKind::Call(self.symbol(&pair), self.elements(pair.into_inner(), "")),
-            Rule::builtin => {
-                let name = word::by_number(self.token(&pair).data);
-                ExprKind::Builtin(name, pair.into_inner().map(|argument| self.chain(argument)).collect())
-            }
-            Rule::fcall => match word::lookup(self.text_of(&pair)) {
-                Some((name, Category::Function)) => {
-                    ExprKind::Builtin(name, pair.into_inner().map(|argument| self.chain(argument)).collect())
-                }
-                _ => ExprKind::Call(self.symbol(&pair), self.elements(pair.into_inner(), "")),
-            },
-            _ => match word::lookup(self.text_of(&pair)) {
-                Some((word, Category::Keyword | Category::Function)) => ExprKind::Keyword(word),
-                _ => ExprKind::Name(self.symbol(&pair)),
-            },
-        };
-        Expr { span, kind }
-    }
-
-    fn vector(&self, pair: Pair<Rule>) -> ExprKind {
-        let parts: Vec<Element> = pair
-            .into_inner()
-            .map(|p| match p.as_rule() {
-                Rule::expr => Element { span: self.span(&p), kind: ElementKind::Expr(Box::new(self.chain(p))) },
-                _ => self.element(p, ""),
-            })
-            .collect();
-        let literal = |e: &Element| match &e.kind {
-            ElementKind::Expr(expr) => match expr.kind {
-                ExprKind::Number(x) => Some(x),
-                _ => None,
-            },
-            _ => None,
-        };
-        match parts.iter().map(literal).collect::<Option<Vec<f64>>>() {
-            Some(data) if data.len() > 1 => ExprKind::Literal(data.into_boxed_slice()),
-            _ => ExprKind::Vector(parts.into_boxed_slice()),
-        }
-    }
-
-    fn paren(&self, pair: Pair<Rule>) -> ExprKind {
-        let mut inner = pair.into_inner().peekable();
-        match inner.peek().map(Pair::as_rule) {
-            Some(Rule::condition | Rule::fcondition) => match inner.next() {
-                Some(condition) => ExprKind::Paren(Box::new(self.chain(condition))),
-                None => ExprKind::Number(0.0),
-            },
-            _ => ExprKind::ParenSpliced(inner.map(|p| self.directive_or_expr(p)).collect()),
-        }
-    }
-
-    fn directive_or_expr(&self, pair: Pair<Rule>) -> Element {
+        let plain = |kind| Some(Expr { span, calls: false, kind });
         match pair.as_rule() {
-            Rule::condition => Element { span: self.span(&pair), kind: ElementKind::Expr(Box::new(self.chain(pair))) },
-            _ => self.element(pair, ""),
+            Rule::NUMBER => plain(ExprKind::Number(self.number(&pair))),
+            Rule::LITERAL => plain(ExprKind::Literal(self.list(self.token(&pair)).data)),
+            Rule::STRING => plain(ExprKind::Text(unescape(self.text_of(&pair)))),
+            Rule::NAME => plain(ExprKind::Name(Symbol(self.token(&pair).data))),
+            Rule::vector => self.vector(pair, place),
+            Rule::paren => {
+                let inner = self.only_expr(pair, place)?;
+                Some(Expr { span, calls: inner.calls, kind: ExprKind::Paren(Box::new(inner)) })
+            }
+            Rule::call => {
+                let symbol = Symbol(self.token(&pair).data);
+                Some(Expr { span, calls: true, kind: ExprKind::Call(symbol, self.elements(pair, place)) })
+            }
+            _ => self.builtin(pair, place),
         }
     }
-}
 
-fn operator(text: &str) -> Operator {
-    use Operator::*;
-    match text {
-        "+" => Add,
-        "-" => Sub,
-        "*" => Mul,
-        "/" => Div,
-        "<" => Less,
-        "<=" => LessEqual,
-        ">" => Greater,
-        ">=" => GreaterEqual,
-        "=" => Equal,
-        "!=" => NotEqual,
-        "&" => And,
-        _ => Or,
+    /// The arguments of a built-in function have commas between them.
+    fn builtin(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
+        let (span, name) = (self.span(&pair), word::by_number(self.token(&pair).data));
+        let mut arguments = vec![];
+        let mut at = pair.as_span().start() + 2;
+        let end = pair.as_span().end() - 1;
+        for part in pair.into_inner().skip(1) {
+            let (own, at_span) = (super::range(&part), self.span(&part));
+            let comma = own.start == at + 1 && self.classes[at] == class::COMMA && !arguments.is_empty();
+            if !(comma || own.start == at && arguments.is_empty()) {
+                return None;
+            }
+            at = own.end;
+            arguments.push(match part.as_rule() {
+                Rule::expr => self.expr(part, place)?,
+                Rule::block => {
+                    let kind = ExprKind::Block(Box::new(self.block(part, place)));
+                    Expr { span: at_span, calls: true, kind }
+                }
+                _ => return None,
+            });
+        }
+        if at != end {
+            return None;
+        }
+        let calls = arguments.iter().any(|e| e.calls);
+        Some(Expr { span, calls, kind: ExprKind::Builtin(name, arguments.into_boxed_slice()) })
+    }
+
+    fn vector(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
+        let span = self.span(&pair);
+        let mut data = vec![];
+        let parts = self.elements(pair, place);
+        let mut calls = false;
+        for part in &parts {
+            let ElementKind::Expr(e) = &part.kind else { return None };
+            if e.compares() {
+                return None;
+            }
+            calls |= e.calls;
+            if let ExprKind::Number(x) = e.kind {
+                data.push(x);
+            }
+        }
+        let literal = data.len() == parts.len() && data.len() > 1;
+        let kind = if literal { ExprKind::Literal(data.into_boxed_slice()) } else { ExprKind::Vector(parts) };
+        Some(Expr { span, calls, kind })
     }
 }
 
-/// Inside `function { … }`, `&` binds tighter than `|` (measured on POV-Ray 3.7).
-fn in_functions(op: Operator) -> u8 {
-    if op == Operator::And { 2 } else { op.precedence() }
+/// Signs before an operand, the innermost first. Those that cancel each other are left out, so that `- - - … 1` does not nest.
+#[derive(Debug, Default)]
+pub struct SignRow(pub Vec<(Prefix, Span)>);
+
+impl SignRow {
+    /// One more sign, to the left of all others.
+    pub fn push_outer(&mut self, prefix: Prefix, span: Span) {
+        let row = &mut self.0;
+        let many = row.len() > 1;
+        match row.last_mut() {
+            Some(last) if last.0 == Prefix::Minus && prefix == Prefix::Minus => *last = (Prefix::Plus, span),
+            Some(last) if last.0 == Prefix::Plus => *last = (prefix, span),
+            Some(_) if prefix == Prefix::Plus => {}
+            Some(last) if last.0 == Prefix::Not && prefix == Prefix::Not && many => {
+                row.pop();
+            }
+            _ => row.push((prefix, span)),
+        }
+    }
 }
 
 /// Operators and their right operands.
@@ -222,7 +236,8 @@ fn climb(first: Expr, rest: Tail, precedence: fn(Operator) -> u8) -> Expr {
     let rest: Box<[(Operator, Expr)]> =
         groups.into_iter().map(|(op, term, inner)| (op, climb(term, inner, precedence))).collect();
     let span = rest.iter().fold(first.span, |span, (_, e)| span.to(e.span));
-    Expr { span, kind: ExprKind::Chain(Box::new(Chain { first, rest })) }
+    let calls = first.calls || rest.iter().any(|(_, e)| e.calls);
+    Expr { span, calls, kind: ExprKind::Chain(Box::new(Chain { first, rest })) }
 }
 
 /// Resolves the escapes of a string in its quotes (manual, "String Literals").

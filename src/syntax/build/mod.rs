@@ -1,19 +1,21 @@
 //! pest's pairs to the tree of [`super::ast`].
 
-mod contextual;
 mod directive;
 mod expr;
+mod pieces;
 
 use crate::source::Span;
 use crate::syntax::Names;
 use crate::syntax::ast::*;
+use crate::syntax::class;
 use crate::syntax::lex::{Lexed, Token};
 use crate::syntax::parse::Rule;
 use crate::syntax::word;
-use contextual::split_contextual;
-pub use expr::unescape;
+pub use expr::{SignRow, unescape};
 use pest::iterators::{Pair, Pairs};
+pub use pieces::{begins_with_sign, pieces};
 use std::cell::RefCell;
+use std::ops::Range;
 
 /// Builds the elements of one piece of text. Places in pairs are numbers of tokens, counted from the piece's first.
 pub(super) struct Builder<'n> {
@@ -21,132 +23,254 @@ pub(super) struct Builder<'n> {
     text: &'n str,
     /// Global offset of the text's first byte.
     base: usize,
+    classes: &'n [u8],
     tokens: &'n [Token],
     numbers: &'n [f64],
     lists: RefCell<&'n mut [NumberList]>,
+    /// Is each token an element of its own?
+    single: bool,
+}
+
+/// Where an expression stands.
+#[derive(Clone, Copy, PartialEq)]
+enum In {
+    Script,
+    /// Between the braces of a `function`.
+    Function,
 }
 
 impl<'n> Builder<'n> {
     /// For the piece whose first token has the number `first`.
-    pub(super) fn new(names: &'n Names, text: &'n str, base: usize, first: usize, lexed: &'n mut Lexed) -> Self {
-        let Lexed { tokens, numbers, lists, .. } = lexed;
-        Self { names, text, base, tokens: &tokens[first..], numbers, lists: RefCell::new(lists) }
+    pub(super) fn new(names: &'n Names, text: &'n str, base: usize, first: usize, lexed: &'n mut Lexed, single: bool) -> Self {
+        let Lexed { classes, tokens, numbers, lists, .. } = lexed;
+        let (classes, tokens) = (&classes[first..], &tokens[first..]);
+        Self { names, text, base, classes, tokens, numbers, lists: RefCell::new(lists), single }
+    }
+
+    /// The elements of a whole piece.
+    pub(super) fn piece(&self, chunk: Pair<Rule>, out: &mut Vec<Element>) {
+        let range = range(&chunk);
+        self.elements_into(chunk.into_inner(), range, In::Script, out);
     }
 
     /// The first token of a pair.
-    pub(super) fn token(&self, pair: &Pair<Rule>) -> Token {
+    fn token(&self, pair: &Pair<Rule>) -> Token {
         self.tokens[pair.as_span().start()]
     }
 
     /// The text that a token stands for.
-    pub(super) fn token_text(&self, token: Token) -> &'n str {
+    fn token_text(&self, token: Token) -> &'n str {
         &self.text[token.start as usize..token.end as usize]
     }
 
     /// The text of a pair's first token.
-    pub(super) fn text_of(&self, pair: &Pair<Rule>) -> &'n str {
+    fn text_of(&self, pair: &Pair<Rule>) -> &'n str {
         self.token_text(self.token(pair))
     }
 
-    pub(super) fn number(&self, pair: &Pair<Rule>) -> f64 {
+    fn number(&self, pair: &Pair<Rule>) -> f64 {
         self.numbers[self.token(pair).data as usize]
     }
 
-    pub(super) fn list(&self, pair: &Pair<Rule>) -> NumberList {
+    fn list(&self, token: Token) -> NumberList {
         let nothing = NumberList { data: Box::new([]), widths: Widths::Uniform(1) };
-        std::mem::replace(&mut self.lists.borrow_mut()[self.token(pair).data as usize], nothing)
+        std::mem::replace(&mut self.lists.borrow_mut()[token.data as usize], nothing)
     }
 
-    /// Appends elements; `block` is the word before the brace they stand in, for the words that mean something only there.
-    pub(super) fn elements_into(&self, pairs: Pairs<Rule>, block: &str, out: &mut Vec<Element>) {
-        let context = word::contextual(block);
+    /// Appends the elements that stand in a range of tokens: commas between them are flags of those before.
+    fn elements_into(&self, pairs: Pairs<Rule>, range: Range<usize>, place: In, out: &mut Vec<Element>) {
+        let (first, mut at) = (out.len(), range.start);
         for pair in pairs.filter(|p| p.as_rule() != Rule::EOI) {
-            let end = pair.as_span().end();
-            let (element, rest) = split_contextual(self.element(pair, block), context, self.names);
-            // Textures in a row are layers of one, unless a comma stands between them.
-            let ends = is_texture(&element) && self.tokens.get(end).is_some_and(|t| self.token_text(*t) == ",");
-            out.push(element);
-            out.extend(rest);
-            if ends {
-                let at = self.token_span(self.tokens[end]);
-                out.push(Element { span: at, kind: ElementKind::Semicolon });
+            let own = self::range(&pair);
+            self.commas(at..own.start, first, out);
+            at = own.end;
+            self.element(pair, place, out);
+        }
+        self.commas(at..range.end, first, out);
+    }
+
+    /// The elements between the brackets of a pair, or in a body.
+    fn elements(&self, pair: Pair<Rule>, place: In) -> Box<[Element]> {
+        let mut out = vec![];
+        self.inner_into(pair, place, &mut out);
+        out.into_boxed_slice()
+    }
+
+    /// The elements of a pair that ends with a bracket, without what stands before the first of them.
+    fn inner_into(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
+        let mut range = range(&pair);
+        match pair.as_rule() {
+            Rule::body => {}
+            Rule::block | Rule::call | Rule::builtin => range = range.start + 2..range.end - 1,
+            _ => range = range.start + 1..range.end - 1,
+        }
+        let words = usize::from(matches!(pair.as_rule(), Rule::block | Rule::call | Rule::builtin));
+        let mut pairs = pair.into_inner();
+        (0..words).for_each(|_| drop(pairs.next()));
+        self.elements_into(pairs, range, place, out);
+    }
+
+    /// Tokens between two elements can only be commas.
+    fn commas(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
+        for i in range.filter(|i| self.classes[*i] == class::COMMA) {
+            let behind = out.len() > first;
+            match out.last_mut() {
+                // What a directive gives comes before the comma.
+                Some(Element { comma: true, .. } | Element { kind: ElementKind::Comma, .. }) if behind => {}
+                Some(last) if behind && !matches!(last.kind, ElementKind::Directive(_) | ElementKind::Semicolon) => {
+                    last.comma = true;
+                }
+                _ => out.push(Element::new(self.token_span(self.tokens[i]), ElementKind::Comma)),
             }
         }
     }
 
-    pub(super) fn elements(&self, pairs: Pairs<Rule>, block: &str) -> Box<[Element]> {
-        let mut out = vec![];
-        self.elements_into(pairs, block, &mut out);
-        out.into_boxed_slice()
-    }
-
-    pub(super) fn span(&self, pair: &Pair<Rule>) -> Span {
+    fn span(&self, pair: &Pair<Rule>) -> Span {
         let span = pair.as_span();
         let (first, last) = (self.tokens[span.start()], self.tokens[(span.end().max(1) - 1).max(span.start())]);
         Span::new(self.base + first.start as usize, self.base + last.end as usize)
     }
 
-    pub(super) fn token_span(&self, token: Token) -> Span {
+    fn token_span(&self, token: Token) -> Span {
         Span::new(self.base + token.start as usize, self.base + token.end as usize)
     }
 
-    pub(super) fn element(&self, pair: Pair<Rule>, block: &str) -> Element {
+    fn element(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
-            Rule::keyword => ElementKind::Word(word::by_number(self.token(&pair).data)),
-            Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(&pair))),
-            Rule::expr => ElementKind::Expr(Box::new(self.chain(pair))),
-            Rule::block => ElementKind::Block(Box::new(self.block(pair))),
-            Rule::open => ElementKind::Open(Box::new(self.name(&pair))),
-            Rule::close => ElementKind::Close,
-            Rule::group => ElementKind::Group(self.elements(pair.into_inner(), block)),
-            Rule::entry => ElementKind::Entry(self.elements(pair.into_inner(), block)),
-            Rule::function => ElementKind::Function(Box::new(self.function(pair))),
-            Rule::semicolon => ElementKind::Semicolon,
-            Rule::key => ElementKind::Key(self.names.intern(self.token_text(self.tokens[pair.as_span().start() + 1]))),
-            Rule::colon => ElementKind::Colon,
-            Rule::values => ElementKind::Values(self.elements(pair.into_inner(), "")),
-            Rule::fcondition => ElementKind::Expr(Box::new(self.chain(pair))),
-            _ => ElementKind::Directive(Box::new(self.directive(pair, block))),
+            Rule::SEMICOLON => ElementKind::Semicolon,
+            Rule::KEYWORD | Rule::word => ElementKind::Word(word::by_number(self.token(&pair).data)),
+            Rule::declare | Rule::conditional | Rule::while_loop | Rule::for_loop | Rule::switch | Rule::macro_definition
+            | Rule::plain => ElementKind::Directive(Box::new(self.directive(pair, place))),
+            _ if self.single => return self.flatten(pair, place, out),
+            Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(self.token(&pair)))),
+            Rule::expr => match self.expr(pair.clone(), place) {
+                Some(e) => ElementKind::Expr(Box::new(e)),
+                None => return self.flatten(pair, place, out),
+            },
+            Rule::block => ElementKind::Block(Box::new(self.block(pair, place))),
+            Rule::group => ElementKind::Group(Box::new(Group { body: self.elements(pair, place) })),
+            Rule::entry => ElementKind::Entry(Box::new(Group { body: self.elements(pair, place) })),
+            Rule::function => match self.function(pair.clone()) {
+                Some(function) => ElementKind::Function(Box::new(function)),
+                None => return self.flatten(pair, place, out),
+            },
+            _ => return self.flatten(pair, place, out),
         };
-        Element { span, kind }
+        out.push(Element::new(span, kind));
     }
 
-    pub(super) fn block(&self, pair: Pair<Rule>) -> Block {
+    /// Each token by itself, but for directives, and what stands whole between brackets.
+    fn flatten(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
+        let place = if pair.as_rule() == Rule::function { In::Function } else { place };
+        let (first, own) = (out.len(), range(&pair));
+        let mut at = own.start;
+        for inner in pair.into_inner() {
+            let within = range(&inner);
+            self.singles(at..within.start, first, out);
+            at = within.end;
+            match inner.as_rule() {
+                Rule::declare | Rule::conditional | Rule::while_loop | Rule::for_loop | Rule::switch
+                | Rule::macro_definition | Rule::plain | Rule::block | Rule::group | Rule::function | Rule::expr => {
+                    self.element(inner, place, out);
+                }
+                _ => self.flatten(inner, place, out),
+            }
+        }
+        self.singles(at..own.end, first, out);
+    }
+
+    fn singles(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
+        for i in range {
+            let (class, token) = (self.classes[i], self.tokens[i]);
+            let (span, text) = (self.token_span(token), self.token_text(token));
+            let operand = |kind| ElementKind::Expr(Box::new(Expr { span, calls: false, kind }));
+            let kind = match class {
+                class::COMMA => {
+                    self.commas(i..i + 1, first, out);
+                    continue;
+                }
+                class::KEYWORD | class::BUILTIN | class::FUNCTION | class::DEPRECATED => {
+                    ElementKind::Word(word::by_number(token.data))
+                }
+                class::NAME => operand(ExprKind::Name(Symbol(token.data))),
+                class::NUMBER => operand(ExprKind::Number(self.numbers[token.data as usize])),
+                class::STRING => operand(ExprKind::Text(unescape(text))),
+                class::LITERAL => operand(ExprKind::Literal(self.list(token).data)),
+                class::NUMBERS => ElementKind::Numbers(Box::new(self.list(token))),
+                class::SEMICOLON => ElementKind::Semicolon,
+                _ => ElementKind::Sign(sign(text)),
+            };
+            out.push(Element::new(span, kind));
+        }
+    }
+
+    fn block(&self, pair: Pair<Rule>, place: In) -> Block {
         let name = self.name(&pair);
-        Block { name, body: self.elements(pair.into_inner(), name.word.unwrap_or("")) }
+        Block { name, body: self.elements(pair, place) }
     }
 
     /// The word that a pair starts with.
-    pub(super) fn name(&self, pair: &Pair<Rule>) -> Name {
+    fn name(&self, pair: &Pair<Rule>) -> Name {
         let token = self.token(pair);
         Name { word: known_word(self.token_text(token)), span: self.token_span(token) }
     }
 
-    pub(super) fn symbol(&self, pair: &Pair<Rule>) -> Symbol {
+    fn symbol(&self, pair: &Pair<Rule>) -> Symbol {
         self.names.intern(self.text_of(pair))
     }
 
-    pub(super) fn function(&self, pair: Pair<Rule>) -> Function {
-        let mut function = Function { parameters: Box::new([]), size: Box::new([]), body: Box::new([]) };
-        let (mut size, mut body) = (vec![], vec![]);
+    /// `None` where its head is not whole.
+    fn function(&self, pair: Pair<Rule>) -> Option<Function> {
+        let (mut size, mut parameters, mut body) = (vec![], Box::default(), Box::default());
         for part in pair.into_inner() {
             match part.as_rule() {
-                Rule::parameters => function.parameters = part.into_inner().map(|p| self.symbol(&p)).collect(),
-                Rule::expr => size.push(self.chain(part)),
-                _ => body.push(self.element(part, "")),
+                Rule::head => {
+                    let names = self.elements(part, In::Script);
+                    parameters = names.iter().map(name_of).collect::<Option<_>>()?;
+                }
+                Rule::expr => size.push(self.expr(part, In::Script)?),
+                Rule::body => body = self.elements(part, In::Function),
+                _ => {}
             }
         }
-        function.size = size.into_boxed_slice();
-        function.body = body.into_boxed_slice();
-        function
+        Some(Function { parameters, size: size.into_boxed_slice(), body })
     }
 }
 
-fn is_texture(element: &Element) -> bool {
-    matches!(&element.kind, ElementKind::Block(block) if block.name.word == Some("texture"))
+/// The tokens of a pair.
+fn range(pair: &Pair<Rule>) -> Range<usize> {
+    let span = pair.as_span();
+    span.start()..span.end()
+}
+
+/// The name that an element is, if it is no more.
+pub(super) fn name_of(element: &Element) -> Option<Symbol> {
+    match &element.kind {
+        ElementKind::Expr(e) => match e.kind {
+            ExprKind::Name(symbol) => Some(symbol),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 fn known_word(text: &str) -> Option<&'static str> {
     word::lookup(text).map(|(word, _)| word)
+}
+
+fn sign(text: &str) -> Sign {
+    match text {
+        "{" => Sign::Open(Bracket::Brace),
+        "(" => Sign::Open(Bracket::Paren),
+        "[" => Sign::Open(Bracket::Square),
+        "}" => Sign::Close(Bracket::Brace),
+        ")" => Sign::Close(Bracket::Paren),
+        "]" => Sign::Close(Bracket::Square),
+        "!" => Sign::Not,
+        "." => Sign::Dot,
+        "?" => Sign::Question,
+        ":" => Sign::Colon,
+        _ => Operator::of(text).map_or(Sign::Other, Sign::Operator),
+    }
 }

@@ -1,0 +1,161 @@
+//! What the built-in functions are given that look at more than values: names, elements of arrays, objects.
+
+use super::Interpreter;
+use super::eval::{as_float, as_vector};
+use super::scope::{Place, Slot};
+use super::stream::Token;
+use crate::diagnostic::{Diagnostic, Result};
+use crate::math::DVec3;
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::value::Value;
+
+/// An argument with its place in the text.
+pub(super) struct Argument<'a> {
+    pub(super) given: Given<'a>,
+    pub(super) span: Span,
+}
+
+/// See [`Argument`].
+pub(super) enum Given<'a> {
+    /// A name alone, which need not be declared.
+    Name(Symbol),
+    /// An array's element.
+    Place(Place),
+    /// Anything else.
+    Slot(Slot<'a>),
+}
+
+impl<'a> Interpreter<'a> {
+    /// An argument that stands whole.
+    pub(super) fn argument_of(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
+        let given = match &e.kind {
+            ExprKind::Name(symbol) => Given::Name(*symbol),
+            ExprKind::Index(base, indices) => Given::Place(self.element_place(base, indices)?),
+            _ => match self.dictionary_place(e)? {
+                Some(place) => Given::Place(place),
+                None => Given::Slot(Slot::Value(self.eval(e)?)),
+            },
+        };
+        Ok(Argument { given, span: e.span })
+    }
+
+    /// The argument that comes next.
+    pub(super) fn argument_here(&mut self) -> Result<Argument<'a>> {
+        let token = self.peek()?;
+        let span = self.here();
+        match token {
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
+                // (Looking at what follows may end the macro whose name it is.)
+                let (slot, depth) = (self.scopes.get(*symbol).cloned(), self.depth);
+                self.advance();
+                let ends = self.value_ends()?;
+                match slot {
+                    _ if ends && depth == self.depth => Ok(Argument { given: Given::Name(*symbol), span }),
+                    Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
+                    Some(slot) => self.argument_from(slot, span),
+                    None => {
+                        let value = self.name_value(*symbol, span)?;
+                        self.argument_from(Slot::Value(value), span)
+                    }
+                }
+            }
+            Token::Element(_) => {
+                let Some(place) = self.element.clone() else { return Err(self.unexpected_token("a value").into()) };
+                let (slot, depth) = (self.scopes.at(&place).cloned(), self.depth);
+                self.advance();
+                let ends = self.value_ends()?;
+                match slot {
+                    _ if ends && depth == self.depth => Ok(Argument { given: Given::Place(place), span }),
+                    Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
+                    Some(slot) => self.argument_from(slot, span),
+                    None => self.slot_at(&place, span).map(|slot| Argument { given: Given::Slot(slot), span }),
+                }
+            }
+            Token::Block(_) | Token::Function(_) => {
+                let slot = self.rvalue()?;
+                Ok(Argument { given: Given::Slot(slot), span })
+            }
+            _ => {
+                let (value, span) = self.value_in(true)?;
+                Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
+            }
+        }
+    }
+
+    fn argument_from(&mut self, first: Slot<'a>, span: Span) -> Result<Argument<'a>> {
+        let first = self.slot_value(first, span)?;
+        let (value, span) = self.value_from(first, span)?;
+        Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
+    }
+
+    /// Has the value that was just read come to its end?
+    pub(super) fn value_ends(&mut self) -> Result<bool> {
+        Ok(match self.peek_after()? {
+            None | Some(Token::Sign(Sign::Close(_)) | Token::End) => true,
+            Some(Token::Sign(sign)) => !matches!(sign, Sign::Dot | Sign::Question | Sign::Operator(_)),
+            Some(Token::Open(Bracket::Paren | Bracket::Square, _)) => false,
+            Some(Token::Expr(e)) => {
+                !crate::syntax::begins_with_sign(e) && !matches!(e.kind, ExprKind::Paren(_))
+            }
+            Some(Token::Numbers(data)) => data.len() != 1 || !data[0].is_sign_negative(),
+            Some(_) => true,
+        })
+    }
+
+    /// What a name, an element or anything else holds.
+    pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
+        match &argument.given {
+            Given::Name(symbol) => match self.scopes.get(*symbol) {
+                Some(slot) => Ok(slot.clone()),
+                None => self.name_value(*symbol, argument.span).map(Slot::Value),
+            },
+            Given::Place(place) => self.slot_at(place, argument.span),
+            Given::Slot(slot) => Ok(slot.clone()),
+        }
+    }
+
+    pub(super) fn argument_value(&mut self, argument: &Argument<'a>) -> Result<Value> {
+        match &argument.given {
+            Given::Name(symbol) => self.name_value(*symbol, argument.span),
+            Given::Slot(Slot::Value(value)) => Ok(value.clone()),
+            _ => {
+                let slot = self.argument_slot(argument)?;
+                self.slot_value(slot, argument.span)
+            }
+        }
+    }
+
+    pub(super) fn argument_number(&mut self, argument: &Argument<'a>) -> Result<f64> {
+        let value = self.argument_value(argument)?;
+        as_float(&value, argument.span)
+    }
+
+    pub(super) fn argument_vector(&mut self, argument: &Argument<'a>) -> Result<DVec3> {
+        let value = self.argument_value(argument)?;
+        as_vector(&value, argument.span)
+    }
+
+    pub(super) fn argument_text(&mut self, argument: &Argument<'a>) -> Result<String> {
+        match self.argument_value(argument)? {
+            Value::Text(text) => Ok(text.to_string()),
+            other => self.not_text(&other, argument.span),
+        }
+    }
+
+    /// Is there something under this name, or in this place?
+    pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
+        match &argument.given {
+            Given::Name(symbol) => self.scopes.get(*symbol).is_some(),
+            Given::Place(place) => self.scopes.at(place).is_some(),
+            Given::Slot(_) => false,
+        }
+    }
+
+    pub(super) fn not_text<T>(&self, found: &Value, span: Span) -> Result<T> {
+        let message = format!("expected a string, found {}", found.describe());
+        Diagnostic::new(crate::diagnostic::codes::WRONG_TYPE, span, message)
+            .help("`str(A, 0, 3)` makes text of a number")
+            .into()
+    }
+}

@@ -1,0 +1,169 @@
+//! Functions whose tokens come one by one.
+
+use super::{Compiler, series};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::{Id, Node};
+use crate::interpreter::Interpreter;
+use crate::interpreter::eval::as_float;
+use crate::interpreter::pieces::{Operands, expect_colon, joined, read_signs};
+use crate::interpreter::stream::Token;
+use crate::source::Span;
+use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
+use crate::value::Value;
+
+/// Makes operations of operands and operators.
+pub(super) struct Compiled<'c>(pub(super) &'c mut Compiler);
+
+impl<'a> Operands<'a> for Compiled<'_> {
+    type Value = Id;
+
+    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Id, Span)> {
+        let signs = read_signs(me)?;
+        let (mut id, mut span) = me.compile_primary(self.0)?;
+        for (prefix, at) in signs {
+            id = self.0.prefixed(prefix, id);
+            span = joined(at, span);
+        }
+        Ok((id, span))
+    }
+
+    fn combine(&mut self, _: &mut Interpreter<'a>, op: Operator, left: (Id, Span), right: (Id, Span)) -> Result<Id> {
+        Ok(self.0.graph.add(Node::Binary(op, left.0, right.0)))
+    }
+
+    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Id, Span)) -> Result<(Id, Span)> {
+        let (yes, _) = me.climb(self, true)?;
+        expect_colon(me)?;
+        let (no, span) = me.climb(self, true)?;
+        Ok((self.0.graph.add(Node::Choice(condition.0, yes, no)), span))
+    }
+
+    fn precedence(&self, op: Operator) -> u8 {
+        op.precedence_in_functions()
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    /// A number, parameter, call … without signs.
+    fn compile_primary(&mut self, c: &mut Compiler) -> Result<(Id, Span)> {
+        loop {
+            let token = self.peek()?;
+            let span = self.here();
+            return match token {
+                Token::Expr(e) => match &e.kind {
+                    ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..) => {
+                        self.take_apart();
+                        continue;
+                    }
+                    // A component or more may follow.
+                    ExprKind::Call(..) | ExprKind::Apply(..) if !self.is_whole(true) => {
+                        self.take_apart();
+                        continue;
+                    }
+                    ExprKind::Name(symbol) => {
+                        self.advance();
+                        match self.call_follows(|me| me.thing_is_callable(*symbol))? {
+                            true => {
+                                let callee = self.name_value(*symbol, span)?;
+                                self.compile_call_in_pieces(c, &callee, span)
+                            }
+                            false => Ok((self.compile_name(c, *symbol, e)?, span)),
+                        }
+                    }
+                    _ => {
+                        self.advance();
+                        Ok((self.compile(c, e)?, span))
+                    }
+                },
+                Token::Numbers([x]) => {
+                    self.advance();
+                    Ok((c.graph.constant(*x), span))
+                }
+                Token::Open(Bracket::Paren, _) => {
+                    self.open()?;
+                    let (id, _) = self.climb(&mut Compiled(c), true)?;
+                    let end = self.here();
+                    self.close("`)`")?;
+                    Ok((id, joined(span, end)))
+                }
+                Token::Element(_) => {
+                    let slot = self.take_element()?;
+                    let value = self.slot_value(slot, span)?;
+                    if self.call_follows(|_| matches!(value, Value::Thing(_)))? {
+                        return self.compile_call_in_pieces(c, &value, span);
+                    }
+                    Ok((c.graph.constant(as_float(&value, span)?), span))
+                }
+                Token::Callee(word) => {
+                    self.advance();
+                    self.expect_paren(word)?;
+                    let id = self.compile_builtin_in_pieces(c, word, span)?;
+                    let end = self.here();
+                    self.close("`)`")?;
+                    Ok((id, joined(span, end)))
+                }
+                _ => Err(self.unexpected_token("a number, a parameter or a function").into()),
+            };
+        }
+    }
+
+    fn thing_is_callable(&self, symbol: crate::syntax::ast::Symbol) -> bool {
+        use crate::interpreter::scope::Slot;
+        matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
+    }
+
+    /// Do arguments come next, of something that takes them?
+    fn call_follows(&mut self, callable: impl FnOnce(&Self) -> bool) -> Result<bool> {
+        if !callable(self) {
+            return Ok(false);
+        }
+        if let Some(Token::Expr(Expr { kind: ExprKind::Paren(_), .. })) = self.peek_after()? {
+            self.take_apart();
+        }
+        Ok(matches!(self.peek_after()?, Some(Token::Open(Bracket::Paren, _))))
+    }
+
+    /// The arguments of a function or spline, whose `(` comes next, and perhaps a component behind them.
+    fn compile_call_in_pieces(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
+        self.open()?;
+        let mut ids = vec![];
+        while !self.peek()?.ends() {
+            ids.push(self.climb(&mut Compiled(c), true)?.0);
+        }
+        let mut whole = joined(span, self.here());
+        self.close("`)`")?;
+        let mut component: Option<Name> = None;
+        if matches!(self.peek_after()?, Some(Token::Sign(Sign::Dot))) {
+            self.advance();
+            let name = self.component_name()?;
+            whole = joined(whole, name.span);
+            component = Some(name);
+        }
+        Ok((self.compile_call_of(c, callee, ids, component.as_ref(), whole)?, whole))
+    }
+
+    /// What stands in the parentheses of a built-in function.
+    fn compile_builtin_in_pieces(&mut self, c: &mut Compiler, word: &str, span: Span) -> Result<Id> {
+        if word == "sum" || word == "prod" {
+            return self.compile_series_in_pieces(c, word == "prod", span);
+        }
+        let mut ids = vec![];
+        while !self.peek()?.ends() {
+            ids.push(self.climb(&mut Compiled(c), true)?.0);
+        }
+        self.compile_builtin_of(c, word, &ids, span)
+    }
+
+    /// `I, 1, 10, x/I`
+    fn compile_series_in_pieces(&mut self, c: &mut Compiler, product: bool, span: Span) -> Result<Id> {
+        let Token::Expr(Expr { kind: ExprKind::Name(counter), .. }) = self.peek()? else {
+            return Diagnostic::err(codes::WRONG_COUNT, span, "expected a counter, a first and a last value, and a term");
+        };
+        self.advance();
+        let first = self.climb(&mut Compiled(c), true)?.0;
+        let last = self.climb(&mut Compiled(c), true)?.0;
+        let mut inner = c.with_counter(*counter);
+        inner.graph.result = self.climb(&mut Compiled(&mut inner), true)?.0;
+        series(c, product, vec![first, last], inner, span)
+    }
+}

@@ -1,0 +1,528 @@
+//! Values in pieces: expressions of which macros, branches, loops or files give the tokens one by one. The rules and the table
+//! of precedences are those of the expressions that stand whole.
+
+use super::Interpreter;
+use super::argument::Argument;
+use super::eval::{as_float, vector_value};
+use super::operators::{SMALL, apply, apply_prefix, component};
+use super::stream::Token;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::{Function, Spline};
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::word;
+use crate::syntax::{SignRow, begins_with_sign};
+use crate::value::{Reader, Thing, Value, VecN, downcast};
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// What is done with operands and operators as they come: values are computed, functions compiled, or nothing is done.
+pub(super) trait Operands<'a> {
+    /// What an operand is.
+    type Value;
+
+    /// The next operand with its signs, components and indices.
+    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Self::Value, Span)>;
+
+    /// Two operands and what stands between them.
+    fn combine(
+        &mut self,
+        me: &mut Interpreter<'a>,
+        op: Operator,
+        left: (Self::Value, Span),
+        right: (Self::Value, Span),
+    ) -> Result<Self::Value>;
+
+    /// What follows a `?`: both branches with the `:` between them.
+    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Self::Value, Span)) -> Result<(Self::Value, Span)>;
+
+    /// How strongly an operator binds.
+    fn precedence(&self, op: Operator) -> u8 {
+        op.precedence()
+    }
+}
+
+/// Operators that bind at least so strongly are read: all of them.
+const LOOSEST: u8 = 0;
+
+impl<'a> Interpreter<'a> {
+    /// Operands and operators in a row (precedence climbing). Where it `compares`, `<`, `&`, `?` and their kin are operators.
+    pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
+        self.nest()?;
+        let result = self.climb_from(operands, compares, LOOSEST);
+        self.nested -= 1;
+        result
+    }
+
+    fn climb_from<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool, least: u8) -> Result<(O::Value, Span)> {
+        let (mut left, mut span) = operands.operand(self)?;
+        while let Some(op) = self.operator_ahead(compares)? {
+            let strength = operands.precedence(op);
+            if strength < least {
+                break;
+            }
+            self.advance();
+            let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
+            left = operands.combine(self, op, (left, span), (right, right_span))?;
+            span = joined(span, right_span);
+        }
+        if least == LOOSEST && compares && matches!(self.peek_after()?, Some(Token::Sign(Sign::Question))) {
+            self.advance();
+            let (value, end) = operands.choose(self, (left, span))?;
+            return Ok((value, joined(span, end)));
+        }
+        Ok((left, span))
+    }
+
+    /// One more value inside another.
+    fn nest(&mut self) -> Result<()> {
+        self.nested += 1;
+        if self.nested <= MAX_NESTED {
+            return Ok(());
+        }
+        let message = format!("more than {MAX_NESTED} values are read inside each other here");
+        let at = self.here();
+        self.limit(codes::TOO_DEEP, at, message, "does a macro give one without end?")
+    }
+
+    /// The operator that goes on with the value that was just read.
+    fn operator_ahead(&mut self, compares: bool) -> Result<Option<Operator>> {
+        loop {
+            return Ok(match self.peek_after()? {
+                Some(Token::Sign(Sign::Operator(op))) if compares || op.adds() || op.multiplies() => Some(op),
+                Some(Token::Expr(e)) if begins_with_sign(e) => {
+                    self.take_apart();
+                    continue;
+                }
+                Some(Token::Numbers([x])) if x.is_sign_negative() => {
+                    self.take_apart();
+                    continue;
+                }
+                _ => None,
+            });
+        }
+    }
+
+    /// The next value that is a number, vector, colour or text, with its place.
+    pub(super) fn value_here(&mut self) -> Result<(Value, Span)> {
+        self.value_in(false)
+    }
+
+    /// The same; where it `compares`, as in a colour or a condition, `<` is no vector behind an operand.
+    pub(super) fn value_in(&mut self, compares: bool) -> Result<(Value, Span)> {
+        let token = self.peek()?;
+        if self.is_whole(compares) {
+            match token {
+                Token::Expr(e) if !compares && e.compares() => return Err(self.comparison_outside(e).into()),
+                Token::Expr(e) => {
+                    self.advance();
+                    return Ok((self.eval(e)?, e.span));
+                }
+                Token::Numbers(data) => {
+                    let span = self.here();
+                    self.advance();
+                    return Ok((numbers_value(data, span)?, span));
+                }
+                _ => {}
+            }
+        }
+        self.climb(&mut Values, compares)
+    }
+
+    /// A value whose first operand has been read.
+    pub(super) fn value_from(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
+        self.climb(&mut From(Some((first, span))), false)
+    }
+
+    /// A number, vector, text, name, call … without signs.
+    fn primary(&mut self) -> Result<(Value, Span)> {
+        loop {
+            let token = self.peek()?;
+            let span = self.here();
+            return match token {
+                Token::Expr(e) => match &e.kind {
+                    ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..) => {
+                        self.take_apart();
+                        continue;
+                    }
+                    _ => {
+                        self.advance();
+                        Ok((self.eval(e)?, span))
+                    }
+                },
+                Token::Numbers(data) => {
+                    self.advance();
+                    Ok((numbers_value(data, span)?, span))
+                }
+                Token::Element(_) => {
+                    let slot = self.take_element()?;
+                    Ok((self.slot_value(slot, span)?, span))
+                }
+                Token::Sign(Sign::Operator(Operator::Less)) => self.vector_in_pieces(),
+                Token::Open(Bracket::Paren, _) => {
+                    self.open()?;
+                    let (value, _) = self.value_in(true)?;
+                    let next = self.peek()?;
+                    if !next.ends() && !matches!(next, Token::Sign(_)) {
+                        let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
+                        return d.help("vectors stand in angle brackets: `<1, 2, 3>`").into();
+                    }
+                    let end = self.here();
+                    self.close("`)`")?;
+                    Ok((value, joined(span, end)))
+                }
+                Token::Callee(word) => self.builtin_in_pieces(word, span),
+                Token::Word(word) if super::reader::begins_color(word) => {
+                    let color = self.color()?;
+                    Ok((Value::Color(color), span))
+                }
+                // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
+                Token::Word(word) if self.names.find(word).is_some_and(|s| self.scopes.get(s).is_some()) => {
+                    self.advance();
+                    match self.names.find(word) {
+                        Some(symbol) => Ok((self.name_value(symbol, span)?, span)),
+                        None => Err(self.unexpected_token("a value").into()),
+                    }
+                }
+                _ => Err(self.unexpected_token("a value").into()),
+            };
+        }
+    }
+
+    /// Components and arguments behind a value.
+    fn postfix(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
+        loop {
+            match self.peek_after()? {
+                Some(Token::Sign(Sign::Dot)) => {
+                    self.advance();
+                    let name = self.component_name()?;
+                    value = component(&value, &name, span)?;
+                    span = joined(span, name.span);
+                }
+                Some(Token::Open(Bracket::Paren, _)) if is_callable(&value) => {
+                    (value, span) = self.call_in_pieces(&value, span)?;
+                }
+                Some(Token::Expr(Expr { kind: ExprKind::Paren(_), .. })) if is_callable(&value) => self.take_apart(),
+                _ => return Ok((value, span)),
+            }
+        }
+    }
+
+    /// The word behind a `.`.
+    pub(super) fn component_name(&mut self) -> Result<Name> {
+        let token = self.peek()?;
+        let span = self.here();
+        let text = self.sources.snippet(span);
+        let word = word::lookup(text).map(|(word, _)| word);
+        match token {
+            Token::Word(_) | Token::Expr(Expr { kind: ExprKind::Name(_), .. }) => {
+                self.advance();
+                Ok(Name { word, span })
+            }
+            _ => Err(self.unexpected_token("the name of a component").into()),
+        }
+    }
+
+    /// `<` and its numbers, of which the first comes next, up to `>`.
+    fn vector_in_pieces(&mut self) -> Result<(Value, Span)> {
+        let start = self.here();
+        let (data, span) = self.numbers_in_pieces(start)?;
+        Ok((vector_value(&data, span)?, span))
+    }
+
+    /// The numbers of a vector of any length, whose `<` comes next.
+    pub(super) fn numbers_in_pieces(&mut self, start: Span) -> Result<(Vec<f64>, Span)> {
+        self.advance();
+        let closed = std::mem::replace(&mut self.closed, false);
+        let mut data = vec![];
+        loop {
+            match self.peek()? {
+                Token::Sign(Sign::Operator(Operator::Greater)) => {
+                    let end = self.here();
+                    self.closed = closed;
+                    self.advance();
+                    return Ok((data, joined(start, end)));
+                }
+                token if token.ends() || matches!(token, Token::Sign(_)) && !self.at_sign() => {
+                    return Err(self.open_vector(start).into());
+                }
+                _ => {
+                    let (value, span) = self.value_here()?;
+                    if !self.comma && matches!(value, Value::Vector(_)) && !data.is_empty() {
+                        return Err(self.misplaced(span).into());
+                    }
+                    data.push(as_float(&value, span)?);
+                }
+            }
+        }
+    }
+
+    /// Does a sign come next that may stand before an operand?
+    fn at_sign(&mut self) -> bool {
+        matches!(self.peek(), Ok(Token::Sign(Sign::Not | Sign::Operator(Operator::Sub | Operator::Add | Operator::Less))))
+    }
+
+    /// `name ( … )` of a built-in function.
+    fn builtin_in_pieces(&mut self, word: &'static str, span: Span) -> Result<(Value, Span)> {
+        self.advance();
+        self.expect_paren(word)?;
+        if word == "select" {
+            return self.select_in_pieces(span);
+        }
+        let mut arguments = SmallVec::<[Argument<'a>; 4]>::new();
+        while !self.peek()?.closes(Bracket::Paren) {
+            if !arguments.is_empty() && !self.comma {
+                let at = self.here();
+                return Err(self.misplaced(at).into());
+            }
+            arguments.push(self.argument_here()?);
+        }
+        let end = self.here();
+        self.close("`)`")?;
+        let span = joined(span, end);
+        Ok((self.builtin_of(word, arguments, span)?, span))
+    }
+
+    /// The `(` behind the name of a function, which is consumed.
+    pub(super) fn expect_paren(&mut self, word: &str) -> Result<()> {
+        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
+            self.take_apart();
+        }
+        match self.peek()? {
+            Token::Open(Bracket::Paren, _) => self.open().map(drop),
+            _ => Err(self.unexpected_token(&format!("`(` behind `{word}`")).into()),
+        }
+    }
+
+    /// `A, B, C [, D])`: only the one that is meant is computed.
+    fn select_in_pieces(&mut self, span: Span) -> Result<(Value, Span)> {
+        let (value, at) = self.value_here()?;
+        let a = as_float(&value, at)?;
+        let mut found = None;
+        let mut count = 0;
+        while !self.peek()?.closes(Bracket::Paren) {
+            // Without a fourth argument the third stands for 0 as well.
+            let meant = match count {
+                0 => a < 0.0,
+                1 => a >= 0.0,
+                _ => a > 0.0,
+            };
+            count += 1;
+            if meant {
+                found = Some(self.value_here()?.0);
+            } else {
+                self.climb(&mut Skipped, false)?;
+            }
+        }
+        let end = self.here();
+        self.close("`)`")?;
+        match found.filter(|_| (2..=3).contains(&count)) {
+            Some(value) => Ok((value, joined(span, end))),
+            None => {
+                let message = format!("`select` takes 3 to 4 arguments, found {}", count + 1);
+                Diagnostic::err(codes::WRONG_COUNT, joined(span, end), message)
+            }
+        }
+    }
+
+    /// The arguments of a function or spline, whose `(` comes next.
+    fn call_in_pieces(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
+        self.open()?;
+        let value = self.call_with_arguments(callee, span)?;
+        let end = self.here();
+        self.close("`)`")?;
+        Ok((value, joined(span, end)))
+    }
+}
+
+/// Values inside values: parentheses, choices, arguments.
+const MAX_NESTED: usize = 3_000;
+
+/// A span from one place to another, if both lie in one piece of text.
+pub(super) fn joined(from: Span, to: Span) -> Span {
+    if to.hi >= from.lo && to.hi - from.lo < 1 << 16 { from.to(to) } else { from }
+}
+
+fn numbers_value(data: &[f64], span: Span) -> Result<Value> {
+    match data {
+        [x] => Ok(Value::Float(*x)),
+        data if data.len() <= 5 => Ok(Value::Vector(VecN::from_slice(data))),
+        _ => {
+            let message = format!("a vector has two to five numbers, this has {}", data.len());
+            Diagnostic::err(codes::WRONG_COUNT, span, message)
+        }
+    }
+}
+
+/// A function or a spline.
+fn is_callable(value: &Value) -> bool {
+    match value {
+        Value::Thing(thing) => is::<Function>(thing) || is::<Spline>(thing),
+        _ => false,
+    }
+}
+
+fn is<T: Thing>(thing: &Arc<dyn Thing>) -> bool {
+    downcast::<T>(thing).is_some()
+}
+
+/// Reads the signs before an operand.
+pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
+    let mut typed = vec![];
+    loop {
+        let token = me.peek()?;
+        let prefix = match token {
+            Token::Sign(Sign::Operator(Operator::Sub)) => Prefix::Minus,
+            Token::Sign(Sign::Operator(Operator::Add)) => Prefix::Plus,
+            Token::Sign(Sign::Not) => Prefix::Not,
+            Token::Expr(Expr { kind: ExprKind::Prefix(..) | ExprKind::Chain(_) | ExprKind::Choice(_), .. }) => {
+                me.take_apart();
+                continue;
+            }
+            _ => break,
+        };
+        typed.push((prefix, me.here()));
+        me.advance();
+    }
+    let mut row = SignRow::default();
+    typed.into_iter().rev().for_each(|(prefix, span)| row.push_outer(prefix, span));
+    Ok(row.0)
+}
+
+/// Computes.
+struct Values;
+
+impl<'a> Operands<'a> for Values {
+    type Value = Value;
+
+    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Value, Span)> {
+        let signs = read_signs(me)?;
+        let first = me.primary()?;
+        let (mut value, mut span) = me.postfix(first)?;
+        for (prefix, at) in signs {
+            value = apply_prefix(prefix, value, span)?;
+            span = joined(at, span);
+        }
+        Ok((value, span))
+    }
+
+    fn combine(&mut self, me: &mut Interpreter<'a>, op: Operator, left: (Value, Span), right: (Value, Span)) -> Result<Value> {
+        apply(op, left.0, right.0, left.1, right.1, me)
+    }
+
+    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
+        if as_float(&condition.0, condition.1)?.abs() > SMALL {
+            let yes = me.climb(self, true)?;
+            expect_colon(me)?;
+            me.climb(&mut Skipped, true)?;
+            return Ok(yes);
+        }
+        me.climb(&mut Skipped, true)?;
+        expect_colon(me)?;
+        me.climb(self, true)
+    }
+}
+
+/// The same, where the first operand has been read already.
+struct From(Option<(Value, Span)>);
+
+impl<'a> Operands<'a> for From {
+    type Value = Value;
+
+    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Value, Span)> {
+        match self.0.take() {
+            Some(first) => me.postfix(first),
+            None => Values.operand(me),
+        }
+    }
+
+    fn combine(&mut self, me: &mut Interpreter<'a>, op: Operator, left: (Value, Span), right: (Value, Span)) -> Result<Value> {
+        Values.combine(me, op, left, right)
+    }
+
+    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
+        Values.choose(me, condition)
+    }
+}
+
+pub(super) fn expect_colon(me: &mut Interpreter) -> Result<()> {
+    match me.peek()? {
+        Token::Sign(Sign::Colon) => {
+            me.advance();
+            Ok(())
+        }
+        _ => Err(me.unexpected_token("`:` and the other value").into()),
+    }
+}
+
+/// Reads what is not wanted: nothing is computed, so that its faults are none.
+pub(super) struct Skipped;
+
+impl Skipped {
+    /// Over a bracket with all that is in it.
+    fn brackets(&self, me: &mut Interpreter) -> Result<()> {
+        me.open()?;
+        loop {
+            match me.peek()? {
+                Token::Sign(Sign::Close(_)) => return me.close("the end of this"),
+                Token::End => return Err(me.unexpected_token("a value").into()),
+                Token::Open(..) | Token::Block(_) => self.brackets(me)?,
+                _ => me.advance(),
+            }
+        }
+    }
+}
+
+impl<'a> Operands<'a> for Skipped {
+    type Value = ();
+
+    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<((), Span)> {
+        let outer = std::mem::replace(&mut me.skipping, true);
+        let span = self.skip(me)?;
+        me.skipping = outer;
+        Ok(((), span))
+    }
+
+    fn combine(&mut self, _: &mut Interpreter<'a>, _: Operator, _: ((), Span), _: ((), Span)) -> Result<()> {
+        Ok(())
+    }
+
+    fn choose(&mut self, me: &mut Interpreter<'a>, condition: ((), Span)) -> Result<((), Span)> {
+        me.climb(self, true)?;
+        expect_colon(me)?;
+        me.climb(self, true)?;
+        Ok(condition)
+    }
+}
+
+impl Skipped {
+    /// Over one operand.
+    fn skip(&mut self, me: &mut Interpreter) -> Result<Span> {
+        read_signs(me)?;
+        let token = me.peek()?;
+        let span = me.here();
+        match token {
+            Token::Open(..) | Token::Block(_) => self.brackets(me)?,
+            Token::Sign(Sign::Operator(Operator::Less)) => {
+                me.advance();
+                while !matches!(me.peek()?, Token::Sign(Sign::Operator(Operator::Greater))) {
+                    me.climb(self, false)?;
+                }
+                me.advance();
+            }
+            Token::Sign(_) | Token::End => return Err(me.unexpected_token("a value").into()),
+            _ => me.advance(),
+        }
+        loop {
+            match me.peek_after()? {
+                Some(Token::Sign(Sign::Dot)) => {
+                    me.advance();
+                    me.component_name()?;
+                }
+                Some(Token::Open(Bracket::Paren | Bracket::Square, _)) => self.brackets(me)?,
+                Some(Token::Expr(Expr { kind: ExprKind::Paren(_), .. })) => me.advance(),
+                _ => return Ok(span),
+            }
+        }
+    }
+}

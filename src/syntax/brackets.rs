@@ -1,0 +1,147 @@
+//! Which bracket belongs to which: a stack of what is open at a place in the text.
+//!
+//! Brackets match within one directive's body. What finds no partner there is no error: the other half may come from
+//! a macro, another branch or another file. The grammar then takes it for an element of its own.
+
+use super::class;
+
+/// The deepest nesting that is read: the parser recurses on the native stack.
+pub(super) const MAX_DEPTH: usize = 1000;
+
+/// What was opened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Opener {
+    Brace,
+    /// That of `function { … }`, inside which `<` compares.
+    FunctionBrace,
+    /// Grouping, a condition or a built-in function's arguments, where `<` compares.
+    Paren,
+    /// Arguments of a macro or of an author's function.
+    Arguments,
+    Bracket,
+    /// `<` of a vector.
+    Angle,
+    /// `?` of a choice.
+    Choice,
+    /// A directive of this class, with a body.
+    Directive(u8),
+}
+
+impl Opener {
+    /// The classes of the two halves where they match.
+    pub(super) fn classes(self) -> (u8, u8) {
+        match self {
+            Opener::Brace | Opener::FunctionBrace => (class::BRACE, class::BRACE_END),
+            Opener::Paren | Opener::Arguments => (class::PAREN, class::PAREN_END),
+            Opener::Bracket => (class::BRACKET, class::BRACKET_END),
+            Opener::Angle => (class::VECTOR, class::VECTOR_END),
+            Opener::Choice => (class::CHOICE, class::CHOICE_ELSE),
+            Opener::Directive(class) => (class, class::END),
+        }
+    }
+
+    /// A `?` and a `<` end where any bracket around them does.
+    fn is_weak(self) -> bool {
+        matches!(self, Opener::Angle | Opener::Choice)
+    }
+}
+
+/// The openers around a place, each with the number of its token.
+#[derive(Default)]
+pub(super) struct Brackets {
+    stack: Vec<(Opener, usize)>,
+    functions: usize,
+}
+
+impl Brackets {
+    pub(super) fn open(&mut self, opener: Opener, token: usize) {
+        self.functions += usize::from(opener == Opener::FunctionBrace);
+        self.stack.push((opener, token));
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.stack.is_empty()
+    }
+
+    pub(super) fn too_deep(&self) -> bool {
+        self.stack.len() > MAX_DEPTH
+    }
+
+    pub(super) fn in_function(&self) -> bool {
+        self.functions > 0
+    }
+
+    /// Would a `<` behind an operand compare here?
+    pub(super) fn compares(&self) -> bool {
+        let open = self.stack.iter().rev().map(|o| o.0);
+        let around = open.take_while(|o| *o != Opener::Angle).find(|o| !matches!(o, Opener::Directive(_) | Opener::Choice));
+        self.in_function() || around == Some(Opener::Paren)
+    }
+
+    /// May a list of literals stand here? Between elements, but not inside vectors, parentheses and functions.
+    pub(super) fn takes_lists(&self) -> bool {
+        let top = self.stack.last().map(|o| o.0);
+        !self.in_function() && matches!(top, None | Some(Opener::Brace | Opener::Directive(_)))
+    }
+
+    fn pop(&mut self) {
+        if let Some((Opener::FunctionBrace, _)) = self.stack.pop() {
+            self.functions -= 1;
+        }
+    }
+
+    fn pop_to(&mut self, depth: usize) {
+        while self.stack.len() > depth {
+            self.pop();
+        }
+    }
+
+    /// A closing half of this class: the opener that it belongs to. What was opened in between stays loose.
+    pub(super) fn close(&mut self, closer: u8) -> Option<(Opener, usize)> {
+        let body = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_))).map_or(0, |i| i + 1);
+        let weak = matches!(closer, class::VECTOR_END | class::CHOICE_ELSE);
+        let own = self.stack[body..].iter().rev();
+        // A `>` or `:` does not reach out of brackets.
+        let skipped = own.take_while(|o| o.0.classes().1 != closer && (!weak || o.0 == Opener::Choice)).count();
+        let depth = self.stack.len() - skipped;
+        if depth == body || self.stack[depth - 1].0.classes().1 != closer {
+            return None;
+        }
+        let found = self.stack[depth - 1];
+        self.pop_to(depth - 1);
+        Some(found)
+    }
+
+    /// `#else`, `#end` and their kin: ends the body of the innermost directive, whose class is given. It stays open.
+    pub(super) fn end_body(&mut self) -> Option<u8> {
+        let depth = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_)))?;
+        self.pop_to(depth + 1);
+        match self.stack[depth].0 {
+            Opener::Directive(class) => Some(class),
+            _ => None,
+        }
+    }
+
+    /// Another arm of the innermost directive begins, of this class.
+    pub(super) fn continue_as(&mut self, class: u8) {
+        if let Some((opener, _)) = self.stack.last_mut() {
+            *opener = Opener::Directive(class);
+        }
+    }
+
+    /// The innermost directive ends.
+    pub(super) fn end(&mut self) {
+        self.pop();
+    }
+
+    /// A directive that is never ended, and all brackets that are open.
+    pub(super) fn unended(&self) -> Vec<usize> {
+        self.stack.iter().filter(|o| matches!(o.0, Opener::Directive(_))).map(|o| o.1).collect()
+    }
+
+    /// Brackets of the outermost body that are open at the text's end.
+    pub(super) fn unclosed(&self) -> impl Iterator<Item = usize> + '_ {
+        let outermost = self.stack.iter().take_while(|o| !matches!(o.0, Opener::Directive(_)));
+        outermost.filter(|o| !o.0.is_weak()).map(|o| o.1)
+    }
+}

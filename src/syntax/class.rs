@@ -1,0 +1,154 @@
+//! Classes of tokens: the characters that the grammar reads, their names in `grammar/scene.pest`, and the directives that are
+//! more than a word to it. This is the only table of them; a test holds the grammar against it.
+//!
+//! A directive without a body (`#debug`, `#include` …) is a [`PLAIN`] token: which of them there are is known to the
+//! interpreter alone.
+
+/// What a directive does to the nesting of bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// Gives a name to what follows: no body.
+    Declares,
+    /// Opens a body that `#end` closes.
+    Opens,
+    /// Ends a body and begins the next, of a directive of these classes.
+    Continues(&'static [u8]),
+    /// Ends the last body.
+    Ends,
+}
+
+macro_rules! classes {
+    ($($name:ident $class:literal $text:literal $doc:literal,)*) => {
+        $(#[doc = $doc] pub(super) const $name: u8 = $class;)*
+
+        /// Each class, its name in the grammar, and the text that it stands for where that is always the same.
+        #[cfg(test)]
+        const CLASSES: &[(u8, &str, &str)] = &[$(($class, stringify!($name), $text),)*];
+    };
+}
+
+classes! {
+    KEYWORD b'k' "" "`sphere`, `color`, `translate` …",
+    NAME b'n' "" "What authors declare, and constants: `x`, `pi`, `clock`.",
+    BUILTIN b'f' "" "`sin`, `vlength` …",
+    FUNCTION b'u' "function" "`function`",
+    DEPRECATED b'd' "deprecated" "`deprecated`, which stands behind `#declare`.",
+    NUMBER b'1' "" "A number without a sign.",
+    STRING b'"' "" "A text in its quotes.",
+    LITERAL b'2' "" "`<1, 2, 3>`: a vector of numbers.",
+    NUMBERS b'3' "" "Two or more numbers and literal vectors with commas between them: a mesh is one token.",
+    PLUS b'+' "+" "`+`",
+    MINUS b'-' "-" "`-`",
+    TIMES b'*' "*" "`*`",
+    OVER b'/' "/" "`/`",
+    NOT b'!' "!" "`!`",
+    LESS b'<' "<" "A `<` that compares, or whose `>` does not stand where it could be met.",
+    GREATER b'>' ">" "A `>` that compares.",
+    LESS_EQUAL b'4' "<=" "`<=`",
+    GREATER_EQUAL b'5' ">=" "`>=`",
+    EQUAL b'=' "=" "`=`",
+    NOT_EQUAL b'6' "!=" "`!=`",
+    AND b'&' "&" "`&`",
+    OR b'|' "|" "`|`",
+    DOT b'.' "." "`.`",
+    COMMA b',' "," "`,`",
+    SEMICOLON b';' ";" "`;`",
+    BRACE b'{' "{" "A `{` whose `}` stands in the same body.",
+    BRACE_END b'}' "}" "Its `}`.",
+    PAREN b'(' "(" "A `(` whose `)` stands in the same body.",
+    PAREN_END b')' ")" "Its `)`.",
+    BRACKET b'[' "[" "A `[` whose `]` stands in the same body.",
+    BRACKET_END b']' "]" "Its `]`.",
+    VECTOR b'0' "<" "A `<` that opens a vector.",
+    VECTOR_END b'9' ">" "Its `>`.",
+    CHOICE b'?' "?" "A `?` whose `:` stands in the same brackets.",
+    CHOICE_ELSE b':' ":" "Its `:`.",
+    LOOSE b'~' "" "A bracket without its partner in this body, or a character that means nothing.",
+    DECLARE b'D' "" "`#declare`, `#local`",
+    IF b'I' "" "`#if`",
+    IFDEF b'J' "" "`#ifdef`",
+    IFNDEF b'K' "" "`#ifndef`",
+    ELSEIF b'G' "" "`#elseif`",
+    ELSE b'L' "" "`#else`",
+    WHILE b'W' "" "`#while`",
+    FOR b'R' "" "`#for`",
+    SWITCH b'S' "" "`#switch`",
+    CASE b'C' "" "`#case`",
+    RANGE b'T' "" "`#range`",
+    MACRO b'M' "" "`#macro`",
+    END b'E' "" "`#end`",
+    PLAIN b'#' "" "`#` and any other word.",
+}
+
+const BRANCHES: &[u8] = &[IF, IFDEF, IFNDEF];
+
+/// The directives that the grammar knows.
+const DIRECTIVES: &[(&str, u8, Role)] = &[
+    ("declare", DECLARE, Role::Declares),
+    ("local", DECLARE, Role::Declares),
+    ("if", IF, Role::Opens),
+    ("ifdef", IFDEF, Role::Opens),
+    ("ifndef", IFNDEF, Role::Opens),
+    ("elseif", ELSEIF, Role::Continues(BRANCHES)),
+    ("else", ELSE, Role::Continues(&[IF, IFDEF, IFNDEF, SWITCH])),
+    ("while", WHILE, Role::Opens),
+    ("for", FOR, Role::Opens),
+    ("switch", SWITCH, Role::Opens),
+    ("case", CASE, Role::Continues(&[SWITCH])),
+    ("range", RANGE, Role::Continues(&[SWITCH])),
+    ("macro", MACRO, Role::Opens),
+    ("end", END, Role::Ends),
+];
+
+/// The class and role of the directive of this name; `None` for those without a body.
+pub(super) fn directive(word: &str) -> Option<(u8, Role)> {
+    DIRECTIVES.iter().find(|(name, ..)| *name == word).map(|&(_, class, role)| (class, role))
+}
+
+/// The words behind `#` that open, continue or end a body, and `declare` and `local`.
+pub fn structural_directives() -> impl Iterator<Item = &'static str> {
+    DIRECTIVES.iter().map(|(name, ..)| *name)
+}
+
+/// Does this directive open a body?
+pub(super) fn opens_body(class: u8) -> bool {
+    DIRECTIVES.iter().any(|row| row.1 == class && row.2 == Role::Opens)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    /// `NAME = { "n" }` and `NAME = _{ "n" }` of the grammar.
+    fn named_in_grammar() -> BTreeMap<String, u8> {
+        let grammar = include_str!("../../grammar/scene.pest");
+        let rule = |line: &str| {
+            let (name, body) = line.split_once('=')?;
+            let body = body.trim().trim_start_matches('_').strip_prefix('{')?.split_once('}').map_or(body, |b| b.0);
+            let text = body.trim().strip_prefix('"')?.strip_suffix('"')?;
+            let class = *text.trim_start_matches('\\').as_bytes().first()?;
+            name.trim().chars().all(|c| c.is_ascii_uppercase() || c == '_').then(|| (name.trim().to_string(), class))
+        };
+        // (The braces stand in quotes: they would end the body too early.)
+        let lines = grammar.lines().map(|line| line.replace("\"{\"", "\"\u{1}\"").replace("\"}\"", "\"\u{2}\""));
+        let found = lines.filter_map(|line| rule(&line)).map(|(name, class)| {
+            (name, match class { 1 => b'{', 2 => b'}', class => class })
+        });
+        found.collect()
+    }
+
+    #[test]
+    fn the_grammar_names_each_class_as_the_table_does() {
+        let table: BTreeMap<String, u8> = CLASSES.iter().map(|(class, name, _)| (name.to_string(), *class)).collect();
+        assert_eq!(named_in_grammar(), table);
+    }
+
+    #[test]
+    fn no_two_classes_share_a_character() {
+        let mut all: Vec<u8> = CLASSES.iter().map(|c| c.0).collect();
+        all.sort_unstable();
+        all.dedup();
+        assert_eq!(all.len(), CLASSES.len());
+    }
+}

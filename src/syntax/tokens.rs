@@ -1,0 +1,61 @@
+//! The tokens of a file in a row, for whoever walks the text rather than the tree: a formatter, an editor.
+
+use super::lex::Lexed;
+use crate::source::Span;
+
+/// All tokens and comments of a file, in their order.
+#[derive(Debug, Default)]
+pub struct Tokens {
+    /// Places of tokens, ascending.
+    tokens: Vec<(u32, u32)>,
+    /// Places of comments, with their delimiters, ascending.
+    comments: Vec<(u32, u32)>,
+    /// Global offset of the file's first byte.
+    base: usize,
+}
+
+/// A token or a comment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Piece {
+    /// A word, literal, sign or directive.
+    Token(Span),
+    /// `// …` or `/* … */`.
+    Comment(Span),
+}
+
+impl Piece {
+    /// Its place.
+    pub fn span(self) -> Span {
+        match self {
+            Piece::Token(span) | Piece::Comment(span) => span,
+        }
+    }
+}
+
+impl Tokens {
+    pub(super) fn of(lexed: &Lexed, base: usize) -> Self {
+        let tokens = lexed.tokens.iter().map(|t| (t.start, t.end)).collect();
+        Self { tokens, comments: lexed.comments.clone(), base }
+    }
+
+    /// How many tokens there are.
+    pub fn len(&self) -> usize {
+        self.tokens.len()
+    }
+
+    /// Is there none?
+    pub fn is_empty(&self) -> bool {
+        self.tokens.is_empty()
+    }
+
+    /// Tokens and comments in the order of the text; between them stand blanks, and signs that mean nothing.
+    pub fn pieces(&self) -> impl Iterator<Item = Piece> + '_ {
+        let span = |&(lo, hi): &(u32, u32)| Span::new(self.base + lo as usize, self.base + hi as usize);
+        let (mut tokens, mut comments) = (self.tokens.iter().peekable(), self.comments.iter().peekable());
+        std::iter::from_fn(move || match (tokens.peek(), comments.peek()) {
+            (Some(token), Some(comment)) if comment.0 < token.0 => comments.next().map(|c| Piece::Comment(span(c))),
+            (Some(_), _) => tokens.next().map(|t| Piece::Token(span(t))),
+            (None, _) => comments.next().map(|c| Piece::Comment(span(c))),
+        })
+    }
+}
