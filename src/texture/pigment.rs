@@ -123,7 +123,7 @@ impl Pigment {
             }
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {
-                self.paint = Paint::Solid(r.color()?);
+                self.paint = Paint::Solid(r.color()?.as_paint());
                 self.pattern.kind = Kind::Plain;
                 Ok(())
             }
