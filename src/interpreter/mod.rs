@@ -34,7 +34,7 @@ use scope::{Place, Scopes, Slot};
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::AtomicU8;
+use std::sync::atomic::{AtomicU8, Ordering};
 use std::time::Instant;
 use stream::{Frame, FrameKind, Token};
 pub use timing::Timing;
@@ -54,6 +54,8 @@ pub struct Options {
     pub sandbox: Sandbox,
     /// `--declare NAME=VALUE`: numbers, or text in quotes.
     pub declares: Vec<(String, String)>,
+    /// `--language`: the version in force until the text's own `#version`.
+    pub version: Option<f64>,
     /// `clock`, `frame_number` and their kin.
     pub timing: Timing,
     /// `input_file_name`: the scene's, without its folder.
@@ -75,6 +77,7 @@ impl Default for Options {
             search: SearchPath::default(),
             sandbox: Sandbox::default(),
             declares: vec![],
+            version: None,
             timing: Timing::default(),
             input_name: String::new(),
             size: (1, 1),
@@ -228,6 +231,9 @@ impl<'a> Interpreter<'a> {
 
     fn run(&mut self, file: FileId) {
         self.keep_constants();
+        if let Some(version) = self.options.version {
+            self.set_version(compat::version_number(version));
+        }
         self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
         // What is missing at the end of the text is told there.
@@ -347,6 +353,16 @@ impl<'a> Interpreter<'a> {
         }
         self.unwind(depth);
         result
+    }
+
+    /// What follows is of this version of the language.
+    fn set_version(&mut self, version: u32) {
+        self.language.version = version;
+        self.language.bare_textures = compat::has_bare_textures(version);
+        if self.scene.settings.noise_generator.is_none() {
+            self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
+        }
+        self.version_stated = true;
     }
 
     fn division_by_zero(&mut self, span: Span) {
