@@ -50,6 +50,7 @@ fn running(c: &mut Criterion) {
         sandbox: Default::default(),
         declares: vec![],
         timing: Default::default(),
+        version: None,
         input_name: String::new(),
         size: (160, 120),
         max_steps: u64::MAX,

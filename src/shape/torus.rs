@@ -31,9 +31,10 @@ impl Torus {
         self.minor == 0.0 || self.minor < 0.0 && self.major >= 0.0 || self.major + self.minor == 0.0
     }
 
-    /// The box that reaches so far from the axis.
-    fn pipe(&self, across: f64) -> Aabb {
-        let corner = DVec3::new(across, self.minor, across).abs();
+    /// The box around the ring, whatever the signs of its radii.
+    fn pipe(&self) -> Aabb {
+        let across = self.major.abs() + self.minor.abs();
+        let corner = DVec3::new(across, self.minor.abs(), across);
         Aabb { min: -corner, max: corner }
     }
 
@@ -122,13 +123,12 @@ impl Kernel for Torus {
         if self.minor == 0.0 {
             return Aabb::EMPTY;
         }
-        // With a negative `minor`, what CSG makes of its inside ends at the box that POV-Ray takes.
-        self.pipe(if self.minor < 0.0 { self.major + self.minor } else { self.major.abs() + self.minor })
+        self.pipe()
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         // Roots are looked for in the box around it only. Not in the range: it should not change the last digit of a hit.
-        let around = self.pipe(self.major.abs() + self.minor.abs()).grown(0.01 * self.minor.abs());
+        let around = self.pipe().grown(0.01 * self.minor.abs());
         let Some((near, far)) = around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.shows(ray)) else {
             return;
         };

@@ -43,6 +43,7 @@ impl Run<'_> {
             search: SearchPath::new(folder, &[]),
             declares: vec![],
             timing: Default::default(),
+            version: None,
             input_name: String::new(),
             size: (8, 6),
             max_steps: self.steps,
