@@ -3,7 +3,7 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use durer::interpreter;
 use durer::source::{SearchPath, Sources};
-use durer::syntax::{Names, parse};
+use durer::syntax::{Wholes, Names, parse};
 use std::hint::black_box;
 
 /// A mesh2 of some 10 MB of numbers.
@@ -35,7 +35,7 @@ fn parsing(c: &mut Criterion) {
         let sources = Sources::default();
         group.throughput(Throughput::Bytes(text.len() as u64));
         let Some(file) = sources.add(name, None, text) else { continue };
-        group.bench_function(name, |b| b.iter(|| black_box(parse(&sources, file, &Names::default()))));
+        group.bench_function(name, |b| b.iter(|| black_box(parse(&sources, file, &Names::default(), Wholes::Kept))));
     }
     group.finish();
 }
@@ -46,15 +46,9 @@ fn running(c: &mut Criterion) {
         "#declare S = 0; #for (I, 1, 100000) #declare S = S + mod(I, 7)*2; #if (S > 1e9) #declare S = 0; #end #end";
     let Some(file) = sources.add("loops", None, loops.into()) else { return };
     let options = interpreter::Options {
-        search: SearchPath::default(),
-        sandbox: Default::default(),
-        declares: vec![],
-        timing: Default::default(),
-        input_name: String::new(),
         size: (160, 120),
         max_steps: u64::MAX,
-        max_time: None,
-        max_memory: None,
+        ..Default::default()
     };
     c.bench_function("interpret/100k passes", |b| {
         b.iter(|| black_box(interpreter::interpret(&sources, file, &options, &mut |_| {})));

@@ -242,6 +242,42 @@ fn pov_rays_command_line() {
 }
 
 #[test]
+fn the_version_of_the_language_is_taken_from_options() {
+    let place = Place::new();
+    place.put("v.pov", "#debug str(version, 0, 2)\n#version 3.6;\n#debug str(version, 0, 2)\ncamera { location -z }\n");
+    place.put("v.ini", "Input_File_Name=v.pov\nVersion=3.1\nHeight=4.0412871\nWidth=4\nDisplay_Gamma=2.2\n");
+    for (line, version) in [
+        ("+Iv.pov +W4 +H4 -F", "3.70"),
+        ("+Iv.pov +W4 +H4 -F +MV3.1", "3.10"),
+        ("v.ini -F", "3.10"),
+        ("v.ini -F +MV3.5", "3.50"),
+        ("render v.ini --no-output", "3.10"),
+        ("render v.ini --no-output --language 2", "2.00"),
+        ("check v.ini", "3.10"),
+        ("check v.pov --language 3.5", "3.50"),
+    ] {
+        let (_, err) = place.exits(0, line);
+        assert!(err.contains(&format!("{version}3.60")), "{line}\n{err}");
+        assert!(!err.contains("W0012"), "{line}\n{err}");
+    }
+    place.exits(2, "check v.pov --language 0.5");
+    for line in ["v.ini -F --warn options", "render v.ini --no-output --warn options", "check v.ini --warn options"] {
+        assert!(place.exits(0, line).1.contains("`Display_Gamma=2.2` has no effect"), "{line}");
+    }
+}
+
+/// Measured on POV-Ray 3.7: a half of the largest number is rounded up.
+#[test]
+fn halves_are_rounded_up() {
+    let place = Place::new();
+    for (red, code) in [("0.1", 26), ("0.5", 128), ("0.7", 179), ("0.9", 230)] {
+        place.put("b.pov", format!("camera {{ location -z }} background {{ rgb {red} }}"));
+        place.exits(0, "+Ib.pov +W1 +H1 +FP +Ob.ppm");
+        assert_eq!(place.read("b.ppm").last(), Some(&code), "{red}");
+    }
+}
+
+#[test]
 fn explanations_and_completions() {
     let place = Place::new();
     let (out, err) = place.exits(0, "explain e0004");

@@ -1,7 +1,7 @@
 //! The options of the command line. Every option that is taken is obeyed.
 
 use super::animation::Animation;
-use super::values::{Antialias, Bytes, Clock, Declare, Frames, Part, Pixel, Seconds, Size, Stats};
+use super::values::{Antialias, Bytes, Clock, Declare, Frames, Part, Pixel, Seconds, Size, Stats, Version};
 use crate::image_io::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -91,6 +91,9 @@ pub struct SceneArgs {
     /// Declare an identifier: a number, or text in quotes
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub declare: Vec<Declare>,
+    /// The version of the language, such as 3.1, until the scene's own `#version`
+    #[arg(long, value_name = "VERSION")]
+    pub language: Option<Version>,
     /// Width and height in pixels [default: 640x480]
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
@@ -155,6 +158,9 @@ pub struct RenderArgs {
     /// Draw, but write no picture
     #[arg(long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,
+    /// Warn of more: `options` of POV-Ray that mean nothing here, such as +D
+    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    pub warn: Vec<DrawingWarn>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
@@ -206,7 +212,7 @@ pub struct CheckArgs {
     /// Let `warnings` fail as errors do
     #[arg(long, value_name = "WHAT")]
     pub deny: Option<Deny>,
-    /// Warn of more: names that are declared and `unused`, names that `shadow` others
+    /// Warn of more: names that are declared and `unused`, names that `shadow` others, `options` in an INI file that mean nothing
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<Warn>,
     #[command(flatten)]
@@ -237,6 +243,15 @@ pub enum Warn {
     Unused,
     /// Names in macros that hide others
     Shadow,
+    /// Options of POV-Ray that mean nothing here
+    Options,
+}
+
+/// What `--warn` adds where a picture is drawn.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DrawingWarn {
+    /// Options of POV-Ray that mean nothing here
+    Options,
 }
 
 /// `durer pick`.

@@ -29,7 +29,7 @@ pub fn run(console: &Console, args: &CheckArgs) -> Result {
 
 fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
     let sources = Sources::default();
-    let (input, scene) = match overlay::read_ini(&sources, &session::named(input)) {
+    let (input, scene) = match overlay::read_ini(&sources, &session::named(input), args.warn.contains(&Warn::Options)) {
         Ok(None) => (session::named(input), args.scene.clone()),
         Ok(Some((cli, warnings))) => {
             report(console, args, &sources, &warnings)?;

@@ -47,12 +47,15 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
 /// The command line in our own words; POV-Ray's are translated first.
 fn understand(words: Vec<OsString>) -> Result<(Console, Cli)> {
     let sources = Sources::default();
-    let povray::Translated { words, animation, diagnostics } = povray::translate(&sources, words);
+    let povray::Translated { words, animation, mut diagnostics, idle } = povray::translate(&sources, words);
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Err(overlay::tell(&Console::plain(), &sources, &diagnostics));
     }
     let cli = overlay::parse(words, animation).map_err(|e| Failure::Usage(Box::new(e)))?;
     let console = Console::new(&cli.common);
+    if matches!(&cli.command, Command::Render(args) if !args.warn.is_empty()) {
+        diagnostics.extend(idle);
+    }
     console.report(&sources, &diagnostics);
     Ok((console, cli))
 }

@@ -11,15 +11,17 @@ use crate::source::Sources;
 use clap::Parser;
 use std::path::{Path, PathBuf};
 
-/// What an INI file asks for, as if it had been typed; `None` where the input is none.
+/// What an INI file asks for, as if it had been typed; `None` where the input is none. `all` tells idle options too.
 pub fn read_ini(
     sources: &Sources,
     input: &Path,
+    all: bool,
 ) -> std::result::Result<Option<(Cli, Vec<Diagnostic>)>, Vec<Diagnostic>> {
     if !povray::is_ini(&input.to_string_lossy()) {
         return Ok(None);
     }
-    let povray::Translated { words, animation, diagnostics } = povray::translate_ini(sources, input);
+    let povray::Translated { words, animation, mut diagnostics, idle } = povray::translate_ini(sources, input);
+    diagnostics.extend(idle.into_iter().filter(|_| all));
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Err(diagnostics);
     }
@@ -46,7 +48,7 @@ pub fn parse(words: Vec<std::ffi::OsString>, animation: Option<Animation>) -> st
 /// The arguments with those of the INI file, if the input is one; its faults are told.
 pub fn with_ini(console: &Console, args: &RenderArgs) -> Result<(Console, RenderArgs)> {
     let sources = Sources::default();
-    let (cli, diagnostics) = match read_ini(&sources, &args.input) {
+    let (cli, diagnostics) = match read_ini(&sources, &args.input, !args.warn.is_empty()) {
         Ok(None) => return Ok((*console, args.clone())),
         Ok(Some(found)) => found,
         Err(faults) => return Err(tell(console, &sources, &faults)),
@@ -99,6 +101,7 @@ impl RenderArgs {
             threads: self.threads.or(ini.threads),
             progress: self.progress.or(ini.progress),
             stats: self.stats.clone(),
+            warn: self.warn.clone(),
             dump: self.dump,
         }
     }
@@ -119,6 +122,7 @@ impl SceneArgs {
             allow_write: self.allow_write.clone(),
             // The later declaration of a name counts.
             declare: [ini.declare, self.declare.clone()].concat(),
+            language: self.language.or(ini.language),
             size: self.size.or(ini.size),
             frame: self.frame,
             animation: animation.map(|a| Animation { clock: self.clock.unwrap_or(a.clock), ..a }),

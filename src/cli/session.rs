@@ -91,6 +91,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         sandbox,
         declares: args.declare.iter().map(|d| (d.name.clone(), d.value.clone())).collect(),
         timing,
+        version: args.language.map(|v| v.0),
         input_name: input.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         size: (size.width, size.height),
         max_steps: args.max_steps,

@@ -31,6 +31,19 @@ impl FromStr for Size {
     }
 }
 
+/// A version of the language: `3.1`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Version(pub f64);
+
+impl FromStr for Version {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let version = text.parse().ok().filter(|version| (1.0..=100.0).contains(version));
+        version.map(Self).ok_or("it is a number such as 3.1 or 3.7".into())
+    }
+}
+
 /// Threshold of anti-aliasing: `0.3` or `off`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Antialias(pub Option<f64>);

@@ -27,6 +27,19 @@ impl Color {
     /// `rgb 1`.
     pub const WHITE: Color = Color::opaque(Rgb::ONE);
 
+    /// What stands for an infinite number in a colour.
+    pub const BLINDING: f64 = 1e30;
+
+    /// As the paint of a surface: numbers that were infinite are 0 then (measured on POV-Ray 3.7).
+    pub fn as_paint(self) -> Self {
+        let is_infinite = self.to_array().contains(&Self::BLINDING);
+        if !is_infinite {
+            self
+        } else {
+            Self::from_array(self.to_array().map(|x| if x == Self::BLINDING { 0.0 } else { x }))
+        }
+    }
+
     /// Neither filters nor transmits.
     pub const fn opaque(rgb: Rgb) -> Self {
         Self { rgb, filter: 0.0, transmit: 0.0 }

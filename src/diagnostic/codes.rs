@@ -187,6 +187,17 @@ the macros that are called from there."
 "A `text` names a font file that is neither in the scene's folder nor in those of the includes. A similar one
 of the system stands for it (serif, sans or monospaced, bold, italic, as its name tells), so that the picture will differ a
 little. The environment variable DURER_FONTS names other folders in which to look for it."
+    MISPLACED "W0212" "a word stands in another place than it should"
+"POV-Ray takes it there and does what durer does: a colour of an object outside of its `pigment` changes nothing,
+`max_trace_level` outside of `global_settings` counts, and `uv_mapping` behind a pigment's name takes its colours away.
+
+    sphere { 0, 1 color rgb 1 }              // sphere { 0, 1 pigment { color rgb 1 } }
+    max_trace_level 10                       // global_settings { max_trace_level 10 }
+    pigment { Wood uv_mapping }              // pigment { uv_mapping Wood }"
+    INFINITE "W0213" "a number that is used is infinite or not a number"
+"POV-Ray goes on with such numbers, and so does durer where it can: of a shape that has one, or is moved by one, nothing is
+seen; in a colour, infinity is white light and black paint, and what is not a number is black. Look for a division by zero, or for
+a number that grows in a loop."
     NO_DIRECTION "E0300" "a plane has no direction"
 "The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
 vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."

@@ -20,11 +20,6 @@ struct Quantizer {
 static BITS8: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(255, 16));
 static BITS16: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(65_535, 8));
 
-/// What the tables must reproduce: the curve, times the largest code, rounded.
-fn exact(x: f32, max: u16) -> u16 {
-    (transfer::srgb_encode(f64::from(x)).clamp(0.0, 1.0) * f64::from(max) + 0.5) as u16
-}
-
 impl Quantizer {
     fn new(max: u16, shift: u32) -> Self {
         let mut thresholds: Vec<f32> = (1..=max).map(|k| threshold(k, max)).collect();
@@ -49,16 +44,11 @@ impl Quantizer {
     }
 }
 
-/// The smallest number with this code: near where the inverse curve says, exactly where [`exact`] says.
+/// The smallest number with this code: what the half between it and the code below becomes in light. As in POV-Ray 3.7 the
+/// half itself is rounded up, and it is the nearest `f32` to it that counts: `rgb 0.7` without any gamma is 178.5 and gets 179.
 fn threshold(code: u16, max: u16) -> f32 {
-    let mut x = transfer::srgb_decode((f64::from(code) - 0.5) / f64::from(max)) as f32;
-    while exact(x, max) < code {
-        x = x.next_up();
-    }
-    while exact(x.next_down(), max) >= code {
-        x = x.next_down();
-    }
-    x
+    let half = ((f64::from(code) - 0.5) / f64::from(max)) as f32;
+    transfer::srgb_decode(f64::from(half)) as f32
 }
 
 /// Alpha and other numbers without a curve; NaN gives 0.
@@ -107,18 +97,37 @@ fn pack<T: Copy + Default>(frame: &Frame, alpha: bool, color: impl Fn(f32) -> T,
 mod tests {
     use super::*;
 
+    /// What the tables stand for: the curve, times the largest code, rounded.
+    fn exact(x: f64, max: u16) -> u16 {
+        (transfer::srgb_encode(x).clamp(0.0, 1.0) * f64::from(max) + 0.5) as u16
+    }
+
     #[test]
     fn the_tables_agree_with_the_curve() {
         for (table, max) in [(&BITS8, 255), (&BITS16, 65_535)] {
-            for bits in (0..1.5f32.to_bits()).step_by(9973) {
-                let x = f32::from_bits(bits);
-                assert_eq!(table.code(x), exact(x, max), "{x}");
+            let samples = (0..1.5f32.to_bits()).step_by(9973).map(f32::from_bits);
+            for x in samples.chain(table.thresholds.iter().step_by(7).copied()) {
+                // (a few of the last bits may be lost on the way)
+                let near = [-2e-7, 2e-7].map(|d| exact(f64::from(x) * (1.0 + d), max));
+                assert!((near[0]..=near[1]).contains(&table.code(x)), "{x}");
             }
-            for &x in table.thresholds.iter().step_by(7) {
-                assert_eq!(table.code(x), exact(x, max), "{x}");
-                assert_eq!(table.code(x.next_down()), exact(x.next_down(), max), "below {x}");
+            assert!(table.thresholds.is_sorted_by(|a, b| a < b));
+        }
+    }
+
+    /// Numbers without gamma, as scenes of before 3.7 have them (all measured on POV-Ray 3.7).
+    #[test]
+    fn a_half_is_rounded_up() {
+        let code = |table: &Quantizer, x: f32| table.code(transfer::srgb_decode(f64::from(x)) as f32);
+        for (table, max) in [(&BITS8, 255), (&BITS16, 65_535)] {
+            for k in 0..max {
+                let half = ((f64::from(k) + 0.5) / f64::from(max)) as f32;
+                let codes = [half * (1.0 - 4e-7), half, half.next_up()].map(|x| code(table, x));
+                assert_eq!(codes, [k, k + 1, k + 1], "{half}");
+                assert_eq!(code(table, (f64::from(k) / f64::from(max)) as f32), k);
             }
         }
+        assert_eq!([0.1, 0.5, 0.7, 0.9].map(|x| code(&BITS8, x)), [26, 128, 179, 230]);
     }
 
     #[test]

@@ -33,12 +33,12 @@ pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scope::{Place, Scopes, Slot};
+use smallvec::SmallVec;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::AtomicU8;
+use std::sync::atomic::{AtomicU8, Ordering};
 use std::time::Instant;
-use smallvec::SmallVec;
 use stream::{Frame, FrameKind, Opened, Token};
 pub use timing::Timing;
 pub use top::STATEMENTS;
@@ -57,6 +57,8 @@ pub struct Options {
     pub sandbox: Sandbox,
     /// `--declare NAME=VALUE`: numbers, or text in quotes.
     pub declares: Vec<(String, String)>,
+    /// `--language`: the version in force until the text's own `#version`.
+    pub version: Option<f64>,
     /// `clock`, `frame_number` and their kin.
     pub timing: Timing,
     /// `input_file_name`: the scene's, without its folder.
@@ -80,6 +82,7 @@ impl Default for Options {
             search: SearchPath::default(),
             sandbox: Sandbox::default(),
             declares: vec![],
+            version: None,
             timing: Timing::default(),
             input_name: String::new(),
             size: (1, 1),
@@ -256,6 +259,9 @@ impl<'a> Interpreter<'a> {
 
     fn run(&mut self, file: FileId) {
         self.keep_constants();
+        if let Some(version) = self.options.version {
+            self.set_version(compat::version_number(version));
+        }
         self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
         // What is missing at the end of the text is told there.
@@ -285,7 +291,11 @@ impl<'a> Interpreter<'a> {
                     return;
                 }
                 // A directive that failed has been passed.
-                if in_statement { self.skip_statement(mark) } else { self.forget_ahead(mark) }
+                if in_statement {
+                    self.skip_statement(mark)
+                } else {
+                    self.forget_ahead(mark)
+                }
                 self.report_fault(fault);
                 self.faults += 1;
                 // A fault in a loop's body is told once, but met in every pass.
@@ -357,6 +367,16 @@ impl<'a> Interpreter<'a> {
             return all;
         }
         all[..6].iter().chain(&all[all.len() - 4..]).cloned().collect()
+    }
+
+    /// What follows is of this version of the language.
+    fn set_version(&mut self, version: u32) {
+        self.language.version = version;
+        self.language.bare_textures = compat::has_bare_textures(version);
+        if self.scene.settings.noise_generator.is_none() {
+            self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
+        }
+        self.version_stated = true;
     }
 
     fn division_by_zero(&mut self, span: Span) {

@@ -259,7 +259,10 @@ impl<'a> Interpreter<'a> {
 
     /// Does a sign come next that may stand before an operand?
     fn at_sign(&mut self) -> bool {
-        matches!(self.peek(), Ok(Token::Sign(Sign::Not | Sign::Operator(Operator::Sub | Operator::Add | Operator::Less))))
+        matches!(
+            self.peek(),
+            Ok(Token::Sign(Sign::Not | Sign::Operator(Operator::Sub | Operator::Add | Operator::Less)))
+        )
     }
 
     /// `name ( … )` of a built-in function.
@@ -406,7 +409,13 @@ impl<'a> Operands<'a> for Values {
         Ok((value, span))
     }
 
-    fn combine(&mut self, me: &mut Interpreter<'a>, op: Operator, left: (Value, Span), right: (Value, Span)) -> Result<Value> {
+    fn combine(
+        &mut self,
+        me: &mut Interpreter<'a>,
+        op: Operator,
+        left: (Value, Span),
+        right: (Value, Span),
+    ) -> Result<Value> {
         apply(op, left.0, right.0, left.1, right.1, me)
     }
 
@@ -436,7 +445,13 @@ impl<'a> Operands<'a> for From {
         }
     }
 
-    fn combine(&mut self, me: &mut Interpreter<'a>, op: Operator, left: (Value, Span), right: (Value, Span)) -> Result<Value> {
+    fn combine(
+        &mut self,
+        me: &mut Interpreter<'a>,
+        op: Operator,
+        left: (Value, Span),
+        right: (Value, Span),
+    ) -> Result<Value> {
         Values.combine(me, op, left, right)
     }
 

@@ -57,7 +57,9 @@ impl<'a> Interpreter<'a> {
                 self.rest_of_value(value, *span)
             }
             Token::Function(_) => Ok(Slot::Value(Value::Thing(self.read_function()?))),
-            Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => self.plain_value(),
+            Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => {
+                self.plain_value()
+            }
             Token::Sign(Sign::Not | Sign::Operator(_)) => self.plain_value(),
             Token::Element(span) => {
                 let slot = self.take_element()?;

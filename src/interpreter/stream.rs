@@ -494,7 +494,8 @@ impl<'a> Interpreter<'a> {
 
     /// Does an expression begin with such a word? `eye -5*z` reads as a name minus something.
     fn begins_with_own_word(&self, e: &Expr) -> bool {
-        if self.opened.last().and_then(|o| o.word).is_none_or(|block| crate::syntax::word::contextual(block).is_empty()) {
+        if self.opened.last().and_then(|o| o.word).is_none_or(|block| crate::syntax::word::contextual(block).is_empty())
+        {
             return false;
         }
         let mut first = e;
@@ -540,7 +541,9 @@ impl<'a> Interpreter<'a> {
         self.settle()?;
         let known = self.held.last().map(|(token, _)| *token).or(self.peeked);
         let (brace, paren) = match known {
-            Some(token) => (matches!(token, Token::Open(Bracket::Brace, _)), matches!(token, Token::Open(Bracket::Paren, _))),
+            Some(token) => {
+                (matches!(token, Token::Open(Bracket::Brace, _)), matches!(token, Token::Open(Bracket::Paren, _)))
+            }
             None => match self.frames.last() {
                 Some(frame) => (frame.opens_brace(frame.at), frame.opens_paren(frame.at)),
                 None => (false, false),
@@ -618,7 +621,8 @@ impl<'a> Interpreter<'a> {
             }
             match frame.kind {
                 FrameKind::File => return true,
-                FrameKind::Piece | FrameKind::Branch | FrameKind::Macro(_) | FrameKind::Include | FrameKind::Switch => {}
+                FrameKind::Piece | FrameKind::Branch | FrameKind::Macro(_) | FrameKind::Include | FrameKind::Switch => {
+                }
                 FrameKind::While(_) | FrameKind::For { .. } => return self.closed,
             }
             let Some((last, rest)) = outer.split_last() else { return true };

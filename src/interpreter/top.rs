@@ -27,9 +27,10 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
         word("background", Kind::Color, "black", "what rays see that hit nothing"),
         word("global_settings", Kind::Block, "", "what holds for the whole scene"),
         word("default", Kind::Block, "", "behind `#`: what all that follows looks like where it doesn't say"),
+        word("max_trace_level", Kind::Float, "", "of old scenes: as in `global_settings`"),
     ],
     moves: false,
-    idle: &[],
+    idle: &["max_intersections"],
     not_drawn: &["fog", "sky_sphere", "rainbow", "media", "radiosity", "photons"],
 };
 
@@ -46,6 +47,11 @@ impl Interpreter<'_> {
             }
             Next::End => return Ok(false),
             Next::Block(word) => self.top_block(word)?,
+            Next::Word("max_trace_level") => self.stray_trace_level()?,
+            Next::Word(word) if STATEMENTS.ignores(word) => {
+                self.take()?;
+                self.float()?;
+            }
             Next::Thing("object" | "light_source") => {
                 self.top_object()?;
             }
@@ -103,6 +109,18 @@ impl Interpreter<'_> {
         // A declared object without a texture gets the default of the place where it is used.
         object.default_texture = self.defaults.texture.clone();
         self.scene.objects.push(*object);
+        Ok(())
+    }
+
+    /// A setting that POV-Ray takes outside of `global_settings` too.
+    fn stray_trace_level(&mut self) -> Result<()> {
+        let at = self.here();
+        let mut settings = std::mem::take(&mut self.scene.settings);
+        let read = settings.read_max_trace_level(self);
+        self.scene.settings = settings;
+        read?;
+        let d = Diagnostic::new(codes::MISPLACED, at, "`max_trace_level` stands outside of `global_settings`");
+        self.report_fault(self.with_trace(d.help("write `global_settings { max_trace_level … }`")));
         Ok(())
     }
 

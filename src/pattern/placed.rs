@@ -67,7 +67,7 @@ impl Pattern {
             }
             Next::Word("noise_generator") => {
                 r.take()?;
-                self.noise = Some(read_noise_generator(r)?);
+                self.noise = read_noise_generator(r, 0.0)?;
             }
             Next::Word("uv_mapping") => {
                 r.take()?;
@@ -175,11 +175,11 @@ impl Pattern {
     }
 }
 
-/// `noise_generator N`, after the word.
-pub fn read_noise_generator(r: &mut dyn Reader) -> Result<NoiseGenerator> {
+/// `noise_generator N`, after the word; 0, which is less than `least` where it can't be said, is the scene's.
+pub fn read_noise_generator(r: &mut dyn Reader, least: f64) -> Result<Option<NoiseGenerator>> {
     let (at, n) = (r.span(), r.float()?);
-    if (1.0..4.0).contains(&n) {
-        return Ok(NoiseGenerator::from_number(n));
+    if (least..4.0).contains(&n) {
+        return Ok((n >= 1.0).then(|| NoiseGenerator::from_number(n)));
     }
     let message = format!("there are noise generators 1, 2 and 3, but none with the number {n}");
     Diagnostic::err(codes::BAD_ARGUMENT, at, message)

@@ -9,7 +9,7 @@ use crate::math::{Aabb, Transform};
 use crate::shape::{self, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
-use crate::value::{Next, Reader, ReaderExt, Said, Thing};
+use crate::value::{Next, Reader, ReaderExt, Said, Thing, Value};
 use serde::Serialize;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -255,12 +255,33 @@ impl Object {
             return Ok(object);
         }
         let Some(shape) = shape::read(word, r) else { return Err(r.unexpected("an object").into()) };
-        let mut shape = shape?;
         let mut object = Box::new(Self::unfinished(word, source, defaults));
-        object.read_modifiers(Some(&mut shape), r, defaults)?;
-        shape.finish(source, r)?;
-        object.kind = ObjectKind::Shape(Arc::new(shape));
+        let mut shape = match shape {
+            Err(fault) if fault.code == codes::NOT_FINITE => {
+                object.read_nowhere(*fault, r, defaults)?;
+                return Ok(object);
+            }
+            shape => shape?,
+        };
+        if object.read_modifiers(Some(&mut shape), r, defaults)? {
+            shape.finish(source, r)?;
+            object.kind = ObjectKind::Shape(Arc::new(shape));
+        }
         Ok(object)
+    }
+
+    /// A shape with a number that is not finite: nothing of it is seen, as in POV-Ray 3.7. What is left of its block is read.
+    fn read_nowhere(&mut self, fault: Diagnostic, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
+        r.report(nothing_seen(self.word, fault));
+        loop {
+            let next = r.next()?;
+            if next == Next::End {
+                return Ok(());
+            }
+            if !self.read_modifier(next, r, defaults)? {
+                r.pass(&mut vec![])?;
+            }
+        }
     }
 
     fn read_csg(
@@ -286,13 +307,20 @@ impl Object {
         Ok(object)
     }
 
-    /// Reads modifiers up to the end of the block; a shape's own words are among them.
-    fn read_modifiers(&mut self, mut shape: Option<&mut Shape>, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
+    /// Reads modifiers up to the end of the block; a shape's own words are among them. False if they move the object to where
+    /// nothing is: then it holds nothing any more.
+    fn read_modifiers(
+        &mut self,
+        mut shape: Option<&mut Shape>,
+        r: &mut dyn Reader,
+        defaults: &Defaults,
+    ) -> Result<bool> {
+        let mut is_somewhere = true;
         loop {
             let next = r.next()?;
             if next == Next::End {
                 self.map_texture_by_uv();
-                return Ok(());
+                return Ok(is_somewhere);
             }
             if let (Next::Word(word), Some(shape)) = (next, shape.as_deref_mut())
                 && shape.spec().words.iter().any(|w| w.name == word)
@@ -301,10 +329,21 @@ impl Object {
                 shape.read_word(word, r)?;
                 continue;
             }
-            if !self.read_modifier(next, r, defaults)? {
+            let read = match self.read_modifier(next, r, defaults) {
+                // (Its number has been read by then.)
+                Err(fault) if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.moves() => {
+                    r.report(nothing_seen(self.word, *fault));
+                    self.kind = ObjectKind::Csg(CsgOp::Union, Arc::default());
+                    is_somewhere = false;
+                    continue;
+                }
+                read => read?,
+            };
+            if !read {
                 let own = shape.as_deref().map(|s| s.spec().word_names().collect::<Vec<_>>()).unwrap_or_default();
                 let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
-                return Err(r.unknown_word(self.word, &words).into());
+                let fault = r.unknown_word(self.word, &words);
+                skip_color(next, fault, r)?;
             }
         }
     }
@@ -413,12 +452,14 @@ impl Object {
 
     fn read_bound(&mut self, word: &'static str, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
         let at = r.take()?;
-        let mut parts = vec![];
+        let (mut parts, mut borrows) = (vec![], false);
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word("clipped_by" | "bounded_by") => {
+                // `clipped_by { bounded_by }`: the same objects once more, which may be none.
+                Next::Word(other @ ("clipped_by" | "bounded_by")) if other != word => {
                     r.take()?;
+                    borrows = true;
                     let other = if word == "clipped_by" { &self.bounded_by } else { &self.clipped_by };
                     parts.extend(other.iter().flat_map(|o| o.iter().cloned()));
                 }
@@ -426,6 +467,9 @@ impl Object {
             }
         }
         r.leave()?;
+        if parts.is_empty() && borrows {
+            return Ok(());
+        }
         if parts.is_empty() {
             r.report(Diagnostic::new(codes::EMPTY_BLOCK, at, format!("this `{word}` holds no object")));
             return Ok(());
@@ -471,4 +515,28 @@ impl Object {
             *bound = bound.as_ref().map(|parts| parts.iter().map(moved).collect());
         }
     }
+}
+
+/// The warning in place of an error about a number that is not finite.
+fn nothing_seen(word: &str, fault: Diagnostic) -> Diagnostic {
+    let message = format!("nothing of this `{word}` is drawn: {}", fault.message);
+    Diagnostic { code: codes::INFINITE, severity: codes::INFINITE.severity(), message, ..fault }
+        .help("look for a division by zero, or a number that grows in a loop")
+}
+
+/// A colour that stands in an object itself changes nothing (measured on POV-Ray 3.7, at every quality); it may be a declared
+/// one. `fault` is for whatever else comes next.
+fn skip_color(next: Next, fault: Diagnostic, r: &mut dyn Reader) -> Result<()> {
+    let at = r.span();
+    let is_color = match next {
+        Next::Word(_) if r.at_color()? => r.color().is_ok(),
+        Next::Value => matches!(r.value(), Ok((Value::Color(_), _))),
+        _ => false,
+    };
+    if !is_color {
+        return Err(fault.into());
+    }
+    let d = Diagnostic::new(codes::MISPLACED, at, "a colour of an object itself changes nothing");
+    r.report(d.help("it belongs into a pigment: `pigment { color … }`"));
+    Ok(())
 }

@@ -64,13 +64,10 @@ impl Settings {
                         _ => Gamma::Power(positive(r)?),
                     });
                 }
-                Next::Word("max_trace_level") => {
-                    r.take()?;
-                    self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
-                }
+                Next::Word("max_trace_level") => self.read_max_trace_level(r)?,
                 Next::Word("noise_generator") => {
                     r.take()?;
-                    self.noise_generator = Some(read_noise_generator(r)?);
+                    self.noise_generator = read_noise_generator(r, 1.0)?;
                 }
                 Next::Word("number_of_waves") => {
                     r.take()?;
@@ -102,6 +99,15 @@ impl Settings {
                 _ => return Err(r.unknown_word("global_settings", &SETTINGS.names()).into()),
             }
         }
+    }
+}
+
+impl Settings {
+    /// `max_trace_level N`; in old scenes also outside of the braces.
+    pub fn read_max_trace_level(&mut self, r: &mut dyn Reader) -> Result<()> {
+        r.take()?;
+        self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
+        Ok(())
     }
 }
 

@@ -1,6 +1,7 @@
 //! `cone { base_point, base_radius, cap_point, cap_radius }`: a cone, or one with its tip cut off.
 //!
-//! `open` takes the discs at the ends away. Radii of different sign make an hourglass.
+//! `open` takes the discs at the ends away. Radii of different sign make an hourglass; two negative ones make a cylinder of the
+//! smaller radius, and one that is negative with 0 makes nothing, as in POV-Ray 3.7.
 //!
 //! ```pov
 //! cone { <0, 0, 0>, 1, <0, 2, 0>, 0 pigment { color rgb <0.9, 0.8, 0.5> } }
@@ -20,7 +21,12 @@ pub struct Cone(pub Frustum);
 
 impl Cone {
     /// Between two different points.
-    pub fn new(base: DVec3, base_radius: f64, cap: DVec3, cap_radius: f64, open: bool) -> Self {
+    pub fn new(base: DVec3, mut base_radius: f64, cap: DVec3, mut cap_radius: f64, open: bool) -> Self {
+        // (measured on POV-Ray 3.7)
+        let largest = base_radius.max(cap_radius);
+        if largest <= 0.0 {
+            (base_radius, cap_radius) = (largest.abs(), largest.abs());
+        }
         Self(Frustum::new(base, cap, base_radius, cap_radius, open))
     }
 }
@@ -55,7 +61,7 @@ impl Readable for Cone {
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.0.is_empty() {
-            r.report(Diagnostic::new(codes::NO_SURFACE, span, "a `cone` with both radii 0 has no surface"));
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, "a `cone` whose larger radius is 0 has no surface"));
         }
         Ok(())
     }
@@ -98,6 +104,14 @@ mod tests {
         // Along the axis through both halves.
         let ray = Ray::new(DVec3::new(0.5, -3.0, 0.0), DVec3::Y);
         assert_hits(&all(&glass, &ray), &[(2.0, BASE), (2.5, WALL), (3.5, WALL), (4.0, CAP)]);
+    }
+
+    #[test]
+    fn negative_radii() {
+        let cylinder = Cone::new(-DVec3::Y, 0.2, DVec3::Y, 0.2, false);
+        assert_eq!(Cone::new(-DVec3::Y, -0.5, DVec3::Y, -0.2, false), cylinder);
+        assert_eq!(Cone::new(-DVec3::Y, -0.2, DVec3::Y, -0.5, false), cylinder);
+        assert!(Cone::new(-DVec3::Y, 0.0, DVec3::Y, -0.5, false).0.is_empty());
     }
 
     #[test]

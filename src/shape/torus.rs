@@ -1,7 +1,7 @@
 //! `torus { major, minor }`: a ring around the y axis, its middle at the origin.
 //!
 //! `major` reaches from the centre of the hole to the middle of the rim, `minor` is the radius of the rim. With a `minor`
-//! larger than `major` the hole closes. `sturm` chooses a slower, more exact method in POV-Ray; here the method is
+//! larger than `major` the hole closes. Negative radii show parts of the ring, or nothing of it, as in POV-Ray 3.7. `sturm` chooses a slower, more exact method in POV-Ray; here the method is
 //! always exact, so the word is taken and changes nothing.
 //!
 //! ```pov
@@ -10,7 +10,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, fp, solve_between};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, fp, solve_between, stable_pair};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
@@ -26,9 +26,38 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// POV-Ray draws nothing unless both radii are sensible.
+    /// Is nothing of it seen from anywhere?
     fn is_empty(&self) -> bool {
-        self.major < 0.0 || self.minor <= 0.0
+        self.minor == 0.0 || self.minor < 0.0 && self.major >= 0.0 || self.major + self.minor == 0.0
+    }
+
+    /// The box around the ring, whatever the signs of its radii.
+    fn pipe(&self) -> Aabb {
+        let across = self.major.abs() + self.minor.abs();
+        let corner = DVec3::new(across, self.minor.abs(), across);
+        Aabb { min: -corner, max: corner }
+    }
+
+    /// A ring of negative radius shows only where a ray meets what POV-Ray takes for the pipe around it: the outer wall if
+    /// `minor` is positive, else the discs above and below (both fitted on 3.7).
+    fn shows(&self, ray: &Ray) -> bool {
+        if self.major >= 0.0 {
+            return true;
+        }
+        let (inner, outer) = ((self.major - self.minor).powi(2), (self.major + self.minor).powi(2));
+        let across = |p: DVec3| p.x * p.x + p.z * p.z;
+        if self.minor < 0.0 {
+            let meets = |y: f64| {
+                let t = (y - ray.origin.y) / ray.dir.y;
+                t > 0.0 && (inner..=outer).contains(&across(ray.at(t)))
+            };
+            return meets(self.minor) || meets(-self.minor);
+        }
+        let (o, v) = (DVec2::new(ray.origin.x, ray.origin.z), DVec2::new(ray.dir.x, ray.dir.z));
+        let (a, half_b, c) = (v.length_squared(), o.dot(v), o.length_squared() - outer);
+        let ends = stable_pair(a, half_b, c, half_b * half_b - a * c);
+        let meets = |t: f64| t > 0.0 && ray.at(t).y.abs() < self.minor;
+        ends.is_some_and(|(near, far)| meets(near) || meets(far))
     }
 
     /// (ρ - R)² + y² - r²: negative inside.
@@ -91,17 +120,18 @@ impl Readable for Torus {
 
 impl Kernel for Torus {
     fn bounds(&self) -> Aabb {
-        if self.is_empty() {
+        if self.minor == 0.0 {
             return Aabb::EMPTY;
         }
-        let corner = DVec3::new(self.major + self.minor, self.minor, self.major + self.minor);
-        Aabb { min: -corner, max: corner }
+        self.pipe()
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         // Roots are looked for in the box around it only. Not in the range: it should not change the last digit of a hit.
-        let around = self.bounds().grown(0.01 * self.minor);
-        let Some((near, far)) = around.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
+        let around = self.pipe().grown(0.01 * self.minor.abs());
+        let Some((near, far)) = around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.shows(ray)) else {
+            return;
+        };
         if near >= range.max || far <= range.min {
             return;
         }
@@ -114,7 +144,7 @@ impl Kernel for Torus {
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        !self.is_empty() && self.implicit(p) <= 0.0
+        self.minor != 0.0 && self.implicit(p) <= 0.0
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
@@ -167,7 +197,6 @@ mod tests {
 
     #[test]
     fn odd_radii() {
-        assert!(Torus { major: -1.0, minor: 0.5 }.bounds().is_empty());
         assert!(!Torus { major: -1.0, minor: 0.5 }.inside(DVec3::X));
         let ball = Torus { major: 0.0, minor: 1.0 };
         let hits = all(&ball, &Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z));
@@ -178,6 +207,29 @@ mod tests {
         assert!(spindle.inside(DVec3::ZERO) && spindle.inside(DVec3::Y * 0.9) && !spindle.inside(DVec3::X * 1.3));
         assert_eq!(read::<Torus>("1 0.25 sturm on").0.unwrap(), RING);
         assert_eq!(read::<Torus>("1 -0.25").1[0].code, codes::NO_SURFACE);
+    }
+
+    /// All seen in POV-Ray's `trace()` and `inside()`.
+    #[test]
+    fn negative_radii() {
+        let hits = |major: f64, minor: f64, from: [f64; 3], dir: DVec3| {
+            all(&Torus { major, minor }, &Ray::new(from.into(), dir)).len()
+        };
+        // Through the outer wall, of radius 0.8, or not; with it behind.
+        assert_eq!(hits(-1.0, 0.2, [-3.0, 0.0, 0.0], DVec3::X), 4);
+        assert_eq!(hits(-1.0, 0.2, [0.0, 0.0, 1.1], DVec3::X), 0);
+        assert_eq!(hits(-1.0, 0.2, [1.0, 3.0, 0.0], -DVec3::Y), 0);
+        let ahead = Range { min: 0.0, max: f64::INFINITY };
+        let from_inside = Ray::new(DVec3::new(0.85, 0.0, 0.0), DVec3::X);
+        let mut out = Hits::new();
+        Torus { major: -1.0, minor: 0.2 }.hits(&from_inside, ahead, &mut out);
+        assert!(out.is_empty());
+        // Through the discs.
+        assert_eq!(hits(-1.0, -0.2, [-3.0, 0.0, 0.0], DVec3::X), 0);
+        assert_eq!(hits(-1.0, -0.2, [0.81, 3.0, 0.0], -DVec3::Y), 2);
+        assert_eq!(hits(1.0, -0.2, [1.0, 3.0, 0.0], -DVec3::Y), 0);
+        let inside = |major: f64, minor: f64, x: f64| Torus { major, minor }.inside(DVec3::new(x, 0.05, 0.0));
+        assert!(inside(1.0, -0.2, 1.1) && !inside(-1.0, 0.2, 0.9) && inside(-0.3, 1.0, 0.6) && !inside(-0.3, 1.0, 0.8));
     }
 
     #[test]

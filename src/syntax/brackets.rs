@@ -74,7 +74,8 @@ impl Brackets {
     /// Would a `<` behind an operand compare here?
     pub(super) fn compares(&self) -> bool {
         let open = self.stack.iter().rev().map(|o| o.0);
-        let around = open.take_while(|o| *o != Opener::Angle).find(|o| !matches!(o, Opener::Directive(_) | Opener::Choice));
+        let around =
+            open.take_while(|o| *o != Opener::Angle).find(|o| !matches!(o, Opener::Directive(_) | Opener::Choice));
         self.in_function() || around == Some(Opener::Paren)
     }
 

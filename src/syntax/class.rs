@@ -133,7 +133,14 @@ mod tests {
         // (The braces stand in quotes: they would end the body too early.)
         let lines = grammar.lines().map(|line| line.replace("\"{\"", "\"\u{1}\"").replace("\"}\"", "\"\u{2}\""));
         let found = lines.filter_map(|line| rule(&line)).map(|(name, class)| {
-            (name, match class { 1 => b'{', 2 => b'}', class => class })
+            (
+                name,
+                match class {
+                    1 => b'{',
+                    2 => b'}',
+                    class => class,
+                },
+            )
         });
         found.collect()
     }

@@ -194,10 +194,14 @@ impl Lexer<'_> {
     fn literal(&mut self, b: u8) -> Option<(u8, usize)> {
         let after_operand = self.after_operand();
         // Lists stand between elements: not inside expressions, vectors or functions.
-        let goes_on = matches!(self.before(), class::FUNCTION | class::DOT | class::NOT | class::CHOICE | class::CHOICE_ELSE)
-            || matches!(self.before(), class::PLUS | class::MINUS | class::TIMES | class::OVER | class::AND | class::OR)
-            || matches!(self.before(), class::EQUAL | class::LESS_EQUAL | class::GREATER_EQUAL | class::NOT_EQUAL)
-            || matches!(self.before(), class::LESS | class::GREATER);
+        let goes_on =
+            matches!(self.before(), class::FUNCTION | class::DOT | class::NOT | class::CHOICE | class::CHOICE_ELSE)
+                || matches!(
+                    self.before(),
+                    class::PLUS | class::MINUS | class::TIMES | class::OVER | class::AND | class::OR
+                )
+                || matches!(self.before(), class::EQUAL | class::LESS_EQUAL | class::GREATER_EQUAL | class::NOT_EQUAL)
+                || matches!(self.before(), class::LESS | class::GREATER);
         let vector = b == b'<' && !self.brackets.in_function() && !(after_operand && self.brackets.compares());
         let lists = self.lists.as_mut()?;
         if self.brackets.takes_lists()
@@ -264,16 +268,22 @@ impl Lexer<'_> {
             }
             i = i.saturating_sub(1);
         }
-        i > 0 && classes[i.saturating_sub(4)..i].iter().rev().take(4).enumerate().any(|(back, class)| {
-            *class == class::FUNCTION && matches!(back, 0 | 1 | 3)
-        })
+        i > 0
+            && classes[i.saturating_sub(4)..i]
+                .iter()
+                .rev()
+                .take(4)
+                .enumerate()
+                .any(|(back, class)| *class == class::FUNCTION && matches!(back, 0 | 1 | 3))
     }
 
     fn string(&mut self) {
         let (start, mut at) = (self.at, self.at + 1);
         loop {
             match memchr::memchr2(b'"', b'\\', &self.bytes[at.min(self.bytes.len())..]) {
-                Some(step) if self.bytes[at + step] == b'"' => return self.push(class::STRING, at + step + 1 - start, 0),
+                Some(step) if self.bytes[at + step] == b'"' => {
+                    return self.push(class::STRING, at + step + 1 - start, 0);
+                }
                 Some(step) => at += step + 2,
                 None => {
                     let end = self.text[start..].find(['\n', '\r']).map_or(self.bytes.len(), |i| start + i);

@@ -140,7 +140,11 @@ impl Scanner<'_> {
     fn declaration(&mut self) {
         let token = self.lexed.tokens[self.at];
         let local = self.text[token.start as usize..token.end as usize].ends_with("local");
-        let skipped = if self.class(1) == class::DEPRECATED { 1 + (2..5).take_while(|&i| self.class(i) != class::NAME).count() } else { 0 };
+        let skipped = if self.class(1) == class::DEPRECATED {
+            1 + (2..5).take_while(|&i| self.class(i) != class::NAME).count()
+        } else {
+            0
+        };
         if self.class(1 + skipped) == class::NAME {
             self.at += 1 + skipped;
             if self.class(1) == class::EQUAL {

@@ -29,10 +29,10 @@ impl ColorMap {
             r.take()?;
             let from = r.float()?;
             match r.float_or_color()? {
-                FloatOrColor::Color(color) => entries.push((from, color)),
+                FloatOrColor::Color(color) => entries.push((from, color.as_paint())),
                 FloatOrColor::Float(to) => {
-                    entries.push((from, r.color()?));
-                    entries.push((to, r.color()?));
+                    entries.push((from, r.color()?.as_paint()));
+                    entries.push((to, r.color()?.as_paint()));
                 }
             }
             r.leave()?;

@@ -67,6 +67,11 @@ impl Interior {
                         _ => out.fade_color = r.color()?.rgb,
                     }
                 }
+                // `refraction N` once switched bending on; any number does as much as none.
+                Next::Word(word) if INTERIOR.ignores(word) => {
+                    r.take()?;
+                    r.float()?;
+                }
                 Next::Word(word) | Next::Block(word) if INTERIOR.leaves_out(word) => {
                     out.undrawn.push(r.keep_undrawn(word)?);
                 }

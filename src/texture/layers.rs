@@ -1,6 +1,7 @@
 //! `texture` and `material` (manual, "Texture", "Material").
 
 use super::blend::{self, Entry, Map, Parts};
+use super::pigment::read_uv_mapping;
 use super::words::TEXTURE;
 use super::{Finish, Interior, Normal, Pigment};
 use crate::diagnostic::Result;
@@ -73,9 +74,9 @@ struct Draft {
 impl Texture {
     /// Reads what stands between the braces, on top of `base` (the default texture).
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
+        let mut draft = Draft { uv: read_uv_mapping(r)?.unwrap_or(false), ..Draft::default() };
         let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
         let mut out = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
-        let mut draft = Draft::default();
         loop {
             match r.next()? {
                 Next::End => break,

@@ -2,6 +2,7 @@
 
 use super::Texture;
 use super::blend::{self, Entry, Map, Parts};
+use super::pigment::read_uv_mapping;
 use super::words::NORMAL;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -88,10 +89,14 @@ impl Default for Normal {
 impl Normal {
     /// Reads what stands between the braces, on top of `base`; normals inside of it begin with the default one.
     pub fn read(r: &mut dyn Reader, base: Option<&Normal>, defaults: &Texture) -> Result<Self> {
+        let uv = read_uv_mapping(r)?;
         let mut out = match r.thing::<Normal>()? {
             Some(declared) => (*declared).clone(),
             None => base.cloned().unwrap_or_default(),
         };
+        if let Some(on) = uv {
+            (out.pattern.uv, out.stays) = (on, out.stays || on);
+        }
         loop {
             match r.next()? {
                 Next::End => return Ok(out),

@@ -1,10 +1,10 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
 use super::blend::{self, Entry, Map, Parts};
-use super::words::pigment_names;
+use super::words::{PIGMENT, pigment_names};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
-use crate::diagnostic::Result;
+use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern, Spot};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
@@ -49,22 +49,34 @@ impl Pigment {
 
     /// Reads what stands between the braces, on top of `base`; pigments inside of it begin with the default one.
     pub fn read(r: &mut dyn Reader, base: &Pigment, defaults: &Texture) -> Result<Self> {
-        let mut pigment = match r.thing::<Pigment>()? {
-            Some(declared) => (*declared).clone(),
-            None => base.clone(),
-        };
+        let uv = read_uv_mapping(r)?;
+        let declared = r.thing::<Pigment>()?;
+        let mut after_name = declared.is_some();
+        let mut pigment = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
+        if let Some(on) = uv {
+            pigment.pattern.uv = on;
+        }
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word("quick_color" | "quick_colour") => {
-                    r.take()?;
-                    pigment.quick_color = Some(r.color()?);
-                }
+                Next::Word("uv_mapping") if after_name => pigment.lose_to_uv_mapping(r)?,
                 next => pigment.read_element(r, next, defaults)?,
             }
+            after_name = false;
         }
         pigment.finish();
         Ok(pigment)
+    }
+
+    /// Behind a declared pigment's name, `uv_mapping` begins a pigment of its own, which is black (measured on POV-Ray 3.7).
+    fn lose_to_uv_mapping(&mut self, r: &mut dyn Reader) -> Result<()> {
+        let at = r.take()?;
+        r.flag()?;
+        self.pattern.kind = Kind::Plain;
+        self.paint = Paint::Solid(Color::BLACK);
+        let message = "`uv_mapping` stands behind the pigment's name, and makes it black";
+        r.report(Diagnostic::new(codes::MISPLACED, at, message).help("it belongs before the name"));
+        Ok(())
     }
 
     /// Reads one element of a pigment: of its pattern, a map, a list, a colour.
@@ -77,6 +89,15 @@ impl Pigment {
             return Ok(());
         }
         match next {
+            Next::Word("quick_color" | "quick_colour") => {
+                r.take()?;
+                self.quick_color = Some(r.color()?);
+                Ok(())
+            }
+            Next::Word(word) if PIGMENT.ignores(word) => {
+                r.take()?;
+                r.flag().map(drop)
+            }
             Next::Block("color_map" | "colour_map") => {
                 r.take()?;
                 self.paint = Paint::Colors(Arc::new(ColorMap::read(r)?));
@@ -102,7 +123,7 @@ impl Pigment {
             }
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {
-                self.paint = Paint::Solid(r.color()?);
+                self.paint = Paint::Solid(r.color()?.as_paint());
                 self.pattern.kind = Kind::Plain;
                 Ok(())
             }
@@ -173,6 +194,15 @@ impl Pigment {
             Paint::Image(image) => image.is_opaque(),
         }
     }
+}
+
+/// `uv_mapping`, which may stand before a declared pigment, normal or texture too, once or more: is it said, and on?
+pub(super) fn read_uv_mapping(r: &mut dyn Reader) -> Result<Option<bool>> {
+    let mut uv = None;
+    while r.accept("uv_mapping")? {
+        uv = Some(r.flag()?);
+    }
+    Ok(uv)
 }
 
 impl Entry for Pigment {

@@ -23,7 +23,7 @@ pub const PIGMENT: Vocabulary = Vocabulary {
         word("quick_colour", Color, "", "the same"),
     ],
     moves: true,
-    idle: &[],
+    idle: &["no_bump_scale"],
     not_drawn: &[],
 };
 
@@ -191,6 +191,6 @@ pub const INTERIOR: Vocabulary = Vocabulary {
         word("caustics", Float, "0", "makes shadows bright where light falls straight in; larger is narrower"),
     ],
     moves: false,
-    idle: &[],
+    idle: &["refraction"],
     not_drawn: &["media"],
 };

@@ -41,13 +41,11 @@ impl Run<'_> {
         let options = Options {
             sandbox: Sandbox { write: vec![], ..Sandbox::around(&SearchPath::new(folder, &[])) },
             search: SearchPath::new(folder, &[]),
-            declares: vec![],
-            timing: Default::default(),
-            input_name: String::new(),
             size: (8, 6),
             max_steps: self.steps,
             max_time: Some(2.0),
             max_memory: Some(3 << 30),
+            ..Options::default()
         };
         let sources = Sources::default();
         let name = self.path.display().to_string();

@@ -56,9 +56,10 @@ fn povray_row(row: &Row) -> [String; 4] {
 fn effect(effect: &Effect) -> String {
     match effect {
         Effect::Same => "nothing to do".into(),
-        Effect::Option(option) | Effect::Flag(option) => code(option),
+        Effect::Option(option) | Effect::Flag(option) | Effect::Whole(option, ..) => code(option),
         Effect::Part(_) => "obeyed".into(),
         Effect::Lacks(why) => format!("ignored: {why}"),
+        Effect::Idle(why) => format!("ignored in silence: {why}"),
     }
 }
 

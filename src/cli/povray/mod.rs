@@ -4,6 +4,7 @@
 
 mod files;
 mod ini;
+mod number;
 mod parts;
 pub(super) mod table;
 #[cfg(test)]
@@ -30,6 +31,8 @@ pub struct Translated {
     pub animation: Option<Animation>,
     /// What is wrong with it, or was left out; places are in [`Sources`], which holds the INI files.
     pub diagnostics: Vec<Diagnostic>,
+    /// Options that mean nothing here, which only `--warn options` tells.
+    pub idle: Vec<Diagnostic>,
 }
 
 /// Translates a command line; one that is ours already comes back as it is.
@@ -89,6 +92,7 @@ struct Translation<'s> {
     /// Was anything said in POV-Ray's way?
     any_switch: bool,
     faults: Vec<Diagnostic>,
+    idle: Vec<Diagnostic>,
     files: Files<'s>,
 }
 
@@ -102,7 +106,14 @@ struct Origin {
 impl<'s> Translation<'s> {
     fn new(sources: &'s Sources) -> Self {
         let files = Files::new(sources);
-        Self { parts: Parts::new(), options: Vec::new(), any_switch: false, faults: Vec::new(), files }
+        Self {
+            parts: Parts::new(),
+            options: Vec::new(),
+            any_switch: false,
+            faults: Vec::new(),
+            idle: Vec::new(),
+            files,
+        }
     }
 
     /// A word of the command line, which may be an option of ours that takes the next one.
@@ -151,7 +162,7 @@ impl<'s> Translation<'s> {
             (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
             (_, Some(on)) => self.apply(row, text, "", on, origin),
             (Takes::Nothing, None) => Err(wrong(text, "it needs `on` or `off`", origin)),
-            (Takes::MaybeNumber, None) if value.parse::<f64>().is_err() => {
+            (Takes::MaybeNumber, None) if number::real(value).is_none() => {
                 Err(wrong(text, "it needs `on`, `off` or a number", origin))
             }
             _ => self.apply(row, text, value, true, origin),
@@ -160,7 +171,7 @@ impl<'s> Translation<'s> {
 
     fn apply(&mut self, row: &Row, text: &str, value: &str, on: bool, origin: Origin) -> Result<(), Diagnostic> {
         let needs = match row.takes {
-            Takes::Number if value.parse::<f64>().is_err() => Some("a number"),
+            Takes::Number if number::real(value).is_none() => Some("a number"),
             Takes::Text if value.is_empty() => Some("something behind it, without a space"),
             _ => None,
         };
@@ -175,8 +186,23 @@ impl<'s> Translation<'s> {
             }
             Effect::Option(name) => {
                 check_value(name, value).map_err(|reason| wrong(text, &reason, origin))?;
-                let value = if name == "--include" { self.files.folder(value) } else { value.into() };
+                let value = match name {
+                    "--include" => self.files.folder(value),
+                    "--language" => number::real(value).unwrap_or_default().clamp(1.0, 100.0).to_string(),
+                    _ => value.into(),
+                };
                 self.options.push(format!("{name}={value}").into());
+                Ok(())
+            }
+            Effect::Whole(name, least, largest) => {
+                let n = number::whole(value).ok_or_else(|| wrong(text, "it needs a whole number", origin))?;
+                let n = n.clamp(f64::from(least), f64::from(largest));
+                self.options.push(format!("{name}={n}").into());
+                Ok(())
+            }
+            Effect::Idle(reason) => {
+                let message = format!("`{text}` has no effect: {reason}");
+                self.idle.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
                 Ok(())
             }
             Effect::Part(put) => {
@@ -225,13 +251,13 @@ impl<'s> Translation<'s> {
         if let Some(input) = self.parts.input {
             words.extend(["--".into(), with_ending(input).into()]);
         }
-        Translated { words, animation, diagnostics: self.faults }
+        Translated { words, animation, diagnostics: self.faults, idle: self.idle }
     }
 }
 
 /// The later of two contradicting options counts, where POV-Ray's may be given twice: `+Q3` in an INI file, `+Q9` behind it.
 fn last_of_each(options: Vec<OsString>) -> Vec<OsString> {
-    const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--alpha", "--quiet", "--no-output"];
+    const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--alpha", "--quiet", "--no-output", "--language"];
     let name = |o: &OsString| ONCE.iter().find(|once| o.to_string_lossy().split('=').next() == Some(once)).copied();
     let names: Vec<_> = options.iter().map(name).collect();
     let again = |i: usize| names[i].is_some() && names[i + 1..].contains(&names[i]);
@@ -242,14 +268,6 @@ fn last_of_each(options: Vec<OsString>) -> Vec<OsString> {
 fn check_value(option: &str, value: &str) -> Result<(), String> {
     match option {
         "--declare" => value.parse::<super::values::Declare>().map(drop),
-        "--threads" => match value.parse::<u16>() {
-            Ok(1..=4096) => Ok(()),
-            _ => Err("a whole number is needed, from 1 to 4096".into()),
-        },
-        "--quality" => match value.parse::<u8>() {
-            Ok(0..=11) => Ok(()),
-            _ => Err("qualities go from 0 to 11".into()),
-        },
         _ => Ok(()),
     }
 }
@@ -277,11 +295,17 @@ fn own_option(text: &str) -> Option<bool> {
 
 /// The row with the longest switch that the word begins with and whose value can be what is left of it.
 fn find_switch(word: &str) -> Option<(&'static Row, &str)> {
+    // `+H12abc` is a number too, but not before all else has been tried: `+HRx` is a misspelt `+HR`.
+    switch_with(word, |value| value.parse::<f64>().is_ok())
+        .or_else(|| switch_with(word, |value| number::real(value).is_some()))
+}
+
+fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static Row, &str)> {
     let fits = |row: &&Row| {
         let head =
             word.get(..row.switch.len()).filter(|head| !head.is_empty() && head.eq_ignore_ascii_case(row.switch));
         let value = &word[head?.len()..];
-        let number = || value.is_empty() || value.parse::<f64>().is_ok();
+        let number = || value.is_empty() || is_number(value);
         let fits = match row.takes {
             Takes::Nothing => value.is_empty(),
             Takes::Number | Takes::MaybeNumber => number(),

@@ -1,5 +1,6 @@
 //! Options of ours that POV-Ray spreads over several: put together when all are read.
 
+use super::number;
 use crate::cli::animation::Animation;
 use crate::cli::values::{Clock, Size};
 use crate::image_io::Format;
@@ -45,18 +46,19 @@ impl Parts {
     }
 
     pub fn number(&mut self, text: &str, put: impl FnOnce(&mut Self, f64)) -> Checked {
-        let x = text.parse().ok().filter(|x: &f64| x.is_finite()).ok_or("a number is needed")?;
+        let x = number::real(text).filter(|x| x.is_finite()).ok_or("a number is needed")?;
         self.set(|p| put(p, x))
     }
 
     /// POV-Ray cuts fractions off, and takes 0 for what is less.
     pub fn frame(&mut self, text: &str, put: impl FnOnce(&mut Self, u32)) -> Checked {
-        self.number(text, |p, x| put(p, x as u32))
+        let n = number::whole(text).ok_or("a whole number is needed")?;
+        self.set(|p| put(p, n as u32))
     }
 
     pub fn pixels(&mut self, text: &str, put: impl FnOnce(&mut Self, usize)) -> Checked {
-        let n = text.parse().ok().filter(|&n| n > 0).ok_or("a whole number of pixels is needed, 1 or more")?;
-        self.set(|p| put(p, n))
+        let n = number::whole(text).filter(|&n| n >= 1.0).ok_or("a whole number of pixels is needed, 1 or more")?;
+        self.set(|p| put(p, n as usize))
     }
 
     pub fn clock(&mut self, text: &str) -> Checked {
@@ -95,8 +97,8 @@ impl Parts {
 
     /// 5 to 16 bits a channel, of which we have 8 and 16: whichever holds them.
     pub fn depth(&mut self, text: &str) -> Checked {
-        let bits = text.parse::<u8>().ok().filter(|bits| (1..=16).contains(bits)).ok_or("bits go from 5 to 16")?;
-        self.set(|p| p.depth = Some(if bits > 8 { 16 } else { 8 }))
+        let bits = number::whole(text).filter(|bits| (1.0..=16.0).contains(bits)).ok_or("bits go from 5 to 16")?;
+        self.set(|p| p.depth = Some(if bits > 8.0 { 16 } else { 8 }))
     }
 
     pub fn file_gamma(&mut self, text: &str) -> Checked {

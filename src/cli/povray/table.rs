@@ -44,9 +44,13 @@ pub enum Effect {
     Part(fn(&mut Parts, &str) -> Result<(), String>),
     /// It can't be obeyed, and this is why.
     Lacks(&'static str),
+    /// The same, but the picture is what it should be: told with `--warn options`.
+    Idle(&'static str),
+    /// Our option that takes a whole number, the least and the largest.
+    Whole(&'static str, u16, u16),
 }
 
-use Effect::{Flag, Lacks, Option, Part, Same};
+use Effect::{Flag, Idle, Lacks, Option, Part, Same, Whole};
 use Takes::{MaybeNumber, MaybeText, Nothing, Number, Text};
 
 const fn row(switch: &'static str, ini: &'static str, takes: Takes, on: Effect, off: Effect) -> Row {
@@ -59,6 +63,7 @@ const fn both(switch: &'static str, ini: &'static str, takes: Takes, on: Effect)
 }
 
 const NO_WINDOW: &str = "durer opens no window";
+const CTRL_C: &str = "Ctrl-C always ends durer";
 const NO_SHELL: &str = "durer never runs other programs";
 const NO_LOG: &str = "messages go to standard error; redirect that";
 const OWN_SAMPLING: &str = "durer has one method of anti-aliasing, with the threshold of `+A`";
@@ -93,21 +98,21 @@ pub const ROWS: &[Row] = &[
     both("EC", "End_Column", Number, Part(|p, v| p.number(v, |p, x| p.end_column = Some(x)))),
     both("SR", "Start_Row", Number, Part(|p, v| p.number(v, |p, x| p.start_row = Some(x)))),
     both("ER", "End_Row", Number, Part(|p, v| p.number(v, |p, x| p.end_row = Some(x)))),
-    both("X", "Test_Abort", MaybeNumber, Same),
-    both("", "Test_Abort_Count", Number, Same),
-    row("C", "Continue_Trace", Nothing, Lacks("pictures are written whole or not at all"), Same),
-    both("GI", "Create_Ini", Text, Lacks("durer writes no INI files")),
+    row("X", "Test_Abort", MaybeNumber, Idle(CTRL_C), Same),
+    both("", "Test_Abort_Count", Number, Idle(CTRL_C)),
+    row("C", "Continue_Trace", Nothing, Idle("pictures are written whole or not at all"), Same),
+    both("GI", "Create_Ini", Text, Idle("durer writes no INI files")),
     // 3.2.3 Display
-    row("D", "Display", MaybeText, Lacks(NO_WINDOW), Same),
-    both("", "Video_Mode", Text, Same),
-    both("", "Palette", Text, Same),
-    both("", "Display_Gamma", Text, Same),
+    row("D", "Display", MaybeText, Idle(NO_WINDOW), Same),
+    both("", "Video_Mode", Text, Idle(NO_WINDOW)),
+    both("", "Palette", Text, Idle(NO_WINDOW)),
+    both("", "Display_Gamma", Text, Idle(NO_WINDOW)),
     both("", "Real_Time_Raytracing", Nothing, Same),
-    row("P", "Pause_When_Done", Nothing, Lacks(NO_WINDOW), Same),
+    row("P", "Pause_When_Done", Nothing, Idle(NO_WINDOW), Same),
     row("V", "Verbose", Nothing, Flag("--progress=always"), Same),
-    both("UD", "Draw_Vistas", Nothing, Same),
-    both("SP", "Preview_Start_Size", Number, Same),
-    both("EP", "Preview_End_Size", Number, Same),
+    row("UD", "Draw_Vistas", Nothing, Idle(NO_WINDOW), Same),
+    both("SP", "Preview_Start_Size", Number, Idle(NO_WINDOW)),
+    both("EP", "Preview_End_Size", Number, Idle(NO_WINDOW)),
     // 3.2.4 File output
     row("F", "Output_to_File", MaybeText, Part(|p, v| p.file_type(v)), Flag("--no-output")),
     both("", "Output_File_Type", Text, Part(|p, v| p.file_type(v))),
@@ -118,7 +123,7 @@ pub const ROWS: &[Row] = &[
     both("", "Histogram_Name", Text, Same),
     both("", "Histogram_Grid_Size", Text, Same),
     both("", "Bits_Per_Color", Number, Part(|p, v| p.depth(v))),
-    both("", "Compression", Number, Lacks("durer chooses the compression")),
+    both("", "Compression", Number, Idle("durer chooses the compression")),
     both("O", "Output_File_Name", Text, Part(|p, v| p.set(|p| p.output = Some(v.into())))),
     both("B", "Buffer_Output", MaybeNumber, Same),
     both("", "Buffer_Size", Number, Same),
@@ -130,7 +135,7 @@ pub const ROWS: &[Row] = &[
     both("I", "Input_File_Name", Text, Part(|p, v| p.set(|p| p.input = Some(v.into())))),
     both("HI", "Include_Header", Text, Lacks("write `#include` into the scene")),
     both("L", "Library_Path", Text, Option("--include")),
-    both("MV", "Version", Number, Lacks("write `#version` into the scene")),
+    both("MV", "Version", Number, Option("--language")),
     // 3.2.6 Shell commands
     both("", "Pre_Scene_Command", Text, Lacks(NO_SHELL)),
     both("", "Pre_Frame_Command", Text, Lacks(NO_SHELL)),
@@ -151,20 +156,20 @@ pub const ROWS: &[Row] = &[
     row("GR", "Render_Console", MaybeText, Same, Same),
     row("GS", "Statistic_Console", MaybeText, Same, Same),
     row("GW", "Warning_Console", MaybeText, Same, Lacks("only `-GA` silences messages")),
-    row("", "All_File", Text, Lacks(NO_LOG), Same),
-    row("", "Debug_File", Text, Lacks(NO_LOG), Same),
-    row("", "Fatal_File", Text, Lacks(NO_LOG), Same),
-    row("", "Render_File", Text, Lacks(NO_LOG), Same),
-    row("", "Statistic_File", Text, Lacks(NO_LOG), Same),
-    row("", "Warning_File", Text, Lacks(NO_LOG), Same),
+    row("", "All_File", Text, Idle(NO_LOG), Same),
+    row("", "Debug_File", Text, Idle(NO_LOG), Same),
+    row("", "Fatal_File", Text, Idle(NO_LOG), Same),
+    row("", "Render_File", Text, Idle(NO_LOG), Same),
+    row("", "Statistic_File", Text, Idle(NO_LOG), Same),
+    row("", "Warning_File", Text, Idle(NO_LOG), Same),
     both("GP", "Append_File", Nothing, Same),
     both("WL", "Warning_Level", Number, Same),
     // 3.2.8 Tracing
-    both("WT", "Work_Threads", Number, Option("--threads")),
+    both("WT", "Work_Threads", Number, Whole("--threads", 1, 4096)),
     both("BS", "Render_Block_Size", Number, Same),
     both("RP", "Render_Pattern", Number, Same),
     both("RS", "Render_Block_Step", Number, Same),
-    both("Q", "Quality", Number, Option("--quality")),
+    both("Q", "Quality", Number, Whole("--quality", 0, 11)),
     both("MB", "Bounding", MaybeNumber, Same),
     both("", "Bounding_Threshold", Number, Same),
     both("BM", "Bounding_Method", Number, Same),

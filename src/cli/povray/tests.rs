@@ -69,7 +69,7 @@ fn every_row_reads_a_well_written_option() {
 fn translations_are_understood() {
     use clap::Parser;
     for line in [
-        "+Ia.pov -A +FE -UA +V +KFF12 +SF3 +EF0.5 +KC +STP2 +SC2 +EC0.5 +SR0.25 +ER300",
+        "+Ia.pov +MV3.1 Quality=20 --warn options -A +FE -UA +V +KFF12 +SF3 +EF0.5 +KC +STP2 +SC2 +EC0.5 +SR0.25 +ER300",
         "Input_File_Name=a.pov Antialias=on Antialias_Threshold=0.1 Output_to_File=off Declare=x=-1 Clock=-2",
         "a.pov -F +Q11 +WT1 Library_Path=\"/a\" +B4 -GA +K-0.5",
     ] {
@@ -156,9 +156,44 @@ fn antialiasing() {
 
 #[test]
 fn what_is_not_obeyed_is_told() {
-    assert_eq!(ours("+D +P +C a.pov").1, 3);
+    assert_eq!(ours("+UF +R3 a.pov").1, 2);
     assert_eq!(ours("Post_Scene_Command=rm a.pov").1, 1);
     assert_eq!(ours("-D -P -C -UF a.pov").1, 0);
+}
+
+#[test]
+fn what_means_nothing_is_told_when_asked_for() {
+    let idle = |line: &str| translate(&Sources::default(), words(line)).idle.len();
+    for (line, count) in [
+        ("+D +P +C +X +UD +GIa.ini a.pov", 6),
+        ("Display=on Pause_When_Done=on Test_Abort=on Continue_Trace=on Draw_Vistas=on a.pov", 5),
+        ("Display_Gamma=2.2 Palette=3 Video_Mode=1 Create_Ini=b All_File=on a.pov", 5),
+        ("-D -P -C -X -UD Display=off Verbose=off Display_Gamma= a.pov", 0),
+    ] {
+        assert_eq!(ours(line).1, 0, "{line}");
+        assert_eq!(idle(line), count, "{line}");
+    }
+}
+
+/// All of this was seen in POV-Ray 3.7.
+#[test]
+fn numbers_are_read_as_far_as_they_go() {
+    same("Height=693.0412871 Width=12abc a.pov", "--aa=off --size=12x693 -- a.pov");
+    same("+H12.7 +W1e2 a.pov", "--aa=off --size=1x12 -- a.pov");
+    same("+H6 +W+8 a.pov", "--aa=off --size=8x6 -- a.pov");
+    same("Clock=0.5abc +Q12 Work_Threads=1.5 a.pov", "--aa=off --clock=0.5 --quality=11 --threads=1 -- a.pov");
+    same("+A0.1x Quality=-1 Bits_Per_Color=16.0 a.pov", "--aa=0.1 --bit-depth=16 --quality=0 -- a.pov");
+    assert_eq!(frames("+KFI2.7 +KFF3x"), Some([2, 3, 2, 3, 1, 1]));
+    for line in ["Height=abc", "Height=", "Height=.5e2", "+W", "Clock=abc", "Quality=abc", "Version=abc"] {
+        assert!(translated(words(&format!("{line} a.pov"))).is_none(), "{line}");
+    }
+}
+
+#[test]
+fn the_version_is_that_of_the_language() {
+    same("+MV3.1 a.pov", "--aa=off --language=3.1 -- a.pov");
+    same("Version=3.5 -MV3.62x a.pov", "--aa=off --language=3.62 -- a.pov");
+    same("Version=0.9 a.pov", "--aa=off --language=1 -- a.pov");
 }
 
 #[test]

@@ -71,7 +71,9 @@ impl<'a> Interpreter<'a> {
                     None => {
                         let argument = me.argument_here()?;
                         match argument.given {
-                            Given::Slot(_) => Diagnostic::err(codes::WRONG_TYPE, argument.span, "`#ifdef` takes a name"),
+                            Given::Slot(_) => {
+                                Diagnostic::err(codes::WRONG_TYPE, argument.span, "`#ifdef` takes a name")
+                            }
                             _ => Ok(me.is_argument_defined(&argument)),
                         }
                     }
@@ -128,9 +130,7 @@ impl<'a> Interpreter<'a> {
                 };
                 (*counter, [first, last, step], at)
             }
-            ForHead::Pieces(Some(elements)) => {
-                self.within(elements, Bracket::Paren, span, |me| me.for_head(span))?
-            }
+            ForHead::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| me.for_head(span))?,
             ForHead::Pieces(None) => return Err(self.no_parentheses(span)),
         };
         if step.is_nan() || step.abs() < SMALL {

@@ -127,7 +127,8 @@ impl<'a> Interpreter<'a> {
 
     /// `deprecated once "why"`
     fn deprecated_tokens(&mut self) -> Result<Deprecated<'a>> {
-        let word = |me: &Self, name: &str| matches!(me.raw().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
+        let word =
+            |me: &Self, name: &str| matches!(me.raw().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
         if !word(self, "deprecated") {
             return Ok(None);
         }

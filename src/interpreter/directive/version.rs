@@ -1,10 +1,9 @@
 //! `#version 3.7;`
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::interpreter::{Interpreter, compat};
 use crate::interpreter::stream::Token;
+use crate::interpreter::{Interpreter, compat};
 use crate::syntax::ast::{Expr, ExprKind};
-use std::sync::atomic::Ordering;
 
 impl Interpreter<'_> {
     pub(in crate::interpreter) fn version(&mut self) -> Result<()> {
@@ -21,12 +20,7 @@ impl Interpreter<'_> {
             let message = format!("this scene asks for version {number} of the language; durer knows up to 3.8");
             self.report_fault(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
         }
-        self.language.version = version;
-        if self.scene.settings.noise_generator.is_none() {
-            self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
-        }
-        self.language.bare_textures = compat::has_bare_textures(version);
-        self.version_stated = true;
+        self.set_version(version);
         Ok(())
     }
 }

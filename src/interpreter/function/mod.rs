@@ -94,7 +94,11 @@ impl<'a> Interpreter<'a> {
         let [(width, at), (height, end)] = size[..] else {
             return match size.len() {
                 0 => Ok(()),
-                n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a picture has a width and a height, this has {n} numbers")),
+                n => Diagnostic::err(
+                    codes::WRONG_COUNT,
+                    span,
+                    format!("a picture has a width and a height, this has {n} numbers"),
+                ),
             };
         };
         let size = [self.picture_side(width, at)?, self.picture_side(height, end)?];
@@ -112,7 +116,9 @@ impl<'a> Interpreter<'a> {
         let function = self.read_function()?;
         match self.picture_size.take() {
             Some(size) => Ok(Some((size, function))),
-            None => Diagnostic::err(codes::EXPECTED, span, "expected the width and the height of the function's picture"),
+            None => {
+                Diagnostic::err(codes::EXPECTED, span, "expected the width and the height of the function's picture")
+            }
         }
     }
 
@@ -521,9 +527,7 @@ impl<'a> Interpreter<'a> {
         match (self.sources.snippet(component.span), gives) {
             ("gray" | "grey", Gives::Color) => Ok(Component::Weighted(weights)),
             // A height field's 16 bits: red is the upper byte, green the lower one (weights as measured).
-            ("hf", Gives::Color) => {
-                Ok(Component::Weighted([0.996093, 0.003906, 0.0]))
-            }
+            ("hf", Gives::Color) => Ok(Component::Weighted([0.996093, 0.003906, 0.0])),
             _ => {
                 let message = format!("`.{}` is no component of this", self.sources.snippet(component.span));
                 Diagnostic::err(codes::NO_COMPONENT, component.span, message)

@@ -157,7 +157,11 @@ impl<'a> Interpreter<'a> {
     /// `I, 1, 10, x/I`
     fn compile_series_in_pieces(&mut self, c: &mut Compiler, product: bool, span: Span) -> Result<Id> {
         let Token::Expr(Expr { kind: ExprKind::Name(counter), .. }) = self.peek()? else {
-            return Diagnostic::err(codes::WRONG_COUNT, span, "expected a counter, a first and a last value, and a term");
+            return Diagnostic::err(
+                codes::WRONG_COUNT,
+                span,
+                "expected a counter, a first and a last value, and a term",
+            );
         };
         self.advance();
         let first = self.climb(&mut Compiled(c), true)?.0;

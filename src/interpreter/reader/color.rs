@@ -44,6 +44,15 @@ pub(super) fn is_component(word: &str) -> bool {
     matches!(word, "red" | "green" | "blue" | "filter" | "transmit" | "alpha")
 }
 
+/// Infinite light is white, what is not a number is black (as POV-Ray 3.7 draws them).
+fn finite_component(x: f64) -> f64 {
+    match x {
+        x if x.is_finite() => x,
+        f64::INFINITY => Color::BLINDING,
+        _ => 0.0,
+    }
+}
+
 impl Interpreter<'_> {
     /// The colour that an expression gives after one of the words `rgb`, `rgbt` …: a number stands for as many components
     /// as the word has letters, and the two last of `rgbt` are swapped into place.
@@ -65,7 +74,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    fn as_color(&self, value: Value, word: &str, span: Span) -> Result<Color> {
+    fn as_color(&mut self, value: Value, word: &str, span: Span) -> Result<Color> {
         let letters = word.trim_start_matches('s').len();
         let mut c = match value {
             Value::Float(x) => VecN::splat(x, if word.starts_with("col") { 5 } else { letters as u8 }).c,
@@ -81,7 +90,9 @@ impl Interpreter<'_> {
             (c[4], c[3]) = (c[3], 0.0);
         }
         if !c.iter().all(|x| x.is_finite()) {
-            return Diagnostic::err(codes::NOT_FINITE, span, "this colour holds a number that is not finite");
+            let d = Diagnostic::new(codes::INFINITE, span, "this colour holds a number that is not finite");
+            self.report(d.help("look for a division by zero, or a number that grows in a loop"));
+            c = c.map(finite_component);
         }
         let mut color = Color::from_array(c);
         if word.starts_with('s') {

@@ -59,7 +59,10 @@ impl Interpreter<'_> {
 
     /// `A(2)` where A is a value: nothing that could be called.
     pub(in crate::interpreter) fn called_value(&mut self) -> Option<Diagnostic> {
-        let opens = matches!(self.peek(), Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. })));
+        let opens = matches!(
+            self.peek(),
+            Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. }))
+        );
         let (file, range) = self.sources.locate(self.here()).filter(|_| opens && !self.comma)?;
         let text = &self.sources.text(file)[..range.start];
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
@@ -149,7 +152,8 @@ impl Interpreter<'_> {
             Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square))) => {
                 let found = self.sources.snippet(here);
                 let message = format!("this `<` is not closed: found `{found}` where `>` was expected");
-                let d = Diagnostic::new(codes::UNCLOSED, Span { hi: start.lo + 1, ..start }, message).label("opened here");
+                let d =
+                    Diagnostic::new(codes::UNCLOSED, Span { hi: start.lo + 1, ..start }, message).label("opened here");
                 return d.also(here, format!("`{found}` found here"));
             }
             Ok(Token::End) => "the end of the text".to_string(),

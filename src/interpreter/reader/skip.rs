@@ -1,11 +1,11 @@
 //! Passing over what is known and not drawn yet; what was said is kept.
 
 use super::super::Interpreter;
+use super::super::eval::vector_value;
 use super::super::scope::Slot;
 use super::super::stream::Token;
 use super::color::{begins_color, is_component};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use super::super::eval::vector_value;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Sign};
 use crate::value::{Next, Reader, Said};
 
@@ -90,7 +90,11 @@ impl Interpreter<'_> {
                     Said::push_value(row, &self.value_from(first, span)?.0);
                 }
             }
-            Token::Expr(_) | Token::Callee(_) | Token::Element(_) | Token::Function(_) | Token::Open(Bracket::Paren, _)
+            Token::Expr(_)
+            | Token::Callee(_)
+            | Token::Element(_)
+            | Token::Function(_)
+            | Token::Open(Bracket::Paren, _)
             | Token::Sign(Sign::Not | Sign::Operator(_)) => {
                 if let Slot::Value(value) = self.rvalue()? {
                     Said::push_value(row, &value);

@@ -41,7 +41,14 @@ enum In {
 
 impl<'n> Builder<'n> {
     /// For the piece whose first token has the number `first`.
-    pub(super) fn new(names: &'n Names, text: &'n str, base: usize, first: usize, lexed: &'n mut Lexed, single: bool) -> Self {
+    pub(super) fn new(
+        names: &'n Names,
+        text: &'n str,
+        base: usize,
+        first: usize,
+        lexed: &'n mut Lexed,
+        single: bool,
+    ) -> Self {
         let Lexed { classes, tokens, numbers, lists, .. } = lexed;
         let (classes, tokens) = (&classes[first..], &tokens[first..]);
         Self { names, text, base, classes, tokens, numbers, lists: RefCell::new(lists), single }
@@ -140,7 +147,12 @@ impl<'n> Builder<'n> {
         let kind = match pair.as_rule() {
             Rule::SEMICOLON => ElementKind::Semicolon,
             Rule::KEYWORD | Rule::word => ElementKind::Word(word::by_number(self.token(&pair).data)),
-            Rule::declare | Rule::conditional | Rule::while_loop | Rule::for_loop | Rule::switch | Rule::macro_definition
+            Rule::declare
+            | Rule::conditional
+            | Rule::while_loop
+            | Rule::for_loop
+            | Rule::switch
+            | Rule::macro_definition
             | Rule::plain => ElementKind::Directive(Box::new(self.directive(pair, place))),
             _ if self.single => return self.flatten(pair, place, out),
             Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(self.token(&pair)))),
@@ -170,8 +182,17 @@ impl<'n> Builder<'n> {
             self.singles(at..within.start, first, out);
             at = within.end;
             match inner.as_rule() {
-                Rule::declare | Rule::conditional | Rule::while_loop | Rule::for_loop | Rule::switch
-                | Rule::macro_definition | Rule::plain | Rule::block | Rule::group | Rule::function | Rule::expr => {
+                Rule::declare
+                | Rule::conditional
+                | Rule::while_loop
+                | Rule::for_loop
+                | Rule::switch
+                | Rule::macro_definition
+                | Rule::plain
+                | Rule::block
+                | Rule::group
+                | Rule::function
+                | Rule::expr => {
                     self.element(inner, place, out);
                 }
                 _ => self.flatten(inner, place, out),
