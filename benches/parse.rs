@@ -3,7 +3,7 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use durer::interpreter;
 use durer::source::{SearchPath, Sources};
-use durer::syntax::{Wholes, Names, parse};
+use durer::syntax::{Names, Wholes, parse};
 use std::hint::black_box;
 
 /// A mesh2 of some 10 MB of numbers.
@@ -45,11 +45,7 @@ fn running(c: &mut Criterion) {
     let loops =
         "#declare S = 0; #for (I, 1, 100000) #declare S = S + mod(I, 7)*2; #if (S > 1e9) #declare S = 0; #end #end";
     let Some(file) = sources.add("loops", None, loops.into()) else { return };
-    let options = interpreter::Options {
-        size: (160, 120),
-        max_steps: u64::MAX,
-        ..Default::default()
-    };
+    let options = interpreter::Options { size: (160, 120), max_steps: u64::MAX, ..Default::default() };
     c.bench_function("interpret/100k passes", |b| {
         b.iter(|| black_box(interpreter::interpret(&sources, file, &options, &mut |_| {})));
     });

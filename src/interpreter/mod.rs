@@ -179,6 +179,8 @@ pub(crate) struct Interpreter<'a> {
     floor: usize,
     /// The brackets around here, innermost last.
     opened: Vec<Opened>,
+    /// Faults of the text, told behind those of the run.
+    late: Vec<Diagnostic>,
     /// Where brackets stand that nothing in the rest of their file closes.
     unclosed: FxHashSet<u32>,
     depth: usize,
@@ -234,6 +236,7 @@ impl<'a> Interpreter<'a> {
             element: None,
             floor: 0,
             opened: vec![],
+            late: vec![],
             unclosed: FxHashSet::default(),
             depth: 0,
             steps: 0,
@@ -308,6 +311,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn outcome(mut self) -> Outcome {
+        self.diagnostics.append(&mut self.late);
         let unused: Vec<Diagnostic> = self.scopes.unused_faults().cloned().collect();
         for mut fault in unused {
             let told = |d: &Diagnostic| d.code == fault.code && d.span() == fault.span() && d.message == fault.message;

@@ -5,7 +5,7 @@ use super::Interpreter;
 use super::argument::Argument;
 use super::eval::{as_float, vector_value};
 use super::operators::{SMALL, apply, apply_prefix, component};
-use super::stream::Token;
+use super::stream::{BlockName, Token};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Spline};
 use crate::source::Span;
@@ -62,6 +62,13 @@ impl<'a> Interpreter<'a> {
                 break;
             }
             self.advance();
+            if let Token::Word(word) | Token::Block(BlockName { word: Some(word), .. }) = self.peek()?
+                && !super::reader::begins_color(word)
+            {
+                let message = format!("expected a value, found the word `{word}`");
+                let at = self.here();
+                return Diagnostic::err(codes::EXPECTED_VALUE, at, message);
+            }
             let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
             left = operands.combine(self, op, (left, span), (right, right_span))?;
             span = joined(span, right_span);

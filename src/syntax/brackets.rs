@@ -23,6 +23,8 @@ pub(super) enum Opener {
     Angle,
     /// `?` of a choice.
     Choice,
+    /// Its `:`, whose value goes on to the next comma or bracket: choices in a row nest.
+    Otherwise,
     /// A directive of this class, with a body.
     Directive(u8),
 }
@@ -36,13 +38,14 @@ impl Opener {
             Opener::Bracket => (class::BRACKET, class::BRACKET_END),
             Opener::Angle => (class::VECTOR, class::VECTOR_END),
             Opener::Choice => (class::CHOICE, class::CHOICE_ELSE),
+            Opener::Otherwise => (class::CHOICE_ELSE, class::SEMICOLON),
             Opener::Directive(class) => (class, class::END),
         }
     }
 
     /// A `?` and a `<` end where any bracket around them does.
     fn is_weak(self) -> bool {
-        matches!(self, Opener::Angle | Opener::Choice)
+        matches!(self, Opener::Angle | Opener::Choice | Opener::Otherwise)
     }
 }
 
@@ -74,8 +77,9 @@ impl Brackets {
     /// Would a `<` behind an operand compare here?
     pub(super) fn compares(&self) -> bool {
         let open = self.stack.iter().rev().map(|o| o.0);
-        let around =
-            open.take_while(|o| *o != Opener::Angle).find(|o| !matches!(o, Opener::Directive(_) | Opener::Choice));
+        let around = open
+            .take_while(|o| *o != Opener::Angle)
+            .find(|o| !matches!(o, Opener::Directive(_) | Opener::Choice | Opener::Otherwise));
         self.in_function() || around == Some(Opener::Paren)
     }
 
@@ -103,14 +107,25 @@ impl Brackets {
         let weak = matches!(closer, class::VECTOR_END | class::CHOICE_ELSE);
         let own = self.stack[body..].iter().rev();
         // A `>` or `:` does not reach out of brackets.
-        let skipped = own.take_while(|o| o.0.classes().1 != closer && (!weak || o.0 == Opener::Choice)).count();
+        let passed = |o: Opener| !weak || matches!(o, Opener::Choice | Opener::Otherwise);
+        let skipped = own.take_while(|o| o.0.classes().1 != closer && passed(o.0)).count();
         let depth = self.stack.len() - skipped;
         if depth == body || self.stack[depth - 1].0.classes().1 != closer {
             return None;
         }
         let found = self.stack[depth - 1];
         self.pop_to(depth - 1);
+        if found.0 == Opener::Choice {
+            self.open(Opener::Otherwise, found.1);
+        }
         Some(found)
+    }
+
+    /// A comma or semicolon: choices end.
+    pub(super) fn separate(&mut self) {
+        while matches!(self.stack.last(), Some((Opener::Otherwise, _))) {
+            self.pop();
+        }
     }
 
     /// `#else`, `#end` and their kin: ends the body of the innermost directive, whose class is given. It stays open.

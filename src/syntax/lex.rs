@@ -90,12 +90,14 @@ impl Lexer<'_> {
                 b'{' | b'(' | b'[' | b'?' => self.open(b),
                 b'}' | b')' | b']' | b'>' | b':' => self.close(b),
                 b'=' | b'!' => self.operator(b),
-                b',' | b';' | b'*' | b'/' | b'&' | b'|' => {
+                b',' | b';' => {
                     self.push(b, 1, 0);
+                    self.brackets.separate();
                     if b == class::SEMICOLON {
                         self.cut();
                     }
                 }
+                b'*' | b'/' | b'&' | b'|' => self.push(b, 1, 0),
                 _ => self.other(),
             }
             if self.out.faults.len() >= MAX_FAULTS || self.brackets.too_deep() {

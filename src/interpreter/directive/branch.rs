@@ -31,6 +31,9 @@ impl<'a> Interpreter<'a> {
     }
 
     fn number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
+        if let Some(at) = doubled_operator(elements) {
+            return Err(self.misplaced(at).into());
+        }
         self.within(elements, Bracket::Paren, span, |me| {
             let (value, at) = me.value_in(true)?;
             as_float(&value, at)
@@ -206,6 +209,16 @@ impl<'a> Interpreter<'a> {
         let (high, end) = self.value_in(true)?;
         Ok([as_float(&low, at)?, as_float(&high, end)?])
     }
+}
+
+/// `==`, `&&` and `||`, as other languages have them: the place of the second sign.
+fn doubled_operator(elements: &[Element]) -> Option<Span> {
+    let sign = |e: &Element| match e.kind {
+        ElementKind::Sign(Sign::Operator(op)) => Some(op),
+        _ => None,
+    };
+    let doubled = |pair: &&[Element]| sign(&pair[0]).is_some_and(|op| sign(&pair[1]) == Some(op) && !op.adds());
+    elements.windows(2).find(doubled).map(|pair| pair[1].span)
 }
 
 fn within(value: f64, last: f64, step: f64) -> bool {

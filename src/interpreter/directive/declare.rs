@@ -14,7 +14,6 @@ use std::rc::Rc;
 /// What gets a value.
 struct Declared {
     symbol: Symbol,
-    span: Span,
     /// The element of an array.
     place: Option<Place>,
 }
@@ -36,7 +35,7 @@ impl<'a> Interpreter<'a> {
             && declare.deprecated.is_none()
             && let Some(x) = self.simple_statement()
         {
-            let declared = Declared { symbol: target.symbol, span: target.span, place: None };
+            let declared = Declared { symbol: target.symbol, place: None };
             self.bind(declare.local, &declared, Slot::Value(Value::Float(x)), vec![]);
             return Ok(());
         }
@@ -159,7 +158,7 @@ impl<'a> Interpreter<'a> {
             true => None,
             false => Some(self.place_of_values(symbol, span, &indices, true)?),
         };
-        Ok(Declared { symbol, span, place })
+        Ok(Declared { symbol, place })
     }
 
     fn no_name(&self, directive: Span) -> crate::diagnostic::Fault {
@@ -205,6 +204,11 @@ impl<'a> Interpreter<'a> {
                 if let Some(frame) = self.frames.last_mut() {
                     frame.skip_layers(mark.at);
                 }
+                // What POV-Ray could not even read is an error at once.
+                if matches!(fault.code, codes::SYNTAX | codes::UNCLOSED | codes::UNMATCHED_CLOSER) {
+                    self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);
+                    return fault.into();
+                }
                 let mut faults = self.diagnostics.split_off(first);
                 faults.push(fault);
                 Slot::Faulty(Rc::new(faults))
@@ -225,7 +229,7 @@ impl<'a> Interpreter<'a> {
             true => None,
             false => Some(self.new_place(target.symbol, target.span, &target.indices)?),
         };
-        Ok(Declared { symbol: target.symbol, span: target.span, place })
+        Ok(Declared { symbol: target.symbol, place })
     }
 
     /// Gives the target its value; `pending` are the warnings that wait for its use.

@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes, file, nearest};
 use crate::interpreter::Interpreter;
 use crate::interpreter::limits::MAX_INCLUDES;
+use crate::interpreter::pieces::joined;
 use crate::interpreter::stream::FrameKind;
 use crate::library;
 use crate::source::{FileId, Found, Span, read_text};
@@ -13,6 +14,7 @@ use std::path::{Path, PathBuf};
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn include(&mut self, span: Span) -> Result<()> {
         let (text, name) = self.text_here()?;
+        let span = joined(span, name);
         if self.including.len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
             return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
@@ -103,6 +105,10 @@ impl<'a> Interpreter<'a> {
             return Ok(ast);
         }
         let (ast, mut faults) = parse(self.sources, file, self.names, self.options.wholes);
+        // An `#end` too many spoils nothing of what stands around it.
+        if faults.iter().all(|fault| fault.code == codes::UNMATCHED_CLOSER) {
+            self.late.append(&mut faults);
+        }
         let Some(mut last) = faults.pop() else {
             self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
             return Ok(self.parsed.keep(file, ast));

@@ -156,7 +156,7 @@ impl Interpreter<'_> {
                     Diagnostic::new(codes::UNCLOSED, Span { hi: start.lo + 1, ..start }, message).label("opened here");
                 return d.also(here, format!("`{found}` found here"));
             }
-            Ok(Token::End) => "the end of the text".to_string(),
+            Ok(Token::End) => return self.unclosed_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
             Ok(_) => format!("`{}`", self.sources.snippet(here)),
         };
         Diagnostic::new(codes::SYNTAX, here, format!("{found} can't stand here"))
@@ -204,9 +204,8 @@ impl Interpreter<'_> {
                 return self.unexpected_token(block);
             }
             Ok(_) => {
-                return self
-                    .unexpected_token(&format!("a word of `{block}`"))
-                    .help(format!("it takes {}", list(takes)));
+                let d = self.unexpected_token(&format!("a word of `{block}`"));
+                return if d.code == codes::EXPECTED { d.help(format!("it takes {}", list(takes))) } else { d };
             }
         };
         let near = did_you_mean(&word, takes.iter().copied());

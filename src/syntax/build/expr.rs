@@ -127,7 +127,7 @@ impl Builder<'_> {
         let plain = |kind| Some(Expr { span, calls: false, kind });
         match pair.as_rule() {
             Rule::NUMBER => plain(ExprKind::Number(self.number(&pair))),
-            Rule::LITERAL => plain(ExprKind::Literal(self.list(self.token(&pair)).data)),
+            Rule::LITERAL => plain(ExprKind::Literal(self.literal(self.token(&pair)))),
             Rule::STRING => plain(ExprKind::Text(unescape(self.text_of(&pair)))),
             Rule::NAME => plain(ExprKind::Name(Symbol(self.token(&pair).data))),
             Rule::vector => self.vector(pair, place),

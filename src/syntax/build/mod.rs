@@ -79,6 +79,12 @@ impl<'n> Builder<'n> {
         self.numbers[self.token(pair).data as usize]
     }
 
+    /// A vector of numbers. (It may be asked for again, where the expression that it stands in is no whole.)
+    fn literal(&self, token: Token) -> Box<[f64]> {
+        self.lists.borrow()[token.data as usize].data.clone()
+    }
+
+    /// A list of literals, which no expression holds.
     fn list(&self, token: Token) -> NumberList {
         let nothing = NumberList { data: Box::new([]), widths: Widths::Uniform(1) };
         std::mem::replace(&mut self.lists.borrow_mut()[token.data as usize], nothing)
@@ -217,7 +223,7 @@ impl<'n> Builder<'n> {
                 class::NAME => operand(ExprKind::Name(Symbol(token.data))),
                 class::NUMBER => operand(ExprKind::Number(self.numbers[token.data as usize])),
                 class::STRING => operand(ExprKind::Text(unescape(text))),
-                class::LITERAL => operand(ExprKind::Literal(self.list(token).data)),
+                class::LITERAL => operand(ExprKind::Literal(self.literal(token))),
                 class::NUMBERS => ElementKind::Numbers(Box::new(self.list(token))),
                 class::SEMICOLON => ElementKind::Semicolon,
                 _ => ElementKind::Sign(sign(text)),
