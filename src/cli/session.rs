@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::source::{FileId, ReadError, Sandbox, SearchPath, Sources};
 use crate::world::World;
-use crate::{Built, interpreter, render};
+use crate::{Built, Keep, interpreter, render};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -125,9 +125,10 @@ pub fn build(
     sources: &Sources,
     file: FileId,
     options: &interpreter::Options,
+    keep: Keep,
 ) -> Built {
     let quiet = console.quiet;
-    crate::build_with(parsed, sources, file, options, &mut |text| {
+    crate::build_with(parsed, sources, file, options, keep, &mut |text| {
         if !quiet {
             say(text);
         }

@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::math::noise::{NoiseGenerator, Turbulence, turbulence};
 use crate::math::{DVec3, fp};
-use crate::value::{Next, Reader, ReaderExt, Said};
+use crate::value::{Next, Reader, ReaderExt, Said, Seldom, Usual};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -41,7 +41,7 @@ pub struct Finish {
     /// Grain of the diffuse light.
     pub crand: f64,
     /// Mirror.
-    pub reflection: Reflection,
+    pub reflection: Seldom<Reflection>,
     /// A thin film on top.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub irid: Option<Irid>,
@@ -105,7 +105,7 @@ impl Default for Finish {
             roughness: 0.05,
             metallic: 0.0,
             crand: 0.0,
-            reflection: Reflection::default(),
+            reflection: Seldom::USUAL,
             irid: None,
             conserve_energy: false,
             ior: None,
@@ -118,8 +118,7 @@ impl Default for Finish {
 
 impl Default for Reflection {
     fn default() -> Self {
-        let (min, max) = (Rgb::ZERO, Rgb::ZERO);
-        Self { min, max, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 }
+        Self::NONE
     }
 }
 
@@ -137,7 +136,7 @@ impl Finish {
                 Next::Word(word) if Self::takes(word) => f.read_word(word, r)?,
                 Next::Block("reflection") => {
                     r.take()?;
-                    f.reflection = Reflection::read(r)?;
+                    f.reflection = Reflection::read(r)?.into();
                     r.leave()?;
                 }
                 Next::Block("irid") => {
@@ -192,7 +191,8 @@ impl Finish {
             "reflection_exponent" => self.reflection.exponent = r.float()?,
             _ => {
                 let color = r.color()?.rgb;
-                (self.reflection.min, self.reflection.max) = (color, color);
+                let reflection = &mut *self.reflection;
+                (reflection.min, reflection.max) = (color, color);
             }
         }
         Ok(())
@@ -227,7 +227,17 @@ impl Irid {
     }
 }
 
+impl Usual for Reflection {
+    fn usual() -> &'static Self {
+        &Self::NONE
+    }
+}
+
 impl Reflection {
+    /// No mirror.
+    pub const NONE: Self =
+        Self { min: Rgb::ZERO, max: Rgb::ZERO, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 };
+
     /// `reflection { [min,] max … }`
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let first = r.color()?.rgb;
