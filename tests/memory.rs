@@ -63,7 +63,7 @@ fn things_that_are_many_are_small() {
         ("scene::ObjectBody", size_of::<scene::ObjectBody>(), 72),
         ("texture::Layer", size_of::<texture::Layer>(), 88),
         ("texture::Pigment", size_of::<texture::Pigment>(), 64),
-        ("texture::Finish", size_of::<texture::Finish>(), 232),
+        ("texture::Finish", size_of::<texture::Finish>(), 152),
         ("pattern::Pattern", size_of::<pattern::Pattern>(), 184),
         ("world::Node", size_of::<world::Node>(), 48),
         ("world::Part", size_of::<world::Part>(), 48),

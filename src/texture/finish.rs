@@ -44,9 +44,17 @@ pub struct Finish {
     pub reflection: Seldom<Reflection>,
     /// A thin film on top.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub irid: Option<Irid>,
+    pub irid: Option<Box<Irid>>,
     /// Takes from the light that passes what the mirror gives.
     pub conserve_energy: bool,
+    /// What few finishes say.
+    #[serde(flatten)]
+    pub rare: Seldom<Rare>,
+}
+
+/// What few finishes say.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Rare {
     /// Of old scenes: the interior's, before what that says itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
@@ -108,11 +116,15 @@ impl Default for Finish {
             reflection: Seldom::USUAL,
             irid: None,
             conserve_energy: false,
-            ior: None,
-            caustics: None,
-            refraction: 1.0,
-            undrawn: vec![],
+            rare: Seldom::USUAL,
         }
+    }
+}
+
+impl Usual for Rare {
+    fn usual() -> &'static Self {
+        static NOTHING: Rare = Rare { ior: None, caustics: None, refraction: 1.0, undrawn: vec![] };
+        &NOTHING
     }
 }
 
@@ -141,11 +153,11 @@ impl Finish {
                 }
                 Next::Block("irid") => {
                     r.take()?;
-                    f.irid = Some(Irid::read(r)?);
+                    f.irid = Some(Box::new(Irid::read(r)?));
                     r.leave()?;
                 }
                 Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => {
-                    f.undrawn.push(r.keep_undrawn(word)?)
+                    f.rare.undrawn.push(r.keep_undrawn(word)?)
                 }
                 _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),
             }
@@ -182,10 +194,10 @@ impl Finish {
             "metallic" => self.metallic = r.optional_float()?.unwrap_or(1.0),
             "crand" => self.crand = r.float()?,
             // Before 3.1, what is inside stood here.
-            "ior" => self.ior = Some(r.float()?),
+            "ior" => self.rare.ior = Some(r.float()?),
             // (as was measured on POV-Ray 3.7)
-            "caustics" => self.caustics = Some(r.float()? / 45.0),
-            "refraction" => self.refraction = r.float()?,
+            "caustics" => self.rare.caustics = Some(r.float()? / 45.0),
+            "refraction" => self.rare.refraction = r.float()?,
             _ if FINISH.ignores(word) => drop(r.float()?),
             "conserve_energy" => self.conserve_energy = r.flag()?,
             "reflection_exponent" => self.reflection.exponent = r.float()?,

@@ -12,7 +12,7 @@ use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Cuboid, Kernel, Shape};
 use crate::source::Span;
-use crate::texture::{Finish, Interior, Texture};
+use crate::texture::{Finish, Interior, Rare, Texture};
 use crate::value::Seldom;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -98,9 +98,9 @@ struct Around {
 /// (measured on POV-Ray 3.7).
 fn interior_of(object: &Object) -> Option<Arc<Interior>> {
     let said = object.rare.interior.clone();
-    let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &*top.finish);
-    match finish {
-        Some(&Finish { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
+    let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
+    match finish.map(|finish| &*finish.rare) {
+        Some(&Rare { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
             let inside = said.unwrap_or_default();
             let (ior, caustics) = (ior.unwrap_or(inside.ior), caustics.unwrap_or(inside.caustics));
             Some(Arc::new(Interior { ior, caustics, ..(*inside).clone() }))

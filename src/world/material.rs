@@ -74,7 +74,7 @@ pub struct Sheen {
     /// Grain of the diffuse light.
     pub crand: f64,
     /// A thin film on top.
-    pub irid: Option<Irid>,
+    pub irid: Option<Box<Irid>>,
     /// What it mirrors, if anything.
     pub mirror: Option<Box<Reflection>>,
     /// Factor of the light that passes, if it is the topmost layer.
@@ -178,9 +178,9 @@ impl Sheen {
             specular: Lobe { strength: specular, exponent: n },
             metallic: f.metallic.max(0.0),
             crand: f.crand,
-            irid: f.irid.filter(|irid| irid.amount > 0.0),
+            irid: f.irid.clone().filter(|irid| irid.amount > 0.0),
             mirror: (!f.reflection.is_none()).then(|| Box::new((*f.reflection).clone())),
-            refraction: f.refraction,
+            refraction: f.rare.refraction,
             conserve_energy: f.conserve_energy,
         }
     }
