@@ -16,7 +16,7 @@ const SCENES: &[(&str, u64, &str)] = &[
     (
         "map",
         152,
-        "sphere { P, 0.01 pigment { bozo color_map { [0 rgb P] [1 rgb P.x] } scale 0.1 } finish { phong P.x } }",
+        "sphere { P, 0.01 pigment { bozo color_map { [0 rgb P] [1 rgb P.x] } scale 0.1 } finish { phong 0.5 } }",
     ),
     ("difference", 161, "difference { box { P, P + 0.01 } sphere { P, 0.007 } pigment { rgb P } }"),
 ];
@@ -64,7 +64,7 @@ fn things_that_are_many_are_small() {
         ("texture::Layer", size_of::<texture::Layer>(), 88),
         ("texture::Pigment", size_of::<texture::Pigment>(), 64),
         ("texture::Finish", size_of::<texture::Finish>(), 152),
-        ("pattern::Pattern", size_of::<pattern::Pattern>(), 184),
+        ("pattern::Pattern", size_of::<pattern::Pattern>(), 168),
         ("world::Node", size_of::<world::Node>(), 48),
         ("world::Part", size_of::<world::Part>(), 48),
         ("world::ObjectInfo", size_of::<world::ObjectInfo>(), 8),
