@@ -5,7 +5,6 @@ use durer::math::{DVec3, Range, Ray, Transform, rng};
 use durer::shape::{Shape, Sphere, Torus};
 use durer::world::{Geometry, Leaf, Node};
 use std::hint::black_box;
-use std::sync::Arc;
 
 fn random_vector(i: u64, dimension: u64) -> DVec3 {
     let unit = |axis| rng::unit(&[i, dimension, axis]) * 2.0 - 1.0;
@@ -16,7 +15,7 @@ fn random_vector(i: u64, dimension: u64) -> DVec3 {
 fn spheres(n: u64) -> Vec<Node> {
     let radius = 0.4 / (n as f64).cbrt();
     let sphere = |i| Sphere { center: random_vector(i, 0), radius: radius * (0.5 + rng::unit(&[i, 1])) };
-    let leaf = |i| Leaf::new(Arc::new(Shape::Sphere(sphere(i))), &Transform::IDENTITY, i as u32);
+    let leaf = |i| Leaf::new(Shape::from(sphere(i)), &Transform::IDENTITY, i as u32);
     (0..n).map(|i| Node::leaf(leaf(i), i as u32)).collect()
 }
 
@@ -59,11 +58,11 @@ fn closest(c: &mut Criterion) {
 }
 
 fn trees(c: &mut Criterion) {
-    let sphere = |x: f64, r: f64| Shape::Sphere(Sphere { center: DVec3::X * x, radius: r });
-    let leaf = |shape| Node::leaf(Leaf::new(Arc::new(shape), &Transform::IDENTITY, 0), 0);
+    let sphere = |x: f64, r: f64| Shape::from(Sphere { center: DVec3::X * x, radius: r });
+    let leaf = |shape| Node::leaf(Leaf::new(shape, &Transform::IDENTITY, 0), 0);
     let lens = Node::difference(vec![leaf(sphere(0.0, 1.0)), leaf(sphere(0.5, 0.7)), leaf(sphere(-0.9, 0.3))], 0);
-    let ring = leaf(Shape::Torus(Torus { major: 0.8, minor: 0.3 }));
-    let holes = (0..1000).map(|i| leaf(Shape::Sphere(Sphere { center: random_vector(i, 0), radius: 0.05 })));
+    let ring = leaf(Shape::from(Torus { major: 0.8, minor: 0.3 }));
+    let holes = (0..1000).map(|i| leaf(Shape::from(Sphere { center: random_vector(i, 0), radius: 0.05 })));
     let cheese = Node::difference([leaf(sphere(0.0, 1.0))].into_iter().chain(holes).collect(), 0);
     let random = incoherent(10_000);
     let mut group = c.benchmark_group("one object, 10 000 rays");

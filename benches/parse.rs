@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use durer::interpreter;
-use durer::source::{SearchPath, Sources};
+use durer::source::Sources;
 use durer::syntax::{Names, Wholes, parse};
 use std::hint::black_box;
 

@@ -91,7 +91,7 @@ fn refuse(sources: &Sources, path: &Path, error: &source::ReadError) -> diagnost
 /// What a text became.
 #[derive(Debug)]
 pub struct Built {
-    /// What the author said, unless there were errors.
+    /// What the author said, unless there were errors or it was not to be kept.
     pub scene: Option<scene::Scene>,
     /// What a ray needs, unless there were errors.
     pub world: Option<world::World>,
@@ -107,7 +107,16 @@ pub struct Built {
 
 /// Text → Scene → World. `debug` receives what the scene prints. Scenes may be nested deeply: call this inside [`on_big_stack`].
 pub fn build(sources: &Sources, file: FileId, options: &interpreter::Options, debug: &mut dyn FnMut(&str)) -> Built {
-    build_with(&interpreter::ParsedFiles::default(), sources, file, options, debug)
+    build_with(&interpreter::ParsedFiles::default(), sources, file, options, Keep::Both, debug)
+}
+
+/// What is wanted of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// Scene and World.
+    Both,
+    /// The World alone: the Scene is used up on the way, which takes less memory.
+    World,
 }
 
 /// The same for one frame of many: files that an earlier frame has left are not parsed again.
@@ -116,14 +125,15 @@ pub fn build_with(
     sources: &Sources,
     file: FileId,
     options: &interpreter::Options,
+    keep: Keep,
     debug: &mut dyn FnMut(&str),
 ) -> Built {
     let start = Instant::now();
-    let interpreter::Outcome { scene, mut diagnostics, mut limit_reached } =
+    let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
     let parse_time = start.elapsed();
     let start = Instant::now();
-    let light = |scene: &&scene::Scene| match scene.check_weight(options.max_memory) {
+    let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,
         Err(fault) => {
             diagnostics.push(*fault);
@@ -131,8 +141,12 @@ pub fn build_with(
             false
         }
     };
-    let weighed = scene.as_ref().filter(light);
-    let world = weighed.and_then(|scene| world::lower(scene).map_err(|e| diagnostics.push(*e)).ok());
+    let lowered = match (scene.as_ref().is_some_and(light), keep) {
+        (false, _) => None,
+        (true, Keep::Both) => scene.as_ref().map(world::lower),
+        (true, Keep::World) => scene.take().map(world::lower_away),
+    };
+    let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
     Built { scene, world, diagnostics, limit_reached, parse_time, build_time: start.elapsed() }
 }
 

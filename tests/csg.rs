@@ -4,18 +4,17 @@
 use durer::math::{DVec2, DVec3, Range, Ray, Transform};
 use durer::shape::*;
 use durer::world::{FoundList, Geometry, Leaf, Node};
-use std::sync::Arc;
 
 fn leaf(shape: Shape, id: u32) -> Node {
-    Node::leaf(Leaf::new(Arc::new(shape), &Transform::IDENTITY, id), id)
+    Node::leaf(Leaf::new(shape, &Transform::IDENTITY, id), id)
 }
 
 fn sphere(x: f64, radius: f64, id: u32) -> Node {
-    leaf(Shape::Sphere(Sphere { center: DVec3::X * x, radius }), id)
+    leaf(Shape::from(Sphere { center: DVec3::X * x, radius }), id)
 }
 
 fn half_space(normal: DVec3) -> Node {
-    leaf(Shape::Plane(Plane::new(normal, 0.0).unwrap()), 9)
+    leaf(Shape::from(Plane::new(normal, 0.0).unwrap()), 9)
 }
 
 /// All hits, t and leaf, in order.
@@ -45,7 +44,7 @@ fn infinite_and_open_shapes_take_part() {
     let half = Node::intersection(vec![sphere(0.0, 1.0, 1), half_space(DVec3::X)], 0);
     assert_eq!(ids(&half, &ALONG), [(4.0, 1), (5.0, 9)]);
     assert!(half.bounds().is_finite());
-    let tube = leaf(Shape::Cylinder(Cylinder::new(-DVec3::Y, DVec3::Y, 0.5, true)), 3);
+    let tube = leaf(Shape::from(Cylinder::new(-DVec3::Y, DVec3::Y, 0.5, true)), 3);
     let drilled = Node::difference(vec![sphere(0.0, 1.0, 1), tube], 0);
     assert_eq!(ids(&drilled, &ALONG), [(4.0, 1), (4.5, 3), (5.5, 3), (6.0, 1)]);
 }
@@ -90,7 +89,7 @@ fn clipping_survives_inverse() {
 fn patches_have_no_inside_even_inverted() {
     // Seen in POV-Ray: a triangle that is subtracted stays as a surface, and the solid's own surface goes.
     let t = Triangle { a: DVec3::new(0.2, -2.0, -2.0), b: DVec3::new(0.2, 2.0, -2.0), c: DVec3::new(0.2, 0.0, 4.0) };
-    let pair = || vec![sphere(0.0, 1.0, 1), leaf(Shape::Triangle(t), 5)];
+    let pair = || vec![sphere(0.0, 1.0, 1), leaf(Shape::from(t), 5)];
     assert_eq!(ids(&Node::difference(pair(), 0), &ALONG), [(5.2, 5)]);
     assert_eq!(ids(&Node::intersection(pair(), 0), &ALONG), [(5.2, 5)]);
     assert_eq!(ids(&Node::merge(pair(), 0), &ALONG), [(4.0, 1), (6.0, 1)]);
@@ -100,7 +99,7 @@ fn patches_have_no_inside_even_inverted() {
 fn a_disc_cuts_to_its_box() {
     // Seen in POV-Ray, with the same numbers.
     let disc = |inverse: bool| {
-        let disc = leaf(Shape::Disc(Disc::new(DVec3::ZERO, DVec3::new(0.0, 1.0, -1.0), 0.5, 0.0)), 5);
+        let disc = leaf(Shape::from(Disc::new(DVec3::ZERO, DVec3::new(0.0, 1.0, -1.0), 0.5, 0.0)), 5);
         Node::intersection(vec![sphere(0.0, 1.0, 1), if inverse { disc.inverted() } else { disc }], 0)
     };
     let seen = |node: &Node, x: f64, y: f64| {
@@ -117,7 +116,7 @@ fn a_disc_cuts_to_its_box() {
 fn transformed_object() {
     // A unit ball stretched three times along x, then moved: its tip is at x = 3 + 1.
     let m = Transform::scale(DVec3::new(3.0, 1.0, 1.0)).unwrap().then(&Transform::translate(DVec3::X));
-    let shape = Arc::new(Shape::Sphere(Sphere { center: DVec3::ZERO, radius: 1.0 }));
+    let shape = Shape::from(Sphere { center: DVec3::ZERO, radius: 1.0 });
     let node = Node::leaf(Leaf::new(shape, &m, 1), 1);
     let found = node.closest(&Ray::new(DVec3::X * 10.0, -DVec3::X), Range::FORWARD).unwrap();
     assert!((found.t() - 6.0).abs() < 1e-14, "the distance is one of world space");

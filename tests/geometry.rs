@@ -6,7 +6,6 @@ use durer::shape::*;
 use durer::world::{Found, FoundList, Geometry, Leaf, Node};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
 /// Numbers that follow from a seed.
 struct Dice {
@@ -41,12 +40,12 @@ impl Dice {
         let (p, size) = (self.vector(1.0), self.between(0.2, 1.0));
         let q = p + self.vector(1.0) + DVec3::Y * 0.1;
         match self.below(6) {
-            0 => Shape::Sphere(Sphere { center: p, radius: size }),
-            1 => Shape::Cuboid(Cuboid::new(p, q)),
-            2 => Shape::Cylinder(Cylinder::new(p, q, size, false)),
-            3 => Shape::Cone(Cone::new(p, size, q, self.between(0.0, 1.0), false)),
-            4 => Shape::Cone(Cone::new(p, 0.0, p + DVec3::X, size, false)),
-            _ => Shape::Torus(Torus { major: 0.6 + size, minor: self.between(0.05, 0.55) }),
+            0 => Shape::from(Sphere { center: p, radius: size }),
+            1 => Shape::from(Cuboid::new(p, q)),
+            2 => Shape::from(Cylinder::new(p, q, size, false)),
+            3 => Shape::from(Cone::new(p, size, q, self.between(0.0, 1.0), false)),
+            4 => Shape::from(Cone::new(p, 0.0, p + DVec3::X, size, false)),
+            _ => Shape::from(Torus { major: 0.6 + size, minor: self.between(0.05, 0.55) }),
         }
     }
 
@@ -55,20 +54,20 @@ impl Dice {
         let (p, q, r) = (self.vector(1.0), self.vector(1.0), self.vector(1.0));
         let flat = Triangle { a: p, b: q, c: r };
         match self.below(14) {
-            0 => Shape::Disc(Disc::new(p, q, 1.0, 0.3)),
-            1 => Shape::Plane(Plane::new(q, self.between(-1.0, 1.0)).unwrap()),
-            2 => Shape::Triangle(flat),
+            0 => Shape::from(Disc::new(p, q, 1.0, 0.3)),
+            1 => Shape::from(Plane::new(q, self.between(-1.0, 1.0)).unwrap()),
+            2 => Shape::from(flat),
             3 => {
                 let mut normal = || flat.face_normal().normalize() + self.vector(0.3);
-                Shape::SmoothTriangle(SmoothTriangle::new(flat, [normal(), normal(), normal()]))
+                Shape::from(SmoothTriangle::new(flat, [normal(), normal(), normal()]))
             }
             4 => {
                 let corners = [(0.0, 0.0), (1.0, 0.0), (0.3, 0.3), (0.0, 1.0), (0.0, 0.0)];
-                Shape::Polygon(Polygon::new(&corners.map(|(x, y)| DVec3::new(x, y, 0.5))))
+                Shape::from(Polygon::new(&corners.map(|(x, y)| DVec3::new(x, y, 0.5))))
             }
-            5 => Shape::Cylinder(Cylinder::new(p, p + DVec3::Y, 0.4, true)),
-            6 => Shape::Cone(Cone::new(p, -0.4, p + DVec3::Z, 0.6, self.unit() < 0.5)),
-            7 => Shape::Cuboid(Cuboid::new(p.with_z(0.0), q.with_z(0.0))),
+            5 => Shape::from(Cylinder::new(p, p + DVec3::Y, 0.4, true)),
+            6 => Shape::from(Cone::new(p, -0.4, p + DVec3::Z, 0.6, self.unit() < 0.5)),
+            7 => Shape::from(Cuboid::new(p.with_z(0.0), q.with_z(0.0))),
             _ => self.solid(),
         }
     }
@@ -85,7 +84,7 @@ impl Dice {
 
     fn leaf(&mut self, shape: Shape) -> Node {
         let id = (self.unit() * 1e6) as u32;
-        Node::leaf(Leaf::new(Arc::new(shape), &self.transform(), id), id)
+        Node::leaf(Leaf::new(shape, &self.transform(), id), id)
     }
 
     /// A tree of at most `depth` levels, of any shapes.
@@ -165,7 +164,7 @@ proptest! {
     fn hits_lie_in_bounds_and_have_normals(seed: u64) {
         let mut dice = Dice::new(seed);
         let (shape, m) = (dice.shape(), dice.transform());
-        let node = Node::leaf(Leaf::new(Arc::new(shape.clone()), &m, 1), 1);
+        let node = Node::leaf(Leaf::new(shape.clone(), &m, 1), 1);
         for _ in 0..20 {
             let ray = dice.ray();
             let scale = 1.0 + ray.origin.length();
@@ -275,12 +274,12 @@ proptest! {
         let plane = |dice: &mut Dice| {
             // Outwards from near the middle, mostly; sometimes through it, or along an axis.
             let normal = if dice.below(6) == 0 { DVec3::AXES[dice.below(3)] } else { dice.vector(1.0) };
-            Shape::Plane(Plane::new(normal, dice.between(-0.2, 1.0).max(0.0)).unwrap())
+            Shape::from(Plane::new(normal, dice.between(-0.2, 1.0).max(0.0)).unwrap())
         };
         let mut part = |i: usize| {
             let shape = if i > 3 && dice.below(5) == 0 { dice.solid() } else { plane(&mut dice) };
             let m = if dice.below(3) == 0 { m.then(&dice.transform()) } else { m };
-            let leaf = Node::leaf(Leaf::new(Arc::new(shape), &m, i as u32), 0);
+            let leaf = Node::leaf(Leaf::new(shape, &m, i as u32), 0);
             if dice.below(9) == 0 { leaf.inverted() } else { leaf }
         };
         let parts: Vec<Node> = (0..count).map(&mut part).collect();
@@ -327,8 +326,8 @@ proptest! {
     fn many_children_are_like_few(seed: u64) {
         let mut dice = Dice::new(seed);
         let parts: Vec<Node> = (0..40).map(|_| dice.tree_of(dice.seed as usize % 2, 6, Dice::solid)).collect();
-        let big = |dice: &mut Dice| Shape::Sphere(Sphere { center: dice.vector(1.0), radius: dice.between(2.0, 3.0) });
-        let leaf = |shape| Node::leaf(Leaf::new(Arc::new(shape), &Transform::IDENTITY, 7), 7);
+        let big = |dice: &mut Dice| Shape::from(Sphere { center: dice.vector(1.0), radius: dice.between(2.0, 3.0) });
+        let leaf = |shape| Node::leaf(Leaf::new(shape, &Transform::IDENTITY, 7), 7);
         let balls: Vec<Node> = (0..12).map(|_| leaf(big(&mut dice))).collect();
         let one_by_one = |make: fn(Vec<Node>, u32) -> Node, parts: &[Node]| {
             let (first, rest) = parts.split_first().unwrap();
@@ -385,7 +384,7 @@ proptest! {
             let mut inside = vec![];
             geometry.containing(p, &mut |node| inside.push(node.object));
             // A disc by itself is a plate: whether points behind it count is left open.
-            let plate = |n: &Node| matches!(n.kind(), durer::world::NodeKind::Leaf(l) if matches!(*l.shape, Shape::Disc(_)));
+            let plate = |n: &Node| matches!(n.kind(), durer::world::NodeKind::Leaf(l) if matches!(l.shape, Shape::Disc(_)));
             let all = |n: &&Node| n.inside(p) && !plate(n);
             let mut want: Vec<u32> = geometry.items().iter().filter(all).map(|n| n.object).collect();
             let plates: Vec<u32> = geometry.items().iter().filter(|n| plate(n)).map(|n| n.object).collect();

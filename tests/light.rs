@@ -20,7 +20,7 @@ fn wall(color: Color, finish: Finish, others: Vec<durer::scene::Object>) -> Scen
 
 fn mirror(amount: f64) -> Finish {
     let reflection = Reflection { min: Rgb::splat(amount), max: Rgb::splat(amount), ..Reflection::default() };
-    Finish { reflection, ..dull() }
+    Finish { reflection: reflection.into(), ..dull() }
 }
 
 const CLEAR: Color = Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
@@ -61,7 +61,7 @@ fn light_from_behind() {
     assert_gray(&behind(Finish { diffuse_back: 0.0, ..back.clone() }), 0.0);
     // `double_illuminate` takes the front's diffuse and no highlight
     let mut both = behind(back);
-    both.objects[0].flags.double_illuminate = true;
+    both.objects[0].rare.flags.double_illuminate = true;
     assert_gray(&both, 0.5 * 0.5 * cos);
 }
 
@@ -131,7 +131,7 @@ fn shadows_through_layers() {
     assert_gray(&with(ball.clone().painted(rgbft([1.0, 1.0, 1.0, 0.0, 0.5]), dull())), 0.25 * 0.5f64.sqrt());
     assert_gray(&with(ball.clone().painted(rgb(1.0, 1.0, 1.0), dull())), 0.0);
     let mut ghost = ball.painted(rgb(1.0, 1.0, 1.0), dull());
-    ghost.flags.no_shadow = true;
+    ghost.rare.flags.no_shadow = true;
     assert_gray(&with(ghost), 0.5f64.sqrt());
 }
 
@@ -139,7 +139,7 @@ fn shadows_through_layers() {
 fn mirrors() {
     let mut scene = wall(rgb(1.0, 1.0, 1.0), mirror(0.4), vec![plane(Z, -9.0).painted(rgb(0.5, 0.2, 1.0), glowing())]);
     assert_near(look(&scene), [0.2, 0.08, 0.4]);
-    scene.objects[1].flags.no_reflection = true;
+    scene.objects[1].rare.flags.no_reflection = true;
     assert_gray(&scene, 0.0);
     // an exponent bends what is reflected
     let mut finish = mirror(0.4);
@@ -152,7 +152,7 @@ fn mirrors() {
 fn fresnel_mirror() {
     let reflection = Reflection { max: Rgb::ONE, fresnel: true, ..Reflection::default() };
     let glass = cuboid(v(-9.0, -9.0, 0.0), v(9.0, 9.0, 1.0))
-        .painted(rgb(0.0, 0.0, 0.0), Finish { reflection, ..dull() })
+        .painted(rgb(0.0, 0.0, 0.0), Finish { reflection: reflection.into(), ..dull() })
         .filled(1.5);
     let behind = plane(Z, -9.0).painted(rgb(1.0, 1.0, 1.0), glowing());
     // ((n - 1)/(n + 1))²
@@ -185,7 +185,7 @@ fn rays_that_count_for_little_are_dropped() {
     // a mirror that depends on the angle counts by its larger number: nothing is mirrored here, but the ray is cast
     let finish = |max: f64| {
         let reflection = Reflection { max: Rgb::splat(max), ..Reflection::default() };
-        Finish { reflection, ..dull() }
+        Finish { reflection: reflection.into(), ..dull() }
     };
     let cast = |max: f64| {
         let mut scene = wall(rgb(1.0, 1.0, 1.0), finish(max), vec![]);
@@ -214,8 +214,10 @@ fn ruler() -> durer::scene::Object {
     let kind = Kind::Field(FieldPattern::Gradient(Gradient { direction: Y }));
     let map = ColorMap { entries: vec![(0.0, Color::BLACK), (1.0, Color::WHITE)] };
     let transform = durer::math::Transform::scale(DVec3::splat(100.0)).unwrap();
-    let pattern = Pattern { kind, space: Space { transform, ..Space::default() }, ..Pattern::default() };
-    let pigment = Pigment { pattern, paint: Paint::Colors(std::sync::Arc::new(map)), quick_color: None };
+    let pattern =
+        Pattern { kind, space: Space { transform: transform.into(), ..Space::default() }, ..Pattern::default() };
+    let pigment =
+        Pigment { pattern: pattern.into(), paint: Paint::Colors(std::sync::Arc::new(map)), quick_color: None };
     plane(-Z, -10.0).textured(texture([(pigment, glowing())]))
 }
 
@@ -229,7 +231,7 @@ fn snell() {
     let inner = (angle.sin() / n).asin();
     assert_near(look(&scene), [(50.0 + 2.0 * inner.tan() + 8.0 * angle.tan()) / 100.0; 3]);
     // without bending
-    scene.objects[0].interior = None;
+    scene.objects[0].rare.interior = None;
     assert_near(look(&scene), [(50.0 + 10.0 * angle.tan()) / 100.0; 3]);
     // begun in the glass
     let inside = common::scene(v(0.0, 50.0, 1.0), dir, {

@@ -25,7 +25,7 @@ fn scaled(x: f64, y: f64, z: f64) -> Transform {
 fn checker(a: Color, b: Color) -> Pigment {
     let pigments = vec![Pigment::solid(a), Pigment::solid(b)];
     let pattern = Pattern { kind: Kind::Cells(CellPattern::Checker(Checker {})), ..Pattern::default() };
-    Pigment { pattern, paint: Paint::Pigments(Parts::List(pigments.into())), quick_color: None }
+    Pigment { pattern: pattern.into(), paint: Paint::Pigments(Parts::List(pigments.into())), quick_color: None }
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn textures_move_with_their_blocks() {
 #[test]
 fn what_a_group_says_holds_for_its_parts() {
     let mut group = csg(CsgOp::Union, vec![sphere(DVec3::ZERO, 1.0)]);
-    group.flags.no_image = true;
+    group.rare.flags.no_image = true;
     assert_gray(&scene(-5.0 * Z, Z, vec![group.painted(rgb(1.0, 1.0, 1.0), glowing())]), 0.0);
     // a part without texture beside one that has one gets the default
     let base = sphere(DVec3::ZERO, 2.0).painted(rgb(1.0, 0.0, 0.0), glowing());
@@ -104,16 +104,16 @@ fn what_a_group_says_holds_for_its_parts() {
     let mut cut = csg(CsgOp::Difference, vec![base, hole]);
     cut.default_texture = default;
     assert_near(look(&scene(-5.0 * Z, Z, vec![cut.clone()])), [1.0, 1.0, 1.0]);
-    cut.flags.cutaway_textures = true;
+    cut.rare.flags.cutaway_textures = true;
     assert_near(look(&scene(-5.0 * Z, Z, vec![cut])), [1.0, 0.0, 0.0]);
 }
 
 #[test]
 fn inverse_and_inside_textures() {
     let mut ball = sphere(-5.0 * Z, 1.0).painted(rgb(1.0, 0.0, 0.0), glowing());
-    ball.interior_texture = Some(texture([(Pigment::solid(rgb(0.0, 1.0, 0.0)), glowing())]));
+    ball.rare.interior_texture = Some(texture([(Pigment::solid(rgb(0.0, 1.0, 0.0)), glowing())]));
     assert_near(look(&scene(-5.0 * Z, Z, vec![ball.clone()])), [0.0, 1.0, 0.0]);
-    ball.flags.inverse = true;
+    ball.rare.flags.inverse = true;
     assert_near(look(&scene(-5.0 * Z, Z, vec![ball])), [1.0, 0.0, 0.0]);
 }
 
@@ -121,7 +121,7 @@ fn inverse_and_inside_textures() {
 fn clipped_objects() {
     let mut ball = sphere(DVec3::ZERO, 1.0);
     // only what is behind z = 0; and what clips moves along
-    ball.clipped_by = Some([plane(-Z, 0.0)].into());
+    ball.rare.clipped_by = Some([plane(-Z, 0.0)].into());
     let at = |o: Object| pick(&lower(&scene(-5.0 * Z, Z, vec![o])).unwrap(), &Options::new(1, 1), 0, 0).unwrap().t;
     assert_near([at(ball.clone()), at(ball.moved(Transform::translate(2.0 * Z)))], [6.0, 8.0]);
 }

@@ -5,6 +5,7 @@ use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::overlay;
 use super::session;
+use crate::Keep;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::ParsedFiles;
 use crate::source::Sources;
@@ -50,7 +51,7 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene)?);
     let parsed = ParsedFiles::default();
-    let mut built = session::build(console, &parsed, &sources, file, &options);
+    let mut built = session::build(console, &parsed, &sources, file, &options, Keep::World);
     built.diagnostics.extend(lint(args, &sources, &parsed));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);

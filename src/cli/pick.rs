@@ -6,6 +6,7 @@ use super::exit::{Exit, Result};
 use super::overlay;
 use super::session;
 use super::values::Size;
+use crate::Keep;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::interpreter::ParsedFiles;
 use crate::render::{self, Picked};
@@ -50,7 +51,7 @@ pub fn run(console: &Console, args: &PickArgs) -> Result {
     let file = session::open_or_tell(console, &sources, &args.input)?;
     let timing = session::timing(&args.scene)?;
     let options = session::reading_options(&args.scene, &args.input, timing);
-    let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options);
+    let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::World);
     let world = session::settle(console, &sources, &mut built)?;
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
     let picked = render::pick(&world, &drawing, x, y);

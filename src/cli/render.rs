@@ -11,11 +11,11 @@ use super::target::Target;
 use super::values::Stats;
 use super::watch::Watcher;
 use super::{memory, overlay, session};
-use crate::Built;
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{self, Region};
 use crate::source::{FileId, Sources, Span};
+use crate::{Built, Keep};
 use std::time::Instant;
 
 /// Draws one picture, or one for each frame.
@@ -110,7 +110,8 @@ impl<'a> Job<'a> {
     /// Text to Scene to World.
     fn build(&mut self, timing: Timing) -> Built {
         let options = session::reading_options(&self.args.scene, &self.args.input, timing);
-        let mut built = session::build(self.console, &self.parsed, &self.sources, self.file, &options);
+        let keep = if self.args.dump == Some(Dump::Scene) { Keep::Both } else { Keep::World };
+        let mut built = session::build(self.console, &self.parsed, &self.sources, self.file, &options, keep);
         built.diagnostics.retain(|d| d.severity == Severity::Error || !self.told.contains(d));
         let warnings = built.diagnostics.iter().filter(|d| d.severity == Severity::Warning).cloned();
         self.told.extend(warnings);
@@ -128,7 +129,7 @@ impl<'a> Job<'a> {
         match args.dump {
             Some(Dump::Scene) => return console.json(&built.scene).map(|()| Exit::Fine),
             Some(Dump::World) => return console.json(&world).map(|()| Exit::Fine),
-            None => drop(built.scene.take()),
+            None => {}
         }
 
         let orderly = Orderly::begin();

@@ -11,7 +11,7 @@ use crate::interpreter::{ParsedFiles, Timing};
 use crate::source::{FileId, ReadError, Sandbox, SearchPath, Sources};
 use crate::syntax::Wholes;
 use crate::world::World;
-use crate::{Built, interpreter, render};
+use crate::{Built, Keep, interpreter, render};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -128,9 +128,10 @@ pub fn build(
     sources: &Sources,
     file: FileId,
     options: &interpreter::Options,
+    keep: Keep,
 ) -> Built {
     let quiet = console.quiet;
-    crate::build_with(parsed, sources, file, options, &mut |text| {
+    crate::build_with(parsed, sources, file, options, keep, &mut |text| {
         if !quiet {
             say(text);
         }

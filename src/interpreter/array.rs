@@ -295,14 +295,6 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The same for what gets a value: a dictionary's key may be new.
-    pub(super) fn new_element_place(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<Place> {
-        match base.kind {
-            ExprKind::Name(symbol) => self.new_place(symbol, base.span, indices),
-            _ => self.element_place(base, indices),
-        }
-    }
-
     /// The same for a name and its place in the text.
     pub(super) fn new_place(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
         let indices = self.index_values(indices)?;

@@ -6,7 +6,7 @@ use super::{
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
-use crate::value::{Next, Reader};
+use crate::value::{Next, Reader, Seldom, Usual};
 use serde::Serialize;
 
 /// What tells points apart.
@@ -38,6 +38,19 @@ pub struct Pattern {
     pub noise: Option<NoiseGenerator>,
     /// `uv_mapping`: it sees the place on the surface, (u, v, 0), instead of the point.
     pub uv: bool,
+}
+
+impl Usual for Pattern {
+    fn usual() -> &'static Self {
+        static PLAIN: Pattern = Pattern {
+            kind: Kind::Plain,
+            modifiers: Modifiers::NONE,
+            space: Space { inner: vec![], transform: Seldom::USUAL, turbulence: None },
+            noise: None,
+            uv: false,
+        };
+        &PLAIN
+    }
 }
 
 impl Pattern {

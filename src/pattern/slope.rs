@@ -19,7 +19,7 @@ pub struct Slope {
     /// Which slopes give 0 and 1.
     pub range: [f64; 2],
     /// What height adds.
-    pub altitude: Option<Altitude>,
+    pub altitude: Option<Box<Altitude>>,
 }
 
 /// Where a surface that gives 1 faces.
@@ -66,7 +66,7 @@ impl Readable for Slope {
         let range = read_range(r)?;
         let mut altitude = None;
         if matches!(towards, Towards::Direction(_)) && r.accept("altitude")? {
-            altitude = Some(Altitude { up: read_vector(r)?, range: read_range(r)? });
+            altitude = Some(Box::new(Altitude { up: read_vector(r)?, range: read_range(r)? }));
         }
         r.leave()?;
         Ok(Self { towards, range, altitude })
@@ -105,12 +105,12 @@ impl Field for Slope {
         };
         let facing = 1.0 - fp::acos(at.normal.dot(towards.normalize_or_zero())) / PI;
         let slope = within(facing, self.range);
-        let value = match self.altitude {
+        let value = match self.altitude.as_deref() {
             None => slope,
             // weighed by the lengths of the two vectors
             Some(Altitude { up, range }) => {
                 let (by_slope, by_height) = (towards.length(), up.length());
-                let height = within(at.p.dot(up) / by_height, range);
+                let height = within(at.p.dot(*up) / by_height, *range);
                 (by_slope * slope + by_height * height) / (by_slope + by_height)
             }
         };
@@ -132,7 +132,7 @@ mod tests {
         assert_eq!(Slope { range: [0.25, 0.75], ..slope.clone() }.value(&spot), 0.5);
         let point = Slope { towards: Towards::Point(DVec3::Y * 9.0), ..slope.clone() };
         assert_eq!(point.value(&spot), 1.0);
-        let altitude = Some(Altitude { up: DVec3::Y * 3.0, range: [0.0, 2.0] });
+        let altitude = Some(Box::new(Altitude { up: DVec3::Y * 3.0, range: [0.0, 2.0] }));
         assert_eq!(Slope { altitude, ..slope }.value(&spot), (0.5 + 3.0 * 0.25) / 4.0);
     }
 
@@ -140,7 +140,7 @@ mod tests {
     fn no_place_and_no_normal_is_too_strange() {
         let slope = Slope { towards: Towards::Direction(DVec3::X), range: [0.0, 1.0], altitude: None };
         let point = Slope { towards: Towards::Point(DVec3::Y), range: [0.5, 0.5], altitude: None };
-        let high = Slope { altitude: Some(Altitude { up: DVec3::Y, range: [1.0, -1.0] }), ..slope.clone() };
+        let high = Slope { altitude: Some(Box::new(Altitude { up: DVec3::Y, range: [1.0, -1.0] })), ..slope.clone() };
         for p in extreme_points() {
             let there = Spot::free(p, Default::default());
             for spot in [there, Spot { normal: p, ..there }, Spot { normal: DVec3::ZERO, ray: p, ..there }] {

@@ -3,6 +3,7 @@
 
 use super::{Turbulent, Warp};
 use crate::math::{DVec3, Transform};
+use crate::value::Seldom;
 use serde::Serialize;
 
 /// From the space around a pattern to its own.
@@ -12,7 +13,7 @@ pub struct Space {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inner: Vec<Step>,
     /// The transforms behind the last warp.
-    pub transform: Transform,
+    pub transform: Seldom<Transform>,
     /// `turbulence`, nearest to the pattern wherever it stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turbulence: Option<Box<Turbulent>>,
@@ -31,13 +32,13 @@ pub enum Step {
 impl Space {
     /// Moves the pattern after all it has been moved before.
     pub fn then(&mut self, by: &Transform) {
-        self.transform = self.transform.then(by);
+        self.transform = self.transform.then(by).into();
     }
 
     /// Adds a warp, which moves along with transforms that come later.
     pub fn warp(&mut self, warp: Warp) {
         if !self.transform.is_identity() {
-            self.inner.push(Step::Moved(std::mem::take(&mut self.transform)));
+            self.inner.push(Step::Moved(*std::mem::take(&mut self.transform)));
         }
         self.inner.push(Step::Warped(warp));
     }

@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn each_hue_by_snells_law() {
-        let glass = [Interior { ior: 1.5, dispersion: 1.2, ..Interior::default() }];
+        let glass = [Interior { ior: 1.5, dispersion: 1.2, ..Interior::default() }.into()];
         let outside = Default::default();
         let white = Border::new(&outside, 0, &glass);
         let ior = |hue| white.of_hue(hue, &outside, 0, &glass).n2;

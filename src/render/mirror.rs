@@ -58,7 +58,7 @@ pub(super) fn total(site: &Site, out: DVec3, world: &World) -> Rgb {
 
 /// What a thin film on a layer makes of light from a direction (`irid`).
 pub(super) fn film(site: &Site, shown: &Shown, from: DVec3, world: &World) -> Rgb {
-    match &shown.layer.irid {
+    match &shown.layer.sheen.irid {
         // bumps that are seen or lit from behind count as from the front (measured on 3.7)
         Some(irid) => {
             let cosines = shown.normal.dot(from).abs() + shown.cos.abs();
@@ -83,14 +83,14 @@ fn bounce(mirror: &Reflection, shown: &Shown, incoming: Incoming) -> Option<Boun
 
 /// What a layer leaves for the light that passes it: with `conserve_energy`, what it does not mirror.
 pub(super) fn left_over(shown: &Shown, border: &Border) -> Rgb {
-    match shown.layer.mirror.as_deref().filter(|_| shown.layer.conserve_energy) {
+    match shown.layer.sheen.mirror.as_deref().filter(|_| shown.layer.sheen.conserve_energy) {
         Some(mirror) => Rgb::ONE - amount(mirror, shown, border),
         None => Rgb::ONE,
     }
 }
 
 fn mirrors<'a>(site: &'a Site) -> impl Iterator<Item = (&'a Reflection, &'a Shown<'a>)> {
-    site.layers.iter().filter_map(|shown| Some((shown.layer.mirror.as_deref()?, shown)))
+    site.layers.iter().filter_map(|shown| Some((shown.layer.sheen.mirror.as_deref()?, shown)))
 }
 
 /// How much one layer mirrors at this angle.

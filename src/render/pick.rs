@@ -12,7 +12,7 @@ pub fn pick(world: &World, options: &Options, x: usize, y: usize) -> Option<Pick
     let surface = found.surface(&ray);
     let part = &world.parts[found.leaf.id as usize];
     Some(Picked {
-        shape: part.word,
+        shape: found.leaf.shape.spec().name,
         t: found.t(),
         point: surface.point.to_array(),
         normal: surface.normal.to_array(),

@@ -3,6 +3,7 @@
 use crate::math::DVec3;
 use crate::texture::Interior;
 use smallvec::SmallVec;
+use std::sync::Arc;
 
 /// The interiors that a ray is in, the last entered on top.
 pub(super) type Interiors = SmallVec<[u32; 6]>;
@@ -30,7 +31,7 @@ impl Border {
     pub const NONE: Border = Border { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
     /// The border of interior `own` for a ray in `inside`: a ray that is in it leaves it, any other enters it.
-    pub fn new(inside: &Interiors, own: u32, interiors: &[Interior]) -> Self {
+    pub fn new(inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<&u32>| i.and_then(|&i| interiors.get(i as usize)).map_or(1.0, |interior| interior.ior);
         let (n1, own_ior) = (ior(inside.last()), ior(Some(&own)));
         let Some(at) = inside.iter().rposition(|&i| i == own) else {
@@ -44,16 +45,16 @@ impl Border {
     }
 
     /// The same border for one hue (see [`Interior::ior_of`]); what it mirrors stays that of white light (measured on 3.7).
-    pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Interior]) -> Self {
+    pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of(hue));
         Self { n1: ior(inside.last().copied()), n2: ior(self.behind(inside, own)), ..self }
     }
 
     /// Into how many colours white light splits here: where both sides spread it in the same way it stays white. What lies
     /// behind the border says the number (both measured on 3.7).
-    pub fn samples(&self, inside: &Interiors, own: u32, interiors: &[Interior]) -> Option<u32> {
+    pub fn samples(&self, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Option<u32> {
         let interior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize));
-        let spread = |interior: Option<&Interior>| interior.map_or(1.0, |interior| interior.dispersion);
+        let spread = |interior: Option<&Arc<Interior>>| interior.map_or(1.0, |interior| interior.dispersion);
         let (before, behind) = (interior(inside.last().copied()), interior(self.behind(inside, own)));
         let samples = || behind.or(interior(Some(own))).map_or(0, |interior| interior.dispersion_samples);
         (spread(before) != spread(behind)).then(samples)
@@ -157,7 +158,7 @@ mod tests {
     #[test]
     fn overlapping_glasses() {
         // A 1.5 and B 1.2 overlap: in A, in both, in B, out
-        let iors = [1.5, 1.2].map(|ior| Interior { ior, ..Interior::default() });
+        let iors = [1.5, 1.2].map(|ior| Arc::new(Interior { ior, ..Interior::default() }));
         let mut inside = Interiors::new();
         let mut seen = vec![];
         for own in [0, 1, 0, 1] {

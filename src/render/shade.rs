@@ -59,7 +59,7 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for shown in &site.layers {
             let at = Incidence { dir, normal: shown.normal, to_lamp: l, cos: shown.normal.dot(l) };
-            let grain = if shown.layer.crand == 0.0 { 0.0 } else { shown.layer.crand * self.random() };
+            let grain = if shown.layer.sheen.crand == 0.0 { 0.0 } else { shown.layer.sheen.crand * self.random() };
             let mut answer = scattered(shown, &at, grain, site.part.double_illuminate);
             if at.cos > 0.0 && !lamp.shadowless {
                 answer += highlight(shown, &at);
@@ -72,46 +72,46 @@ impl Tracer<'_> {
 }
 
 fn answers_front(layer: &Layer, _: bool) -> bool {
-    layer.diffuse != 0.0 || layer.phong.strength != 0.0 || layer.specular.strength != 0.0
+    layer.sheen.diffuse != 0.0 || layer.sheen.phong.strength != 0.0 || layer.sheen.specular.strength != 0.0
 }
 
 fn answers_back(layer: &Layer, double_illuminate: bool) -> bool {
-    layer.diffuse_back != 0.0 || (double_illuminate && layer.diffuse != 0.0)
+    layer.sheen.diffuse_back != 0.0 || (double_illuminate && layer.sheen.diffuse != 0.0)
 }
 
 /// `ambient` and `emission`.
 fn glow(shown: &Shown) -> Rgb {
-    shown.color.rgb * shown.opacity * shown.layer.glow
+    shown.color.rgb * shown.opacity * shown.layer.sheen.glow
 }
 
 /// `diffuse`, `brilliance`, `crand`.
 fn scattered(shown: &Shown, at: &Incidence, grain: f64, double_illuminate: bool) -> Rgb {
     let layer = shown.layer;
-    let amount = if at.cos > 0.0 || double_illuminate { layer.diffuse } else { layer.diffuse_back };
+    let amount = if at.cos > 0.0 || double_illuminate { layer.sheen.diffuse } else { layer.sheen.diffuse_back };
     if amount == 0.0 {
         return Rgb::ZERO;
     }
     // opacity · d·|N·l|ᵇ, less some grain, of which all is seen however thin the layer is; what falls below zero darkens the other
     // terms (measured on 3.7)
-    shown.color.rgb * (shown.opacity * amount * power(at.cos.abs(), layer.brilliance) - grain)
+    shown.color.rgb * (shown.opacity * amount * power(at.cos.abs(), layer.sheen.brilliance) - grain)
 }
 
 /// `phong` and `specular`, coloured by `metallic`.
 fn highlight(shown: &Shown, at: &Incidence) -> Rgb {
     let layer = shown.layer;
     let mut amount = 0.0;
-    if layer.phong.strength != 0.0 {
+    if layer.sheen.phong.strength != 0.0 {
         // (R·l)ⁿ, where R is the mirrored ray
-        amount += lobe(&layer.phong, (at.dir - at.normal * (2.0 * at.dir.dot(at.normal))).dot(at.to_lamp));
+        amount += lobe(&layer.sheen.phong, (at.dir - at.normal * (2.0 * at.dir.dot(at.normal))).dot(at.to_lamp));
     }
-    if layer.specular.strength != 0.0 {
+    if layer.sheen.specular.strength != 0.0 {
         // (N·h)ⁿ, where h is half-way between lamp and eye
-        amount += lobe(&layer.specular, at.normal.dot((at.to_lamp - at.dir).normalize_or_zero()));
+        amount += lobe(&layer.sheen.specular, at.normal.dot((at.to_lamp - at.dir).normalize_or_zero()));
     }
     if amount == 0.0 {
         return Rgb::ZERO;
     }
-    metal_tint(layer.metallic, at.cos, shown.color.rgb) * amount
+    metal_tint(layer.sheen.metallic, at.cos, shown.color.rgb) * amount
 }
 
 /// strength · cosⁿ

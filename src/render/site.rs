@@ -62,7 +62,7 @@ impl<'w> Site<'w> {
             share * painter.paint(material, &spot, Rgb::splat(share), share, None)
         });
         let (bumped, refraction) =
-            painter.layers.first().map_or((normal, 1.0), |top| (top.normal, top.layer.refraction));
+            painter.layers.first().map_or((normal, 1.0), |top| (top.normal, top.layer.sheen.refraction));
         Self {
             part,
             point: surface.point,

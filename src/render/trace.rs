@@ -176,7 +176,8 @@ impl<'w> Tracer<'w> {
             }
             let site = Site::new(world, &path.ray, &found, &self.setup.quality, &border);
             rgb += through * self.shade(path.ray.dir, &site, &path.inside);
-            let mirrors = self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.mirror.is_some());
+            let mirrors =
+                self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.sheen.mirror.is_some());
             // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
             let fade = match world.colors_light && border.leaves() {
                 true => world.interiors[site.part.interior as usize].fade(found.t()),

@@ -4,7 +4,7 @@
 
 use super::{CsgOp, Object, ObjectKind};
 use crate::math::{Aabb, DAffine3, DQuat, DVec3, Transform};
-use crate::shape::{Cone, Cylinder, Kernel, Shape};
+use crate::shape::{Frustum, Kernel, Shape};
 
 /// What POV-Ray tells of things without end.
 const HUGE: Aabb = Aabb { min: DVec3::splat(-1e10), max: DVec3::splat(1e10) };
@@ -16,11 +16,11 @@ impl Object {
     pub fn extent(&self) -> Aabb {
         let own = match &self.kind {
             ObjectKind::Shape(shape) => shape_box(shape, &self.transform),
-            ObjectKind::Csg(..) => self.group_box.as_deref().copied().unwrap_or(HUGE),
+            ObjectKind::Csg(..) => self.bulk.as_ref().and_then(|bulk| bulk.extent).unwrap_or(HUGE),
             ObjectKind::Undrawn(shape) => moved_box(&self.transform, &shape.bounds),
             ObjectKind::Light(_) => HUGE,
         };
-        let bounds = [&self.clipped_by, &self.bounded_by].into_iter().flatten();
+        let bounds = [&self.rare.clipped_by, &self.rare.bounded_by].into_iter().flatten();
         bounds.fold(own, |own, parts| {
             let clip = shared(parts.iter().map(side));
             if !clip.is_empty() && volume(&clip) < volume(&own) { clip } else { own }
@@ -63,10 +63,10 @@ fn side(part: &Object) -> Aabb {
 }
 
 fn outer_side(part: &Object, taken_away: bool) -> Aabb {
-    let inverse = part.flags.inverse != taken_away;
+    let inverse = part.rare.flags.inverse != taken_away;
     match &part.kind {
-        ObjectKind::Shape(shape) => match (&**shape, inverse) {
-            (Shape::Plane(plane), inverse) if part.clipped_by.is_none() => {
+        ObjectKind::Shape(shape) => match (shape, inverse) {
+            (Shape::Plane(plane), inverse) if part.rare.clipped_by.is_none() => {
                 let normal = part.transform.normal(plane.normal).normalize();
                 let point = part.transform.point(plane.normal * plane.distance);
                 half_space(if inverse { -normal } else { normal }, point)
@@ -95,6 +95,10 @@ fn half_space(normal: DVec3, point: DVec3) -> Aabb {
 /// A shape's box in its own frame, and where that frame lies.
 fn shape_box(shape: &Shape, transform: &Transform) -> Aabb {
     let framed = |axis: DVec3, origin: DVec3, b: Aabb| moved_box(&frame(axis, origin).then(transform), &b);
+    let round = |c: &Frustum| {
+        let (r, length) = (c.base_radius.max(c.cap_radius), (c.cap - c.base).length());
+        framed(c.cap - c.base, c.base, Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, length) })
+    };
     match shape {
         Shape::Plane(_) => HUGE,
         Shape::Sphere(s) => {
@@ -109,10 +113,8 @@ fn shape_box(shape: &Shape, transform: &Transform) -> Aabb {
             }
             moved_box(transform, &shape.bounds())
         }
-        Shape::Cylinder(Cylinder(c)) | Shape::Cone(Cone(c)) => {
-            let (r, length) = (c.base_radius.max(c.cap_radius), (c.cap - c.base).length());
-            framed(c.cap - c.base, c.base, Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, length) })
-        }
+        Shape::Cylinder(cylinder) => round(&cylinder.0),
+        Shape::Cone(cone) => round(&cone.0),
         Shape::Disc(d) => {
             let corner = DVec3::new(d.radius, d.radius, THIN);
             framed(d.normal, d.center, Aabb { min: -corner, max: corner })

@@ -1,5 +1,6 @@
 //! What the author said, after all macros and loops ran: plain data.
 
+mod alike;
 mod extent;
 mod object;
 mod settings;
@@ -8,7 +9,8 @@ mod undrawn;
 mod weight;
 pub mod words;
 
-pub use object::{CsgOp, Flags, NOT_DRAWN, Object, ObjectBody, ObjectKind, is_object};
+pub use alike::Alike;
+pub use object::{Bulk, CsgOp, Flags, NOT_DRAWN, Object, ObjectBody, ObjectKind, Rare, is_object};
 pub use settings::Settings;
 pub use surface::{Painted, read_layers, read_material};
 pub use undrawn::Undrawn;
@@ -19,6 +21,7 @@ use crate::color::Color;
 use crate::texture::Texture;
 use crate::value::Said;
 use serde::Serialize;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// Everything the text put into the scene.
@@ -44,4 +47,6 @@ pub struct Scene {
 pub struct Defaults {
     /// Where a block says nothing else.
     pub texture: Arc<Texture>,
+    /// What was read last: what is like it is one with it.
+    pub alike: Rc<Alike>,
 }

@@ -9,7 +9,7 @@ use crate::math::{Aabb, Transform};
 use crate::shape::{self, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
-use crate::value::{Next, Reader, ReaderExt, Said, Thing, Value};
+use crate::value::{Next, Reader, ReaderExt, Said, Seldom, Thing, Usual, Value};
 use serde::Serialize;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use std::sync::Arc;
 #[serde(rename_all = "snake_case")]
 pub enum ObjectKind {
     /// One shape.
-    Shape(Arc<Shape>),
+    Shape(Shape),
     /// Several objects.
     Csg(CsgOp, Arc<[Object]>),
     /// A light, which a union may carry along.
@@ -57,6 +57,37 @@ pub struct Flags {
     pub uv_mapping: bool,
 }
 
+impl Flags {
+    /// All switched off.
+    pub const NONE: Self = Self {
+        no_shadow: false,
+        no_image: false,
+        no_reflection: false,
+        no_radiosity: false,
+        hollow: false,
+        inverse: false,
+        double_illuminate: false,
+        cutaway_textures: false,
+        uv_mapping: false,
+    };
+
+    /// The switch of this name.
+    fn named(&mut self, word: &str) -> Option<&mut bool> {
+        Some(match word {
+            "no_shadow" => &mut self.no_shadow,
+            "no_image" => &mut self.no_image,
+            "no_reflection" => &mut self.no_reflection,
+            "no_radiosity" => &mut self.no_radiosity,
+            "hollow" => &mut self.hollow,
+            "inverse" => &mut self.inverse,
+            "double_illuminate" => &mut self.double_illuminate,
+            "cutaway_textures" => &mut self.cutaway_textures,
+            "uv_mapping" => &mut self.uv_mapping,
+            _ => return None,
+        })
+    }
+}
+
 /// An object as it was written. Cheap to copy: a copy shares all but its place, until something else is said of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Object {
@@ -64,7 +95,7 @@ pub struct Object {
     #[serde(flatten)]
     pub body: Arc<ObjectBody>,
     /// All its transforms, in the space around its block.
-    pub transform: Transform,
+    pub transform: Seldom<Transform>,
     /// The text that made it.
     pub source: Span,
     /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
@@ -79,6 +110,28 @@ pub struct ObjectBody {
     pub kind: ObjectKind,
     /// What it looks like; its parent's texture, or the default, where it says nothing.
     pub texture: Option<Painted>,
+    /// What most objects do not say.
+    #[serde(flatten)]
+    pub rare: Seldom<Rare>,
+    /// The word it was written with.
+    pub word: &'static str,
+    /// How large it is, if it is more than a shape.
+    #[serde(skip)]
+    pub bulk: Option<Box<Bulk>>,
+}
+
+/// How large an object is that is more than a shape.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bulk {
+    /// The box that [`Object::extent`] tells of a CSG object; moved along with the object.
+    pub extent: Option<Aabb>,
+    /// What is in it.
+    pub weight: Weight,
+}
+
+/// What few objects say.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Rare {
     /// What it looks like from inside.
     pub interior_texture: Option<Painted>,
     /// What fills it.
@@ -92,39 +145,61 @@ pub struct ObjectBody {
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub undrawn: Option<Arc<Vec<Said>>>,
-    /// The word it was written with.
-    pub word: &'static str,
-    /// The box that [`Object::extent`] tells of a CSG object; moved along with the object.
-    #[serde(skip)]
-    pub group_box: Option<Box<Aabb>>,
-    /// How large it is.
-    #[serde(skip)]
-    pub weight: Weight,
+}
+
+impl Usual for Rare {
+    fn usual() -> &'static Self {
+        static NOTHING: Rare = Rare {
+            interior_texture: None,
+            interior: None,
+            clipped_by: None,
+            bounded_by: None,
+            flags: Flags::NONE,
+            undrawn: None,
+        };
+        &NOTHING
+    }
+}
+
+impl Rare {
+    fn transform_by(&mut self, step: &Transform) {
+        if let Some(painted) = &mut self.interior_texture {
+            painted.transform_by(step);
+        }
+        for bound in [&mut self.clipped_by, &mut self.bounded_by] {
+            let moved = |o: &Object| {
+                let mut o = o.clone();
+                o.transform_by(step);
+                o
+            };
+            *bound = bound.as_ref().map(|parts| parts.iter().map(moved).collect());
+        }
+    }
 }
 
 impl ObjectBody {
     /// One of which nothing more is said.
     pub fn new(kind: ObjectKind, word: &'static str) -> Self {
-        Self {
-            weight: Weight::of(&kind),
-            kind,
-            texture: None,
-            interior_texture: None,
-            interior: None,
-            clipped_by: None,
-            bounded_by: None,
-            flags: Flags::default(),
-            undrawn: None,
-            word,
-            group_box: None,
-        }
+        let bulk = match &kind {
+            ObjectKind::Csg(_, parts) if !parts.is_empty() => {
+                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts) }))
+            }
+            _ => None,
+        };
+        Self { kind, texture: None, rare: Seldom::USUAL, word, bulk }
+    }
+
+    /// How much is in it.
+    pub fn weight(&self) -> Weight {
+        self.bulk.as_ref().map_or(Weight::SHAPE, |bulk| bulk.weight)
     }
 
     /// Does it hold places that are moved when the object is?
     fn holds_places(&self) -> bool {
         let moved = |painted: &Option<Painted>| painted.as_ref().is_some_and(|p| p.moved.is_some());
-        let bound = self.clipped_by.is_some() || self.bounded_by.is_some();
-        bound || self.group_box.is_some() || moved(&self.texture) || moved(&self.interior_texture)
+        let bound = self.rare.clipped_by.is_some() || self.rare.bounded_by.is_some();
+        let boxed = self.bulk.as_ref().is_some_and(|bulk| bulk.extent.is_some());
+        boxed || bound || moved(&self.texture) || moved(&self.rare.interior_texture)
     }
 }
 
@@ -219,7 +294,7 @@ impl Object {
     pub fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             body: Arc::new(ObjectBody::new(kind, word)),
-            transform: Transform::IDENTITY,
+            transform: Seldom::USUAL,
             source,
             default_texture: defaults.texture.clone(),
         }
@@ -228,9 +303,7 @@ impl Object {
     /// A shape whose block is being read.
     pub(super) fn unfinished(word: &'static str, source: Span, defaults: &Defaults) -> Self {
         let nothing = ObjectKind::Csg(CsgOp::Union, Arc::default());
-        let mut object = Self::new(nothing, word, source, defaults);
-        object.weight = Weight::SHAPE;
-        object
+        Self::new(nothing, word, source, defaults)
     }
 
     /// Reads what stands between the braces of a block of this name.
@@ -265,7 +338,7 @@ impl Object {
         };
         if object.read_modifiers(Some(&mut shape), r, defaults)? {
             shape.finish(source, r)?;
-            object.kind = ObjectKind::Shape(Arc::new(shape));
+            object.kind = ObjectKind::Shape(shape);
         }
         Ok(object)
     }
@@ -299,10 +372,10 @@ impl Object {
                 _ => break,
             }
         }
-        let group_box = Some(Box::new(Self::parts_box(op, &parts)));
+        let extent = Self::parts_box(op, &parts);
         let mut object = Box::new(Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults));
-        object.group_box = group_box;
-        object.weight.check(source)?;
+        object.weight().check(source)?;
+        object.bulk.get_or_insert_default().extent = Some(extent);
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
     }
@@ -320,6 +393,10 @@ impl Object {
             let next = r.next()?;
             if next == Next::End {
                 self.map_texture_by_uv();
+                // (A copy that nothing was said of shares all it has.)
+                if let Some(ObjectBody { texture: Some(painted), .. }) = Arc::get_mut(&mut self.body) {
+                    defaults.alike.join(&mut painted.texture);
+                }
                 return Ok(is_somewhere);
             }
             if let (Next::Word(word), Some(shape)) = (next, shape.as_deref_mut())
@@ -350,7 +427,7 @@ impl Object {
 
     /// `uv_mapping` of an object is its texture's.
     fn map_texture_by_uv(&mut self) {
-        if self.flags.uv_mapping
+        if self.rare.flags.uv_mapping
             && let Some(painted) = &mut self.texture
         {
             Arc::make_mut(&mut painted.texture).set_uv();
@@ -365,10 +442,10 @@ impl Object {
                     self.transform_by(&step);
                 }
             }
-            Next::Word(word) if self.flag(word).is_some() => {
+            Next::Word(word) if Flags::default().named(word).is_some() => {
                 r.take()?;
                 let on = r.flag()?;
-                if let Some(flag) = self.flag(word) {
+                if let Some(flag) = self.rare.flags.named(word) {
                     *flag = on;
                 }
             }
@@ -379,10 +456,10 @@ impl Object {
             }
             Next::Block("interior") => {
                 r.take()?;
-                self.interior = Some(Arc::new(Interior::read(r)?));
+                self.rare.interior = Some(Arc::new(Interior::read(r)?));
                 r.leave()?;
             }
-            Next::Thing("interior") => self.interior = r.thing::<Interior>()?,
+            Next::Thing("interior") => self.rare.interior = r.thing::<Interior>()?,
             Next::Block("material") => {
                 r.take()?;
                 let material = read_material(r, defaults)?;
@@ -395,27 +472,11 @@ impl Object {
                 }
             }
             Next::Word(word) | Next::Block(word) if MODIFIERS.leaves_out(word) => {
-                Arc::make_mut(self.undrawn.get_or_insert_default()).push(r.keep_undrawn(word)?);
+                Arc::make_mut(self.rare.undrawn.get_or_insert_default()).push(r.keep_undrawn(word)?);
             }
             _ => return self.read_surface(next, r, defaults),
         }
         Ok(true)
-    }
-
-    fn flag(&mut self, word: &str) -> Option<&mut bool> {
-        let f = &mut self.flags;
-        Some(match word {
-            "no_shadow" => &mut f.no_shadow,
-            "no_image" => &mut f.no_image,
-            "no_reflection" => &mut f.no_reflection,
-            "no_radiosity" => &mut f.no_radiosity,
-            "hollow" => &mut f.hollow,
-            "inverse" => &mut f.inverse,
-            "double_illuminate" => &mut f.double_illuminate,
-            "cutaway_textures" => &mut f.cutaway_textures,
-            "uv_mapping" => &mut f.uv_mapping,
-            _ => return None,
-        })
     }
 
     /// `texture`, `interior_texture`, or one of a texture's parts alone.
@@ -429,14 +490,17 @@ impl Object {
                 r.take()?;
                 let texture = Texture::read(r, &defaults.texture)?;
                 r.leave()?;
-                self.interior_texture = Some(Painted::new(Arc::new(texture), &self.transform));
+                self.rare.interior_texture = Some(Painted::new(Arc::new(texture), &self.transform));
             }
             _ => {
                 // The texture so far, its moves applied, because what is read now has not been moved.
                 let mut texture = match &self.texture {
                     Some(painted) => {
                         let mut texture = (*painted.texture).clone();
-                        texture.transform(painted.place(&self.transform));
+                        let place = painted.place(&self.transform);
+                        if *place != Transform::IDENTITY {
+                            texture.transform(place);
+                        }
                         texture
                     }
                     None => (*defaults.texture).clone(),
@@ -460,7 +524,7 @@ impl Object {
                 Next::Word(other @ ("clipped_by" | "bounded_by")) if other != word => {
                     r.take()?;
                     borrows = true;
-                    let other = if word == "clipped_by" { &self.bounded_by } else { &self.clipped_by };
+                    let other = if word == "clipped_by" { &self.rare.bounded_by } else { &self.rare.clipped_by };
                     parts.extend(other.iter().flat_map(|o| o.iter().cloned()));
                 }
                 _ => parts.push(*Self::read(r, defaults)?),
@@ -475,9 +539,11 @@ impl Object {
             return Ok(());
         }
         Weight::check_clipping(&parts, at)?;
-        self.weight = self.weight.around(&parts);
-        self.weight.check(at)?;
-        let field = if word == "clipped_by" { &mut self.clipped_by } else { &mut self.bounded_by };
+        let weight = self.weight().around(&parts);
+        weight.check(at)?;
+        self.bulk.get_or_insert_default().weight = weight;
+        let rare = &mut *self.rare;
+        let field = if word == "clipped_by" { &mut rare.clipped_by } else { &mut rare.bounded_by };
         let before = field.take().into_iter().flat_map(|b| b.to_vec());
         *field = Some(before.chain(parts).collect());
         Ok(())
@@ -487,32 +553,28 @@ impl Object {
         let painted = |t: &Arc<Texture>| Painted::new(t.clone(), &self.transform);
         let body = Arc::make_mut(&mut self.body);
         body.texture = material.texture.as_ref().map(painted).or(body.texture.take());
-        body.interior_texture = material.interior_texture.as_ref().map(painted).or(body.interior_texture.take());
-        body.interior = material.interior.clone().or(body.interior.take());
+        if material.interior_texture.is_some() || material.interior.is_some() {
+            let rare = &mut *body.rare;
+            rare.interior_texture = material.interior_texture.as_ref().map(painted).or(rare.interior_texture.take());
+            rare.interior = material.interior.clone().or(rare.interior.take());
+        }
     }
 
     /// Moves the object with its textures and what clips it.
     pub fn transform_by(&mut self, step: &Transform) {
-        self.transform = self.transform.then(step);
+        self.transform = self.transform.then(step).into();
         if !self.body.holds_places() {
             return;
         }
         let body = Arc::make_mut(&mut self.body);
-        if let Some(group) = &mut body.group_box {
-            **group = moved_box(step, group);
+        if let Some(extent) = body.bulk.as_mut().and_then(|bulk| bulk.extent.as_mut()) {
+            *extent = moved_box(step, extent);
         }
-        for painted in [&mut body.texture, &mut body.interior_texture].into_iter().flatten() {
-            if let Some(moved) = &mut painted.moved {
-                **moved = moved.then(step);
-            }
+        if let Some(painted) = &mut body.texture {
+            painted.transform_by(step);
         }
-        for bound in [&mut body.clipped_by, &mut body.bounded_by] {
-            let moved = |o: &Object| {
-                let mut o = o.clone();
-                o.transform_by(step);
-                o
-            };
-            *bound = bound.as_ref().map(|parts| parts.iter().map(moved).collect());
+        if body.rare.unusual().is_some() {
+            body.rare.transform_by(step);
         }
     }
 }

@@ -23,6 +23,13 @@ impl Painted {
         Self { texture, moved: (!before.is_identity()).then(|| Box::new(Transform::IDENTITY)) }
     }
 
+    /// The object has been moved.
+    pub(super) fn transform_by(&mut self, step: &Transform) {
+        if let Some(moved) = &mut self.moved {
+            **moved = moved.then(step);
+        }
+    }
+
     /// The space around the object from the texture's, given that from the object's.
     pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
         self.moved.as_deref().unwrap_or(object)
@@ -37,8 +44,10 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
         match next {
             Next::Block("texture") => {
                 r.take()?;
-                layers.extend(Texture::read(r, &defaults.texture)?.layers);
+                let read = Texture::read(r, &defaults.texture)?.layers;
                 r.leave()?;
+                // Mostly there is but one.
+                if layers.is_empty() { layers = read } else { layers.extend(read) }
             }
             Next::Thing("texture") => match r.thing::<Texture>()? {
                 Some(texture) => layers.extend(texture.layers.iter().cloned()),
@@ -48,6 +57,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
         }
         next = r.continued()?;
     }
+    layers.shrink_to_fit();
     Ok(Texture { layers })
 }
 

@@ -1,40 +1,35 @@
 //! How large an object is: a loop makes a few lines of text deep as a well, or double themselves until no memory holds them.
 
-use super::{Object, ObjectKind, Scene};
+use super::{Object, Scene};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 
 /// Objects inside each other; whoever walks them recurses.
 const MAX_DEPTH: u32 = 5000;
 /// Shapes that clip one object: they are copied whenever it moves.
-const MAX_CLIPPING: u64 = 1_000_000;
+const MAX_CLIPPING: u32 = 1_000_000;
 /// Bytes that each shape takes in the world, about.
 const PER_SHAPE: u64 = 1000;
+
+/// More shapes have no numbers.
+const MAX_SHAPES: u32 = u32::MAX / 2;
 
 /// Known when an object is made, so that nobody has to walk it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Weight {
     /// Objects inside each other.
     depth: u32,
-    /// Shapes in it, each counted as often as it is there.
-    shapes: u64,
+    /// Shapes in it, each counted as often as it is there; the largest number stands for more.
+    shapes: u32,
 }
 
 impl Weight {
     /// Of one shape.
     pub const SHAPE: Self = Self { depth: 0, shapes: 1 };
 
-    /// Of an object that is made of this.
-    pub fn of(kind: &ObjectKind) -> Self {
-        match kind {
-            ObjectKind::Csg(_, parts) => Self::default().around(parts),
-            _ => Self::SHAPE,
-        }
-    }
-
     /// With these inside.
     pub fn around(self, parts: &[Object]) -> Self {
-        parts.iter().map(|part| part.weight).fold(self, |sum, part| Self {
+        parts.iter().map(|part| part.weight()).fold(self, |sum, part| Self {
             depth: sum.depth.max(part.depth + 1),
             shapes: sum.shapes.saturating_add(part.shapes),
         })
@@ -64,10 +59,10 @@ impl Weight {
 impl Scene {
     /// E0242 if the world of this scene would not go into so many bytes.
     pub fn check_weight(&self, memory: Option<u64>) -> Result<()> {
-        let limit = memory.map_or(u64::from(u32::MAX) / 2, |bytes| bytes / PER_SHAPE);
-        let mut shapes: u64 = 0;
+        let limit = memory.map_or(MAX_SHAPES, |bytes| (bytes / PER_SHAPE).min(MAX_SHAPES.into()) as u32);
+        let mut shapes: u32 = 0;
         for object in &self.objects {
-            shapes = shapes.saturating_add(object.weight.shapes);
+            shapes = shapes.saturating_add(object.weight().shapes);
             if shapes > limit {
                 let message =
                     format!("with this object the scene has more than the {limit} shapes for which there is memory");

@@ -32,6 +32,7 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Where a ray meets a surface, in object space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,13 +156,14 @@ pub trait Kernel {
 
 macro_rules! shapes {
     ($($name:ident)*) => {
-        /// Any shape. A closed set: no virtual calls on the way of a ray.
+        /// Any shape. A closed set: no virtual calls on the way of a ray. Copies share it, and each takes no more room than
+        /// its own kind needs.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(rename_all = "snake_case")]
-        pub enum Shape { $(#[doc = concat!("See [`", stringify!($name), "`].")] $name($name)),* }
+        pub enum Shape { $(#[doc = concat!("See [`", stringify!($name), "`].")] $name(Arc<$name>)),* }
 
         impl Kernel for Shape {
-            fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => Kernel::bounds(s)),* } }
+            fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => Kernel::bounds(&**s)),* } }
             fn bounds_under(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.bounds_under(m)),* } }
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
@@ -179,20 +181,24 @@ macro_rules! shapes {
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }
             /// Reads one of the words of its own table; the word itself is already consumed.
             pub fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-                match self { $(Shape::$name(s) => s.read_word(word, r)),* }
+                match self { $(Shape::$name(s) => Arc::make_mut(s).read_word(word, r)),* }
             }
             /// Checks what only the whole block shows, after its last word; `span` is the block's name.
             pub fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
-                match self { $(Shape::$name(s) => s.finish(span, r)),* }
+                match self { $(Shape::$name(s) => Arc::make_mut(s).finish(span, r)),* }
             }
         }
+
+        $(impl From<$name> for Shape {
+            fn from(shape: $name) -> Self { Shape::$name(Arc::new(shape)) }
+        })*
 
         /// Every shape's table.
         pub const SPECS: &[&Spec] = &[$(&$name::SPEC),*];
 
         /// Reads the positional arguments of the shape of this name; `None` if there is no such shape.
         pub fn read(name: &str, r: &mut dyn Reader) -> Option<Result<Shape>> {
-            $(if name == $name::SPEC.name { return Some($name::read(r).map(Shape::$name).map_err(|e| with_usage(e, &$name::SPEC))); })*
+            $(if name == $name::SPEC.name { return Some($name::read(r).map(Shape::from).map_err(|e| with_usage(e, &$name::SPEC))); })*
             None
         }
     };

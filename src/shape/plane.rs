@@ -23,7 +23,7 @@ pub struct Plane {
     /// From the origin along the normal.
     pub distance: f64,
     /// How it was spanned, if it was.
-    pub span: Option<Spanned>,
+    pub span: Option<Box<Spanned>>,
 }
 
 /// q + u·i + v·j.
@@ -58,7 +58,7 @@ impl Plane {
     /// q + u·i + v·j.
     pub fn spanned(point: DVec3, i: DVec3, j: DVec3) -> Option<Self> {
         let plane = Self::through(point, i.normalize_or_zero().cross(j.normalize_or_zero()))?;
-        Some(Self { span: Some(Spanned { point, i, j }), ..plane })
+        Some(Self { span: Some(Box::new(Spanned { point, i, j })), ..plane })
     }
 }
 

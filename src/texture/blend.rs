@@ -96,6 +96,7 @@ where
                 .help(example::<T>())
                 .into();
         }
+        entries.shrink_to_fit();
         Ok(Self { entries })
     }
 }
@@ -158,7 +159,7 @@ impl<T> Parts<T> {
     }
 
     /// The same with others in their places.
-    pub fn map<U>(&self, f: impl Fn(&T) -> U) -> Parts<U> {
+    pub fn map<U>(&self, mut f: impl FnMut(&T) -> U) -> Parts<U> {
         match self {
             Parts::Map(map) => {
                 let entries = map.entries.iter().map(|(number, entry)| (*number, f(entry))).collect();

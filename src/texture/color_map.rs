@@ -45,6 +45,7 @@ impl ColorMap {
                 .help("entries look like `[0.5 color rgb <1, 0, 0>]`")
                 .into();
         }
+        entries.shrink_to_fit();
         Ok(Self { entries })
     }
 }

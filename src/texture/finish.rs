@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::math::noise::{NoiseGenerator, Turbulence, turbulence};
 use crate::math::{DVec3, fp};
-use crate::value::{Next, Reader, ReaderExt, Said};
+use crate::value::{Next, Reader, ReaderExt, Said, Seldom, Usual};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -41,12 +41,20 @@ pub struct Finish {
     /// Grain of the diffuse light.
     pub crand: f64,
     /// Mirror.
-    pub reflection: Reflection,
+    pub reflection: Seldom<Reflection>,
     /// A thin film on top.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub irid: Option<Irid>,
+    pub irid: Option<Box<Irid>>,
     /// Takes from the light that passes what the mirror gives.
     pub conserve_energy: bool,
+    /// What few finishes say.
+    #[serde(flatten)]
+    pub rare: Seldom<Rare>,
+}
+
+/// What few finishes say.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Rare {
     /// Of old scenes: the interior's, before what that says itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
@@ -105,21 +113,24 @@ impl Default for Finish {
             roughness: 0.05,
             metallic: 0.0,
             crand: 0.0,
-            reflection: Reflection::default(),
+            reflection: Seldom::USUAL,
             irid: None,
             conserve_energy: false,
-            ior: None,
-            caustics: None,
-            refraction: 1.0,
-            undrawn: vec![],
+            rare: Seldom::USUAL,
         }
+    }
+}
+
+impl Usual for Rare {
+    fn usual() -> &'static Self {
+        static NOTHING: Rare = Rare { ior: None, caustics: None, refraction: 1.0, undrawn: vec![] };
+        &NOTHING
     }
 }
 
 impl Default for Reflection {
     fn default() -> Self {
-        let (min, max) = (Rgb::ZERO, Rgb::ZERO);
-        Self { min, max, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 }
+        Self::NONE
     }
 }
 
@@ -137,16 +148,16 @@ impl Finish {
                 Next::Word(word) if Self::takes(word) => f.read_word(word, r)?,
                 Next::Block("reflection") => {
                     r.take()?;
-                    f.reflection = Reflection::read(r)?;
+                    f.reflection = Reflection::read(r)?.into();
                     r.leave()?;
                 }
                 Next::Block("irid") => {
                     r.take()?;
-                    f.irid = Some(Irid::read(r)?);
+                    f.irid = Some(Box::new(Irid::read(r)?));
                     r.leave()?;
                 }
                 Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => {
-                    f.undrawn.push(r.keep_undrawn(word)?)
+                    f.rare.undrawn.push(r.keep_undrawn(word)?)
                 }
                 _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),
             }
@@ -183,16 +194,17 @@ impl Finish {
             "metallic" => self.metallic = r.optional_float()?.unwrap_or(1.0),
             "crand" => self.crand = r.float()?,
             // Before 3.1, what is inside stood here.
-            "ior" => self.ior = Some(r.float()?),
+            "ior" => self.rare.ior = Some(r.float()?),
             // (as was measured on POV-Ray 3.7)
-            "caustics" => self.caustics = Some(r.float()? / 45.0),
-            "refraction" => self.refraction = r.float()?,
+            "caustics" => self.rare.caustics = Some(r.float()? / 45.0),
+            "refraction" => self.rare.refraction = r.float()?,
             _ if FINISH.ignores(word) => drop(r.float()?),
             "conserve_energy" => self.conserve_energy = r.flag()?,
             "reflection_exponent" => self.reflection.exponent = r.float()?,
             _ => {
                 let color = r.color()?.rgb;
-                (self.reflection.min, self.reflection.max) = (color, color);
+                let reflection = &mut *self.reflection;
+                (reflection.min, reflection.max) = (color, color);
             }
         }
         Ok(())
@@ -227,7 +239,17 @@ impl Irid {
     }
 }
 
+impl Usual for Reflection {
+    fn usual() -> &'static Self {
+        &Self::NONE
+    }
+}
+
 impl Reflection {
+    /// No mirror.
+    pub const NONE: Self =
+        Self { min: Rgb::ZERO, max: Rgb::ZERO, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 };
+
     /// `reflection { [min,] max … }`
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let first = r.color()?.rgb;

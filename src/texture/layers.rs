@@ -20,7 +20,7 @@ pub struct Layer {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
     /// Its answer to light.
-    pub finish: Finish,
+    pub finish: Arc<Finish>,
     /// Other textures, of which a pattern shows now this, now that, in place of all the above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<Box<Choice>>,
@@ -126,7 +126,9 @@ impl Texture {
                 draft.parts = Some(read_tiles(r, &mut draft.pattern, base)?);
                 r.leave()?;
             }
-            Next::Word(word) if bare && Finish::takes(word) => self.top().finish.read_word(word, r)?,
+            Next::Word(word) if bare && Finish::takes(word) => {
+                Arc::make_mut(&mut self.top().finish).read_word(word, r)?
+            }
             // A lone number was the texture's grain.
             Next::Value if bare => drop(r.float()?),
             next if self.read_part(r, next, base)? => {}
@@ -165,7 +167,7 @@ impl Texture {
             }
             Next::Block("finish") => {
                 r.take()?;
-                layer.finish = Finish::read(r, &layer.finish)?;
+                layer.finish = Arc::new(Finish::read(r, &layer.finish)?);
                 r.leave()?;
             }
             Next::Block("normal") => {
@@ -182,12 +184,25 @@ impl Texture {
                 None => return Ok(false),
             },
             Next::Thing("finish") => match r.thing::<Finish>()? {
-                Some(finish) => layer.finish = (*finish).clone(),
+                Some(finish) => layer.finish = finish,
                 None => return Ok(false),
             },
             _ => return Ok(false),
         }
         Ok(true)
+    }
+
+    /// Is it plainly the same as another? What takes long to compare, such as pictures, must be one and the same.
+    pub fn is_plainly(&self, other: &Self) -> bool {
+        let same = |a: &Layer, b: &Layer| {
+            let normal = match (&a.normal, &b.normal) {
+                (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+                (a, b) => a.is_none() && b.is_none(),
+            };
+            let finish = Arc::ptr_eq(&a.finish, &b.finish);
+            normal && finish && a.choice.is_none() && b.choice.is_none() && a.pigment.is_plainly(&b.pigment)
+        };
+        self.layers.len() == other.layers.len() && self.layers.iter().zip(&other.layers).all(|(a, b)| same(a, b))
     }
 
     /// Moves every layer.

@@ -12,7 +12,7 @@ pub mod words;
 
 pub use blend::{Map, Parts, Shares};
 pub use color_map::ColorMap;
-pub use finish::{Finish, Irid, Reflection};
+pub use finish::{Finish, Irid, Rare, Reflection};
 pub use image_map::ImageMap;
 pub use interior::Interior;
 pub use layers::{Choice, Layer, Material, Texture};

@@ -6,7 +6,7 @@ use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern, Spot};
-use crate::value::{Next, Reader, ReaderExt};
+use crate::value::{Next, Reader, ReaderExt, Seldom};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -28,11 +28,11 @@ pub enum Paint {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pigment {
     /// What tells points apart, and where it lies.
-    pub pattern: Pattern,
+    pub pattern: Seldom<Pattern>,
     /// What gives the colour.
     pub paint: Paint,
     /// `quick_color`: shown with quality 5 and below.
-    pub quick_color: Option<Color>,
+    pub quick_color: Option<Box<Color>>,
 }
 
 impl Default for Pigment {
@@ -44,7 +44,7 @@ impl Default for Pigment {
 impl Pigment {
     /// One colour everywhere.
     pub fn solid(color: Color) -> Self {
-        Self { pattern: Pattern::default(), paint: Paint::Solid(color), quick_color: None }
+        Self { pattern: Seldom::USUAL, paint: Paint::Solid(color), quick_color: None }
     }
 
     /// Reads what stands between the braces, on top of `base`; pigments inside of it begin with the default one.
@@ -72,7 +72,7 @@ impl Pigment {
     fn lose_to_uv_mapping(&mut self, r: &mut dyn Reader) -> Result<()> {
         let at = r.take()?;
         r.flag()?;
-        self.pattern.kind = Kind::Plain;
+        self.forget_pattern();
         self.paint = Paint::Solid(Color::BLACK);
         let message = "`uv_mapping` stands behind the pigment's name, and makes it black";
         r.report(Diagnostic::new(codes::MISPLACED, at, message).help("it belongs before the name"));
@@ -81,7 +81,7 @@ impl Pigment {
 
     /// Reads one element of a pigment: of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
-        if self.pattern.read_element(next, r)? {
+        if self.pattern.change_if(|pattern| pattern.read_element(next, r))? {
             let default = |cells: &CellPattern, cell| Pigment::solid(cells.default_color(cell));
             if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &default)? {
                 self.paint = Paint::Pigments(list);
@@ -91,7 +91,7 @@ impl Pigment {
         match next {
             Next::Word("quick_color" | "quick_colour") => {
                 r.take()?;
-                self.quick_color = Some(r.color()?);
+                self.quick_color = Some(Box::new(r.color()?));
                 Ok(())
             }
             Next::Word(word) if PIGMENT.ignores(word) => {
@@ -106,7 +106,7 @@ impl Pigment {
             Next::Block("image_map") => {
                 r.take()?;
                 self.paint = Paint::Image(Arc::new(ImageMap::read(r)?));
-                self.pattern.kind = Kind::Plain;
+                self.forget_pattern();
                 r.leave()
             }
             Next::Thing("color_map") => {
@@ -124,10 +124,16 @@ impl Pigment {
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {
                 self.paint = Paint::Solid(r.color()?.as_paint());
-                self.pattern.kind = Kind::Plain;
+                self.forget_pattern();
                 Ok(())
             }
             _ => Err(r.unknown_word("pigment", &pigment_names()).into()),
+        }
+    }
+
+    fn forget_pattern(&mut self) {
+        if !matches!(self.pattern.kind, Kind::Plain) {
+            self.pattern.kind = Kind::Plain;
         }
     }
 
@@ -154,8 +160,8 @@ impl Pigment {
 
     /// As it is drawn at low quality, if that is another: `quick_color` stands for it and for the pigments inside of it.
     pub fn quick(&self) -> Option<Pigment> {
-        if let Some(color) = self.quick_color {
-            return Some(Self::solid(color));
+        if let Some(color) = &self.quick_color {
+            return Some(Self::solid(**color));
         }
         let Paint::Pigments(parts) = &self.paint else { return None };
         if !parts.iter().any(|part| part.quick().is_some()) {
@@ -176,6 +182,17 @@ impl Pigment {
             Paint::Solid(color) => Some(*color),
             _ => None,
         }
+    }
+
+    /// As [`Texture::is_plainly`].
+    pub(super) fn is_plainly(&self, other: &Self) -> bool {
+        let paint = match (&self.paint, &other.paint) {
+            (Paint::Solid(a), Paint::Solid(b)) => a == b,
+            (Paint::Colors(a), Paint::Colors(b)) => Arc::ptr_eq(a, b),
+            (Paint::Image(a), Paint::Image(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        };
+        paint && self.pattern.is_one_with(&other.pattern) && self.quick_color == other.quick_color
     }
 
     /// Does it ask where the point lies on its shape?

@@ -24,7 +24,7 @@ impl Crowd {
         if inner.len() < MANY {
             return None;
         }
-        let (bvh, order) = Bvh::build(&inner.iter().map(|&i| boxes[i as usize]).collect::<Vec<_>>());
+        let (bvh, order) = Bvh::build(inner.iter().map(|&i| boxes[i as usize]));
         let order = order.into_iter().map(|i| inner[i as usize]).collect();
         Some(Box::new(Crowd { bvh, order, rest }))
     }

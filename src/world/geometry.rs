@@ -19,21 +19,52 @@ pub struct Geometry {
     bvh: Bvh,
 }
 
-impl Geometry {
-    /// Over these objects. Unions that keep all surfaces of their children are taken apart, so that each child has its
-    /// own place in the hierarchy: what holds for the union as a whole must be said of each child.
-    pub fn new(roots: Vec<Node>) -> Self {
-        let mut parts = vec![];
-        take_apart(roots, &mut parts);
-        let (finite, infinite): (Vec<Node>, Vec<Node>) = parts.into_iter().partition(|n| bvh::fits(&n.bounds()));
-        let boxes: Vec<_> = finite.iter().map(Node::bounds).collect();
-        let (bvh, order) = Bvh::build(&boxes);
-        let mut slots: Vec<Option<Node>> = finite.into_iter().map(Some).collect();
-        let mut items: Vec<Node> = order.iter().filter_map(|&i| slots[i as usize].take()).collect();
+/// Objects before there is a hierarchy over them.
+#[derive(Debug, Default)]
+pub(super) struct Heap {
+    finite: Vec<Node>,
+    infinite: Vec<Node>,
+}
+
+impl Heap {
+    /// Adds an object. Unions that keep all surfaces of their children are taken apart, so that each child has its own place
+    /// in the hierarchy: what holds for the union as a whole must be said of each child.
+    pub fn add(&mut self, object: Node) {
+        match object.into_parts() {
+            Parts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
+            Parts::One(node) => match node.bounds() {
+                bounds if bounds.is_empty() => {}
+                bounds if bvh::fits(&bounds) => self.finite.push(node),
+                _ => self.infinite.push(node),
+            },
+        }
+    }
+}
+
+impl Extend<Node> for Heap {
+    fn extend<T: IntoIterator<Item = Node>>(&mut self, objects: T) {
+        objects.into_iter().for_each(|object| self.add(object));
+    }
+}
+
+impl From<Heap> for Geometry {
+    fn from(Heap { finite: mut items, infinite }: Heap) -> Self {
+        let (bvh, order) = Bvh::build(items.iter().map(Node::bounds));
+        put_in_order(&mut items, order);
         let finite = items.len();
         let unbounded = (0..finite as u32).filter(|&i| items[i as usize].is_unbounded()).collect();
         items.extend(infinite);
+        items.shrink_to_fit();
         Self { items, finite, unbounded, bvh }
+    }
+}
+
+impl Geometry {
+    /// Over these objects; unions among them are taken apart.
+    pub fn new(roots: Vec<Node>) -> Self {
+        let mut heap = Heap::default();
+        heap.extend(roots);
+        heap.into()
     }
 
     /// All objects, in no particular order.
@@ -120,12 +151,18 @@ impl Geometry {
     }
 }
 
-fn take_apart(nodes: Vec<Node>, out: &mut Vec<Node>) {
-    for node in nodes {
-        match node.into_parts() {
-            Parts::Many(children) => take_apart(children, out),
-            Parts::One(node) if node.bounds().is_empty() => {}
-            Parts::One(node) => out.push(node),
+/// Puts at each place the item whose number `order` has there, without room for a second row of items.
+fn put_in_order(items: &mut [Node], mut order: Vec<u32>) {
+    for start in 0..items.len() {
+        // Around the cycle that begins here; a place that is done has its own number.
+        let mut place = start;
+        loop {
+            let from = std::mem::replace(&mut order[place], place as u32) as usize;
+            if from == start {
+                break;
+            }
+            items.swap(place, from);
+            place = from;
         }
     }
 }

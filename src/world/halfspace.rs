@@ -4,7 +4,7 @@
 //! clipping, 1974, face by face). Everything is rounded outwards: the half-spaces by a margin, the box by its own.
 
 use crate::math::{Aabb, DVec3, Transform, tolerance};
-use crate::shape::{Cuboid, Cylinder, Frustum, Shape};
+use crate::shape::{Frustum, Shape};
 use smallvec::SmallVec;
 use std::f64::consts::TAU;
 
@@ -56,13 +56,13 @@ pub fn push_shape(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpa
         Shape::Plane(plane) if inverse => push(-plane.normal, -plane.distance),
         Shape::Plane(plane) => push(plane.normal, plane.distance),
         _ if inverse => {}
-        Shape::Cuboid(Cuboid { min, max }) => {
+        Shape::Cuboid(cuboid) => {
             for axis in 0..3 {
-                push(DVec3::AXES[axis], max[axis]);
-                push(-DVec3::AXES[axis], -min[axis]);
+                push(DVec3::AXES[axis], cuboid.max[axis]);
+                push(-DVec3::AXES[axis], -cuboid.min[axis]);
             }
         }
-        Shape::Cylinder(Cylinder(frustum)) => push_frustum(frustum, &mut push),
+        Shape::Cylinder(cylinder) => push_frustum(&cylinder.0, &mut push),
         Shape::Cone(cone) => push_frustum(&cone.0, &mut push),
         _ => {}
     }

@@ -15,7 +15,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Serialize)]
 pub struct Ink {
     /// That of the whole pigment is the last: each stands behind those it is made of.
-    nodes: Vec<Node>,
+    nodes: Box<[Node]>,
 }
 
 /// A pigment within a pigment.
@@ -24,7 +24,7 @@ struct Node {
     /// `uv_mapping`: the way begins with the place on the surface.
     uv: bool,
     /// From the space around it to its own, in the order in which a point goes it.
-    way: Vec<Leg>,
+    way: Box<[Leg]>,
     value: Value,
     shows: Shows,
 }
@@ -44,16 +44,17 @@ enum Leg {
 enum Value {
     /// Nothing: there is no pattern, or all its entries are seen at once.
     Nothing,
-    Field {
-        field: FieldPattern,
-        modifiers: Modifiers,
-        turbulence: Turbulent,
-        noise: Option<NoiseGenerator>,
-    },
-    Cells {
-        cells: CellPattern,
-        modifiers: Modifiers,
-    },
+    Field(Box<Number>),
+    Cells(Box<(CellPattern, Modifiers)>),
+}
+
+/// A pattern of numbers with what it takes. (Apart, because most nodes are colours.)
+#[derive(Clone, Debug, Serialize)]
+struct Number {
+    field: FieldPattern,
+    modifiers: Modifiers,
+    turbulence: Turbulent,
+    noise: Option<NoiseGenerator>,
 }
 
 /// What is seen.
@@ -71,7 +72,7 @@ impl Ink {
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
         push(pigment, &mut nodes);
-        Self { nodes }
+        Self { nodes: nodes.into() }
     }
 
     /// The colour at a spot of the texture's space.
@@ -115,8 +116,9 @@ impl Value {
     fn at(&self, mut inner: Spot) -> f64 {
         match self {
             Value::Nothing => 0.0,
-            Value::Cells { cells, modifiers } => modifiers.apply_to_cell(cells.cell(inner.p)),
-            Value::Field { field, modifiers, turbulence, noise } => {
+            Value::Cells(pattern) => pattern.1.apply_to_cell(pattern.0.cell(inner.p)),
+            Value::Field(number) => {
+                let Number { field, modifiers, turbulence, noise } = &**number;
                 inner.noise = noise.unwrap_or(inner.noise);
                 modifiers.apply(field.value_as(&inner, &Words { modifiers, turbulence }))
             }
@@ -150,16 +152,16 @@ fn value(pattern: &Pattern) -> Value {
     let modifiers = pattern.modifiers;
     match &pattern.kind {
         Kind::Plain | Kind::Average => Value::Nothing,
-        Kind::Cells(cells) => Value::Cells { cells: cells.clone(), modifiers },
+        Kind::Cells(cells) => Value::Cells(Box::new((cells.clone(), modifiers))),
         Kind::Field(field) => {
             let turbulence = pattern.space.turbulence.as_deref().copied().unwrap_or_default();
-            Value::Field { field: field.clone(), modifiers, turbulence, noise: pattern.noise }
+            Value::Field(Box::new(Number { field: field.clone(), modifiers, turbulence, noise: pattern.noise }))
         }
     }
 }
 
 /// What was written last is undone first.
-fn way(pattern: &Pattern) -> Vec<Leg> {
+fn way(pattern: &Pattern) -> Box<[Leg]> {
     let space = &pattern.space;
     let mut way = vec![];
     let mut affine = space.transform.inv;
@@ -178,5 +180,5 @@ fn way(pattern: &Pattern) -> Vec<Leg> {
         way.push(Leg::Turbulence(turbulence.amount, turbulence.series()));
     }
     way.retain(|leg| !matches!(leg, Leg::Affine(inverse) if *inverse == DAffine3::IDENTITY));
-    way
+    way.into()
 }

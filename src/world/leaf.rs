@@ -2,6 +2,7 @@
 
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::shape::{Hit, Hits, Kernel, Shape};
+use crate::value::Seldom;
 use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -10,9 +11,9 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Serialize)]
 pub struct Leaf {
     /// In its own space; shared between copies.
-    pub shape: Arc<Shape>,
+    pub shape: Shape,
     /// World from object; `None` is the identity.
-    place: Option<Box<Transform>>,
+    place: Option<Arc<Transform>>,
     /// Turned inside out.
     pub inverse: bool,
     /// The caller's number for its material and source.
@@ -46,9 +47,13 @@ pub struct Surface {
 
 impl Leaf {
     /// The shape under `transform`, world from object.
-    pub fn new(shape: Arc<Shape>, transform: &Transform, id: u32) -> Self {
-        let place = (!transform.is_identity()).then(|| Box::new(*transform));
-        Self { shape, place, inverse: false, id }
+    pub fn new(shape: Shape, transform: &Transform, id: u32) -> Self {
+        Self::placed(shape, &Seldom::new(*transform), id)
+    }
+
+    /// The same under a transform that is shared with others.
+    pub(super) fn placed(shape: Shape, transform: &Seldom<Transform>, id: u32) -> Self {
+        Self { shape, place: place(transform), inverse: false, id }
     }
 
     /// World from object.
@@ -84,13 +89,25 @@ impl Leaf {
         !self.shape.is_patch() && self.shape.inside(local) != self.inverse
     }
 
-    /// All its hits are in here.
-    pub(super) fn surface_bounds(&self) -> Aabb {
-        loosened(match &self.place {
+    /// All its hits are in the first box, all points inside it in the second.
+    pub(super) fn bounds(&self) -> (Aabb, Aabb) {
+        let surface = loosened(match &self.place {
             Some(m) => self.shape.bounds_under(m),
             None => self.shape.bounds(),
-        })
+        });
+        let solid = match self.inverse {
+            _ if self.shape.is_patch() => Aabb::EMPTY,
+            true => Aabb::INFINITE,
+            // A disc's inside is a half-space, but POV-Ray cuts an intersection to the disc's own box.
+            false => surface,
+        };
+        (surface, solid)
     }
+}
+
+/// A transform that moves anything.
+pub(super) fn place(transform: &Seldom<Transform>) -> Option<Arc<Transform>> {
+    transform.unusual().filter(|transform| !transform.is_identity()).cloned()
 }
 
 impl Found<'_> {

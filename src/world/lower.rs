@@ -1,7 +1,9 @@
 //! From what the author said to what a ray needs: nested blocks become one M and M⁻¹ per shape, what a group says goes
 //! down to its parts, textures are lowered once however often they are used.
 
-use super::{Coat, Geometry, Lamp, Leaf, Material, Node, ObjectInfo, Part, World};
+use super::geometry::Heap;
+use super::leaf::place;
+use super::{Coat, Geometry, Lamp, Leaf, Material, Node, ObjectInfo, Part, Sheen, World};
 use crate::color::Gamma;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -10,7 +12,8 @@ use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Cuboid, Kernel, Shape};
 use crate::source::Span;
-use crate::texture::{Finish, Interior, Texture};
+use crate::texture::{Finish, Interior, Rare, Texture};
+use crate::value::Seldom;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -19,20 +22,36 @@ use std::sync::Arc;
 /// # Errors
 /// Where a number is not finite or transforms, put together, flatten space.
 pub fn lower(scene: &Scene) -> Result<World> {
+    // (An object is a few pointers.)
+    lower_objects(scene.objects.iter().cloned(), scene)
+}
+
+/// The same of a scene that nobody needs afterwards: each object goes when it is lowered, so that there is no room for both at
+/// once.
+///
+/// # Errors
+/// As [`lower`].
+pub fn lower_away(mut scene: Scene) -> Result<World> {
+    lower_objects(std::mem::take(&mut scene.objects).into_iter(), &scene)
+}
+
+fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result<World> {
     let mut lowering = Lowering { ambient_light: scene.settings.ambient_light, ..Lowering::default() };
-    let mut roots = vec![];
-    for object in &scene.objects {
+    let mut heap = Heap::default();
+    for object in objects {
         lowering.default_texture = object.default_texture.clone();
-        roots.extend(lowering.lower_object(object, &Around::default())?.map(|solid| solid.node));
+        heap.extend(lowering.lower_object(&object, &Around::default())?.map(|solid| solid.node));
+        drop(object);
+        lowering.forget_spent();
     }
     let Lowering { parts, objects, cuts, materials, interiors, lights, .. } = lowering;
     Ok(World {
         camera: scene.camera.clone(),
-        geometry: Geometry::new(roots),
+        geometry: heap.into(),
         see_through: objects.iter().any(|o| !o.opaque),
         bends: interiors.iter().any(|interior| interior.ior != 1.0 || interior.dispersion != 1.0),
         disperses: interiors.iter().any(|interior| interior.dispersion != 1.0),
-        colors_light: interiors.iter().any(Interior::colors_light),
+        colors_light: interiors.iter().any(|interior| interior.colors_light()),
         parts,
         objects,
         cuts,
@@ -51,18 +70,20 @@ pub fn lower(scene: &Scene) -> Result<World> {
 }
 
 /// The surfaces of one object by itself.
-pub(super) fn lower_alone(object: &Object) -> Result<Vec<Node>> {
+pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
     let texture = object.default_texture.clone();
     let mut lowering = Lowering { asked: true, default_texture: texture, ..Lowering::default() };
     let solid = lowering.lower_object(object, &Around::default())?;
-    Ok(solid.into_iter().map(|solid| solid.node).collect())
+    let mut heap = Heap::default();
+    heap.extend(solid.map(|solid| solid.node));
+    Ok(heap.into())
 }
 
 /// What the blocks around an object say.
 #[derive(Clone, Default)]
 struct Around {
     /// World from the space in the block.
-    transform: Transform,
+    transform: Seldom<Transform>,
     texture: Option<Look>,
     inside: Option<Look>,
     /// Number of what its shapes cut, if they say nothing of their texture.
@@ -75,14 +96,14 @@ struct Around {
 
 /// What fills the object. Old scenes name some of it in the finish; what the topmost layer says goes before the interior
 /// (measured on POV-Ray 3.7).
-fn interior_of(object: &Object) -> Option<Interior> {
-    let said = object.interior.as_deref().cloned();
+fn interior_of(object: &Object) -> Option<Arc<Interior>> {
+    let said = object.rare.interior.clone();
     let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
-    match finish {
-        Some(&Finish { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
+    match finish.map(|finish| &*finish.rare) {
+        Some(&Rare { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
             let inside = said.unwrap_or_default();
             let (ior, caustics) = (ior.unwrap_or(inside.ior), caustics.unwrap_or(inside.caustics));
-            Some(Interior { ior, caustics, ..inside })
+            Some(Arc::new(Interior { ior, caustics, ..(*inside).clone() }))
         }
         _ => said,
     }
@@ -92,7 +113,7 @@ fn interior_of(object: &Object) -> Option<Interior> {
 #[derive(Clone)]
 struct Look {
     texture: Arc<Texture>,
-    transform: Transform,
+    transform: Seldom<Transform>,
 }
 
 /// A lowered object.
@@ -112,13 +133,22 @@ struct Lowering {
     objects: Vec<ObjectInfo>,
     cuts: Vec<Vec<(Node, Coat)>>,
     materials: Vec<Material>,
-    /// By the address of the texture, which the scene keeps alive.
-    material_numbers: FxHashMap<*const Texture, u32>,
-    interiors: Vec<Interior>,
+    /// Textures that may come again, and their materials.
+    textures: Lowered<Texture, u32>,
+    finishes: Lowered<Finish, Arc<Sheen>>,
+    interiors: Vec<Arc<Interior>>,
+    /// That of all shapes that say nothing.
+    air: Arc<Interior>,
     lights: Vec<Lamp>,
 }
 
 impl Lowering {
+    /// What only this still holds will not come again.
+    fn forget_spent(&mut self) {
+        self.textures.forget_spent();
+        self.finishes.forget_spent();
+    }
+
     /// `None` for what can't be hit: lights, empty groups.
     fn lower_object(&mut self, object: &Object, around: &Around) -> Result<Option<Solid>> {
         let own = self.own(object, around)?;
@@ -131,14 +161,14 @@ impl Lowering {
             ObjectKind::Shape(shape) => Some(self.lower_shape(object, shape, &own)?),
             // Scripts that ask get an answer; nothing is seen.
             ObjectKind::Undrawn(shape) if self.asked => {
-                let stand_in = Arc::new(Shape::Cuboid(Cuboid::new(shape.bounds.min, shape.bounds.max)));
+                let stand_in = Shape::from(Cuboid::new(shape.bounds.min, shape.bounds.max));
                 Some(self.lower_shape(object, &stand_in, &own)?)
             }
             ObjectKind::Undrawn(_) => None,
             ObjectKind::Csg(op, parts) => self.lower_csg(*op, parts, &own)?,
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
-        if object.flags.inverse {
+        if object.rare.flags.inverse {
             node = node.inverted();
         }
         if !clip.is_empty() {
@@ -150,39 +180,48 @@ impl Lowering {
     /// What holds inside the object's block.
     fn own(&mut self, object: &Object, around: &Around) -> Result<Around> {
         // world from object = world from block · block from object
-        let transform = checked(object.transform.then(&around.transform), object.source)?;
+        let transform = moved(&object.transform, &around.transform, object.source)?;
         let look = |painted: &Option<Painted>| -> Result<Option<Look>> {
             let Some(painted) = painted else { return Ok(None) };
             let place = match &painted.moved {
-                Some(moved) => checked(moved.then(&around.transform), object.source)?,
-                None => transform,
+                Some(own) => checked(own.then(&around.transform), object.source)?.into(),
+                None => transform.clone(),
             };
             Ok(Some(Look { texture: painted.texture.clone(), transform: place }))
         };
         let texture = look(&object.texture)?;
+        let inside = look(&object.rare.interior_texture)?;
         let interior = interior_of(object);
         // What a group says of its inside does not belong to a part's own texture.
         let inherited = if texture.is_none() { around.inside.clone() } else { None };
         Ok(Around {
             transform,
-            inside: look(&object.interior_texture)?.or(inherited),
+            inside: inside.or(inherited),
             texture: texture.or_else(|| around.texture.clone()),
             cut: around.cut,
-            inverted: around.inverted != object.flags.inverse,
-            interior: interior.map(|i| self.add_interior(&i)).or(around.interior),
-            flags: joined(object.flags, around.flags),
+            inverted: around.inverted != object.rare.flags.inverse,
+            interior: interior.map(|i| self.add_interior(i)).or(around.interior),
+            flags: joined(object.rare.flags, around.flags),
         })
     }
 
-    fn add_interior(&mut self, interior: &Interior) -> u32 {
-        self.interiors.push(Interior { undrawn: vec![], ..interior.clone() });
+    /// Each is another one, even if it is like the one before: a ray leaves what it has entered.
+    fn add_interior(&mut self, mut interior: Arc<Interior>) -> u32 {
+        if !interior.undrawn.is_empty() {
+            Arc::make_mut(&mut interior).undrawn.clear();
+        }
+        self.interiors.push(interior);
         self.interiors.len() as u32 - 1
+    }
+
+    fn add_air(&mut self) -> u32 {
+        self.add_interior(self.air.clone())
     }
 
     /// The objects that clip this one; they are in the space around it.
     fn lower_clip(&mut self, object: &Object, around: &Around) -> Result<Vec<Node>> {
         let mut clip = vec![];
-        for part in object.clipped_by.iter().flat_map(|parts| parts.iter()) {
+        for part in object.rare.clipped_by.iter().flat_map(|parts| parts.iter()) {
             clip.extend(self.lower_object(part, around)?.map(|solid| solid.node));
         }
         Ok(clip)
@@ -199,33 +238,25 @@ impl Lowering {
         Ok(())
     }
 
-    fn lower_shape(&mut self, object: &Object, shape: &Arc<Shape>, own: &Around) -> Result<Solid> {
+    fn lower_shape(&mut self, object: &Object, shape: &Shape, own: &Around) -> Result<Solid> {
         let bounds = shape.bounds_under(&own.transform);
         if bounds.min.is_nan() || bounds.max.is_nan() {
             return not_finite(object.source);
         }
         let outside = self.lower_look(&own.texture.clone().unwrap_or_else(|| self.default_look()));
-        let inside = own.inside.as_ref().map(|look| self.lower_look(look));
+        let inside = own.inside.as_ref().map(|look| Box::new(self.lower_look(look)));
         let cut = own.cut.filter(|_| own.texture.is_none());
         let others = cut.map(|cut| self.cuts[cut as usize].iter().map(|(_, coat)| coat));
-        let opaque = [Some(&outside), inside.as_ref()]
+        let opaque = [Some(&outside), inside.as_deref()]
             .into_iter()
             .flatten()
             .chain(others.into_iter().flatten())
             .all(|coat| self.materials[coat.material as usize].opaque);
-        let interior = own.interior.unwrap_or_else(|| self.add_interior(&Interior::default()));
+        let interior = own.interior.unwrap_or_else(|| self.add_air());
         let id = self.parts.len() as u32;
         let double_illuminate = own.flags.double_illuminate;
-        self.parts.push(Part {
-            outside,
-            inside,
-            cut,
-            interior,
-            double_illuminate,
-            word: object.word,
-            source: object.source,
-        });
-        let leaf = Leaf::new(shape.clone(), &own.transform, id);
+        self.parts.push(Part { outside, inside, cut, interior, double_illuminate, source: object.source });
+        let leaf = Leaf::placed(shape.clone(), &own.transform, id);
         Ok(Solid { node: Node::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }
 
@@ -238,17 +269,19 @@ impl Lowering {
 
     /// What shapes show that say nothing.
     fn default_look(&self) -> Look {
-        Look { texture: self.default_texture.clone(), transform: Transform::IDENTITY }
+        Look { texture: self.default_texture.clone(), transform: Seldom::USUAL }
     }
 
     fn lower_look(&mut self, look: &Look) -> Coat {
-        let next = self.materials.len() as u32;
-        let material = *self.material_numbers.entry(Arc::as_ptr(&look.texture)).or_insert(next);
-        if material == next {
-            self.materials.push(Material::new(&look.texture, self.ambient_light));
-        }
-        let matters = !self.materials[material as usize].solid && !look.transform.is_identity();
-        Coat { material, place: matters.then(|| Box::new(look.transform)) }
+        let Self { textures, finishes, materials, ambient_light, .. } = self;
+        let mut polish =
+            |finish: &Arc<Finish>| finishes.of(finish, |finish| Arc::new(Sheen::new(finish, *ambient_light))).clone();
+        let material = *textures.of(&look.texture, |texture| {
+            materials.push(Material::new(texture, &mut polish));
+            materials.len() as u32 - 1
+        });
+        let place = if self.materials[material as usize].solid { None } else { place(&look.transform) };
+        Coat { material, place }
     }
 
     /// Appends the shapes in a group by themselves, with what each shows where it is cut (manual, "Cutaway Textures"). What has no
@@ -258,25 +291,28 @@ impl Lowering {
         &mut self,
         op: CsgOp,
         parts: &[Object],
-        around: &Transform,
+        around: &Seldom<Transform>,
         look: Option<&Look>,
         out: &mut Vec<(Node, Coat)>,
     ) {
         let cut = if op == CsgOp::Difference { 1 } else { parts.len() };
         let any = matches!(op, CsgOp::Union | CsgOp::Merge);
         for part in parts.iter().take(cut) {
-            let place = part.transform.then(around);
+            let place = composed(&part.transform, around);
             let own = part.texture.as_ref().map(|painted| Look {
                 texture: painted.texture.clone(),
-                transform: painted.place(&part.transform).then(around),
+                transform: match &painted.moved {
+                    Some(own) => own.then(around).into(),
+                    None => place.clone(),
+                },
             });
             let look = own.as_ref().or(look);
             match (&part.kind, look) {
                 (ObjectKind::Csg(op, parts), look) => self.find_cut(*op, parts, &place, look, out),
                 (ObjectKind::Shape(shape), look) if look.is_some() || any => {
                     let coat = self.lower_look(&look.cloned().unwrap_or_else(|| self.default_look()));
-                    let node = Node::leaf(Leaf::new(shape.clone(), &place, 0), 0);
-                    out.push((if part.flags.inverse { node.inverted() } else { node }, coat));
+                    let node = Node::leaf(Leaf::placed(shape.clone(), &place, 0), 0);
+                    out.push((if part.rare.flags.inverse { node.inverted() } else { node }, coat));
                 }
                 _ => {}
             }
@@ -287,7 +323,7 @@ impl Lowering {
         let mut within = own.clone();
         if op != CsgOp::Union && within.interior.is_none() {
             // All faces of one solid border on the same inside.
-            within.interior = Some(self.add_interior(&Interior::default()));
+            within.interior = Some(self.add_air());
         }
         // Turned inside out, a union is an intersection, and an intersection a union. What is joined cuts nothing.
         if matches!(op, CsgOp::Union | CsgOp::Merge) != own.inverted {
@@ -318,7 +354,7 @@ impl Lowering {
         }
         let interior = match within.interior {
             Some(interior) => interior,
-            None => self.add_interior(&Interior::default()),
+            None => self.add_air(),
         };
         let number = self.add_object(own.flags, opaque, interior);
         let node = match op {
@@ -328,6 +364,57 @@ impl Lowering {
             CsgOp::Merge => Node::merge(nodes, number),
         };
         Ok(Some(Solid { node, opaque }))
+    }
+}
+
+/// What becomes of things that are shared: lowered once however often they are used.
+struct Lowered<T, U> {
+    known: FxHashMap<*const T, (Arc<T>, U)>,
+    /// Those that came with the object at hand.
+    fresh: Vec<*const T>,
+}
+
+impl<T, U> Default for Lowered<T, U> {
+    fn default() -> Self {
+        Self { known: FxHashMap::default(), fresh: vec![] }
+    }
+}
+
+impl<T, U> Lowered<T, U> {
+    fn of(&mut self, thing: &Arc<T>, lower: impl FnOnce(&T) -> U) -> &U {
+        let address = Arc::as_ptr(thing);
+        let (_, lowered) = self.known.entry(address).or_insert_with(|| {
+            self.fresh.push(address);
+            (thing.clone(), lower(thing))
+        });
+        lowered
+    }
+
+    fn forget_spent(&mut self) {
+        for address in self.fresh.drain(..) {
+            if self.known.get(&address).is_some_and(|(thing, _)| Arc::strong_count(thing) == 1) {
+                self.known.remove(&address);
+            }
+        }
+    }
+}
+
+/// First `inner`, then `outer`; shared where one of them moves nothing.
+fn composed(inner: &Seldom<Transform>, outer: &Seldom<Transform>) -> Seldom<Transform> {
+    match (inner.unusual(), outer.unusual()) {
+        (None, _) => outer.clone(),
+        (_, None) => inner.clone(),
+        (Some(inner), Some(outer)) => inner.then(outer).into(),
+    }
+}
+
+/// The same, if it can be undone.
+fn moved(inner: &Seldom<Transform>, outer: &Seldom<Transform>, source: Span) -> Result<Seldom<Transform>> {
+    let transform = composed(inner, outer);
+    match inner.unusual() {
+        Some(_) => checked(*transform, source).map(|_| transform),
+        // The outer one has been checked.
+        None => Ok(transform),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Ink;
 use crate::color::{Color, Rgb};
 use crate::pattern::{Pattern, Spot};
-use crate::texture::{self, Irid, Normal, Parts, Pigment, Reflection, Texture};
+use crate::texture::{self, Finish, Irid, Normal, Parts, Pigment, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -49,6 +49,14 @@ pub struct Layer {
     pub ink: LayerColor,
     /// Its colour where quality is low (`quick_color`), if that is another.
     pub quick: Option<Box<LayerColor>>,
+    /// Its answer to light; layers of one finish share it.
+    #[serde(flatten)]
+    pub sheen: Arc<Sheen>,
+}
+
+/// A lowered finish.
+#[derive(Clone, Debug, Serialize)]
+pub struct Sheen {
     /// Light without a lamp: `ambient` times the scene's `ambient_light`, and `emission`.
     pub glow: Rgb,
     /// Scattered on the side of the lamp.
@@ -66,7 +74,7 @@ pub struct Layer {
     /// Grain of the diffuse light.
     pub crand: f64,
     /// A thin film on top.
-    pub irid: Option<Irid>,
+    pub irid: Option<Box<Irid>>,
     /// What it mirrors, if anything.
     pub mirror: Option<Box<Reflection>>,
     /// Factor of the light that passes, if it is the topmost layer.
@@ -95,9 +103,9 @@ pub struct Lobe {
 }
 
 impl Material {
-    /// Lowers a texture under the scene's `ambient_light`.
-    pub fn new(texture: &Texture, ambient_light: Rgb) -> Self {
-        let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, ambient_light)).collect();
+    /// Lowers a texture; `polish` lowers its finishes.
+    pub fn new(texture: &Texture, polish: &mut dyn FnMut(&Arc<Finish>) -> Arc<Sheen>) -> Self {
+        let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, polish)).collect();
         Self {
             // One layer that lets nothing pass is enough.
             opaque: texture.layers.iter().any(is_opaque),
@@ -125,38 +133,20 @@ fn asks_uv(layer: &texture::Layer) -> bool {
         || choice.is_some_and(|c| c.pattern.uv || c.parts.iter().any(|part| part.layers.iter().any(asks_uv)))
 }
 
-fn lower_choice(choice: &texture::Choice, ambient_light: Rgb) -> Choice {
-    let parts = choice.parts.map(|texture| Material::new(texture, ambient_light));
+fn lower_choice(choice: &texture::Choice, polish: &mut dyn FnMut(&Arc<Finish>) -> Arc<Sheen>) -> Choice {
+    let parts = choice.parts.map(|texture| Material::new(texture, polish));
     Choice { pattern: choice.pattern.clone(), parts }
 }
 
 impl Layer {
-    fn new(layer: &texture::Layer, ambient_light: Rgb) -> Self {
-        let texture::Layer { pigment, normal, finish: f, choice } = layer;
-        // `albedo` scales each lobe by one over its integral over the half sphere; what is negative counts as none (both
-        // measured on POV-Ray 3.7).
-        let lobe = |amount: f64, albedo: bool, factor: f64| (if albedo { amount * factor } else { amount }).max(0.0);
-        let diffuse = |amount| lobe(amount, f.diffuse_albedo, (f.brilliance + 1.0) / 2.0);
-        let phong = lobe(f.phong, f.phong_albedo, (f.phong_size + 1.0) / 2.0);
-        let n = 1.0 / f.roughness;
-        let specular = lobe(f.specular, f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - (-n / 2.0).exp2())));
+    fn new(layer: &texture::Layer, polish: &mut dyn FnMut(&Arc<Finish>) -> Arc<Sheen>) -> Self {
+        let texture::Layer { pigment, normal, finish, choice } = layer;
         Self {
-            choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, ambient_light))),
+            choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, polish))),
             normal: normal.clone().filter(|normal| !normal.is_flat()),
             ink: LayerColor::new(pigment),
             quick: pigment.quick().map(|quick| Box::new(LayerColor::new(&quick))),
-            glow: f.ambient * ambient_light + f.emission,
-            diffuse: diffuse(f.diffuse),
-            diffuse_back: diffuse(f.diffuse_back),
-            brilliance: f.brilliance,
-            phong: Lobe { strength: phong, exponent: f.phong_size },
-            specular: Lobe { strength: specular, exponent: n },
-            metallic: f.metallic.max(0.0),
-            crand: f.crand,
-            irid: f.irid.filter(|irid| irid.amount > 0.0),
-            mirror: (!f.reflection.is_none()).then(|| Box::new(f.reflection.clone())),
-            refraction: f.refraction,
-            conserve_energy: f.conserve_energy,
+            sheen: polish(finish),
         }
     }
 
@@ -165,6 +155,33 @@ impl Layer {
         match self.quick.as_deref().filter(|_| quick).unwrap_or(&self.ink) {
             LayerColor::Solid(color) => *color,
             LayerColor::Ink(ink) => ink.at(spot),
+        }
+    }
+}
+
+impl Sheen {
+    /// Lowers a finish under the scene's `ambient_light`.
+    pub fn new(f: &Finish, ambient_light: Rgb) -> Self {
+        // `albedo` scales each lobe by one over its integral over the half sphere; what is negative counts as none (both
+        // measured on POV-Ray 3.7).
+        let lobe = |amount: f64, albedo: bool, factor: f64| (if albedo { amount * factor } else { amount }).max(0.0);
+        let diffuse = |amount| lobe(amount, f.diffuse_albedo, (f.brilliance + 1.0) / 2.0);
+        let phong = lobe(f.phong, f.phong_albedo, (f.phong_size + 1.0) / 2.0);
+        let n = 1.0 / f.roughness;
+        let specular = lobe(f.specular, f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - (-n / 2.0).exp2())));
+        Self {
+            glow: f.ambient * ambient_light + f.emission,
+            diffuse: diffuse(f.diffuse),
+            diffuse_back: diffuse(f.diffuse_back),
+            brilliance: f.brilliance,
+            phong: Lobe { strength: phong, exponent: f.phong_size },
+            specular: Lobe { strength: specular, exponent: n },
+            metallic: f.metallic.max(0.0),
+            crand: f.crand,
+            irid: f.irid.clone().filter(|irid| irid.amount > 0.0),
+            mirror: (!f.reflection.is_none()).then(|| Box::new((*f.reflection).clone())),
+            refraction: f.rare.refraction,
+            conserve_energy: f.conserve_energy,
         }
     }
 }

@@ -15,8 +15,8 @@ mod stretch;
 pub use geometry::Geometry;
 pub use ink::Ink;
 pub use leaf::{Found, FoundList, Leaf, Surface};
-pub use lower::lower;
-pub use material::{Choice, Layer, LayerColor, Lobe, Material};
+pub use lower::{lower, lower_away};
+pub use material::{Choice, Layer, LayerColor, Lobe, Material, Sheen};
 pub use node::{Node, NodeKind};
 pub use probe::Probe;
 
@@ -28,6 +28,7 @@ use crate::math::{DVec3, Transform};
 use crate::source::Span;
 use crate::texture::Interior;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// The lowered scene.
 #[derive(Debug, Serialize)]
@@ -45,7 +46,7 @@ pub struct World {
     /// By [`Coat::material`].
     pub materials: Vec<Material>,
     /// What fills objects, by number of the interior.
-    pub interiors: Vec<Interior>,
+    pub interiors: Vec<Arc<Interior>>,
     /// The noise of patterns that do not say which.
     pub noise: NoiseGenerator,
     /// How many sources `ripples` and `waves` have.
@@ -80,15 +81,13 @@ pub struct Part {
     /// Seen from outside.
     pub outside: Coat,
     /// Seen from inside, if that differs.
-    pub inside: Option<Coat>,
+    pub inside: Option<Box<Coat>>,
     /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
     pub cut: Option<u32>,
     /// Number of what fills it.
     pub interior: u32,
     /// Light from behind counts as light from the front.
     pub double_illuminate: bool,
-    /// The word it was written with.
-    pub word: &'static str,
     /// The text that made it.
     pub source: Span,
 }
@@ -99,7 +98,7 @@ pub struct Coat {
     /// Number of the material.
     pub material: u32,
     /// World from texture; `None` where both are the same or it does not matter.
-    pub place: Option<Box<Transform>>,
+    pub place: Option<Arc<Transform>>,
 }
 
 impl Coat {

@@ -18,20 +18,35 @@ use std::ops::ControlFlow;
 #[derive(Clone, Debug, Serialize)]
 pub struct Node {
     kind: NodeKind,
-    /// Only what lies inside all of these is there.
-    clip: Box<[Node]>,
     /// The caller's number for the object, for what belongs to an object as a whole, such as `no_shadow`.
     pub object: u32,
-    /// All its hits are in here.
-    surface: Aabb,
-    /// All points inside it are in here.
-    solid: Aabb,
+    /// What there is nothing to say of, if it is a shape that nothing clips.
+    #[serde(flatten)]
+    more: Option<Box<More>>,
+}
+
+/// What there is to say of a solid that is made of others or clipped.
+#[derive(Clone, Debug, Serialize)]
+struct More {
+    /// Only what lies inside all of these is there.
+    clip: Box<[Node]>,
+    #[serde(flatten)]
+    boxes: Boxes,
     /// Is it an intersection or a merge of a few whole convex shapes?
     #[serde(skip)]
     convex_parts: bool,
     /// Over its children, if they are many.
     #[serde(skip)]
     crowd: Option<Box<Crowd>>,
+}
+
+/// Where a solid is.
+#[derive(Clone, Copy, Debug, Serialize)]
+struct Boxes {
+    /// All its hits are in here.
+    surface: Aabb,
+    /// All points inside it are in here.
+    solid: Aabb,
 }
 
 /// What a node is.
@@ -67,11 +82,13 @@ impl Node {
     /// What is inside all children.
     pub fn intersection(children: Vec<Node>, object: u32) -> Self {
         // Intersections in it are taken apart: what is inside all is inside all.
-        let parts = children.into_iter().flat_map(|child| match child.kind {
-            NodeKind::Intersection(parts) if child.clip.is_empty() => parts,
-            _ => vec![child],
+        let parts = children.into_iter().flat_map(|child| match (child.is_whole(), child.kind) {
+            (true, NodeKind::Intersection(parts)) => parts,
+            (_, kind) => vec![Self { kind, ..child }],
         });
-        Self::new(NodeKind::Intersection(parts.collect()), object)
+        let mut parts: Vec<Node> = parts.collect();
+        parts.shrink_to_fit();
+        Self::new(NodeKind::Intersection(parts), object)
     }
 
     /// A union without the surfaces inside it.
@@ -86,16 +103,15 @@ impl Node {
     }
 
     fn new(kind: NodeKind, object: u32) -> Self {
-        let (surface, solid) = (Aabb::EMPTY, Aabb::EMPTY);
-        let mut node = Self { kind, clip: Box::default(), object, surface, solid, convex_parts: false, crowd: None };
-        node.measure();
+        let mut node = Self { kind, object, more: None };
+        node.measure(Box::default());
         node
     }
 
     /// Cut to what is inside all of `by`, and of what clipped it before.
     pub fn clipped(mut self, by: Vec<Node>) -> Self {
-        self.clip = self.clip.into_iter().chain(by).collect();
-        self.measure();
+        let clip = self.take_clip().into_iter().chain(by).collect();
+        self.measure(clip);
         self
     }
 
@@ -107,7 +123,8 @@ impl Node {
             NodeKind::Union(children) | NodeKind::Merge(children) => NodeKind::Intersection(turned(children)),
             NodeKind::Intersection(children) => NodeKind::Merge(turned(children)),
         };
-        self.measure();
+        let clip = self.take_clip();
+        self.measure(clip);
         self
     }
 
@@ -118,32 +135,53 @@ impl Node {
 
     /// Its children, if it is nothing but the collection of them: a union that is not clipped. Itself otherwise.
     pub(super) fn into_parts(self) -> Parts {
-        match self.kind {
-            NodeKind::Union(children) if self.clip.is_empty() => Parts::Many(children),
-            _ => Parts::One(self),
+        match (self.is_whole(), self.kind) {
+            (true, NodeKind::Union(children)) => Parts::Many(children),
+            (_, kind) => Parts::One(Self { kind, ..self }),
         }
     }
 
     /// Does nothing clip it?
     pub(super) fn is_whole(&self) -> bool {
-        self.clip.is_empty()
+        self.clip().is_empty()
+    }
+
+    fn clip(&self) -> &[Node] {
+        self.more.as_ref().map_or(&[], |more| &more.clip)
+    }
+
+    fn take_clip(&mut self) -> Box<[Node]> {
+        self.more.take().map_or_else(Box::default, |more| more.clip)
+    }
+
+    /// A shape's are computed: it is asked for them but a few times, when the world is built.
+    fn boxes(&self) -> Boxes {
+        match (&self.more, &self.kind) {
+            (Some(more), _) => more.boxes,
+            (None, NodeKind::Leaf(leaf)) => {
+                let (surface, solid) = leaf.bounds();
+                Boxes { surface, solid }
+            }
+            (None, _) => Boxes { surface: Aabb::EMPTY, solid: Aabb::EMPTY },
+        }
     }
 
     /// Is it inside at places outside [`Node::bounds`]?
     pub(super) fn is_unbounded(&self) -> bool {
-        !self.solid.is_empty() && self.solid.union(self.surface) != self.surface
+        let Boxes { surface, solid } = self.boxes();
+        !solid.is_empty() && solid.union(surface) != surface
     }
 
     /// The box around all its hits.
     pub fn bounds(&self) -> Aabb {
-        self.surface
+        self.boxes().surface
     }
 
     /// Is the point inside?
     pub fn inside(&self, p: DVec3) -> bool {
         let in_kind = match &self.kind {
             NodeKind::Leaf(leaf) => leaf.inside(p),
-            _ if !self.solid.contains(p) => false,
+            _ if !self.more.as_ref().is_some_and(|more| more.boxes.solid.contains(p)) => false,
             NodeKind::Union(_) | NodeKind::Merge(_) => !self.all_children(p, usize::MAX, |_, c| !c.inside(p)),
             NodeKind::Intersection(_) => self.all_children(p, usize::MAX, |_, c| c.inside(p)),
         };
@@ -174,7 +212,7 @@ impl Node {
                 out.extend(kept.map(|(found, _)| Found { object: self.object, ..*found }));
             }
         }
-        if !self.clip.is_empty() {
+        if !self.is_whole() {
             keep(out, first, |found| self.in_clip(ray.at(found.hit.t)));
         }
     }
@@ -183,7 +221,7 @@ impl Node {
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
         match &self.kind {
-            NodeKind::Leaf(leaf) if self.clip.is_empty() => {
+            NodeKind::Leaf(leaf) if self.more.is_none() => {
                 leaf.closest(ray, range).map(|hit| Found { hit, leaf, object: self.object })
             }
             _ => self.closest_of_many(ray, range),
@@ -198,14 +236,14 @@ impl Node {
                 self.hits(ray, range, &mut all);
                 all.into_iter().min_by(|a, b| a.t().total_cmp(&b.t()))
             }
-            NodeKind::Union(_) if self.clip.is_empty() => self.closest_of_all(ray, range),
-            _ if self.convex_parts => self.closest_of_convex(ray, range),
+            NodeKind::Union(_) if self.is_whole() => self.closest_of_all(ray, range),
+            _ if self.more.as_ref().is_some_and(|more| more.convex_parts) => self.closest_of_convex(ray, range),
             _ => self.closest_survivor(ray, range),
         }
     }
 
     fn closest_of_convex<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
-        let (min, max) = self.surface.slabs(ray, range)?;
+        let (min, max) = self.enter(ray, range)?;
         let merged = matches!(self.kind, NodeKind::Merge(_));
         let shows = |t| self.in_clip(ray.at(t));
         match stretch::nearest(self.children(), merged, ray, Range { min, max }, shows) {
@@ -251,9 +289,9 @@ impl Node {
     /// Hands the children that the ray may meet to `visit`, which returns where hits count from now on.
     fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a Node, Range) -> Range) {
         let children = self.children();
-        let Some((min, max)) = self.surface.slabs(ray, range) else { return };
+        let Some((min, max)) = self.enter(ray, range) else { return };
         let mut range = Range { min, max };
-        match &self.crowd {
+        match self.crowd() {
             Some(crowd) => crowd.along(ray, range, |i, range| visit(i, &children[i], range)),
             None => {
                 for (i, child) in children.iter().enumerate() {
@@ -270,7 +308,7 @@ impl Node {
     fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &Node) -> bool) -> bool {
         let children = self.children();
         let fine = |i: usize| i == but || condition(i, &children[i]);
-        match &self.crowd {
+        match self.crowd() {
             Some(crowd) => {
                 let flow =
                     crowd.around(p, |i| if fine(i) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
@@ -290,8 +328,17 @@ impl Node {
         }
     }
 
+    /// Where a ray is in the box around all hits, of a solid that is made of others.
+    fn enter(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
+        self.more.as_ref()?.boxes.surface.slabs(ray, range)
+    }
+
     fn in_clip(&self, p: DVec3) -> bool {
-        self.clip.iter().all(|c| c.inside(p))
+        self.clip().iter().all(|c| c.inside(p))
+    }
+
+    fn crowd(&self) -> Option<&Crowd> {
+        self.more.as_ref().and_then(|more| more.crowd.as_deref())
     }
 
     fn children(&self) -> &[Node] {
@@ -301,74 +348,58 @@ impl Node {
         }
     }
 
-    /// Computes both boxes from the parts.
-    fn measure(&mut self) {
+    /// Computes both boxes from the parts and what clips them.
+    fn measure(&mut self, clip: Box<[Node]>) {
+        let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(Node::boxes).collect();
         let (surface, solid) = match &self.kind {
             NodeKind::Leaf(leaf) => {
-                let surface = leaf.surface_bounds();
-                let solid = match leaf.inverse {
-                    _ if leaf.shape.is_patch() => Aabb::EMPTY,
-                    true => Aabb::INFINITE,
-                    // A disc's inside is a half-space, but POV-Ray cuts an intersection to the disc's own box.
-                    false => surface,
-                };
-                (surface, solid)
+                if clip.is_empty() {
+                    self.more = None;
+                    return;
+                }
+                leaf.bounds()
             }
-            NodeKind::Union(children) | NodeKind::Merge(children) => {
-                let join = |side: fn(&Node) -> Aabb| children.iter().map(side).fold(Aabb::EMPTY, Aabb::union);
+            NodeKind::Union(_) | NodeKind::Merge(_) => {
+                let join = |side: fn(&Boxes) -> Aabb| inner.iter().map(side).fold(Aabb::EMPTY, Aabb::union);
                 (join(|c| c.surface), join(|c| c.solid))
             }
-            NodeKind::Intersection(children) => intersection_bounds(children),
+            NodeKind::Intersection(_) => intersection_bounds(&inner),
         };
-        let clip = self.clip.iter().map(|c| c.solid).fold(Aabb::INFINITE, Aabb::intersection);
-        self.surface = surface.intersection(clip);
-        self.solid = solid.intersection(clip);
-        if !self.clip.is_empty() || matches!(self.kind, NodeKind::Intersection(_)) {
-            self.cut_boxes();
+        let clipped = clip.iter().map(|c| c.boxes().solid).fold(Aabb::INFINITE, Aabb::intersection);
+        let (mut surface, mut solid) = (surface.intersection(clipped), solid.intersection(clipped));
+        if !clip.is_empty() || matches!(self.kind, NodeKind::Intersection(_)) {
+            // Cut by the half-spaces that all of it lies in.
+            let mut planes = HalfSpaces::new();
+            half_spaces(&self.kind, &clip, &mut planes);
+            if !planes.is_empty() {
+                let all = halfspace::cut(surface.union(solid), &planes);
+                (surface, solid) = (surface.intersection(all), solid.intersection(all));
+            }
         }
         // A child matters to a ray in its surface's box, and to a point where it could be the exception.
-        let reach = |c: &Node| match &self.kind {
-            NodeKind::Intersection(_) => c.surface.union(c.hole()),
-            _ => c.surface.union(c.solid),
+        let reach = |(c, boxes): (&Node, &Boxes)| match &self.kind {
+            NodeKind::Intersection(_) => boxes.surface.union(c.hole()),
+            _ => boxes.surface.union(boxes.solid),
         };
         let is_convex = |c: &Node| matches!(&c.kind, NodeKind::Leaf(leaf) if c.is_whole() && leaf.shape.is_convex());
-        self.convex_parts = match &self.kind {
+        let convex = match &self.kind {
             NodeKind::Leaf(_) | NodeKind::Union(_) => false,
             NodeKind::Intersection(children) | NodeKind::Merge(children) => children.iter().all(is_convex),
         };
-        self.crowd = Crowd::over(&self.children().iter().map(reach).collect::<Vec<_>>());
+        let crowd = Crowd::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
         // Many are quicker found by their boxes.
-        self.convex_parts &= self.crowd.is_none();
-    }
-
-    /// Cuts both boxes by the half-spaces that all of it lies in.
-    fn cut_boxes(&mut self) {
-        let mut planes = HalfSpaces::new();
-        self.half_spaces(&mut planes);
-        if !planes.is_empty() {
-            let all = halfspace::cut(self.surface.union(self.solid), &planes);
-            (self.surface, self.solid) = (self.surface.intersection(all), self.solid.intersection(all));
-        }
-    }
-
-    /// Appends half-spaces that all its hits and all points inside it lie in.
-    fn half_spaces(&self, out: &mut HalfSpaces) {
-        self.clip.iter().for_each(|c| c.half_spaces(out));
-        match &self.kind {
-            NodeKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
-            NodeKind::Intersection(children) => children.iter().for_each(|c| c.half_spaces(out)),
-            NodeKind::Union(_) | NodeKind::Merge(_) => {}
-        }
+        let convex_parts = convex && crowd.is_none();
+        self.more = Some(Box::new(More { clip, boxes: Boxes { surface, solid }, convex_parts, crowd }));
     }
 
     /// A box that holds every point which is not inside: finite for what was inverted.
     fn hole(&self) -> Aabb {
         match &self.kind {
-            _ if !self.clip.is_empty() => Aabb::INFINITE,
-            NodeKind::Leaf(leaf) => match *leaf.shape {
+            _ if !self.is_whole() => Aabb::INFINITE,
+            NodeKind::Leaf(leaf) => match leaf.shape {
                 Shape::Disc(_) => Aabb::INFINITE,
                 _ if leaf.shape.is_patch() || !leaf.inverse => Aabb::INFINITE,
-                _ => self.surface,
+                _ => self.bounds(),
             },
             NodeKind::Intersection(children) => children.iter().map(Node::hole).fold(Aabb::EMPTY, Aabb::union),
             NodeKind::Union(children) | NodeKind::Merge(children) => {
@@ -378,8 +409,18 @@ impl Node {
     }
 }
 
+/// Appends half-spaces that all hits of a solid and all points inside it lie in.
+fn half_spaces(kind: &NodeKind, clip: &[Node], out: &mut HalfSpaces) {
+    clip.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out));
+    match kind {
+        NodeKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
+        NodeKind::Intersection(children) => children.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out)),
+        NodeKind::Union(_) | NodeKind::Merge(_) => {}
+    }
+}
+
 /// A hit is on one child and inside all others: the union of each one's surface cut to all other solids.
-fn intersection_bounds(children: &[Node]) -> (Aabb, Aabb) {
+fn intersection_bounds(children: &[Boxes]) -> (Aabb, Aabb) {
     let mut after = vec![Aabb::INFINITE; children.len() + 1];
     for (i, child) in children.iter().enumerate().rev() {
         after[i] = after[i + 1].intersection(child.solid);

@@ -23,7 +23,7 @@ impl Probe {
     /// # Errors
     /// As for a whole scene: numbers that are not finite, transforms that flatten space.
     pub fn new(object: &Object) -> Result<Self> {
-        Ok(Self(Geometry::new(lower_alone(object)?)))
+        Ok(Self(lower_alone(object)?))
     }
 
     /// Where a ray first meets the object, and the normal there, of length 1 and out of the object.

@@ -38,23 +38,23 @@ pub fn object(kind: ObjectKind, word: &'static str) -> Object {
 
 pub fn shape(shape: Shape) -> Object {
     let word = shape.spec().name;
-    object(ObjectKind::Shape(Arc::new(shape)), word)
+    object(ObjectKind::Shape(shape), word)
 }
 
 pub fn sphere(center: DVec3, radius: f64) -> Object {
-    shape(Shape::Sphere(Sphere { center, radius }))
+    shape(Shape::from(Sphere { center, radius }))
 }
 
 pub fn plane(normal: DVec3, distance: f64) -> Object {
-    shape(Shape::Plane(Plane::new(normal, distance).unwrap()))
+    shape(Shape::from(Plane::new(normal, distance).unwrap()))
 }
 
 pub fn cuboid(a: DVec3, b: DVec3) -> Object {
-    shape(Shape::Cuboid(Cuboid::new(a, b)))
+    shape(Shape::from(Cuboid::new(a, b)))
 }
 
 pub fn disc(center: DVec3, normal: DVec3, radius: f64) -> Object {
-    shape(Shape::Disc(Disc::new(center, normal, radius, 0.0)))
+    shape(Shape::from(Disc::new(center, normal, radius, 0.0)))
 }
 
 pub fn csg(op: CsgOp, parts: Vec<Object>) -> Object {
@@ -75,7 +75,10 @@ pub fn lamp(location: DVec3, color: f64) -> Object {
 }
 
 pub fn texture(layers: impl IntoIterator<Item = (Pigment, Finish)>) -> Painted {
-    let layers = layers.into_iter().map(|(pigment, finish)| Layer { pigment, finish, ..Layer::default() }).collect();
+    let layers = layers
+        .into_iter()
+        .map(|(pigment, finish)| Layer { pigment, finish: Arc::new(finish), ..Layer::default() })
+        .collect();
     Painted::new(Arc::new(Texture { layers }), &Transform::IDENTITY)
 }
 
@@ -112,7 +115,7 @@ impl Looks for Object {
     }
 
     fn filled(mut self, ior: f64) -> Self {
-        self.interior = Some(Arc::new(Interior { ior, ..Interior::default() }));
+        self.rare.interior = Some(Arc::new(Interior { ior, ..Interior::default() }));
         self
     }
 }

@@ -11,12 +11,13 @@ const LEAF: usize = 3;
 
 impl Bvh {
     /// Over boxes that [`fits`] accepts; also returns which box comes at which place in its order.
-    pub fn build(boxes: &[Aabb]) -> (Bvh, Vec<u32>) {
-        let mut prims: Vec<Prim> = boxes.iter().enumerate().map(|(i, b)| Prim::new(b, i as u32)).collect();
+    pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
         let mut bvh = Bvh { nodes: Vec::with_capacity(boxes.len() / 2 + 1) };
+        let mut prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
         if !prims.is_empty() {
             bvh.build_node(&mut prims, 0, 0);
         }
+        bvh.nodes.shrink_to_fit();
         (bvh, prims.into_iter().map(|p| p.index).collect())
     }
 
@@ -56,25 +57,32 @@ impl Bvh {
 /// A box to be sorted in.
 #[derive(Clone, Copy)]
 struct Prim {
-    lo: Vec3A,
-    hi: Vec3A,
+    lo: [f32; 3],
+    hi: [f32; 3],
     index: u32,
 }
 
 impl Prim {
     fn new(b: &Aabb, index: u32) -> Self {
-        let (lo, hi) = (b.min.to_array().map(round_down), b.max.to_array().map(round_up));
-        Self { lo: lo.into(), hi: hi.into(), index }
+        Self { lo: b.min.to_array().map(round_down), hi: b.max.to_array().map(round_up), index }
+    }
+
+    fn lo(&self) -> Vec3A {
+        self.lo.into()
+    }
+
+    fn hi(&self) -> Vec3A {
+        self.hi.into()
     }
 
     /// Twice the middle.
     fn center(&self) -> Vec3A {
-        self.lo + self.hi
+        self.lo() + self.hi()
     }
 }
 
 fn bounds(prims: &[Prim]) -> (Vec3A, Vec3A) {
-    prims.iter().fold((Vec3A::INFINITY, Vec3A::NEG_INFINITY), |(lo, hi), p| (lo.min(p.lo), hi.max(p.hi)))
+    prims.iter().fold((Vec3A::INFINITY, Vec3A::NEG_INFINITY), |(lo, hi), p| (lo.min(p.lo()), hi.max(p.hi())))
 }
 
 fn half_area(prims: &[Prim]) -> f32 {
@@ -127,7 +135,7 @@ fn divide_by_bins<const BINS: usize>(prims: &mut [Prim]) -> usize {
     let bin_of = |p: &Prim| ((p.center() - lo) * scale).to_array().map(|x| (x as usize).min(BINS - 1));
     let mut bins = [[Bin::EMPTY; BINS]; 3];
     for p in prims.iter() {
-        let one = Bin { lo: p.lo, hi: p.hi, count: 1 };
+        let one = Bin { lo: p.lo(), hi: p.hi(), count: 1 };
         for (bins, bin) in bins.iter_mut().zip(bin_of(p)) {
             bins[bin] = bins[bin].join(one);
         }

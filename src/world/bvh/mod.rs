@@ -202,7 +202,7 @@ mod tests {
     }
 
     fn met(boxes: &[Aabb], ray: &Ray, range: Range) -> Vec<u32> {
-        let (bvh, order) = Bvh::build(boxes);
+        let (bvh, order) = Bvh::build(boxes.iter().copied());
         let mut found = vec![];
         bvh.traverse(ray, range, |i, max| {
             found.push(order[i]);
@@ -214,7 +214,7 @@ mod tests {
 
     #[test]
     fn every_box_is_there_once() {
-        let (_, mut order) = Bvh::build(&grid());
+        let (_, mut order) = Bvh::build(grid().into_iter());
         order.sort();
         assert_eq!(order, (0..200).collect::<Vec<_>>());
         let same = vec![Aabb::from_corners(DVec3::ZERO, DVec3::ONE); 50];
@@ -246,7 +246,7 @@ mod tests {
         // Each box is half as far and half as large as the one before, so that the heuristic peels off one at a time.
         let boxes: Vec<Aabb> =
             (0..3000).map(|i| DVec3::splat(0.5_f64.powi(i % 90))).map(|p| Aabb::from_corners(p, p * 1.1)).collect();
-        let (bvh, _) = Bvh::build(&boxes);
+        let (bvh, _) = Bvh::build(boxes.iter().copied());
         let mut depth = vec![0; bvh.nodes.len()];
         for (i, node) in bvh.nodes.iter().enumerate() {
             for slot in (0..4).filter(|&s| node.count[s] == 0 && node.child[s] > 0) {
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn points() {
         let boxes = grid();
-        let (bvh, order) = Bvh::build(&boxes);
+        let (bvh, order) = Bvh::build(boxes.iter().copied());
         for k in 0..200 {
             let p = DVec3::new((k % 27) as f64, (k % 19) as f64, (k % 25) as f64) * 0.5;
             let mut found = vec![];
@@ -286,7 +286,7 @@ mod tests {
     fn breaks_off_and_shortens() {
         let boxes = grid();
         let ray = Ray::new(DVec3::new(-5.0, 0.5, 0.5), DVec3::X);
-        let (bvh, _) = Bvh::build(&boxes);
+        let (bvh, _) = Bvh::build(boxes.iter().copied());
         let mut count = 0;
         bvh.traverse(&ray, Range::FORWARD, |_, _| {
             count += 1;
