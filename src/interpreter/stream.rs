@@ -389,8 +389,8 @@ impl<'a> Interpreter<'a> {
 
     /// The element that comes next in its frame, whatever it is; no directive and no macro runs.
     pub(super) fn raw(&self) -> Option<&'a Element> {
-        let known = !self.held.is_empty() || self.peeked.is_some();
-        self.frames.last().filter(|_| !known).and_then(|frame| frame.elements.get(frame.at))
+        let held = !self.held.is_empty();
+        self.frames.last().filter(|_| !held).and_then(|frame| frame.elements.get(frame.at))
     }
 
     /// Consumes a name that comes next, though it may be a macro's.
@@ -750,6 +750,10 @@ impl<'a> Interpreter<'a> {
         let Some(frame) = self.frames.last() else { return Span::NONE };
         match frame.elements.get(frame.at) {
             Some(Element { span, kind: ElementKind::Numbers(_), .. }) => self.item_span(*span, frame.item.0),
+            Some(Element { kind: ElementKind::Block(block), .. }) => block.name.span,
+            Some(Element { span, kind: ElementKind::Group(_) | ElementKind::Entry(_), .. }) => {
+                Span { hi: span.lo + 1, ..*span }
+            }
             Some(element) => element.span,
             None => Span { lo: frame.span.hi.saturating_sub(1).max(frame.span.lo), hi: frame.span.hi },
         }
@@ -828,11 +832,21 @@ impl<'a> Interpreter<'a> {
 
     /// After an error: past the statement that began at the mark.
     pub(super) fn skip_statement(&mut self, mark: Mark) {
-        let open = self.opened[mark.opened.min(self.opened.len())..].iter();
+        let open = self.opened.iter().skip(mark.opened);
         let open = open.filter(|o| o.alone.is_some() && o.frames == mark.frames).count();
         self.unwind(mark);
         if let Some(frame) = self.frames.last_mut() {
             frame.skip_statement(mark.at, open);
+        }
+    }
+
+    /// After an error: past the brackets that were opened since the mark.
+    pub(super) fn skip_brackets(&mut self, mark: Mark) {
+        let open = self.opened.iter().skip(mark.opened);
+        let open = open.filter(|o| o.alone.is_some() && o.frames == mark.frames).count();
+        self.unwind(mark);
+        if let Some(frame) = self.frames.last_mut().filter(|_| open > 0) {
+            frame.skip_brackets(open);
         }
     }
 
@@ -853,22 +867,25 @@ impl<'a> Interpreter<'a> {
             }
         };
         let comma = self.element_comma();
+        // (What stands whole ends with the bracket that a message may speak of.)
+        let whole = self.raw().map_or(span, |element| element.span);
         self.advance();
         let closed = std::mem::replace(&mut self.closed, false);
         let mut opened = Opened { word, span: name, alone: None, bracket, frames: self.frames.len(), closed };
         match body {
             Some(body) => {
-                self.push_piece(body, Some(bracket), span, comma);
+                self.push_piece(body, Some(bracket), whole, comma);
                 self.comma = false;
             }
             // The bracket is a token by itself.
             None if matches!(token, Token::Block(_)) => match self.peek()? {
                 Token::Open(Bracket::Brace, body) => {
                     let (at, comma) = (self.here(), self.element_comma());
+                    let whole = self.raw().map_or(at, |element| element.span);
                     self.advance();
                     opened.frames = self.frames.len();
                     match body {
-                        Some(body) => self.push_piece(body, Some(Bracket::Brace), at, comma),
+                        Some(body) => self.push_piece(body, Some(Bracket::Brace), whole, comma),
                         None => opened.alone = Some(at),
                     }
                 }

@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{Object, is_object};
 use crate::source::Span;
+use crate::syntax::ast::{ElementKind, Sign};
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Vocabulary};
 use std::sync::atomic::Ordering;
@@ -143,6 +144,9 @@ impl Interpreter<'_> {
             if e.compares() {
                 return self.comparison_outside(e);
             }
+            if let Some(at) = self.comparison_behind() {
+                return self.misplaced(at);
+            }
             if let Err(fault) = self.eval(e) {
                 return *fault;
             }
@@ -150,6 +154,14 @@ impl Interpreter<'_> {
                 .help("to give it a name, write `#declare Name = …;`");
         }
         self.unexpected_token("an object or a directive")
+    }
+
+    /// `Size = 3`: the sign behind a name.
+    fn comparison_behind(&self) -> Option<Span> {
+        let frame = self.frames.last()?;
+        let next = frame.elements.get(frame.at + 1)?;
+        let is_sign = matches!(next.kind, ElementKind::Sign(Sign::Operator(op)) if !op.adds() && !op.multiplies());
+        is_sign.then_some(next.span)
     }
 
     /// What is settled only when the whole text has run.

@@ -57,10 +57,21 @@ impl<'a> Interpreter<'a> {
             let d = Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"));
             return d.help(format!("a call needs parentheses: `{name}()`")).into();
         }
-        self.open()?;
-        let slots = self.arguments(definition, span)?;
-        let end = self.here();
-        self.close("`)`")?;
+        let mark = self.mark();
+        let read = self.open().and_then(|_| self.arguments(definition, span));
+        let read = read.and_then(|slots| {
+            let end = self.here();
+            self.close("`)`").map(|()| (slots, end))
+        });
+        let (slots, end) = match read {
+            Ok(read) => read,
+            Err(fault) => {
+                if self.unclosed_bracket().is_none() {
+                    self.skip_brackets(mark);
+                }
+                return Err(fault);
+            }
+        };
         let comma = std::mem::take(&mut self.comma);
         self.enter_macro(definition, slots, joined(span, end), comma);
         Ok(())

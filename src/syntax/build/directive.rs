@@ -11,7 +11,6 @@ use pest::iterators::Pair;
 impl Builder<'_> {
     pub(super) fn directive(&self, pair: Pair<Rule>, place: In) -> Directive {
         match pair.as_rule() {
-            Rule::declare => self.declare(pair),
             Rule::conditional => Directive::If(self.branches_of(pair, place)),
             Rule::while_loop => {
                 let (head, body) = self.head_and_body(pair, place);
@@ -66,7 +65,11 @@ impl Builder<'_> {
         (head, body)
     }
 
-    fn declare(&self, pair: Pair<Rule>) -> Directive {
+    /// `None` where what gets a value does not stand whole.
+    pub(super) fn declare(&self, pair: Pair<Rule>) -> Option<Declare> {
+        if self.single {
+            return None;
+        }
         let local = self.token(&pair).data == 1;
         let (mut deprecated, mut targets) = (None, vec![]);
         for part in pair.into_inner() {
@@ -81,13 +84,12 @@ impl Builder<'_> {
                 _ => targets.push(self.target(part)),
             }
         }
-        let targets: Option<Vec<Target>> = if self.single { None } else { targets.into_iter().collect() };
-        match targets.map(|mut all| (if all.is_empty() { None } else { Some(all.remove(0)) }, all)) {
-            Some((Some(target), others)) => {
-                Directive::Declare(Declare { local, deprecated, target, others: others.into() })
-            }
-            _ => Directive::DeclarePieces(local),
+        let mut targets = targets.into_iter().collect::<Option<Vec<Target>>>()?;
+        if targets.is_empty() {
+            return None;
         }
+        let target = targets.remove(0);
+        Some(Declare { local, deprecated, target, others: targets.into() })
     }
 
     fn target(&self, pair: Pair<Rule>) -> Option<Target> {

@@ -153,8 +153,11 @@ impl<'n> Builder<'n> {
         let kind = match pair.as_rule() {
             Rule::SEMICOLON => ElementKind::Semicolon,
             Rule::KEYWORD | Rule::word => ElementKind::Word(word::by_number(self.token(&pair).data)),
-            Rule::declare
-            | Rule::conditional
+            Rule::declare => match self.declare(pair.clone()) {
+                Some(declare) => ElementKind::Directive(Box::new(Directive::Declare(declare))),
+                None => return self.declare_pieces(pair, out),
+            },
+            Rule::conditional
             | Rule::while_loop
             | Rule::for_loop
             | Rule::switch
@@ -176,6 +179,21 @@ impl<'n> Builder<'n> {
             _ => return self.flatten(pair, place, out),
         };
         out.push(Element::new(span, kind));
+    }
+
+    /// `#declare` alone, and behind it each token of what gets a value, and the `=`.
+    fn declare_pieces(&self, pair: Pair<Rule>, out: &mut Vec<Element>) {
+        let (own, token) = (range(&pair), self.token(&pair));
+        let directive = Directive::DeclarePieces(token.data == 1);
+        out.push(Element::new(self.token_span(token), ElementKind::Directive(Box::new(directive))));
+        let (first, mut at) = (out.len(), own.start + 1);
+        for inner in pair.into_inner() {
+            let within = range(&inner);
+            self.singles(at..within.start, first, out);
+            at = within.end;
+            self.flatten(inner, In::Script, out);
+        }
+        self.singles(at..own.end, first, out);
     }
 
     /// Each token by itself, but for directives, and what stands whole between brackets.
