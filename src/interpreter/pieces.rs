@@ -120,8 +120,7 @@ impl<'a> Interpreter<'a> {
         let token = self.peek()?;
         if self.is_whole(compares) {
             match token {
-                Token::Expr(e) if !compares && e.compares() => return Err(self.comparison_outside(e).into()),
-                Token::Expr(e) => {
+                Token::Expr(e) if compares || !e.compares() => {
                     self.advance();
                     return Ok((self.eval(e)?, e.span));
                 }

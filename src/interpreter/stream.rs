@@ -658,14 +658,14 @@ impl<'a> Interpreter<'a> {
 
     /// Runs what the macros that gave a declared value still have to run, down to `floor` frames.
     pub(super) fn drain(&mut self, floor: usize) -> Result<()> {
-        self.peeked = None;
-        while self.frames.len() > floor {
+        let in_macro = |f: &Frame| matches!(f.kind, FrameKind::Macro(_));
+        if self.held.is_empty() {
+            self.peeked = None;
+        }
+        while self.frames.iter().skip(floor).any(in_macro) {
             let Some(frame) = self.frames.last_mut() else { break };
             match frame.elements.get(frame.at) {
-                None if frame.closer.is_some() => {
-                    let d = Diagnostic::new(codes::WRONG_COUNT, frame.span, "the value that is declared ends in here");
-                    return d.into();
-                }
+                None if frame.closer.is_some() => return Ok(()),
                 None => self.end_of_frame()?,
                 Some(element) => match &element.kind {
                     ElementKind::Semicolon | ElementKind::Comma => frame.at += 1,
@@ -673,10 +673,12 @@ impl<'a> Interpreter<'a> {
                         frame.at += 1;
                         self.run_directive(directive, element.span)?;
                     }
-                    _ => {
+                    ElementKind::Expr(_) | ElementKind::Numbers(_) => {
                         let message = "the macro gives more than the one value that is declared here";
                         return Diagnostic::err(codes::WRONG_COUNT, element.span, message);
                     }
+                    // It ends a block in which the declaration stands, or begins another one.
+                    _ => return Ok(()),
                 },
             }
         }

@@ -4,6 +4,7 @@
 use super::tokens::Tokens;
 use super::word::Word;
 use crate::source::Span;
+use std::sync::Arc;
 
 /// A name that the author gave, or a constant of the language; an index into [`super::Names`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -137,7 +138,7 @@ pub struct Name {
 #[derive(Clone, Debug)]
 pub struct NumberList {
     /// All numbers of all items.
-    pub data: Box<[f64]>,
+    pub data: Arc<[f64]>,
     /// How many numbers each item has.
     pub widths: Widths,
 }
@@ -148,7 +149,7 @@ pub enum Widths {
     /// All the same.
     Uniform(u16),
     /// One for each item.
-    Mixed(Box<[u16]>),
+    Mixed(Arc<[u16]>),
 }
 
 /// An expression.
@@ -186,7 +187,7 @@ pub enum ExprKind {
     /// A name or constant.
     Name(Symbol),
     /// `< … >` of literals only.
-    Literal(Box<[f64]>),
+    Literal(Arc<[f64]>),
     /// `< … >` of expressions.
     Vector(Box<[Element]>),
     /// `( … )`: kept, because `(A)` passes a copy where `A` passes a reference.

@@ -205,7 +205,7 @@ impl WidthsBuilder {
 
     fn finish(self) -> Widths {
         match self.mixed {
-            Some(mixed) => Widths::Mixed(mixed.into_boxed_slice()),
+            Some(mixed) => Widths::Mixed(mixed.into()),
             None => Widths::Uniform(self.first.unwrap_or(1)),
         }
     }

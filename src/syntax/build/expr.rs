@@ -7,8 +7,41 @@ use crate::syntax::class;
 use crate::syntax::parse::Rule;
 use crate::syntax::word;
 use pest::iterators::Pair;
+use std::ops::Range;
 
 impl Builder<'_> {
+    /// An expression, if it stands whole. What holds directives is looked through before it is built: else what is in their
+    /// bodies could be built again and again.
+    pub(super) fn whole_expr(&self, pair: &Pair<Rule>, place: In) -> Option<Expr> {
+        if self.holds_directive(&super::range(pair)) && !self.is_whole(pair) {
+            return None;
+        }
+        self.expr(pair.clone(), place)
+    }
+
+    pub(super) fn holds_directive(&self, range: &Range<usize>) -> bool {
+        self.classes[range.clone()].iter().any(|class| class.is_ascii_uppercase() || *class == class::PLAIN)
+    }
+
+    /// Do its brackets hold expressions only? (Arguments of names may be anything.)
+    fn is_whole(&self, pair: &Pair<Rule>) -> bool {
+        pair.clone().into_inner().all(|part| match part.as_rule() {
+            Rule::call | Rule::arguments => true,
+            Rule::expr | Rule::term | Rule::choice | Rule::index | Rule::paren | Rule::vector | Rule::builtin => {
+                self.is_whole(&part)
+            }
+            Rule::dot
+            | Rule::prefix
+            | Rule::operator
+            | Rule::NUMBER
+            | Rule::LITERAL
+            | Rule::STRING
+            | Rule::NAME
+            | Rule::BUILTIN => true,
+            _ => false,
+        })
+    }
+
     /// Terms and operators in a row, perhaps a choice. `None` where its brackets hold something else than expressions.
     pub(super) fn expr(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let precedence = if place == In::Function { Operator::precedence_in_functions } else { Operator::precedence };
@@ -127,7 +160,7 @@ impl Builder<'_> {
         let plain = |kind| Some(Expr { span, calls: false, kind });
         match pair.as_rule() {
             Rule::NUMBER => plain(ExprKind::Number(self.number(&pair))),
-            Rule::LITERAL => plain(ExprKind::Literal(self.literal(self.token(&pair)))),
+            Rule::LITERAL => plain(ExprKind::Literal(self.list(self.token(&pair)).data)),
             Rule::STRING => plain(ExprKind::Text(unescape(self.text_of(&pair)))),
             Rule::NAME => plain(ExprKind::Name(Symbol(self.token(&pair).data))),
             Rule::vector => self.vector(pair, place),
@@ -174,6 +207,9 @@ impl Builder<'_> {
 
     fn vector(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let span = self.span(&pair);
+        if pair.clone().into_inner().any(|part| part.as_rule() != Rule::expr) {
+            return None;
+        }
         let mut data = vec![];
         let parts = self.elements(pair, place);
         let mut calls = false;
@@ -188,7 +224,7 @@ impl Builder<'_> {
             }
         }
         let literal = data.len() == parts.len() && data.len() > 1;
-        let kind = if literal { ExprKind::Literal(data.into_boxed_slice()) } else { ExprKind::Vector(parts) };
+        let kind = if literal { ExprKind::Literal(data.into()) } else { ExprKind::Vector(parts) };
         Some(Expr { span, calls, kind })
     }
 }

@@ -14,7 +14,6 @@ use crate::syntax::word;
 pub use expr::{SignRow, unescape};
 use pest::iterators::{Pair, Pairs};
 pub use pieces::{begins_with_sign, pieces};
-use std::cell::RefCell;
 use std::ops::Range;
 
 /// Builds the elements of one piece of text. Places in pairs are numbers of tokens, counted from the piece's first.
@@ -26,10 +25,14 @@ pub(super) struct Builder<'n> {
     classes: &'n [u8],
     tokens: &'n [Token],
     numbers: &'n [f64],
-    lists: RefCell<&'n mut [NumberList]>,
+    lists: &'n [NumberList],
     /// Is each token an element of its own?
     single: bool,
 }
+
+/// Of so many tokens each part that is an expression stays whole where the whole is none. (In larger ones, trying parts
+/// of parts of parts could take forever.)
+const SMALL: usize = 24;
 
 /// Where an expression stands.
 #[derive(Clone, Copy, PartialEq)]
@@ -46,12 +49,12 @@ impl<'n> Builder<'n> {
         text: &'n str,
         base: usize,
         first: usize,
-        lexed: &'n mut Lexed,
+        lexed: &'n Lexed,
         single: bool,
     ) -> Self {
         let Lexed { classes, tokens, numbers, lists, .. } = lexed;
         let (classes, tokens) = (&classes[first..], &tokens[first..]);
-        Self { names, text, base, classes, tokens, numbers, lists: RefCell::new(lists), single }
+        Self { names, text, base, classes, tokens, numbers, lists, single }
     }
 
     /// The elements of a whole piece.
@@ -79,15 +82,9 @@ impl<'n> Builder<'n> {
         self.numbers[self.token(pair).data as usize]
     }
 
-    /// A vector of numbers. (It may be asked for again, where the expression that it stands in is no whole.)
-    fn literal(&self, token: Token) -> Box<[f64]> {
-        self.lists.borrow()[token.data as usize].data.clone()
-    }
-
-    /// A list of literals, which no expression holds.
+    /// A vector of numbers, or a list of literals. (It may be asked for again, where what it stands in is no whole.)
     fn list(&self, token: Token) -> NumberList {
-        let nothing = NumberList { data: Box::new([]), widths: Widths::Uniform(1) };
-        std::mem::replace(&mut self.lists.borrow_mut()[token.data as usize], nothing)
+        self.lists[token.data as usize].clone()
     }
 
     /// Appends the elements that stand in a range of tokens: commas between them are flags of those before.
@@ -165,7 +162,7 @@ impl<'n> Builder<'n> {
             | Rule::plain => ElementKind::Directive(Box::new(self.directive(pair, place))),
             _ if self.single => return self.flatten(pair, place, out),
             Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(self.token(&pair)))),
-            Rule::expr => match self.expr(pair.clone(), place) {
+            Rule::expr => match self.whole_expr(&pair, place) {
                 Some(e) => ElementKind::Expr(Box::new(e)),
                 None => return self.flatten(pair, place, out),
             },
@@ -215,10 +212,8 @@ impl<'n> Builder<'n> {
                 | Rule::plain
                 | Rule::block
                 | Rule::group
-                | Rule::function
-                | Rule::expr => {
-                    self.element(inner, place, out);
-                }
+                | Rule::function => self.element(inner, place, out),
+                Rule::expr if own.len() <= SMALL || self.holds_directive(&own) => self.element(inner, place, out),
                 _ => self.flatten(inner, place, out),
             }
         }
@@ -241,7 +236,7 @@ impl<'n> Builder<'n> {
                 class::NAME => operand(ExprKind::Name(Symbol(token.data))),
                 class::NUMBER => operand(ExprKind::Number(self.numbers[token.data as usize])),
                 class::STRING => operand(ExprKind::Text(unescape(text))),
-                class::LITERAL => operand(ExprKind::Literal(self.literal(token))),
+                class::LITERAL => operand(ExprKind::Literal(self.list(token).data)),
                 class::NUMBERS => ElementKind::Numbers(Box::new(self.list(token))),
                 class::SEMICOLON => ElementKind::Semicolon,
                 _ => ElementKind::Sign(sign(text)),

@@ -18,7 +18,7 @@ pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
         }
         ExprKind::Literal(data) => {
             out.sign(Sign::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
-            for x in data {
+            for x in data.iter() {
                 out.whole(&Expr { span: e.span, calls: false, kind: ExprKind::Number(*x) });
                 out.comma();
             }
