@@ -141,7 +141,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A number, vector, text, name, call … without signs.
-    fn primary(&mut self) -> Result<(Value, Span)> {
+    pub(super) fn primary(&mut self) -> Result<(Value, Span)> {
         loop {
             let token = self.peek()?;
             let span = self.here();

@@ -358,7 +358,7 @@ impl<'a> Interpreter<'a> {
                     ElementKind::Numbers(_) => self.tokens_of(element.span),
                     _ => vec![element.clone()],
                 };
-                let parts = self.keep_elements(made);
+                let parts = self.keep_elements(self.with_exact_signs(made));
                 *self.parts.entry(key).or_insert(parts)
             }
         };
@@ -368,6 +368,16 @@ impl<'a> Interpreter<'a> {
             let behind = parts.iter().enumerate().filter(|(_, e)| e.comma && item_ends(parts, e)).map(|(i, _)| i + 1);
             frame.at = if item.0 == 0 { 0 } else { behind.take(list.len()).nth(item.0 - 1).unwrap_or(0) };
         }
+    }
+
+    /// The place of an operator that was taken out of an expression is all that stands between its operands.
+    fn with_exact_signs(&self, mut parts: Vec<Element>) -> Vec<Element> {
+        for part in parts.iter_mut().filter(|part| matches!(part.kind, ElementKind::Sign(_))) {
+            let text = self.sources.snippet(part.span);
+            let lo = part.span.lo + (text.len() - text.trim_start().len()) as u32;
+            part.span = Span { lo, hi: lo + text.trim().len() as u32 };
+        }
+        parts
     }
 
     /// An expression as the only element of a row, so that it is taken apart where it has to be.

@@ -147,6 +147,10 @@ impl<'a> Interpreter<'a> {
 
     /// A name, perhaps with indices.
     fn declared_tokens(&mut self, directive: Span) -> Result<Declared> {
+        // `declare A = 3` without `#` reads as a comparison.
+        if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+            self.take_apart();
+        }
         let Some((symbol, span)) = self.raw_name() else { return Err(self.no_name(directive)) };
         let text = self.names.text(symbol);
         if let Some((word, _)) = word::lookup(text).filter(|(_, category)| *category != Category::Contextual) {
