@@ -251,9 +251,7 @@ impl<'a> Interpreter<'a> {
     /// `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
     /// `(A, B) = (B, A)` swaps them.
     fn values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
-        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
-            self.take_apart();
-        }
+        self.expose_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
         };
