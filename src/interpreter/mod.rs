@@ -33,7 +33,6 @@ pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scope::{Place, Scopes, Slot};
-use smallvec::SmallVec;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -161,7 +160,7 @@ pub(crate) struct Interpreter<'a> {
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
     /// Tokens that come before those of the frames, the next one last.
-    held: SmallVec<[Held<'a>; 2]>,
+    held: Vec<Held<'a>>,
     /// Does a comma stand between what was read last and what comes next?
     comma: bool,
     /// Do directives and macros behind a value wait until it has been used? So it is with what a name gets, with what
@@ -227,7 +226,7 @@ impl<'a> Interpreter<'a> {
             written: 0,
             frames: vec![],
             peeked: None,
-            held: SmallVec::new(),
+            held: vec![],
             comma: false,
             closed: false,
             skipping: false,

@@ -5,6 +5,7 @@ use super::Interpreter;
 use super::argument::Argument;
 use super::eval::{as_float, vector_value};
 use super::operators::{SMALL, apply, apply_prefix, component};
+use super::scope::Slot;
 use super::stream::{BlockName, Token};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Spline};
@@ -118,7 +119,7 @@ impl<'a> Interpreter<'a> {
     /// The same; where it `compares`, as in a colour or a condition, `<` is no vector behind an operand.
     pub(super) fn value_in(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
-        if self.is_whole(compares) {
+        if self.is_whole(compares) && !(self.closed && self.ends_with_callable(token)) {
             match token {
                 Token::Expr(e) if compares || !e.compares() => {
                     self.advance();
@@ -133,6 +134,18 @@ impl<'a> Interpreter<'a> {
             }
         }
         self.climb(&mut Values, compares)
+    }
+
+    /// Is the last operand the name of something that may be called? What stands behind it may hold the arguments.
+    fn ends_with_callable(&self, token: Token) -> bool {
+        let Token::Expr(Expr { kind: ExprKind::Chain(chain), .. }) = token else { return false };
+        match chain.rest.last().map(|(_, e)| &e.kind) {
+            Some(ExprKind::Name(name)) => match self.scopes.get(*name) {
+                Some(Slot::Value(value)) => is_callable(value),
+                slot => matches!(slot, Some(Slot::Macro(_))),
+            },
+            _ => false,
+        }
     }
 
     /// A value whose first operand has been read.
@@ -205,13 +218,26 @@ impl<'a> Interpreter<'a> {
                     value = component(&value, &name, span)?;
                     span = joined(span, name.span);
                 }
-                Some(Token::Open(Bracket::Paren, _)) if is_callable(&value) => {
+                _ if is_callable(&value) && self.call_follows()? => {
                     (value, span) = self.call_in_pieces(&value, span)?;
                 }
-                Some(Token::Expr(e)) if begins_with_parenthesis(e) && is_callable(&value) => self.take_apart(),
                 _ => return Ok((value, span)),
             }
         }
+    }
+
+    /// Does a `(` come next, behind the name of a function? To see it, POV-Ray runs what stands there even where it would
+    /// wait for the end of a value. (A declaration could be of no use for that, and may use the name that is being declared.)
+    pub(super) fn call_follows(&mut self) -> Result<bool> {
+        let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
+        let waits = matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
+        let closed = std::mem::replace(&mut self.closed, waits);
+        let next = self.peek_after();
+        self.closed = closed;
+        if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
+            self.expose_parenthesis()?;
+        }
+        Ok(matches!(self.peek_after()?, Some(Token::Open(Bracket::Paren, _))))
     }
 
     /// The word behind a `.`.
@@ -370,7 +396,7 @@ fn numbers_value(data: &[f64], span: Span) -> Result<Value> {
 }
 
 /// A function or a spline.
-fn is_callable(value: &Value) -> bool {
+pub(super) fn is_callable(value: &Value) -> bool {
     match value {
         Value::Thing(thing) => is::<Function>(thing) || is::<Spline>(thing),
         _ => false,

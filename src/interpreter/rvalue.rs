@@ -1,6 +1,7 @@
 //! What may stand behind `#declare X =` and as a macro's argument: anything that can have a name.
 
 use super::Interpreter;
+use super::pieces::is_callable;
 use super::reader::TransformThing;
 use super::scope::Slot;
 use super::stream::{BlockName, Token};
@@ -47,14 +48,14 @@ impl<'a> Interpreter<'a> {
                     self.advance();
                     return Ok(slot);
                 }
-                if self.is_whole(false) {
-                    let value = self.name_value(*symbol, *span)?;
-                    self.advance();
-                    return Ok(Slot::Value(value));
-                }
-                self.advance();
                 let value = self.name_value(*symbol, *span)?;
-                self.rest_of_value(value, *span)
+                let whole = self.is_whole(false);
+                self.advance();
+                match is_callable(&value) {
+                    true => self.call_or_value(value, *span),
+                    false if whole => Ok(Slot::Value(value)),
+                    false => self.rest_of_value(value, *span),
+                }
             }
             Token::Function(_) => Ok(Slot::Value(Value::Thing(self.read_function()?))),
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => {
@@ -83,6 +84,11 @@ impl<'a> Interpreter<'a> {
 
     fn plain_value(&mut self) -> Result<Slot<'a>> {
         self.value_here().map(|(value, _)| Slot::Value(value))
+    }
+
+    /// A function's name alone, or its call.
+    fn call_or_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
+        if self.call_follows()? { self.rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
     }
 
     /// What was read may be the first operand of more, or be called.

@@ -105,6 +105,8 @@ pub(super) struct Opened {
     /// The place of the bracket alone, where it is a token by itself.
     pub(super) alone: Option<Span>,
     pub(super) bracket: Bracket,
+    /// durer's own words inside this block.
+    own_words: &'static [&'static str],
     /// How many frames there were.
     frames: usize,
     /// What [`Interpreter::closed`] was outside.
@@ -228,7 +230,15 @@ impl<'a> Interpreter<'a> {
             if let Some(token) = self.peeked {
                 return Ok(token);
             }
-            if self.settle_once()? {
+            let Some(frame) = self.frames.last_mut() else { return Ok(Token::End) };
+            let element = frame.elements.get(frame.at);
+            // The common case first.
+            if let Some(Element { span, kind: ElementKind::Directive(directive), .. }) = element {
+                frame.at += 1;
+                self.directive_here(directive, *span)?;
+                continue;
+            }
+            if element.is_none_or(may_settle) && self.settle_once()? {
                 continue;
             }
             let Some(frame) = self.frames.last_mut() else { return Ok(Token::End) };
@@ -288,11 +298,7 @@ impl<'a> Interpreter<'a> {
             }
             ElementKind::Directive(directive) => {
                 frame.at += 1;
-                let comma = self.comma;
-                self.step(element.span)?;
-                self.comma = false;
-                self.run_directive(directive, element.span)?;
-                self.comma |= comma;
+                self.directive_here(directive, element.span)?;
             }
             ElementKind::Expr(expr) => match &expr.kind {
                 ExprKind::Call(name, arguments) if self.is_macro(*name) => {
@@ -316,11 +322,24 @@ impl<'a> Interpreter<'a> {
         Ok(true)
     }
 
+    /// Runs the directive that has just been passed.
+    #[inline]
+    fn directive_here(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
+        self.step(span)?;
+        // A comma before it stands before what it gives.
+        let comma = std::mem::replace(&mut self.comma, false);
+        self.run_directive(directive, span)?;
+        self.comma |= comma;
+        Ok(())
+    }
+
     /// Does a macro in the expression give tokens of its own, or is something called that can't be? Then it is no whole.
+    #[inline]
     pub(super) fn splits(&self, e: &Expr) -> bool {
-        if !e.calls {
-            return false;
-        }
+        e.calls && self.calls_split(e)
+    }
+
+    fn calls_split(&self, e: &Expr) -> bool {
         let any = |elements: &[Element]| elements.iter().any(|element| self.element_splits(element));
         match &e.kind {
             ExprKind::Call(name, arguments) => match self.scopes.get(*name) {
@@ -508,8 +527,7 @@ impl<'a> Interpreter<'a> {
 
     /// durer's own word in the block around here, if the name is one.
     fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
-        let block = self.opened.last()?.word?;
-        let words = crate::syntax::word::contextual(block);
+        let words = self.opened.last()?.own_words;
         if words.is_empty() {
             return None;
         }
@@ -519,8 +537,7 @@ impl<'a> Interpreter<'a> {
 
     /// Does an expression begin with such a word? `eye -5*z` reads as a name minus something.
     fn begins_with_own_word(&self, e: &Expr) -> bool {
-        if self.opened.last().and_then(|o| o.word).is_none_or(|block| crate::syntax::word::contextual(block).is_empty())
-        {
+        if self.opened.last().is_none_or(|o| o.own_words.is_empty()) {
             return false;
         }
         let mut first = e;
@@ -672,13 +689,9 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Like [`Self::peek`], but stops before directives and semicolons, and at the end of what the value that is being
-    /// declared stands in.
+    /// What goes on with what was just read; the end where [`Self::peek_after`] finds nothing.
     pub(super) fn peek_on(&mut self) -> Result<Token<'a>> {
-        let outer = std::mem::replace(&mut self.closed, true);
-        let next = self.peek_after();
-        self.closed = outer;
-        Ok(next?.unwrap_or(Token::End))
+        Ok(self.peek_after()?.unwrap_or(Token::End))
     }
 
     /// Runs what the macros that gave a declared value still have to run, down to `floor` frames.
@@ -769,6 +782,22 @@ impl<'a> Interpreter<'a> {
             frame.item = (0, 0);
         }
         frame.at += 1;
+    }
+
+    /// Consumes the next item of a list of literals that has been begun, unless it is the last.
+    pub(super) fn inner_literal(&mut self) -> Option<&'a [f64]> {
+        if self.peeked.is_some() || !self.held.is_empty() {
+            return None;
+        }
+        let frame = self.frames.last_mut()?;
+        let ElementKind::Numbers(list) = &frame.elements.get(frame.at)?.kind else { return None };
+        let (i, start) = frame.item;
+        if i == 0 || i + 1 >= list.len() {
+            return None;
+        }
+        let end = start + list.width(i);
+        frame.item = (i + 1, end);
+        Some(&list.data[start..end])
     }
 
     /// The place of what comes next.
@@ -900,7 +929,9 @@ impl<'a> Interpreter<'a> {
         let whole = self.raw().map_or(span, |element| element.span);
         self.advance();
         let closed = std::mem::replace(&mut self.closed, false);
-        let mut opened = Opened { word, span: name, alone: None, bracket, frames: self.frames.len(), closed };
+        let own_words = word.map_or(&[][..], crate::syntax::word::contextual);
+        let mut opened =
+            Opened { word, span: name, alone: None, bracket, own_words, frames: self.frames.len(), closed };
         match body {
             Some(body) => {
                 self.push_piece(body, Some(bracket), whole, comma);
@@ -958,7 +989,7 @@ impl<'a> Interpreter<'a> {
         self.push_piece(elements, Some(bracket), span, false);
         let closed = std::mem::replace(&mut self.closed, false);
         let frames = self.frames.len();
-        self.opened.push(Opened { word: None, span, alone: None, bracket, frames, closed });
+        self.opened.push(Opened { word: None, span, alone: None, bracket, own_words: &[], frames, closed });
         let result = read(self).and_then(|value| self.close(bracket.text()[1]).map(|()| value));
         result.map_err(|fault| {
             let fault = self.with_trace(*fault);
@@ -1013,6 +1044,15 @@ impl<'a> Interpreter<'a> {
                 .help("it leaves the innermost `#while`, `#for`, `#switch` or `#macro`")
                 .into(),
         }
+    }
+}
+
+/// Can this be something else than a token? (It mostly is none.)
+fn may_settle(element: &Element) -> bool {
+    match &element.kind {
+        ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Sign(_) => false,
+        ElementKind::Expr(e) => e.calls || matches!(e.kind, ExprKind::Name(_)),
+        _ => true,
     }
 }
 

@@ -31,6 +31,7 @@ classes! {
     KEYWORD b'k' "" "`sphere`, `color`, `translate` …",
     NAME b'n' "" "What authors declare, and constants: `x`, `pi`, `clock`.",
     BUILTIN b'f' "" "`sin`, `vlength` …",
+    HEAD b'b' "" "A word whose block stands whole behind it.",
     FUNCTION b'u' "function" "`function`",
     DEPRECATED b'd' "deprecated" "`deprecated`, which stands behind `#declare`.",
     NUMBER b'1' "" "A number without a sign.",

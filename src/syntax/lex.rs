@@ -246,6 +246,9 @@ impl Lexer<'_> {
         match self.brackets.close(class) {
             Some((opener, token)) => {
                 self.out.classes[token] = opener.classes().0;
+                if opener == Opener::Brace {
+                    self.mark_head(token);
+                }
                 self.push(class, 1, 0);
                 if class == class::BRACE_END {
                     self.cut();
@@ -257,6 +260,23 @@ impl Lexer<'_> {
                 self.push(class::LOOSE, 1, 0);
                 self.cut();
             }
+        }
+    }
+
+    /// The word before a brace that has its partner, so that the grammar need not try whether it opens a block.
+    fn mark_head(&mut self, brace: usize) {
+        let [.., before, word, _] = &mut self.out.classes[..=brace] else { return self.mark_first_head(brace) };
+        let is_word = matches!(*word, class::KEYWORD | class::NAME | class::BUILTIN);
+        if is_word && !matches!(*before, class::DOT | class::MACRO) {
+            *word = class::HEAD;
+        }
+    }
+
+    fn mark_first_head(&mut self, brace: usize) {
+        if let [word, _] = &mut self.out.classes[..=brace]
+            && matches!(*word, class::KEYWORD | class::NAME | class::BUILTIN)
+        {
+            *word = class::HEAD;
         }
     }
 

@@ -49,30 +49,27 @@ pub fn parse_text(text: &str, base: usize, names: &Names, wholes: Wholes) -> (As
         Span::new(base + token.start as usize, base + token.end as usize)
     };
     let unclosed = lexed.unclosed.iter().map(span).collect();
-    let mut ast = Ast { elements: vec![], tokens: Tokens::of(&lexed, base), unclosed };
+    let mut elements = vec![];
     // Where the nesting is too deep, pest must not follow it.
-    if faults.iter().any(|fault| fault.code == codes::TOO_DEEP) {
-        return (ast, faults);
-    }
-    let cuts = std::mem::take(&mut lexed.cuts);
+    let too_deep = faults.iter().any(|fault| fault.code == codes::TOO_DEEP);
     let mut start = 0;
-    for (i, &cut) in cuts.iter().enumerate() {
+    for (i, &cut) in lexed.cuts.iter().enumerate() {
         let cut = cut as usize;
-        if cut - start < PIECE && i + 1 < cuts.len() {
+        if too_deep || cut - start < PIECE && i + 1 < lexed.cuts.len() {
             continue;
         }
-        if let Err(fault) = parse_piece(text, &mut lexed, start..cut, base, names, single, &mut ast.elements) {
+        if let Err(fault) = parse_piece(text, &lexed, start..cut, base, names, single, &mut elements) {
             faults.push(*fault);
         }
         start = cut;
     }
-    (ast, faults)
+    (Ast { elements, tokens: Tokens::of(lexed, base), unclosed }, faults)
 }
 
 /// Parses the tokens of a range.
 fn parse_piece(
     text: &str,
-    lexed: &mut Lexed,
+    lexed: &Lexed,
     range: Range<usize>,
     base: usize,
     names: &Names,
@@ -80,8 +77,7 @@ fn parse_piece(
     out: &mut Vec<Element>,
 ) -> Result<(), Box<Diagnostic>> {
     // The classes are ASCII, so this check is quick.
-    let classes = lexed.classes[range.clone()].to_vec();
-    let piece = std::str::from_utf8(&classes).unwrap_or("");
+    let piece = std::str::from_utf8(&lexed.classes[range.clone()]).unwrap_or("");
     match SceneParser::parse(Rule::chunk, piece) {
         Ok(mut pairs) => {
             if let Some(chunk) = pairs.next() {

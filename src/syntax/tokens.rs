@@ -1,13 +1,13 @@
 //! The tokens of a file in a row, for whoever walks the text rather than the tree: a formatter, an editor.
 
-use super::lex::Lexed;
+use super::lex::{Lexed, Token};
 use crate::source::Span;
 
 /// All tokens and comments of a file, in their order.
 #[derive(Debug, Default)]
 pub struct Tokens {
-    /// Places of tokens, ascending.
-    tokens: Vec<(u32, u32)>,
+    /// Ascending.
+    tokens: Vec<Token>,
     /// Places of comments, with their delimiters, ascending.
     comments: Vec<(u32, u32)>,
     /// Global offset of the file's first byte.
@@ -33,9 +33,8 @@ impl Piece {
 }
 
 impl Tokens {
-    pub(super) fn of(lexed: &Lexed, base: usize) -> Self {
-        let tokens = lexed.tokens.iter().map(|t| (t.start, t.end)).collect();
-        Self { tokens, comments: lexed.comments.clone(), base }
+    pub(super) fn of(lexed: Lexed, base: usize) -> Self {
+        Self { tokens: lexed.tokens, comments: lexed.comments, base }
     }
 
     /// How many tokens there are.
@@ -50,12 +49,14 @@ impl Tokens {
 
     /// Tokens and comments in the order of the text; between them stand blanks, and signs that mean nothing.
     pub fn pieces(&self) -> impl Iterator<Item = Piece> + '_ {
-        let span = |&(lo, hi): &(u32, u32)| Span::new(self.base + lo as usize, self.base + hi as usize);
+        let span = |lo: u32, hi: u32| Span::new(self.base + lo as usize, self.base + hi as usize);
+        let token = move |t: &Token| Piece::Token(span(t.start, t.end));
+        let comment = move |&(lo, hi): &(u32, u32)| Piece::Comment(span(lo, hi));
         let (mut tokens, mut comments) = (self.tokens.iter().peekable(), self.comments.iter().peekable());
         std::iter::from_fn(move || match (tokens.peek(), comments.peek()) {
-            (Some(token), Some(comment)) if comment.0 < token.0 => comments.next().map(|c| Piece::Comment(span(c))),
-            (Some(_), _) => tokens.next().map(|t| Piece::Token(span(t))),
-            (None, _) => comments.next().map(|c| Piece::Comment(span(c))),
+            (Some(next), Some(before)) if before.0 < next.start => comments.next().map(comment),
+            (Some(_), _) => tokens.next().map(token),
+            (None, _) => comments.next().map(comment),
         })
     }
 }

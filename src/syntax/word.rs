@@ -25,6 +25,13 @@ pub struct Word {
     pub category: Category,
 }
 
+impl Category {
+    /// Is a word of this category never an author's name, nor a value?
+    pub(super) fn is_reserved(self) -> bool {
+        matches!(self, Category::Keyword | Category::Function)
+    }
+}
+
 /// The word as a static string and its category; `None` for names that authors may give.
 pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
     lookup_number(word).map(|(number, category)| (by_number(number).name, category))

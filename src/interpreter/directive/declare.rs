@@ -29,16 +29,19 @@ impl<'a> Interpreter<'a> {
         if let Some(word) = target.keyword {
             return self.reserved_name(word, target.span);
         }
-        self.expect_value_of(target.symbol)?;
         if declare.others.is_empty()
             && target.indices.is_empty()
             && declare.deprecated.is_none()
             && let Some(x) = self.simple_statement()
         {
-            let declared = Declared { symbol: target.symbol, place: None };
-            self.bind(declare.local, &declared, Slot::Value(Value::Float(x)), vec![]);
+            let slot = Slot::Value(Value::Float(x));
+            match declare.local {
+                true => self.scopes.set_local(target.symbol, slot, vec![]),
+                false => self.scopes.set_global(target.symbol, slot, vec![]),
+            }
             return Ok(());
         }
+        self.expect_value_of(target.symbol)?;
         let deprecated = declare.deprecated.as_ref().map(|(once, why)| (*once, &**why));
         if !declare.others.is_empty() {
             let targets: Vec<&'a Target> = std::iter::once(target).chain(&declare.others).collect();

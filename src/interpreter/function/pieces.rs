@@ -9,7 +9,6 @@ use crate::interpreter::pieces::{Operands, expect_colon, joined, read_signs};
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
-use crate::syntax::begins_with_parenthesis;
 use crate::value::Value;
 
 /// Makes operations of operands and operators.
@@ -63,7 +62,7 @@ impl<'a> Interpreter<'a> {
                     }
                     ExprKind::Name(symbol) => {
                         self.advance();
-                        match self.call_follows(|me| me.thing_is_callable(*symbol))? {
+                        match self.thing_is_callable(*symbol) && self.call_follows()? {
                             true => {
                                 let callee = self.name_value(*symbol, span)?;
                                 self.compile_call_in_pieces(c, &callee, span)
@@ -90,7 +89,7 @@ impl<'a> Interpreter<'a> {
                 Token::Element(_) => {
                     let slot = self.take_element()?;
                     let value = self.slot_value(slot, span)?;
-                    if self.call_follows(|_| matches!(value, Value::Thing(_)))? {
+                    if matches!(value, Value::Thing(_)) && self.call_follows()? {
                         return self.compile_call_in_pieces(c, &value, span);
                     }
                     Ok((c.graph.constant(as_float(&value, span)?), span))
@@ -111,17 +110,6 @@ impl<'a> Interpreter<'a> {
     fn thing_is_callable(&self, symbol: crate::syntax::ast::Symbol) -> bool {
         use crate::interpreter::scope::Slot;
         matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
-    }
-
-    /// Do arguments come next, of something that takes them?
-    fn call_follows(&mut self, callable: impl FnOnce(&Self) -> bool) -> Result<bool> {
-        if !callable(self) {
-            return Ok(false);
-        }
-        while matches!(self.peek_after()?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
-            self.take_apart();
-        }
-        Ok(matches!(self.peek_after()?, Some(Token::Open(Bracket::Paren, _))))
     }
 
     /// The arguments of a function or spline, whose `(` comes next, and perhaps a component behind them.

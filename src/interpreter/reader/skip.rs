@@ -69,6 +69,10 @@ impl Interpreter<'_> {
             Token::Numbers(data) if data.len() > 5 || self.is_whole(false) => {
                 self.advance();
                 Said::push_numbers(row, data);
+                // Most of a list of literals is no matter of what follows it.
+                while let Some(data) = self.inner_literal() {
+                    Said::push_numbers(row, data);
+                }
             }
             // `<a, b, … >` of a quartic has more numbers than a vector.
             Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 || self.is_whole(false) => {

@@ -4,6 +4,7 @@ use super::expr::unescape;
 use super::{Builder, In, name_of};
 use crate::source::Span;
 use crate::syntax::ast::*;
+use crate::syntax::class;
 use crate::syntax::parse::Rule;
 use crate::syntax::word::{self, Category};
 use pest::iterators::Pair;
@@ -168,13 +169,15 @@ impl Builder<'_> {
     }
 
     fn macro_definition(&self, pair: Pair<Rule>) -> Directive {
-        let (mut name, mut head, mut body) = (None, None, Box::default());
+        let (mut head, mut body) = (None, Box::default());
         let span = self.token_span(self.token(&pair));
+        let second = pair.as_span().start() + 1;
+        let named = matches!(self.classes.get(second), Some(&(class::NAME | class::KEYWORD | class::BUILTIN)));
+        let name = named.then(|| self.tokens[second]);
         for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::head => head = Some(part),
-                Rule::body => body = self.elements(part, In::Script),
-                _ => name = Some(part),
+                _ => body = self.elements(part, In::Script),
             }
         }
         let mut fault = None;
@@ -192,8 +195,8 @@ impl Builder<'_> {
         if optional {
             parameters.push((self.names.intern("optional"), false));
         }
-        let (symbol, place) = match &name {
-            Some(name) => (self.symbol(name), self.span(name)),
+        let (symbol, place) = match name {
+            Some(name) => (self.names.intern(self.token_text(name)), self.token_span(name)),
             None => {
                 fault = Some(span.end());
                 (self.names.intern(""), span)

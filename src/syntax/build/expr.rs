@@ -30,14 +30,9 @@ impl Builder<'_> {
             Rule::expr | Rule::term | Rule::choice | Rule::index | Rule::paren | Rule::vector | Rule::builtin => {
                 self.is_whole(&part)
             }
-            Rule::dot
-            | Rule::prefix
-            | Rule::operator
-            | Rule::NUMBER
-            | Rule::LITERAL
-            | Rule::STRING
-            | Rule::NAME
-            | Rule::BUILTIN => true,
+            Rule::dot | Rule::prefix | Rule::operator | Rule::NUMBER | Rule::LITERAL | Rule::STRING | Rule::name => {
+                true
+            }
             _ => false,
         })
     }
@@ -163,7 +158,7 @@ impl Builder<'_> {
             Rule::NUMBER => plain(ExprKind::Number(self.number(&pair))),
             Rule::LITERAL => plain(ExprKind::Literal(self.list(self.token(&pair)).data)),
             Rule::STRING => plain(ExprKind::Text(unescape(self.text_of(&pair)))),
-            Rule::NAME => plain(ExprKind::Name(Symbol(self.token(&pair).data))),
+            Rule::name => plain(ExprKind::Name(Symbol(self.token(&pair).data))),
             Rule::vector => self.vector(pair, place),
             Rule::paren => {
                 let inner = self.only_expr(pair, place)?;
@@ -183,7 +178,7 @@ impl Builder<'_> {
         let mut arguments = vec![];
         let mut at = pair.as_span().start() + 2;
         let end = pair.as_span().end() - 1;
-        for part in pair.into_inner().skip(1) {
+        for part in pair.into_inner() {
             let (own, at_span) = (super::range(&part), self.span(&part));
             let comma = own.start == at + 1 && self.classes[at] == class::COMMA && !arguments.is_empty();
             if !(comma || own.start == at && arguments.is_empty()) {

@@ -114,10 +114,7 @@ impl<'n> Builder<'n> {
             Rule::block | Rule::call | Rule::builtin => range = range.start + 2..range.end - 1,
             _ => range = range.start + 1..range.end - 1,
         }
-        let words = usize::from(matches!(pair.as_rule(), Rule::block | Rule::call | Rule::builtin));
-        let mut pairs = pair.into_inner();
-        (0..words).for_each(|_| drop(pairs.next()));
-        self.elements_into(pairs, range, place, out);
+        self.elements_into(pair.into_inner(), range, place, out);
     }
 
     /// Tokens between two elements can only be commas.
@@ -149,7 +146,7 @@ impl<'n> Builder<'n> {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
             Rule::SEMICOLON => ElementKind::Semicolon,
-            Rule::KEYWORD | Rule::word => ElementKind::Word(word::by_number(self.token(&pair).data)),
+            Rule::keyword | Rule::word => ElementKind::Word(word::by_number(self.token(&pair).data)),
             Rule::declare => match self.declare(pair.clone()) {
                 Some(declare) => ElementKind::Directive(Box::new(Directive::Declare(declare))),
                 None => return self.declare_pieces(pair, out),
@@ -233,6 +230,10 @@ impl<'n> Builder<'n> {
                 class::KEYWORD | class::BUILTIN | class::FUNCTION | class::DEPRECATED => {
                     ElementKind::Word(word::by_number(token.data))
                 }
+                class::HEAD => match word::entry(text).filter(|word| word.category.is_reserved()) {
+                    Some(word) => ElementKind::Word(word),
+                    None => operand(ExprKind::Name(self.names.intern(text))),
+                },
                 class::NAME => operand(ExprKind::Name(Symbol(token.data))),
                 class::NUMBER => operand(ExprKind::Number(self.numbers[token.data as usize])),
                 class::STRING => operand(ExprKind::Text(unescape(text))),
