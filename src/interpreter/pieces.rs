@@ -138,9 +138,13 @@ impl<'a> Interpreter<'a> {
 
     /// Is the last operand the name of something that may be called? What stands behind it may hold the arguments.
     fn ends_with_callable(&self, token: Token) -> bool {
-        let Token::Expr(Expr { kind: ExprKind::Chain(chain), .. }) = token else { return false };
-        match chain.rest.last().map(|(_, e)| &e.kind) {
-            Some(ExprKind::Name(name)) => match self.scopes.get(*name) {
+        let Token::Expr(mut last) = token else { return false };
+        while let ExprKind::Chain(chain) = &last.kind {
+            let Some((_, operand)) = chain.rest.last() else { return false };
+            last = operand;
+        }
+        match last.kind {
+            ExprKind::Name(name) => match self.scopes.get(name) {
                 Some(Slot::Value(value)) => is_callable(value),
                 slot => matches!(slot, Some(Slot::Macro(_))),
             },
