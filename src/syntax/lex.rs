@@ -175,7 +175,7 @@ impl Lexer<'_> {
             b'<' if self.bytes.get(self.at + 1) == Some(&b'=') => self.push(class::LESS_EQUAL, 2, 0),
             b'<' => {
                 // What is no vector after all stays this: the `>` tells.
-                if !self.brackets.in_function() && !(self.after_operand() && self.brackets.compares()) {
+                if !(self.brackets.in_function() || self.after_operand() && self.brackets.compares()) {
                     self.brackets.open(Opener::Angle, self.out.tokens.len());
                 }
                 self.push(class::LESS, 1, 0);

@@ -21,6 +21,16 @@ const PIECE: usize = 8 * 1024;
 /// At most this many errors of a file are told.
 const MAX_FAULTS: usize = 20;
 
+/// What is parsed.
+pub(super) struct Source<'t> {
+    pub(super) text: &'t str,
+    /// Global offset of the text's first byte.
+    pub(super) base: usize,
+    pub(super) names: &'t Names,
+    /// Is each token an element of its own?
+    pub(super) single: bool,
+}
+
 /// How much of a text the tree keeps whole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wholes {
@@ -51,6 +61,7 @@ pub fn parse_text(text: &str, base: usize, names: &Names, wholes: Wholes) -> (As
     let unclosed = lexed.unclosed.iter().map(span).collect();
     let mut elements = vec![];
     // Where the nesting is too deep, pest must not follow it.
+    let source = Source { text, base, names, single };
     let too_deep = faults.iter().any(|fault| fault.code == codes::TOO_DEEP);
     let mut start = 0;
     for (i, &cut) in lexed.cuts.iter().enumerate() {
@@ -58,7 +69,7 @@ pub fn parse_text(text: &str, base: usize, names: &Names, wholes: Wholes) -> (As
         if too_deep || cut - start < PIECE && i + 1 < lexed.cuts.len() {
             continue;
         }
-        if let Err(fault) = parse_piece(text, &lexed, start..cut, base, names, single, &mut elements) {
+        if let Err(fault) = parse_piece(&source, &lexed, start..cut, &mut elements) {
             faults.push(*fault);
         }
         start = cut;
@@ -68,20 +79,18 @@ pub fn parse_text(text: &str, base: usize, names: &Names, wholes: Wholes) -> (As
 
 /// Parses the tokens of a range.
 fn parse_piece(
-    text: &str,
+    source: &Source,
     lexed: &Lexed,
     range: Range<usize>,
-    base: usize,
-    names: &Names,
-    single: bool,
     out: &mut Vec<Element>,
 ) -> Result<(), Box<Diagnostic>> {
+    let &Source { text, base, .. } = source;
     // The classes are ASCII, so this check is quick.
     let piece = std::str::from_utf8(&lexed.classes[range.clone()]).unwrap_or("");
     match SceneParser::parse(Rule::chunk, piece) {
         Ok(mut pairs) => {
             if let Some(chunk) = pairs.next() {
-                Builder::new(names, text, base, range.start, lexed, single).piece(chunk, out);
+                Builder::new(source, lexed, range.start).piece(chunk, out);
             }
             Ok(())
         }

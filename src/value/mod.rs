@@ -9,7 +9,7 @@ mod spec;
 pub mod words;
 
 pub use kinds::{Thing, Value, VecN, downcast};
-pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt, Solid};
+pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
 pub use said::Said;
 pub use seldom::{Seldom, Usual};
 pub use spec::{Kind, Param, Spec, WordSpec};

@@ -113,8 +113,7 @@ impl<'a> Interpreter<'a> {
         let declared = self.declared_tokens(span)?;
         self.expect_equal()?;
         self.expect_value_of(declared.symbol)?;
-        let text: Option<(bool, &'a str)> = deprecated.map(|(once, why)| (once, why));
-        self.declare_one(local, text, declared)
+        self.declare_one(local, deprecated, declared)
     }
 
     /// `(` as a token, if it comes next.

@@ -25,8 +25,7 @@ pub(in crate::interpreter) type Run = for<'a> fn(&mut Interpreter<'a>, &'static 
 
 /// The row of a directive without a body, and its name there.
 pub(in crate::interpreter) fn find(name: &str) -> Option<(&'static str, Run)> {
-    let found = TABLE.iter().find_map(|row| Some((*row.names.iter().find(|n| **n == name)?, row.run?)));
-    found
+    TABLE.iter().find_map(|row| Some((*row.names.iter().find(|n| **n == name)?, row.run?)))
 }
 
 /// The names of all directives.

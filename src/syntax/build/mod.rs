@@ -9,7 +9,7 @@ use crate::syntax::Names;
 use crate::syntax::ast::*;
 use crate::syntax::class;
 use crate::syntax::lex::{Lexed, Token};
-use crate::syntax::parse::Rule;
+use crate::syntax::parse::{Rule, Source};
 use crate::syntax::word;
 pub use expr::{SignRow, unescape};
 use pest::iterators::{Pair, Pairs};
@@ -44,17 +44,10 @@ enum In {
 
 impl<'n> Builder<'n> {
     /// For the piece whose first token has the number `first`.
-    pub(super) fn new(
-        names: &'n Names,
-        text: &'n str,
-        base: usize,
-        first: usize,
-        lexed: &'n Lexed,
-        single: bool,
-    ) -> Self {
+    pub(super) fn new(source: &Source<'n>, lexed: &'n Lexed, first: usize) -> Self {
+        let &Source { text, base, names, single } = source;
         let Lexed { classes, tokens, numbers, lists, .. } = lexed;
-        let (classes, tokens) = (&classes[first..], &tokens[first..]);
-        Self { names, text, base, classes, tokens, numbers, lists, single }
+        Self { names, text, base, classes: &classes[first..], tokens: &tokens[first..], numbers, lists, single }
     }
 
     /// The elements of a whole piece.

@@ -1,6 +1,8 @@
 //! Values in pieces: expressions of which macros, branches, loops or files give the tokens one by one. The rules and the table
 //! of precedences are those of the expressions that stand whole.
 
+mod skipped;
+
 use super::Interpreter;
 use super::argument::Argument;
 use super::eval::{as_float, vector_value};
@@ -14,6 +16,7 @@ use crate::syntax::ast::*;
 use crate::syntax::word;
 use crate::syntax::{SignRow, begins_with_parenthesis, begins_with_sign};
 use crate::value::{Reader, Thing, Value, VecN, downcast};
+use skipped::Skipped;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -509,77 +512,5 @@ pub(super) fn expect_colon(me: &mut Interpreter) -> Result<()> {
             Ok(())
         }
         _ => Err(me.unexpected_token("`:` and the other value").into()),
-    }
-}
-
-/// Reads what is not wanted: nothing is computed, so that its faults are none.
-pub(super) struct Skipped;
-
-impl Skipped {
-    /// Over a bracket with all that is in it.
-    fn brackets(&self, me: &mut Interpreter) -> Result<()> {
-        me.open()?;
-        loop {
-            match me.peek()? {
-                Token::Sign(Sign::Close(_)) => return me.close("the end of this"),
-                Token::End => return Err(me.unexpected_token("a value").into()),
-                Token::Open(..) | Token::Block(_) => self.brackets(me)?,
-                _ => me.advance(),
-            }
-        }
-    }
-}
-
-impl<'a> Operands<'a> for Skipped {
-    type Value = ();
-
-    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<((), Span)> {
-        let outer = std::mem::replace(&mut me.skipping, true);
-        let span = self.skip(me)?;
-        me.skipping = outer;
-        Ok(((), span))
-    }
-
-    fn combine(&mut self, _: &mut Interpreter<'a>, _: Operator, _: ((), Span), _: ((), Span)) -> Result<()> {
-        Ok(())
-    }
-
-    fn choose(&mut self, me: &mut Interpreter<'a>, condition: ((), Span)) -> Result<((), Span)> {
-        me.climb(self, true)?;
-        expect_colon(me)?;
-        me.climb(self, true)?;
-        Ok(condition)
-    }
-}
-
-impl Skipped {
-    /// Over one operand.
-    fn skip(&mut self, me: &mut Interpreter) -> Result<Span> {
-        read_signs(me)?;
-        let token = me.peek()?;
-        let span = me.here();
-        match token {
-            Token::Open(..) | Token::Block(_) => self.brackets(me)?,
-            Token::Sign(Sign::Operator(Operator::Less)) => {
-                me.advance();
-                while !matches!(me.peek()?, Token::Sign(Sign::Operator(Operator::Greater))) {
-                    me.climb(self, false)?;
-                }
-                me.advance();
-            }
-            Token::Sign(_) | Token::End => return Err(me.unexpected_token("a value").into()),
-            _ => me.advance(),
-        }
-        loop {
-            match me.peek_after()? {
-                Some(Token::Sign(Sign::Dot)) => {
-                    me.advance();
-                    me.component_name()?;
-                }
-                Some(Token::Open(Bracket::Paren | Bracket::Square, _)) => self.brackets(me)?,
-                Some(Token::Expr(Expr { kind: ExprKind::Paren(_), .. })) => me.advance(),
-                _ => return Ok(span),
-            }
-        }
     }
 }

@@ -1,0 +1,131 @@
+//! After a fault: to the end of the statement, so that one mistake gives one message.
+
+use super::Frame;
+use crate::interpreter::Interpreter;
+use crate::syntax::ast::*;
+
+/// Where the reading was, to go back there after a fault.
+#[derive(Clone, Copy)]
+pub(in crate::interpreter) struct Mark {
+    pub(in crate::interpreter) frames: usize,
+    pub(in crate::interpreter) opened: usize,
+    pub(in crate::interpreter) at: usize,
+    pub(in crate::interpreter) closed: bool,
+}
+
+impl Frame<'_> {
+    /// After a fault: on to the end of the statement that began at index `from`, of which so many brackets are open.
+    pub(super) fn skip_statement(&mut self, from: usize, open: usize) {
+        self.item = (0, 0);
+        self.closer = None;
+        if open > 0 {
+            return self.skip_brackets(open);
+        }
+        if self.at == from {
+            self.skip_one();
+        }
+        // A block or a function ends a statement.
+        // (A loop's next pass stands at its start.)
+        let last = self.at.checked_sub(1).and_then(|last| self.elements.get(last)).map(|e| &e.kind);
+        let ends = [Sign::Close(Bracket::Brace)].map(ElementKind::Sign);
+        match last {
+            Some(ElementKind::Block(_) | ElementKind::Function(_)) => return,
+            Some(ElementKind::Sign(sign)) if matches!(&ends[0], ElementKind::Sign(end) if end == sign) => return,
+            _ => {}
+        }
+        while let Some(element) = self.elements.get(self.at) {
+            match element.kind {
+                ElementKind::Block(_) | ElementKind::Directive(_) => return,
+                ElementKind::Word(_) if self.opens_brace(self.at + 1) => return,
+                ElementKind::Semicolon => {
+                    self.at += 1;
+                    return;
+                }
+                _ => self.skip_one(),
+            }
+        }
+    }
+
+    /// Over one element, or over a bracket with all that is in it.
+    pub(super) fn skip_one(&mut self) {
+        let opens = matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(_))));
+        self.at += 1;
+        if opens {
+            self.skip_brackets(1);
+        }
+    }
+
+    pub(super) fn skip_brackets(&mut self, mut open: usize) {
+        while let Some(element) = self.elements.get(self.at) {
+            self.at += 1;
+            match element.kind {
+                ElementKind::Sign(Sign::Open(_)) => open += 1,
+                ElementKind::Sign(Sign::Close(_)) => open -= 1,
+                _ => {}
+            }
+            if open == 0 {
+                return;
+            }
+        }
+    }
+
+    /// After a declared texture that failed: over its other layers.
+    pub(in crate::interpreter) fn skip_layers(&mut self, from: usize) {
+        let is_texture = |frame: &Self, at: usize| match frame.elements.get(at).map(|e| &e.kind) {
+            Some(ElementKind::Block(b)) => b.name.word == Some("texture"),
+            Some(ElementKind::Word(word)) => word.name == "texture" && frame.opens_brace(at + 1),
+            _ => false,
+        };
+        if is_texture(self, from) {
+            while is_texture(self, self.at) {
+                let alone = matches!(self.elements[self.at].kind, ElementKind::Word(_));
+                self.at += usize::from(alone);
+                self.skip_one();
+            }
+        }
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    pub(in crate::interpreter) fn mark(&self) -> Mark {
+        let at = self.frames.last().map_or(0, |f| f.at);
+        Mark { frames: self.frames.len(), opened: self.opened.len(), at, closed: self.closed }
+    }
+
+    /// After an error: back to the frames that were there when the statement began.
+    pub(in crate::interpreter) fn unwind(&mut self, mark: Mark) {
+        while self.frames.len() > mark.frames {
+            self.pop_frame();
+        }
+        self.opened.truncate(mark.opened);
+        self.held.clear();
+        (self.peeked, self.comma, self.closed, self.skipping) = (None, false, mark.closed, false);
+    }
+
+    /// After an error in a directive: what was seen behind it is looked at anew.
+    pub(in crate::interpreter) fn forget_ahead(&mut self, mark: Mark) {
+        self.opened.truncate(mark.opened);
+        self.held.clear();
+        (self.peeked, self.comma, self.skipping) = (None, false, false);
+    }
+
+    /// After an error: past the statement that began at the mark.
+    pub(in crate::interpreter) fn skip_statement(&mut self, mark: Mark) {
+        let open = self.opened.iter().skip(mark.opened);
+        let open = open.filter(|o| o.alone.is_some() && o.frames == mark.frames).count();
+        self.unwind(mark);
+        if let Some(frame) = self.frames.last_mut() {
+            frame.skip_statement(mark.at, open);
+        }
+    }
+
+    /// After an error: past the brackets that were opened since the mark.
+    pub(in crate::interpreter) fn skip_brackets(&mut self, mark: Mark) {
+        let open = self.opened.iter().skip(mark.opened);
+        let open = open.filter(|o| o.alone.is_some() && o.frames == mark.frames).count();
+        self.unwind(mark);
+        if let Some(frame) = self.frames.last_mut().filter(|_| open > 0) {
+            frame.skip_brackets(open);
+        }
+    }
+}
