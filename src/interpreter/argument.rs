@@ -95,7 +95,7 @@ impl<'a> Interpreter<'a> {
             None | Some(Token::Sign(Sign::Close(_)) | Token::End) => true,
             Some(Token::Sign(sign)) => !matches!(sign, Sign::Dot | Sign::Question | Sign::Operator(_)),
             Some(Token::Open(Bracket::Paren | Bracket::Square, _)) => false,
-            Some(Token::Expr(e)) => !crate::syntax::begins_with_sign(e) && !matches!(e.kind, ExprKind::Paren(_)),
+            Some(Token::Expr(e)) => !crate::syntax::begins_with_sign(e) && !crate::syntax::begins_with_parenthesis(e),
             Some(Token::Numbers(data)) => data.len() != 1 || !data[0].is_sign_negative(),
             Some(_) => true,
         })

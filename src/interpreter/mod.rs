@@ -39,7 +39,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::time::Instant;
-use stream::{Frame, FrameKind, Opened, Token};
+use stream::{Frame, FrameKind, Held, Opened, Token};
 pub use timing::Timing;
 pub use top::STATEMENTS;
 
@@ -161,7 +161,7 @@ pub(crate) struct Interpreter<'a> {
     frames: Vec<Frame<'a>>,
     peeked: Option<Token<'a>>,
     /// Tokens that come before those of the frames, the next one last.
-    held: SmallVec<[(Token<'a>, Span); 2]>,
+    held: SmallVec<[Held<'a>; 2]>,
     /// Does a comma stand between what was read last and what comes next?
     comma: bool,
     /// Do directives and macros behind a value wait until it has been used? So it is with what a name gets, with what

@@ -11,7 +11,7 @@ use crate::function::{Function, Spline};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::word;
-use crate::syntax::{SignRow, begins_with_sign};
+use crate::syntax::{SignRow, begins_with_parenthesis, begins_with_sign};
 use crate::value::{Reader, Thing, Value, VecN, downcast};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -141,7 +141,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A number, vector, text, name, call … without signs.
-    fn primary(&mut self) -> Result<(Value, Span)> {
+    pub(super) fn primary(&mut self) -> Result<(Value, Span)> {
         loop {
             let token = self.peek()?;
             let span = self.here();
@@ -208,7 +208,7 @@ impl<'a> Interpreter<'a> {
                 Some(Token::Open(Bracket::Paren, _)) if is_callable(&value) => {
                     (value, span) = self.call_in_pieces(&value, span)?;
                 }
-                Some(Token::Expr(Expr { kind: ExprKind::Paren(_), .. })) if is_callable(&value) => self.take_apart(),
+                Some(Token::Expr(e)) if begins_with_parenthesis(e) && is_callable(&value) => self.take_apart(),
                 _ => return Ok((value, span)),
             }
         }
@@ -292,11 +292,17 @@ impl<'a> Interpreter<'a> {
         Ok((self.builtin_of(word, arguments, span)?, span))
     }
 
-    /// The `(` behind the name of a function, which is consumed.
-    pub(super) fn expect_paren(&mut self, word: &str) -> Result<()> {
-        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
+    /// Takes apart what comes next, until its `(` is a token.
+    pub(super) fn expose_parenthesis(&mut self) -> Result<()> {
+        while matches!(self.peek()?, Token::Expr(e) if begins_with_parenthesis(e)) {
             self.take_apart();
         }
+        Ok(())
+    }
+
+    /// The `(` behind the name of a function, which is consumed.
+    pub(super) fn expect_paren(&mut self, word: &str) -> Result<()> {
+        self.expose_parenthesis()?;
         match self.peek()? {
             Token::Open(Bracket::Paren, _) => self.open().map(drop),
             _ => Err(self.unexpected_token(&format!("`(` behind `{word}`")).into()),

@@ -6,7 +6,7 @@ use super::scope::Slot;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::{begins_with_sign, pieces};
+use crate::syntax::{begins_with_parenthesis, begins_with_sign, pieces};
 use crate::value::Value;
 
 /// What the iterator gives.
@@ -86,6 +86,14 @@ pub(super) enum FrameKind<'a> {
     },
     Macro(Symbol),
     Include,
+}
+
+/// A token whose text has been consumed.
+pub(super) struct Held<'a> {
+    token: Token<'a>,
+    span: Span,
+    /// Does a comma follow?
+    comma: bool,
 }
 
 /// A bracket that is open.
@@ -208,8 +216,8 @@ impl<'a> Interpreter<'a> {
     /// `self.comma` tells of them.
     pub(super) fn peek(&mut self) -> Result<Token<'a>> {
         loop {
-            if let Some((token, _)) = self.held.last() {
-                return Ok(*token);
+            if let Some(held) = self.held.last() {
+                return Ok(held.token);
             }
             if let Some(token) = self.peeked {
                 return Ok(token);
@@ -276,8 +284,9 @@ impl<'a> Interpreter<'a> {
                 frame.at += 1;
                 let comma = self.comma;
                 self.step(element.span)?;
+                self.comma = false;
                 self.run_directive(directive, element.span)?;
-                self.comma = comma;
+                self.comma |= comma;
             }
             ElementKind::Expr(expr) => match &expr.kind {
                 ExprKind::Call(name, arguments) if self.is_macro(*name) => {
@@ -322,7 +331,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Builtin(_, arguments) => arguments.iter().any(|e| self.splits(e)),
             ExprKind::Index(base, indices) => self.splits(base) || indices.iter().any(|e| self.splits(e)),
             ExprKind::Apply(base, arguments) => self.splits(base) || any(arguments),
-            ExprKind::Dot(base, ..) => self.splits(base),
+            ExprKind::Dot(base, _, symbol) => self.splits(base) || self.is_macro(*symbol),
             ExprKind::Block(_) | ExprKind::Function(_) => true,
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Literal(_) => false,
         }
@@ -358,7 +367,7 @@ impl<'a> Interpreter<'a> {
                     ElementKind::Numbers(_) => self.tokens_of(element.span),
                     _ => vec![element.clone()],
                 };
-                let parts = self.keep_elements(made);
+                let parts = self.keep_elements(self.with_exact_signs(made));
                 *self.parts.entry(key).or_insert(parts)
             }
         };
@@ -368,6 +377,16 @@ impl<'a> Interpreter<'a> {
             let behind = parts.iter().enumerate().filter(|(_, e)| e.comma && item_ends(parts, e)).map(|(i, _)| i + 1);
             frame.at = if item.0 == 0 { 0 } else { behind.take(list.len()).nth(item.0 - 1).unwrap_or(0) };
         }
+    }
+
+    /// The place of an operator that was taken out of an expression is all that stands between its operands.
+    fn with_exact_signs(&self, mut parts: Vec<Element>) -> Vec<Element> {
+        for part in parts.iter_mut().filter(|part| matches!(part.kind, ElementKind::Sign(_))) {
+            let text = self.sources.snippet(part.span);
+            let lo = part.span.lo + (text.len() - text.trim_start().len()) as u32;
+            part.span = Span { lo, hi: lo + text.trim().len() as u32 };
+        }
+        parts
     }
 
     /// An expression as the only element of a row, so that it is taken apart where it has to be.
@@ -537,9 +556,9 @@ impl<'a> Interpreter<'a> {
         if let Some(frame) = self.frames.last_mut() {
             frame.at += 1;
         }
-        self.comma = false;
+        let before = std::mem::replace(&mut self.comma, false);
         self.settle()?;
-        let known = self.held.last().map(|(token, _)| *token).or(self.peeked);
+        let known = self.held.last().map(|held| held.token).or(self.peeked);
         let (brace, paren) = match known {
             Some(token) => {
                 (matches!(token, Token::Open(Bracket::Brace, _)), matches!(token, Token::Open(Bracket::Paren, _)))
@@ -555,7 +574,9 @@ impl<'a> Interpreter<'a> {
             _ if brace => block,
             _ => alone,
         };
-        Ok(self.hold(token, span))
+        let behind = std::mem::replace(&mut self.comma, before);
+        self.held.push(Held { token, span, comma: behind });
+        Ok(token)
     }
 
     /// What may go on with the value that was just read: the very next token. `None` where a comma, a `;` or nothing
@@ -643,7 +664,7 @@ impl<'a> Interpreter<'a> {
             ElementKind::Directive(_) => self.closed,
             ElementKind::Numbers(list) => list.width(0) > 1 || !list.data[0].is_sign_negative(),
             ElementKind::Expr(e) if self.is_macro_call(e) => self.closed,
-            ElementKind::Expr(e) => !e.calls && !begins_with_sign(e) && !matches!(e.kind, ExprKind::Paren(_)),
+            ElementKind::Expr(e) => !e.calls && !begins_with_sign(e) && !begins_with_parenthesis(e),
         }
     }
 
@@ -712,13 +733,14 @@ impl<'a> Interpreter<'a> {
 
     /// Tells that the next token is this one, whose text has been consumed.
     pub(super) fn hold(&mut self, token: Token<'a>, span: Span) -> Token<'a> {
-        self.held.push((token, span));
+        self.held.push(Held { token, span, comma: self.comma });
         token
     }
 
     /// Consumes what [`Self::peek`] announced.
     pub(super) fn advance(&mut self) {
-        if self.held.pop().is_some() {
+        if let Some(held) = self.held.pop() {
+            self.comma = held.comma;
             return;
         }
         self.peeked = None;
@@ -746,8 +768,8 @@ impl<'a> Interpreter<'a> {
 
     /// The place of what comes next.
     pub(super) fn here(&self) -> Span {
-        if let Some((_, span)) = self.held.last() {
-            return *span;
+        if let Some(held) = self.held.last() {
+            return held.span;
         }
         let Some(frame) = self.frames.last() else { return Span::NONE };
         match frame.elements.get(frame.at) {

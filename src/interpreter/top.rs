@@ -28,6 +28,8 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
         word("background", Kind::Color, "black", "what rays see that hit nothing"),
         word("global_settings", Kind::Block, "", "what holds for the whole scene"),
         word("default", Kind::Block, "", "behind `#`: what all that follows looks like where it doesn't say"),
+        word("declare", Kind::Nothing, "", "`#declare`, where an old scene leaves the `#` out"),
+        word("include", Kind::Nothing, "", "`#include`, likewise"),
         word("max_trace_level", Kind::Float, "", "of old scenes: as in `global_settings`"),
     ],
     moves: false,
@@ -49,6 +51,8 @@ impl Interpreter<'_> {
             Next::End => return Ok(false),
             Next::Block(word) => self.top_block(word)?,
             Next::Word("max_trace_level") => self.stray_trace_level()?,
+            Next::Word(word @ ("declare" | "include")) => self.bare_directive(word)?,
+            Next::Value if self.at_bare_version() => self.bare_directive("version")?,
             Next::Word(word) if STATEMENTS.ignores(word) => {
                 self.take()?;
                 self.float()?;
@@ -111,6 +115,22 @@ impl Interpreter<'_> {
         object.default_texture = self.defaults.texture.clone();
         self.scene.objects.push(*object);
         Ok(())
+    }
+
+    /// A directive whose `#` is left out, as POV-Ray takes some of them between statements.
+    fn bare_directive(&mut self, word: &'static str) -> Result<()> {
+        let span = self.here();
+        self.advance();
+        let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` stands without its `#`"));
+        self.report_fault(self.with_trace(d.help(format!("write `#{word}`"))));
+        match crate::interpreter::directives::find(word) {
+            Some((name, run)) => self.run_plain(name, run, span),
+            None => self.declare_pieces(false, span),
+        }
+    }
+
+    fn at_bare_version(&self) -> bool {
+        self.raw().is_some_and(|element| self.sources.snippet(element.span) == "version")
     }
 
     /// A setting that POV-Ray takes outside of `global_settings` too.

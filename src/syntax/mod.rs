@@ -13,7 +13,7 @@ mod parse;
 mod tokens;
 pub mod word;
 
-pub use build::{SignRow, begins_with_sign, pieces, unescape};
+pub use build::{SignRow, begins_with_parenthesis, begins_with_sign, pieces, unescape};
 pub use class::structural_directives;
 pub use names::Names;
 pub use parse::{Wholes, parse, parse_text};

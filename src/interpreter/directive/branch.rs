@@ -50,6 +50,14 @@ impl<'a> Interpreter<'a> {
 
     pub(in crate::interpreter) fn branch(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
         for branch in branches {
+            if let Condition::True(Head::Pieces(None)) = &branch.condition {
+                let mark = self.mark();
+                if self.head_in_body(&branch.body, branch.span)?.abs() > SMALL {
+                    break;
+                }
+                self.unwind(mark);
+                continue;
+            }
             let taken = match &branch.condition {
                 Condition::True(head) => self.condition(head, branch.span)?,
                 Condition::Declared(head) => self.head_is_declared(head, branch.span)?,
@@ -62,6 +70,26 @@ impl<'a> Interpreter<'a> {
             }
         }
         Ok(())
+    }
+
+    /// A condition that a body begins with: its `(` is closed by what a macro or a branch gives. What follows it there comes
+    /// next.
+    fn head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
+        if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
+            return Err(self.no_parentheses(span));
+        }
+        let mark = self.mark();
+        self.push_frame(body, FrameKind::Branch, span);
+        let read = self.open().and_then(|_| {
+            let (value, at) = self.value_in(true)?;
+            let number = as_float(&value, at)?;
+            self.close("`)`").map(|()| number)
+        });
+        read.map_err(|fault| {
+            let fault = self.with_trace(*fault);
+            self.unwind(mark);
+            Box::new(fault)
+        })
     }
 
     fn head_is_declared(&mut self, head: &'a Head, span: Span) -> Result<bool> {
@@ -183,7 +211,9 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
         let value = self.head_number(value, span)?;
         for (i, arm) in arms.iter().enumerate() {
+            let mark = self.mark();
             let fits = match &arm.when {
+                When::Case(Head::Pieces(None)) => (self.head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
                 When::Case(head) => (self.head_number(head, arm.span)? - value).abs() < SMALL,
                 When::Range(Some(elements)) => {
                     let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.two_numbers())?;
@@ -192,12 +222,15 @@ impl<'a> Interpreter<'a> {
                 When::Range(None) => return Err(self.no_parentheses(arm.span)),
                 When::Otherwise => true,
             };
+            // What a head in pieces has left of its body.
+            let begun = self.frames.split_off(mark.frames);
             if fits {
                 // Fall-through, also into `#else`: later arms lie below on the stack.
                 self.push_frame(&[], FrameKind::Switch, span);
-                for arm in arms[i..].iter().rev() {
+                for arm in arms[i + usize::from(!begun.is_empty())..].iter().rev() {
                     self.push_frame(&arm.body, FrameKind::Branch, span);
                 }
+                self.frames.extend(begun);
                 break;
             }
         }

@@ -147,6 +147,10 @@ impl<'a> Interpreter<'a> {
 
     /// A name, perhaps with indices.
     fn declared_tokens(&mut self, directive: Span) -> Result<Declared> {
+        // `declare A = 3` without `#` reads as a comparison.
+        if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+            self.take_apart();
+        }
         let Some((symbol, span)) = self.raw_name() else { return Err(self.no_name(directive)) };
         let text = self.names.text(symbol);
         if let Some((word, _)) = word::lookup(text).filter(|(_, category)| *category != Category::Contextual) {
@@ -247,9 +251,7 @@ impl<'a> Interpreter<'a> {
     /// `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
     /// `(A, B) = (B, A)` swaps them.
     fn values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
-        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
-            self.take_apart();
-        }
+        self.expose_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
         };

@@ -28,7 +28,11 @@ impl<'a> Interpreter<'a> {
         };
         self.scopes.enter();
         self.including.push(path);
+        let comma = std::mem::take(&mut self.comma);
         self.push_frame(&ast.elements, FrameKind::Include, span);
+        if let Some(frame) = self.frames.last_mut() {
+            frame.comma = comma;
+        }
         Ok(())
     }
 

@@ -49,9 +49,7 @@ impl<'a> Interpreter<'a> {
         let Some(&Slot::Macro(definition)) = self.scopes.get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
         self.comma = false;
-        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
-            self.take_apart();
-        }
+        self.expose_parenthesis()?;
         if !matches!(self.peek()?, Token::Open(Bracket::Paren, _)) {
             let name = self.names.text(name);
             let d = Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"));

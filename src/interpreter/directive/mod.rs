@@ -36,19 +36,7 @@ impl<'a> Interpreter<'a> {
     fn plain_directive(&mut self, word: Symbol, span: Span) -> Result<()> {
         let name = self.names.text(word);
         if let Some((name, run)) = table::find(name) {
-            // No other directive runs before this one has got what it takes.
-            let closed = std::mem::replace(&mut self.closed, true);
-            let floor = std::mem::replace(&mut self.floor, self.frames.len());
-            let mark = self.mark();
-            let result = run(self, name, span).map_err(|fault| {
-                let fault = self.with_trace(*fault);
-                if self.unclosed_bracket().is_none() {
-                    self.skip_statement(mark);
-                }
-                Box::new(fault)
-            });
-            (self.closed, self.floor) = (closed, floor);
-            return result;
+            return self.run_plain(name, run, span);
         }
         let declared = self.scopes.get(word).is_some();
         if declared || crate::syntax::word::lookup(name).is_some() {
@@ -62,5 +50,22 @@ impl<'a> Interpreter<'a> {
         let help = did_you_mean(name, table::names()).map(|s| s.replacen('`', "`#", 1));
         let message = format!("there is no directive `#{name}`");
         Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).maybe_help(help).into()
+    }
+
+    /// Runs a directive without a body, whose word has been consumed.
+    pub(super) fn run_plain(&mut self, name: &'static str, run: table::Run, span: Span) -> Result<()> {
+        // No other directive runs before this one has got what it takes.
+        let closed = std::mem::replace(&mut self.closed, true);
+        let floor = std::mem::replace(&mut self.floor, self.frames.len());
+        let mark = self.mark();
+        let result = run(self, name, span).map_err(|fault| {
+            let fault = self.with_trace(*fault);
+            if self.unclosed_bracket().is_none() {
+                self.skip_statement(mark);
+            }
+            Box::new(fault)
+        });
+        (self.closed, self.floor) = (closed, floor);
+        result
     }
 }

@@ -52,9 +52,7 @@ impl<'a> Interpreter<'a> {
     /// The same behind the word `function`.
     fn function_in_pieces(&mut self, span: Span) -> Result<Arc<dyn Thing>> {
         let (mut parameters, mut size) = (vec![], vec![]);
-        if let Token::Expr(Expr { kind: ExprKind::Paren(_), .. }) = self.peek()? {
-            self.take_apart();
-        }
+        self.expose_parenthesis()?;
         if let Token::Open(Bracket::Paren, _) = self.peek()? {
             self.open()?;
             while !self.peek()?.ends() {

@@ -9,6 +9,7 @@ use crate::interpreter::pieces::{Operands, expect_colon, joined, read_signs};
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
+use crate::syntax::begins_with_parenthesis;
 use crate::value::Value;
 
 /// Makes operations of operands and operators.
@@ -117,7 +118,7 @@ impl<'a> Interpreter<'a> {
         if !callable(self) {
             return Ok(false);
         }
-        if let Some(Token::Expr(Expr { kind: ExprKind::Paren(_), .. })) = self.peek_after()? {
+        while matches!(self.peek_after()?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
             self.take_apart();
         }
         Ok(matches!(self.peek_after()?, Some(Token::Open(Bracket::Paren, _))))

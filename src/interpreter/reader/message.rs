@@ -85,14 +85,13 @@ impl Interpreter<'_> {
             ExprKind::Choice(parts) => (parts[0].span, parts[1].span),
             _ => (e.span, e.span),
         };
-        self.misplaced(Span { lo: before.hi, hi: after.lo })
+        let gap = Span { lo: before.hi, hi: after.lo };
+        let text = self.sources.snippet(gap);
+        self.misplaced(Span { lo: gap.lo + (text.len() - text.trim_start().len()) as u32, ..gap })
     }
 
     /// A sign that can't stand where it does.
     pub(in crate::interpreter) fn misplaced(&self, span: Span) -> Diagnostic {
-        // (The place of an operator that was taken out of an expression is all that stands between its operands.)
-        let text = self.sources.snippet(span);
-        let span = Span { lo: span.lo + (text.len() - text.trim_start().len()) as u32, ..span };
         let Some((file, range)) = self.sources.locate(span) else {
             return Diagnostic::new(codes::SYNTAX, span, "something can't stand here");
         };

@@ -29,7 +29,8 @@ use std::sync::Arc;
 impl<'a> Interpreter<'a> {
     /// A text, with its place.
     pub(super) fn text_here(&mut self) -> Result<(String, Span)> {
-        let (value, span) = self.value_here()?;
+        // (A sign behind it is no operator: strings have none.)
+        let (value, span) = self.primary()?;
         match value {
             Value::Text(text) => Ok((text.to_string(), span)),
             other => self.not_text(&other, span),
@@ -240,11 +241,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn text(&mut self) -> Result<String> {
-        let (value, span) = self.value_here()?;
-        match value {
-            Value::Text(text) => Ok(text.to_string()),
-            other => Diagnostic::err(codes::WRONG_TYPE, span, format!("expected a string, found {}", other.describe())),
-        }
+        self.text_here().map(|(text, _)| text)
     }
 
     fn flag(&mut self) -> Result<bool> {

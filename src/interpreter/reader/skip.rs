@@ -66,16 +66,16 @@ impl Interpreter<'_> {
             }
             Token::Open(Bracket::Square, _) => row.push(self.enclosed_said("entry")?),
             Token::Open(Bracket::Brace, _) => row.push(self.enclosed_said("group")?),
-            Token::Numbers(data) if self.is_whole(false) => {
+            Token::Numbers(data) if data.len() > 5 || self.is_whole(false) => {
                 self.advance();
                 Said::push_numbers(row, data);
             }
             // `<a, b, … >` of a quartic has more numbers than a vector.
-            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if self.is_whole(false) => {
+            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 || self.is_whole(false) => {
                 self.advance();
                 Said::push_numbers(row, data);
             }
-            Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) if self.is_whole(false) => {
+            Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) if parts.len() > 5 || self.is_whole(false) => {
                 self.advance();
                 let data = self.whole_numbers(parts)?;
                 Said::push_numbers(row, &data);
@@ -91,12 +91,17 @@ impl Interpreter<'_> {
                 }
             }
             Token::Expr(_)
+            | Token::Numbers(_)
             | Token::Callee(_)
             | Token::Element(_)
             | Token::Function(_)
             | Token::Open(Bracket::Paren, _)
             | Token::Sign(Sign::Not | Sign::Operator(_)) => {
-                if let Slot::Value(value) = self.rvalue()? {
+                let value = match Reader::next(self)? {
+                    Next::Thing(_) | Next::Function => self.rvalue()?,
+                    _ => Slot::Value(self.value_here()?.0),
+                };
+                if let Slot::Value(value) = value {
                     Said::push_value(row, &value);
                 }
             }
@@ -104,10 +109,6 @@ impl Interpreter<'_> {
             Token::Word(word) => {
                 self.advance();
                 row.push(Said::Word(word));
-            }
-            Token::Numbers(_) => {
-                let (value, _) = self.value_here()?;
-                Said::push_value(row, &value);
             }
             Token::Sign(_) | Token::End => {
                 return Err(self.unexpected_token("a word, a value or a block").into());

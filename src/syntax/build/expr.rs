@@ -130,7 +130,8 @@ impl Builder<'_> {
         let token = self.tokens[pair.as_span().start() + 1];
         let text = self.token_text(token);
         let name = Name { word: known_word(text), span: self.token_span(token) };
-        let calls = base.calls;
+        // (A name there may be a macro's.)
+        let calls = base.calls || name.word.is_none();
         Expr { span, calls, kind: ExprKind::Dot(Box::new(base), name, self.names.intern(text)) }
     }
 

@@ -13,7 +13,7 @@ use crate::syntax::parse::Rule;
 use crate::syntax::word;
 pub use expr::{SignRow, unescape};
 use pest::iterators::{Pair, Pairs};
-pub use pieces::{begins_with_sign, pieces};
+pub use pieces::{begins_with_parenthesis, begins_with_sign, pieces};
 use std::ops::Range;
 
 /// Builds the elements of one piece of text. Places in pairs are numbers of tokens, counted from the piece's first.

@@ -77,6 +77,17 @@ pub fn begins_with_sign(e: &Expr) -> bool {
     }
 }
 
+/// Does its text begin with `(`?
+pub fn begins_with_parenthesis(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Paren(_) => true,
+        ExprKind::Dot(base, ..) | ExprKind::Index(base, _) | ExprKind::Apply(base, _) => begins_with_parenthesis(base),
+        ExprKind::Chain(chain) => begins_with_parenthesis(&chain.first),
+        ExprKind::Choice(parts) => begins_with_parenthesis(&parts[0]),
+        _ => false,
+    }
+}
+
 struct Pieces(Vec<Element>);
 
 impl Pieces {
