@@ -107,7 +107,9 @@ fn compare(path: &Path, max_steps: u64) -> Option<String> {
     }
     let mut wrong = vec![];
     if whole.messages != single.messages {
-        wrong.push(format!("    whole: {:#?}\n    single: {:#?}", whole.messages, single.messages));
+        let only = |a: &[String], b: &[String]| a.iter().filter(|m| !b.contains(m)).cloned().collect::<Vec<_>>();
+        let (of_whole, of_single) = (only(&whole.messages, &single.messages), only(&single.messages, &whole.messages));
+        wrong.push(format!("    only whole: {of_whole:#?}\n    only single: {of_single:#?}"));
     }
     if whole.printed != single.printed {
         wrong.push(parting(&whole.printed, &single.printed));
