@@ -5,7 +5,7 @@ use super::argument::Argument;
 use super::eval::as_float;
 use super::pieces::joined;
 use super::scope::{Array, Place, Slot};
-use super::stream::Token;
+use super::stream::{Frame, Token};
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, ElementKind, Expr, ExprKind, Sign, Symbol};
@@ -174,6 +174,7 @@ impl<'a> Interpreter<'a> {
     /// An array's name has been seen, perhaps with an index behind it: where that element is kept, or the array itself.
     pub(super) fn element_in_pieces(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
+        let before = self.comma;
         // (It is the name of the array that stands first.)
         if let Some(frame) = self.frames.last_mut() {
             self.comma = frame.elements.get(frame.at).is_some_and(|e| e.comma);
@@ -181,11 +182,11 @@ impl<'a> Interpreter<'a> {
         }
         let indices = self.indices_of(symbol)?;
         if indices.is_empty() {
-            return Ok(self.hold(Token::Expr(name), span));
+            return Ok(self.hold(Token::Expr(name), span, before));
         }
         let whole = indices.last().map_or(span, |(_, at)| joined(span, Span { hi: at.hi + 1, ..*at }));
         self.element = Some(self.place_of_values(symbol, span, &indices, false)?);
-        Ok(self.hold(Token::Element(whole), whole))
+        Ok(self.hold(Token::Element(whole), whole, before))
     }
 
     /// The indices and keys that come next, behind an array's name.
@@ -208,12 +209,23 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What comes directly behind an array's name: no directive and no macro runs in between, as in POV-Ray.
+    /// What comes directly behind an array's name: no directive and no macro runs in between, and none ends, as in POV-Ray.
     fn index_ahead(&mut self) -> Result<Option<Token<'a>>> {
-        let outer = std::mem::replace(&mut self.closed, true);
-        let next = self.peek_after();
-        self.closed = outer;
-        next
+        loop {
+            if self.comma {
+                return Ok(None);
+            }
+            return match self.raw().map(|e| &e.kind) {
+                Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot)) => {
+                    self.peek().map(Some)
+                }
+                None if self.held.is_empty() && self.frames.last().is_some_and(Frame::is_spent_piece) => {
+                    self.pop_frame();
+                    continue;
+                }
+                _ => Ok(None),
+            };
+        }
     }
 
     fn is_dictionary(&self, symbol: Symbol, indices: &[(Value, Span)]) -> Result<bool> {

@@ -124,6 +124,12 @@ pub(super) struct Mark {
 const MAX_NESTING: usize = 5_000;
 
 impl Frame<'_> {
+    /// Has an expression that was taken apart come to its end?
+    pub(super) fn is_spent_piece(&self) -> bool {
+        let whole = matches!(self.kind, FrameKind::Piece) && self.closer.is_none();
+        whole && self.at >= self.elements.len()
+    }
+
     /// After a fault: on to the end of the statement that began at index `from`, of which so many brackets are open.
     fn skip_statement(&mut self, from: usize, open: usize) {
         self.item = (0, 0);
@@ -574,9 +580,7 @@ impl<'a> Interpreter<'a> {
             _ if brace => block,
             _ => alone,
         };
-        let behind = std::mem::replace(&mut self.comma, before);
-        self.held.push(Held { token, span, comma: behind });
-        Ok(token)
+        Ok(self.hold(token, span, before))
     }
 
     /// What may go on with the value that was just read: the very next token. `None` where a comma, a `;` or nothing
@@ -731,9 +735,10 @@ impl<'a> Interpreter<'a> {
         token
     }
 
-    /// Tells that the next token is this one, whose text has been consumed.
-    pub(super) fn hold(&mut self, token: Token<'a>, span: Span) -> Token<'a> {
-        self.held.push(Held { token, span, comma: self.comma });
+    /// Tells that the next token is this one, whose text has been consumed; did a comma stand before it?
+    pub(super) fn hold(&mut self, token: Token<'a>, span: Span, before: bool) -> Token<'a> {
+        let comma = std::mem::replace(&mut self.comma, before);
+        self.held.push(Held { token, span, comma });
         token
     }
 

@@ -420,10 +420,7 @@ impl<'a> Interpreter<'a> {
         component: Option<&Name>,
         span: Span,
     ) -> Result<Id> {
-        let callee = match self.scopes.get(name) {
-            Some(Slot::Value(value)) => value.clone(),
-            _ => self.name_value(name, span)?,
-        };
+        let callee = self.name_value(name, span)?;
         self.compile_call_of(c, &callee, ids, component, span)
     }
 
