@@ -21,6 +21,8 @@ mod library;
 mod mutate;
 #[path = "hostile/outside.rs"]
 mod outside;
+#[path = "hostile/pieces.rs"]
+mod pieces;
 #[path = "hostile/povray.rs"]
 mod povray;
 #[path = "hostile/runaway.rs"]
@@ -31,7 +33,8 @@ mod text;
 use libtest_mimic::{Arguments, Trial};
 
 fn main() {
-    let tables = [text::cases(), runaway::cases(), geometry::cases(), outside::cases(), files::cases()];
+    let tables =
+        [text::cases(), runaway::cases(), pieces::cases(), geometry::cases(), outside::cases(), files::cases()];
     let cases = tables.into_iter().flatten();
     let mut trials: Vec<Trial> = cases.map(|case| Trial::test(case.name, move || case.run())).collect();
     trials.extend(outside::trials());

@@ -9,12 +9,15 @@
 //! ```
 //!
 //! `tests/lang/regenerate.py` asks the real POV-Ray for the printed lines.
+//!
+//! Each section runs twice: as it is written, and taken apart into single tokens, which has to come to the same.
 
 use durer::interpreter::Options;
 use durer::source::{Sandbox, SearchPath, Sources, text_of};
+use durer::syntax::Wholes;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lang");
@@ -28,7 +31,7 @@ fn main() {
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
-/// One test for each section of a file.
+/// Two tests for each section of a file.
 fn trials(path: &Path) -> Vec<Trial> {
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let bytes = std::fs::read(path).unwrap_or_default();
@@ -40,13 +43,17 @@ fn trials(path: &Path) -> Vec<Trial> {
     let starts: Vec<usize> = (0..file.lines.len()).filter(|&i| file.lines[i].0.starts_with("//---")).collect();
     let ends = starts.iter().skip(1).copied().chain([file.lines.len()]);
     let sections = starts.iter().copied().zip(ends);
-    let trial = |(start, end): (usize, usize)| {
+    let trials = |(start, end): (usize, usize)| {
         let title = file.lines[start].0.trim_start_matches("//---").trim();
-        let (file, preamble) = (file.clone(), starts[0]);
         let full = format!("{name}::{title}");
-        Trial::test(full, move || file.run(preamble, start..end))
+        let preamble = starts[0];
+        let trial = |name: String, wholes: Wholes| {
+            let file = file.clone();
+            Trial::test(name, move || file.run(preamble, start..end, wholes))
+        };
+        [trial(full.clone(), Wholes::Kept), trial(full + " (single tokens)", Wholes::TakenApart)]
     };
-    sections.map(trial).collect()
+    sections.flat_map(trials).collect()
 }
 
 /// Lines, each with its end, which may be LF, CR or both.
@@ -71,7 +78,7 @@ struct TestFile {
 
 impl TestFile {
     /// Runs a section together with what stands before the first one.
-    fn run(&self, preamble: usize, section: std::ops::Range<usize>) -> Result<(), Failed> {
+    fn run(&self, preamble: usize, section: std::ops::Range<usize>, wholes: Wholes) -> Result<(), Failed> {
         let kept = |i: usize| i < preamble || section.contains(&i);
         // The other lines are blank, so that places stay.
         let text: String = self
@@ -80,7 +87,10 @@ impl TestFile {
             .enumerate()
             .map(|(i, (line, end))| if kept(i) { line.clone() + end } else { end.clone() })
             .collect();
-        let (printed, told) = run(&self.path, &self.name, text);
+        // Both ways of a section write the same files.
+        static WRITING: Mutex<()> = Mutex::new(());
+        let _alone = text.contains("#fopen").then(|| WRITING.lock());
+        let Ran { printed, told, scene } = run(&self.path, &self.name, text.clone(), wholes);
         let mut expected_lines = vec![];
         let mut expected_faults = vec![];
         for i in section {
@@ -98,6 +108,9 @@ impl TestFile {
         if told != expected_faults {
             wrong.push(format!("expected messages {expected_faults:#?}\nfound {told:#?}"));
         }
+        if wholes == Wholes::TakenApart && scene != run(&self.path, &self.name, text, Wholes::Kept).scene {
+            wrong.push("the Scene is another one than that of what stands whole".into());
+        }
         if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n").into()) }
     }
 }
@@ -110,18 +123,27 @@ fn whole_place(fault: &str, line: usize) -> String {
     }
 }
 
-/// What a text prints, and its messages in the form of the comments.
-fn run(path: &Path, name: &str, text: String) -> (String, Vec<String>) {
+/// What came of a text.
+struct Ran {
+    printed: String,
+    /// Messages in the form of the comments.
+    told: Vec<String>,
+    /// As JSON, where there is one.
+    scene: Option<String>,
+}
+
+fn run(path: &Path, name: &str, text: String, wholes: Wholes) -> Ran {
     let folder = path.parent().unwrap_or(Path::new("."));
     let options = Options {
         sandbox: Sandbox::around(&SearchPath::new(folder, &[])),
         search: SearchPath::new(folder, &[]),
+        wholes,
         ..Options::default()
     };
     let mut printed = String::new();
-    let told = durer::on_big_stack(|| {
+    let (told, scene) = durer::on_big_stack(|| {
         let sources = Sources::default();
-        let Some(file) = sources.add(name, Some(path), text) else { return vec![] };
+        let Some(file) = sources.add(name, Some(path), text) else { return Default::default() };
         let outcome = durer::interpreter::interpret(&sources, file, &options, &mut |text| printed.push_str(text));
         let message = |d: &durer::diagnostic::Diagnostic| match sources.place(d.span()) {
             Some(place) if place.file == name => format!("{} at {}:{}", d.code, place.line, place.column),
@@ -129,7 +151,8 @@ fn run(path: &Path, name: &str, text: String) -> (String, Vec<String>) {
             None => d.code.to_string(),
         };
         // The sections draw nothing, so they have no camera.
-        outcome.diagnostics.iter().map(message).filter(|m| m != "W0206").collect()
+        let told = outcome.diagnostics.iter().map(message).filter(|m| m != "W0206").collect();
+        (told, outcome.scene.and_then(|scene| serde_json::to_string(&scene).ok()))
     });
-    (printed, told)
+    Ran { printed, told, scene }
 }
