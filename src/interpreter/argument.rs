@@ -2,6 +2,7 @@
 
 use super::Interpreter;
 use super::eval::{as_float, as_vector};
+use super::pieces::is_callable;
 use super::scope::{Place, Slot};
 use super::stream::Token;
 use crate::diagnostic::{Diagnostic, Result};
@@ -48,10 +49,17 @@ impl<'a> Interpreter<'a> {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 // (Looking at what follows may end the macro whose name it is.)
                 let (slot, depth) = (self.scopes.get(*symbol).cloned(), self.depth);
+                let level = self.scopes.resolve(*symbol).map(|place| self.scopes.level_of(&place));
                 self.advance();
-                let ends = self.value_ends()?;
+                let called = matches!(&slot, Some(Slot::Value(value)) if is_callable(value)) && self.call_follows()?;
+                let ends = !called && self.value_ends()?;
+                let lasting = level.is_some_and(|level| level <= self.scopes.level());
+                if !ends {
+                    self.first_use(*symbol, span);
+                }
                 match slot {
                     _ if ends && depth == self.depth => Ok(Argument { given: Given::Name(*symbol), span }),
+                    Some(_) if ends && lasting => Ok(Argument { given: Given::Name(*symbol), span }),
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
                     Some(slot) => self.argument_from(slot, span),
                     None => {

@@ -105,6 +105,12 @@ impl<'a> Scopes<'a> {
         self.levels.len() as u32
     }
 
+    /// The number of the level at which a place's name is bound.
+    pub(super) fn level_of(&self, place: &Place) -> u32 {
+        let binding = self.bindings.get(place.symbol.0 as usize).and_then(|stack| stack.get(place.depth));
+        binding.map_or(0, |binding| binding.level)
+    }
+
     pub(super) fn enter(&mut self) {
         self.levels.push(self.names.len());
     }

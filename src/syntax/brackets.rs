@@ -138,13 +138,6 @@ impl Brackets {
         }
     }
 
-    /// Another arm of the innermost directive begins, of this class.
-    pub(super) fn continue_as(&mut self, class: u8) {
-        if let Some((opener, _)) = self.stack.last_mut() {
-            *opener = Opener::Directive(class);
-        }
-    }
-
     /// The innermost directive ends.
     pub(super) fn end(&mut self) {
         self.pop();

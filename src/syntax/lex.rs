@@ -379,9 +379,6 @@ impl Lexer<'_> {
             Some((class, Role::Continues(which))) => match self.brackets.end_body() {
                 Some(open) if which.contains(&open) => {
                     self.push(class, end - at, 0);
-                    // Behind `#else` only `#end` can come.
-                    let arm = if class == class::ELSE { class::ELSE } else { open };
-                    self.brackets.continue_as(arm);
                 }
                 _ => self.continues_nothing(word, at, end),
             },

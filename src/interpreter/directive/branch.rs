@@ -49,7 +49,7 @@ impl<'a> Interpreter<'a> {
     }
 
     pub(in crate::interpreter) fn branch(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
-        for branch in branches {
+        for (i, branch) in branches.iter().enumerate() {
             if let Condition::True(Head::Pieces(None)) = &branch.condition {
                 let mark = self.mark();
                 if self.head_in_body(&branch.body, branch.span)?.abs() > SMALL {
@@ -65,6 +65,9 @@ impl<'a> Interpreter<'a> {
                 Condition::Always => true,
             };
             if taken {
+                if let (Condition::Always, Some(next)) = (&branch.condition, branches.get(i + 1)) {
+                    return Err(continues_nothing(next.span, self.sources.snippet(next.span)));
+                }
                 self.push_frame(&branch.body, FrameKind::Branch, span);
                 break;
             }
@@ -100,7 +103,10 @@ impl<'a> Interpreter<'a> {
                 match me.bare_name() {
                     Some((symbol, _)) => Ok(me.scopes.get(symbol).is_some()),
                     None => {
-                        let argument = me.argument_here()?;
+                        let argument = match me.argument_here() {
+                            Err(fault) if fault.code == codes::UNDECLARED => return me.skip_to_end().map(|()| false),
+                            argument => argument?,
+                        };
                         match argument.given {
                             Given::Slot(_) => {
                                 Diagnostic::err(codes::WRONG_TYPE, argument.span, "`#ifdef` takes a name")
@@ -112,6 +118,14 @@ impl<'a> Interpreter<'a> {
             }),
             Head::Pieces(None) => Err(self.no_parentheses(span)),
         }
+    }
+
+    /// Over what is left between the brackets.
+    fn skip_to_end(&mut self) -> Result<()> {
+        while !self.peek()?.ends() {
+            self.advance();
+        }
+        Ok(())
     }
 
     pub(super) fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
@@ -176,6 +190,10 @@ impl<'a> Interpreter<'a> {
 
     /// `I, 0, 10, 2`; the commas may be left out.
     fn for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
+        // `J -1, 1`, `J (0), 1`: the comma behind the name may be left out.
+        if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_))) {
+            self.take_apart();
+        }
         let Some((counter, _)) = self.raw_name() else { return Err(self.unexpected_token("a name").into()) };
         let (mut numbers, mut at) = ([0.0, 0.0, 1.0], span);
         let mut count = 0;
@@ -224,6 +242,9 @@ impl<'a> Interpreter<'a> {
             };
             // What a head in pieces has left of its body.
             let begun = self.frames.split_off(mark.frames);
+            if let (true, When::Otherwise, Some(next)) = (fits, &arm.when, arms.get(i + 1)) {
+                return Err(continues_nothing(next.span, self.sources.snippet(next.span)));
+            }
             if fits {
                 // Fall-through, also into `#else`: later arms lie below on the stack.
                 self.push_frame(&[], FrameKind::Switch, span);
@@ -252,6 +273,14 @@ fn doubled_operator(elements: &[Element]) -> Option<Span> {
     };
     let doubled = |pair: &&[Element]| sign(&pair[0]).is_some_and(|op| sign(&pair[1]) == Some(op) && !op.adds());
     elements.windows(2).find(doubled).map(|pair| pair[1].span)
+}
+
+/// What stands behind an `#else` that is run.
+fn continues_nothing(span: Span, text: &str) -> Fault {
+    let word = text.split(|c: char| !c.is_ascii_alphabetic() && c != '#').next().unwrap_or("#else");
+    let at = Span { hi: span.lo + word.len() as u32, ..span };
+    let d = Diagnostic::new(codes::UNMATCHED_CLOSER, at, format!("`{word}` continues nothing"));
+    Box::new(d.help("it stands behind an `#else`, which is the last part"))
 }
 
 fn within(value: f64, last: f64, step: f64) -> bool {

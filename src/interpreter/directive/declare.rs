@@ -88,13 +88,18 @@ impl<'a> Interpreter<'a> {
     }
 
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
+        self.pop_spent();
         let deprecated = self.deprecated_tokens()?;
         if let Some(ElementKind::Expr(_) | ElementKind::Sign(Sign::Open(Bracket::Paren))) = self.raw().map(|e| &e.kind)
             && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis()?
         {
             self.open()?;
             let mut targets = vec![];
-            while !self.peek()?.ends() {
+            while !matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Sign(_)) | None) {
+                if self.raw().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
+                    self.advance();
+                    continue;
+                }
                 targets.push(self.declared_tokens(span)?);
             }
             self.close("`)`")?;
@@ -149,6 +154,7 @@ impl<'a> Interpreter<'a> {
 
     /// A name, perhaps with indices.
     fn declared_tokens(&mut self, directive: Span) -> Result<Declared> {
+        self.pop_spent();
         // `declare A = 3` without `#` reads as a comparison.
         if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.take_apart();
@@ -199,6 +205,9 @@ impl<'a> Interpreter<'a> {
         let outer = std::mem::replace(&mut self.floor, mark.frames);
         let value = self.rvalue().and_then(|slot| self.drain(mark.frames).map(|()| slot));
         self.floor = outer;
+        if self.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
+            self.advance();
+        }
         let slot = match value {
             Ok(slot) => slot,
             Err(fault) if self.limit_reached || fault.code == codes::ENDS_RUN || self.unclosed_bracket().is_some() => {
@@ -271,6 +280,7 @@ impl<'a> Interpreter<'a> {
     }
 
     pub(in crate::interpreter) fn undef(&mut self, span: Span) -> Result<()> {
+        self.pop_spent();
         // (Nothing behind the name runs before it is forgotten, and a macro's is not called.)
         let next = self.frames.last().and_then(|f| f.elements.get(f.at + 1)).map(|e| &e.kind);
         if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Sign(_)))

@@ -6,7 +6,7 @@ use crate::interpreter::argument::Given;
 use crate::interpreter::limits::MAX_CALLS;
 use crate::interpreter::pieces::joined;
 use crate::interpreter::scope::Slot;
-use crate::interpreter::stream::{Frame, FrameKind, Token};
+use crate::interpreter::stream::{FrameKind, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
 
@@ -136,7 +136,7 @@ impl<'a> Interpreter<'a> {
 
     fn arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
         let name = self.names.text(definition.name);
-        let (depth, wanted) = (self.frames.len(), definition.parameters.len());
+        let (level, wanted) = (self.scopes.level(), definition.parameters.len());
         let mut slots = Vec::with_capacity(wanted);
         for &(parameter, optional) in &definition.parameters {
             if self.peek()?.ends() {
@@ -154,7 +154,7 @@ impl<'a> Interpreter<'a> {
                 .help(format!("the argument for `{parameter}` is missing"))
                 .into();
             }
-            slots.push(Some(self.argument(depth)?));
+            slots.push(Some(self.argument(level)?));
         }
         let next = self.peek()?;
         if let Some(d) = self.called_value() {
@@ -172,22 +172,22 @@ impl<'a> Interpreter<'a> {
         Ok(slots)
     }
 
-    /// A bare name is passed by reference, all else as a copy; so is a name that a macro gives, which may end with it.
-    fn argument(&mut self, depth: usize) -> Result<Slot<'a>> {
+    /// A bare name is passed by reference, all else as a copy; so is a local name of a macro that gives it.
+    fn argument(&mut self, level: u32) -> Result<Slot<'a>> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
             return self.rvalue();
         }
-        let gives_own = |f: &Frame| matches!(f.kind, FrameKind::Macro(_) | FrameKind::Include);
-        let lasting = !self.frames[depth.min(self.frames.len())..].iter().any(gives_own);
+        let place = match self.peek()? {
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.scopes.resolve(*symbol),
+            _ => None,
+        };
+        let lasting = place.filter(|place| self.scopes.level_of(place) <= level);
         let closed = std::mem::replace(&mut self.closed, true);
         let argument = self.argument_here();
         self.closed = closed;
         let argument = argument?;
         match argument.given {
-            Given::Name(symbol) if lasting => match self.scopes.resolve(symbol) {
-                Some(place) => Ok(Slot::Alias(place)),
-                None => self.argument_slot(&argument),
-            },
+            Given::Name(_) if let Some(place) = lasting => Ok(Slot::Alias(place)),
             Given::Place(place) => self.slot_at(&place, argument.span).map(|_| Slot::Alias(place)),
             Given::Slot(slot) => Ok(slot),
             Given::Name(_) => self.argument_slot(&argument),

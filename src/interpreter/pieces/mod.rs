@@ -249,6 +249,9 @@ impl<'a> Interpreter<'a> {
 
     /// The word behind a `.`.
     pub(super) fn component_name(&mut self) -> Result<Name> {
+        while matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Chain(_) | ExprKind::Choice(_), .. })) {
+            self.take_apart();
+        }
         let token = self.peek()?;
         let span = self.here();
         let text = self.sources.snippet(span);
@@ -344,7 +347,7 @@ impl<'a> Interpreter<'a> {
 
     /// `A, B, C [, D])`: only the one that is meant is computed.
     fn select_in_pieces(&mut self, span: Span) -> Result<(Value, Span)> {
-        let (value, at) = self.value_here()?;
+        let (value, at) = self.value_in(true)?;
         let a = as_float(&value, at)?;
         let mut found = None;
         let mut count = 0;
@@ -352,8 +355,8 @@ impl<'a> Interpreter<'a> {
             // Without a fourth argument the third stands for 0 as well.
             let meant = match count {
                 0 => a < 0.0,
-                1 => a >= 0.0,
-                _ => a > 0.0,
+                1 => !(a < 0.0),
+                _ => !(a < 0.0) && a != 0.0,
             };
             count += 1;
             if meant {

@@ -1,6 +1,6 @@
 //! What stands whole and is no whole after all: a macro in it gives tokens of its own, or something goes on with it.
 
-use super::is_callable;
+use super::{Frame, FrameKind, is_callable};
 use crate::interpreter::Interpreter;
 use crate::interpreter::scope::Slot;
 use crate::source::Span;
@@ -88,6 +88,17 @@ impl<'a> Interpreter<'a> {
             part.span = Span { lo, hi: lo + text.trim().len() as u32 };
         }
         parts
+    }
+
+    /// Leaves macros that have come to their end.
+    pub(in crate::interpreter) fn pop_spent(&mut self) {
+        let spent = |f: &Frame| {
+            let leaves = matches!(f.kind, FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch);
+            leaves && f.closer.is_none() && f.at >= f.elements.len()
+        };
+        while self.held.is_empty() && self.frames.last().is_some_and(spent) {
+            self.pop_frame();
+        }
     }
 
     /// An expression as the only element of a row, so that it is taken apart where it has to be.

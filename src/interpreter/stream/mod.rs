@@ -137,7 +137,10 @@ impl<'a> Interpreter<'a> {
             if frame.closer.is_some() || matches!(frame.kind, FrameKind::File) {
                 return Ok(false);
             }
+            // (A loop's condition is no matter of the row it stands in.)
+            let comma = self.comma;
             self.end_of_frame()?;
+            self.comma |= comma;
             return Ok(true);
         };
         match &element.kind {
@@ -262,6 +265,10 @@ impl<'a> Interpreter<'a> {
             Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot))
                 if matches!(self.scopes.get(symbol), Some(Slot::Array(_))) =>
             {
+                self.element_in_pieces(symbol, expr).map(Some)
+            }
+            // (The fault is that it has no elements.)
+            Some(ElementKind::Sign(Sign::Open(Bracket::Square))) if matches!(self.scopes.get(symbol), Some(Slot::Value(value)) if !matches!(value, Value::Thing(_))) => {
                 self.element_in_pieces(symbol, expr).map(Some)
             }
             None if !element.comma && matches!(self.scopes.get(symbol), Some(Slot::Array(_))) => {

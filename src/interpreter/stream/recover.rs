@@ -1,6 +1,6 @@
 //! After a fault: to the end of the statement, so that one mistake gives one message.
 
-use super::Frame;
+use super::{Frame, Opened};
 use crate::interpreter::Interpreter;
 use crate::syntax::ast::*;
 
@@ -15,10 +15,10 @@ pub(in crate::interpreter) struct Mark {
 
 impl Frame<'_> {
     /// After a fault: on to the end of the statement that began at index `from`, of which so many brackets are open.
-    pub(super) fn skip_statement(&mut self, from: usize, open: usize) {
+    pub(super) fn skip_statement(&mut self, from: usize, open: (bool, usize)) {
         self.item = (0, 0);
         self.closer = None;
-        if open > 0 {
+        if open.1 > 0 {
             return self.skip_brackets(open);
         }
         if self.at == from {
@@ -51,16 +51,16 @@ impl Frame<'_> {
         let opens = matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(_))));
         self.at += 1;
         if opens {
-            self.skip_brackets(1);
+            self.skip_brackets((false, 1));
         }
     }
 
-    pub(super) fn skip_brackets(&mut self, mut open: usize) {
+    pub(super) fn skip_brackets(&mut self, (braces, mut open): (bool, usize)) {
         while let Some(element) = self.elements.get(self.at) {
             self.at += 1;
             match element.kind {
-                ElementKind::Sign(Sign::Open(_)) => open += 1,
-                ElementKind::Sign(Sign::Close(_)) => open -= 1,
+                ElementKind::Sign(Sign::Open(bracket)) if !braces || bracket == Bracket::Brace => open += 1,
+                ElementKind::Sign(Sign::Close(bracket)) if !braces || bracket == Bracket::Brace => open -= 1,
                 _ => {}
             }
             if open == 0 {
@@ -111,20 +111,27 @@ impl<'a> Interpreter<'a> {
 
     /// After an error: past the statement that began at the mark.
     pub(in crate::interpreter) fn skip_statement(&mut self, mark: Mark) {
-        let open = self.opened.iter().skip(mark.opened);
-        let open = open.filter(|o| o.alone.is_some() && o.frames == mark.frames).count();
+        let open = self.opened_alone(mark);
         self.unwind(mark);
         if let Some(frame) = self.frames.last_mut() {
             frame.skip_statement(mark.at, open);
         }
     }
 
+    /// How many brackets were opened since the mark, as tokens of the frame that was the innermost: if there are braces, they
+    /// alone count.
+    fn opened_alone(&self, mark: Mark) -> (bool, usize) {
+        let own = |o: &&Opened| o.alone.is_some() && o.frames == mark.frames;
+        let all = self.opened.iter().skip(mark.opened).filter(own);
+        let braces = all.clone().filter(|o| o.bracket == Bracket::Brace).count();
+        if braces > 0 { (true, braces) } else { (false, all.count()) }
+    }
+
     /// After an error: past the brackets that were opened since the mark.
     pub(in crate::interpreter) fn skip_brackets(&mut self, mark: Mark) {
-        let open = self.opened.iter().skip(mark.opened);
-        let open = open.filter(|o| o.alone.is_some() && o.frames == mark.frames).count();
+        let open = self.opened_alone(mark);
         self.unwind(mark);
-        if let Some(frame) = self.frames.last_mut().filter(|_| open > 0) {
+        if let Some(frame) = self.frames.last_mut().filter(|_| open.1 > 0) {
             frame.skip_brackets(open);
         }
     }

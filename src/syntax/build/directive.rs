@@ -43,6 +43,7 @@ impl Builder<'_> {
             && let (Some(symbol), true) = (name_of(counter), counter.comma)
             && (2..=3).contains(&range.len())
             && range.iter().enumerate().all(|(i, e)| e.comma == (i + 1 < range.len()))
+            && !range.iter().any(|e| matches!(&e.kind, ElementKind::Expr(e) if e.calls))
         {
             let expr = |e: &Element| match &e.kind {
                 ElementKind::Expr(e) => Some((**e).clone()),
@@ -99,7 +100,8 @@ impl Builder<'_> {
         let keyword = category.map(|(word, _)| word);
         let symbol = self.symbol(&pair);
         let index = |part: Pair<Rule>| match part.as_rule() {
-            Rule::index => Some(self.only_expr(part, In::Script)),
+            // (What is called there may be a macro.)
+            Rule::index => Some(self.only_expr(part, In::Script).filter(|e| !e.calls)),
             // `D.Key` is `D["Key"]`.
             Rule::dot => {
                 let token = self.tokens[part.as_span().start() + 1];
@@ -125,6 +127,7 @@ impl Builder<'_> {
                     let span = self.tokens_span(start, end);
                     let body = part.into_inner().next().map_or(Box::default(), |b| self.elements(b, place));
                     branches.push(Branch { span, condition: Condition::Always, body });
+                    start = end;
                 }
                 _ => {
                     let given = self.head(head.take());
