@@ -183,6 +183,11 @@ impl<'a> Interpreter<'a> {
     }
 }
 
+/// Do commas stand between the arguments of this function, always?
+pub(super) fn needs_commas(name: &str) -> bool {
+    matches!(FUNCTIONS.get(name), Some(Function::Numeric(row)) if matches!(row.kernel, numeric_table::Kernel::Many(_)))
+}
+
 /// An error unless the function takes so many arguments.
 fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Span) -> Result<()> {
     if arity.contains(&found) {

@@ -205,7 +205,7 @@ impl<'a> Interpreter<'a> {
         let outer = std::mem::replace(&mut self.floor, mark.frames);
         let value = self.rvalue().and_then(|slot| self.drain(mark.frames).map(|()| slot));
         self.floor = outer;
-        if self.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
+        if value.is_ok() && self.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
             self.advance();
         }
         let slot = match value {
