@@ -299,7 +299,11 @@ impl<'a> Interpreter<'a> {
             self.advance();
             return Ok(());
         }
-        let argument = self.argument_here()?;
+        let argument = match self.argument_here() {
+            // What is not there need not be forgotten.
+            Err(fault) if fault.code == codes::UNDECLARED => return Ok(()),
+            argument => argument?,
+        };
         match argument.given {
             Given::Name(symbol) => drop(self.scopes.remove(symbol)),
             Given::Place(place) => self.scopes.set_element(&place, None),

@@ -29,7 +29,7 @@ impl Frame<'_> {
         let last = self.at.checked_sub(1).and_then(|last| self.elements.get(last)).map(|e| &e.kind);
         let ends = [Sign::Close(Bracket::Brace)].map(ElementKind::Sign);
         match last {
-            Some(ElementKind::Block(_) | ElementKind::Function(_)) => return,
+            Some(ElementKind::Block(_) | ElementKind::Function(_) | ElementKind::Group(_)) => return,
             Some(ElementKind::Sign(sign)) if matches!(&ends[0], ElementKind::Sign(end) if end == sign) => return,
             _ => {}
         }
