@@ -350,14 +350,15 @@ impl<'a> Interpreter<'a> {
     fn select_in_pieces(&mut self, span: Span) -> Result<(Value, Span)> {
         let (value, at) = self.value_in(true)?;
         let a = as_float(&value, at)?;
+        let below = a < 0.0;
         let mut found = None;
         let mut count = 0;
         while !self.peek()?.closes(Bracket::Paren) {
             // Without a fourth argument the third stands for 0 as well.
             let meant = match count {
-                0 => a < 0.0,
-                1 => !(a < 0.0),
-                _ => !(a < 0.0) && a != 0.0,
+                0 => below,
+                1 => !below,
+                _ => !below && a != 0.0,
             };
             count += 1;
             if meant {
