@@ -93,7 +93,7 @@ impl<'a> Interpreter<'a> {
 
     /// What was read may be the first operand of more, or be called.
     fn rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
-        if matches!(&value, Value::Thing(thing) if !matches!(thing.kind(), "function" | "spline")) {
+        if matches!(&value, Value::Thing(_)) && !is_callable(&value) {
             return Ok(Slot::Value(value));
         }
         self.value_from(value, span).map(|(value, _)| Slot::Value(value))

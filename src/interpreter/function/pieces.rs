@@ -5,7 +5,8 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Id, Node};
 use crate::interpreter::Interpreter;
 use crate::interpreter::eval::as_float;
-use crate::interpreter::pieces::{Operands, expect_colon, joined, read_signs};
+use crate::interpreter::pieces::{Operands, expect_colon, is_callable, joined, read_signs};
+use crate::interpreter::scope::Slot;
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
@@ -51,10 +52,6 @@ impl<'a> Interpreter<'a> {
             let span = self.here();
             return match token {
                 Token::Expr(e) => match &e.kind {
-                    ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..) => {
-                        self.take_apart();
-                        continue;
-                    }
                     // A component or more may follow.
                     ExprKind::Call(..) | ExprKind::Apply(..) if !self.is_whole(true) => {
                         self.take_apart();
@@ -62,13 +59,15 @@ impl<'a> Interpreter<'a> {
                     }
                     ExprKind::Name(symbol) => {
                         self.advance();
-                        match self.thing_is_callable(*symbol) && self.call_follows()? {
-                            true => {
-                                let callee = self.name_value(*symbol, span)?;
-                                self.compile_call_in_pieces(c, &callee, span)
-                            }
-                            false => Ok((self.compile_name(c, *symbol, e)?, span)),
+                        let callee = match self.scopes.get(*symbol) {
+                            Some(Slot::Value(value)) => is_callable(value),
+                            _ => false,
+                        };
+                        if callee && self.call_follows()? {
+                            let callee = self.name_value(*symbol, span)?;
+                            return self.compile_call_in_pieces(c, &callee, span);
                         }
+                        Ok((self.compile_name(c, *symbol, e)?, span))
                     }
                     _ => {
                         self.advance();
@@ -89,7 +88,7 @@ impl<'a> Interpreter<'a> {
                 Token::Element(_) => {
                     let slot = self.take_element()?;
                     let value = self.slot_value(slot, span)?;
-                    if matches!(value, Value::Thing(_)) && self.call_follows()? {
+                    if is_callable(&value) && self.call_follows()? {
                         return self.compile_call_in_pieces(c, &value, span);
                     }
                     Ok((c.graph.constant(as_float(&value, span)?), span))
@@ -105,11 +104,6 @@ impl<'a> Interpreter<'a> {
                 _ => Err(self.unexpected_token("a number, a parameter or a function").into()),
             };
         }
-    }
-
-    fn thing_is_callable(&self, symbol: crate::syntax::ast::Symbol) -> bool {
-        use crate::interpreter::scope::Slot;
-        matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
     }
 
     /// The arguments of a function or spline, whose `(` comes next, and perhaps a component behind them.

@@ -1,24 +1,21 @@
 //! Values in pieces: expressions of which macros, branches, loops or files give the tokens one by one. The rules and the table
 //! of precedences are those of the expressions that stand whole.
 
+mod call;
 mod skipped;
 
 use super::Interpreter;
-use super::argument::Argument;
 use super::eval::{as_float, vector_value};
 use super::operators::{SMALL, apply, apply_prefix, component};
 use super::scope::Slot;
 use super::stream::{BlockName, Token};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Spline};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::word;
-use crate::syntax::{SignRow, begins_with_parenthesis, begins_with_sign};
-use crate::value::{Reader, Thing, Value, VecN, downcast};
+use crate::syntax::{SignRow, begins_with_sign};
+use crate::value::{Reader, Value, VecN};
 use skipped::Skipped;
-use smallvec::SmallVec;
-use std::sync::Arc;
 
 /// What is done with operands and operators as they come: values are computed, functions compiled, or nothing is done.
 pub(super) trait Operands<'a> {
@@ -136,7 +133,7 @@ impl<'a> Interpreter<'a> {
                 _ => {}
             }
         }
-        self.climb(&mut Values, compares)
+        self.climb(&mut Computed::default(), compares)
     }
 
     /// Is the last operand the name of something that may be called? What stands behind it may hold the arguments.
@@ -157,62 +154,61 @@ impl<'a> Interpreter<'a> {
 
     /// A value whose first operand has been read.
     pub(super) fn value_from(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
-        self.climb(&mut From(Some((first, span))), false)
+        self.climb(&mut Computed(Some((first, span))), false)
     }
 
     /// A number, vector, text, name, call … without signs.
     pub(super) fn primary(&mut self) -> Result<(Value, Span)> {
-        loop {
-            let token = self.peek()?;
-            let span = self.here();
-            return match token {
-                Token::Expr(e) => match &e.kind {
-                    ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..) => {
-                        self.take_apart();
-                        continue;
-                    }
-                    _ => {
-                        self.advance();
-                        Ok((self.eval(e)?, span))
-                    }
-                },
-                Token::Numbers(data) => {
-                    self.advance();
-                    Ok((numbers_value(data, span)?, span))
+        self.expose_operand()?;
+        let token = self.peek()?;
+        let span = self.here();
+        match token {
+            Token::Expr(e) => {
+                self.advance();
+                Ok((self.eval(e)?, span))
+            }
+            Token::Numbers(data) => {
+                self.advance();
+                Ok((numbers_value(data, span)?, span))
+            }
+            Token::Element(_) => {
+                let slot = self.take_element()?;
+                Ok((self.slot_value(slot, span)?, span))
+            }
+            Token::Sign(Sign::Operator(Operator::Less)) => self.vector_in_pieces(),
+            Token::Open(Bracket::Paren, _) => {
+                self.open()?;
+                let (value, _) = self.value_in(true)?;
+                let next = self.peek()?;
+                if !next.ends() && !matches!(next, Token::Sign(_)) {
+                    let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
+                    return d.help("vectors stand in angle brackets: `<1, 2, 3>`").into();
                 }
-                Token::Element(_) => {
-                    let slot = self.take_element()?;
-                    Ok((self.slot_value(slot, span)?, span))
-                }
-                Token::Sign(Sign::Operator(Operator::Less)) => self.vector_in_pieces(),
-                Token::Open(Bracket::Paren, _) => {
-                    self.open()?;
-                    let (value, _) = self.value_in(true)?;
-                    let next = self.peek()?;
-                    if !next.ends() && !matches!(next, Token::Sign(_)) {
-                        let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
-                        return d.help("vectors stand in angle brackets: `<1, 2, 3>`").into();
-                    }
-                    let end = self.here();
-                    self.close("`)`")?;
-                    Ok((value, joined(span, end)))
-                }
-                Token::Callee(word) => self.builtin_in_pieces(word, span),
-                Token::Word(word) if super::reader::begins_color(word) => {
-                    let color = self.color()?;
-                    Ok((Value::Color(color), span))
-                }
-                // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
-                Token::Word(word) if self.names.find(word).is_some_and(|s| self.scopes.get(s).is_some()) => {
-                    self.advance();
-                    match self.names.find(word) {
-                        Some(symbol) => Ok((self.name_value(symbol, span)?, span)),
-                        None => Err(self.unexpected_token("a value").into()),
-                    }
-                }
-                _ => Err(self.unexpected_token("a value").into()),
-            };
+                let end = self.here();
+                self.close("`)`")?;
+                Ok((value, joined(span, end)))
+            }
+            Token::Callee(word) => self.builtin_in_pieces(word, span),
+            Token::Word(word) if super::reader::begins_color(word) => {
+                let color = self.color()?;
+                Ok((Value::Color(color), span))
+            }
+            // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
+            Token::Word(word) if let Some(symbol) = self.names.find(word).filter(|s| self.scopes.get(*s).is_some()) => {
+                self.advance();
+                Ok((self.name_value(symbol, span)?, span))
+            }
+            _ => Err(self.unexpected_token("a value").into()),
         }
+    }
+
+    /// Takes apart what comes next, until an operand or its sign is a token.
+    fn expose_operand(&mut self) -> Result<()> {
+        let holds_more = |e: &Expr| matches!(e.kind, ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..));
+        while matches!(self.peek()?, Token::Expr(e) if holds_more(e)) {
+            self.take_apart();
+        }
+        Ok(())
     }
 
     /// Components and arguments behind a value.
@@ -233,25 +229,9 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Does a `(` come next, behind the name of a function? To see it, POV-Ray runs what stands there even where it would
-    /// wait for the end of a value. (A declaration could be of no use for that, and may use the name that is being declared.)
-    pub(super) fn call_follows(&mut self) -> Result<bool> {
-        let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
-        let waits = matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
-        let closed = std::mem::replace(&mut self.closed, waits);
-        let next = self.peek_after();
-        self.closed = closed;
-        if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
-            self.expose_parenthesis()?;
-        }
-        Ok(matches!(self.peek_after()?, Some(Token::Open(Bracket::Paren, _))))
-    }
-
     /// The word behind a `.`.
     pub(super) fn component_name(&mut self) -> Result<Name> {
-        while matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Chain(_) | ExprKind::Choice(_), .. })) {
-            self.take_apart();
-        }
+        self.expose_operand()?;
         let token = self.peek()?;
         let span = self.here();
         let text = self.sources.snippet(span);
@@ -265,15 +245,15 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `<` and its numbers, of which the first comes next, up to `>`.
+    /// A vector, whose `<` comes next.
     fn vector_in_pieces(&mut self) -> Result<(Value, Span)> {
-        let start = self.here();
-        let (data, span) = self.numbers_in_pieces(start)?;
+        let (data, span) = self.numbers_in_pieces()?;
         Ok((vector_value(&data, span)?, span))
     }
 
     /// The numbers of a vector of any length, whose `<` comes next.
-    pub(super) fn numbers_in_pieces(&mut self, start: Span) -> Result<(Vec<f64>, Span)> {
+    pub(super) fn numbers_in_pieces(&mut self) -> Result<(Vec<f64>, Span)> {
+        let start = self.here();
         self.advance();
         let closed = std::mem::replace(&mut self.closed, false);
         let mut data = vec![];
@@ -306,86 +286,6 @@ impl<'a> Interpreter<'a> {
             Ok(Token::Sign(Sign::Not | Sign::Operator(Operator::Sub | Operator::Add | Operator::Less)))
         )
     }
-
-    /// `name ( … )` of a built-in function.
-    fn builtin_in_pieces(&mut self, word: &'static str, span: Span) -> Result<(Value, Span)> {
-        self.advance();
-        self.expect_paren(word)?;
-        if word == "select" {
-            return self.select_in_pieces(span);
-        }
-        let mut arguments = SmallVec::<[Argument<'a>; 4]>::new();
-        while !self.peek()?.closes(Bracket::Paren) {
-            // (Only where there may be any number of arguments, the commas have to be there: measured on POV-Ray 3.7.)
-            if !arguments.is_empty() && !self.comma && super::builtin::needs_commas(word) {
-                let at = self.here();
-                return Err(self.misplaced(at).into());
-            }
-            arguments.push(self.argument_here()?);
-        }
-        let end = self.here();
-        self.close("`)`")?;
-        let span = joined(span, end);
-        Ok((self.builtin_of(word, arguments, span)?, span))
-    }
-
-    /// Takes apart what comes next, until its `(` is a token.
-    pub(super) fn expose_parenthesis(&mut self) -> Result<()> {
-        while matches!(self.peek()?, Token::Expr(e) if begins_with_parenthesis(e)) {
-            self.take_apart();
-        }
-        Ok(())
-    }
-
-    /// The `(` behind the name of a function, which is consumed.
-    pub(super) fn expect_paren(&mut self, word: &str) -> Result<()> {
-        self.expose_parenthesis()?;
-        match self.peek()? {
-            Token::Open(Bracket::Paren, _) => self.open().map(drop),
-            _ => Err(self.unexpected_token(&format!("`(` behind `{word}`")).into()),
-        }
-    }
-
-    /// `A, B, C [, D])`: only the one that is meant is computed.
-    fn select_in_pieces(&mut self, span: Span) -> Result<(Value, Span)> {
-        let (value, at) = self.value_in(true)?;
-        let a = as_float(&value, at)?;
-        let below = a < 0.0;
-        let mut found = None;
-        let mut count = 0;
-        while !self.peek()?.closes(Bracket::Paren) {
-            // Without a fourth argument the third stands for 0 as well.
-            let meant = match count {
-                0 => below,
-                1 => !below,
-                _ => !below && a != 0.0,
-            };
-            count += 1;
-            if meant {
-                found = Some(self.value_here()?.0);
-            } else {
-                self.climb(&mut Skipped, false)?;
-            }
-        }
-        let end = self.here();
-        self.close("`)`")?;
-        match found.filter(|_| (2..=3).contains(&count)) {
-            Some(value) => Ok((value, joined(span, end))),
-            None => {
-                let message = format!("`select` takes 3 to 4 arguments, found {}", count + 1);
-                Diagnostic::err(codes::WRONG_COUNT, joined(span, end), message)
-            }
-        }
-    }
-
-    /// The arguments of a function or spline, whose `(` comes next.
-    fn call_in_pieces(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
-        self.open()?;
-        let value = self.call_with_arguments(callee, span)?;
-        let end = self.here();
-        self.close("`)`")?;
-        Ok((value, joined(span, end)))
-    }
 }
 
 /// Values inside values: parentheses, choices, arguments.
@@ -407,31 +307,20 @@ fn numbers_value(data: &[f64], span: Span) -> Result<Value> {
     }
 }
 
-/// A function or a spline.
+/// Can it be called: is it a function or a spline?
 pub(super) fn is_callable(value: &Value) -> bool {
-    match value {
-        Value::Thing(thing) => is::<Function>(thing) || is::<Spline>(thing),
-        _ => false,
-    }
-}
-
-fn is<T: Thing>(thing: &Arc<dyn Thing>) -> bool {
-    downcast::<T>(thing).is_some()
+    matches!(value, Value::Thing(thing) if matches!(thing.kind(), "function" | "spline"))
 }
 
 /// Reads the signs before an operand.
 pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     let mut typed = vec![];
     loop {
-        let token = me.peek()?;
-        let prefix = match token {
+        me.expose_operand()?;
+        let prefix = match me.peek()? {
             Token::Sign(Sign::Operator(Operator::Sub)) => Prefix::Minus,
             Token::Sign(Sign::Operator(Operator::Add)) => Prefix::Plus,
             Token::Sign(Sign::Not) => Prefix::Not,
-            Token::Expr(Expr { kind: ExprKind::Prefix(..) | ExprKind::Chain(_) | ExprKind::Choice(_), .. }) => {
-                me.take_apart();
-                continue;
-            }
             _ => break,
         };
         typed.push((prefix, me.here()));
@@ -442,13 +331,17 @@ pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     Ok(row.0)
 }
 
-/// Computes.
-struct Values;
+/// Computes. The first operand may have been read already.
+#[derive(Default)]
+struct Computed(Option<(Value, Span)>);
 
-impl<'a> Operands<'a> for Values {
+impl<'a> Operands<'a> for Computed {
     type Value = Value;
 
     fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Value, Span)> {
+        if let Some(first) = self.0.take() {
+            return me.postfix(first);
+        }
         let signs = read_signs(me)?;
         let first = me.primary()?;
         let (mut value, mut span) = me.postfix(first)?;
@@ -479,34 +372,6 @@ impl<'a> Operands<'a> for Values {
         me.climb(&mut Skipped, true)?;
         expect_colon(me)?;
         me.climb(self, true)
-    }
-}
-
-/// The same, where the first operand has been read already.
-struct From(Option<(Value, Span)>);
-
-impl<'a> Operands<'a> for From {
-    type Value = Value;
-
-    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Value, Span)> {
-        match self.0.take() {
-            Some(first) => me.postfix(first),
-            None => Values.operand(me),
-        }
-    }
-
-    fn combine(
-        &mut self,
-        me: &mut Interpreter<'a>,
-        op: Operator,
-        left: (Value, Span),
-        right: (Value, Span),
-    ) -> Result<Value> {
-        Values.combine(me, op, left, right)
-    }
-
-    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
-        Values.choose(me, condition)
     }
 }
 

@@ -182,7 +182,7 @@ impl Reader for Interpreter<'_> {
                 self.advance();
                 self.whole_numbers(parts)?
             }
-            Token::Sign(Sign::Operator(Operator::Less)) => self.numbers_in_pieces(span)?.0,
+            Token::Sign(Sign::Operator(Operator::Less)) => self.numbers_in_pieces()?.0,
             _ => {
                 let (value, span) = self.value_here()?;
                 match value {

@@ -85,8 +85,7 @@ impl Interpreter<'_> {
                 Said::push_numbers(row, &data);
             }
             Token::Sign(Sign::Operator(Operator::Less)) => {
-                let start = self.here();
-                let (data, span) = self.numbers_in_pieces(start)?;
+                let (data, span) = self.numbers_in_pieces()?;
                 if self.value_ends()? {
                     Said::push_numbers(row, &data);
                 } else {

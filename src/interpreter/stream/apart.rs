@@ -1,12 +1,12 @@
 //! What stands whole and is no whole after all: a macro in it gives tokens of its own, or something goes on with it.
 
-use super::{Frame, FrameKind, is_callable};
+use super::{Frame, FrameKind};
 use crate::interpreter::Interpreter;
+use crate::interpreter::pieces::is_callable;
 use crate::interpreter::scope::Slot;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::pieces;
-use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
     /// Does a macro in the expression give tokens of its own, or is something called that can't be? Then it is no whole.
@@ -19,7 +19,7 @@ impl<'a> Interpreter<'a> {
         let any = |elements: &[Element]| elements.iter().any(|element| self.element_splits(element));
         match &e.kind {
             ExprKind::Call(name, arguments) => match self.scopes.get(*name) {
-                Some(Slot::Value(Value::Thing(thing))) if is_callable(thing.kind()) => any(arguments),
+                Some(Slot::Value(value)) if is_callable(value) => any(arguments),
                 // A value before a parenthesis is no call: `plane { z (-6) }`.
                 Some(Slot::Value(_) | Slot::Macro(_)) => true,
                 Some(_) => false,

@@ -12,6 +12,7 @@ use super::scope::Slot;
 use crate::diagnostic::Result;
 use crate::source::Span;
 use crate::syntax::ast::*;
+use crate::syntax::word::Category;
 use crate::value::Value;
 pub(super) use brackets::Opened;
 pub(super) use frames::{Frame, FrameKind};
@@ -105,7 +106,9 @@ impl<'a> Interpreter<'a> {
                     let (i, start) = frame.item;
                     Token::Numbers(&list.data[start..start + list.width(i)])
                 }
-                ElementKind::Word(word) => return self.word_token(word.name, element),
+                ElementKind::Word(word) => {
+                    return self.word_token(word.name, word.category == Category::Function, element);
+                }
                 ElementKind::Block(block) => {
                     Token::Block(BlockName { word: block.name.word, span: block.name.span, body: Some(&block.body) })
                 }
@@ -251,7 +254,7 @@ impl<'a> Interpreter<'a> {
     /// A name alone: a word of durer's own, the name of an unknown block, an array's element in pieces, or a value.
     fn name_token(&mut self, symbol: Symbol, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
         if let Some(word) = self.own_word(symbol) {
-            return self.word_token(word, element).map(Some);
+            return self.word_token(word, false, element).map(Some);
         }
         if self.skipping {
             return Ok(Some(Token::Expr(expr)));
@@ -305,14 +308,14 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A word: does it open a block? Where a directive, a macro or the end of a body follows, they tell.
-    fn word_token(&mut self, word: &'static str, element: &'a Element) -> Result<Token<'a>> {
+    /// A word: does it open a block, or is it a function that is called? Where a directive, a macro or the end of a body follows, they tell.
+    fn word_token(&mut self, word: &'static str, callee: bool, element: &'a Element) -> Result<Token<'a>> {
         let span = element.span;
         let Some(frame) = self.frames.last_mut() else { return Ok(Token::End) };
         let alone = if word == "function" { Token::Function(None) } else { Token::Word(word) };
         let block = Token::Block(BlockName { word: Some(word), span, body: None });
         let next = frame.elements.get(frame.at + 1).map(|e| &e.kind);
-        let callee = is_function(word).then_some(Token::Callee(word));
+        let callee = callee.then_some(Token::Callee(word));
         let unknown = match next {
             _ if element.comma || word == "function" => false,
             Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace))) => {
@@ -369,8 +372,7 @@ impl<'a> Interpreter<'a> {
 
     /// The place of a `;` that comes next.
     pub(super) fn at_semicolon(&self) -> Option<Span> {
-        let element = self.frames.last().and_then(|frame| frame.elements.get(frame.at))?;
-        matches!(element.kind, ElementKind::Semicolon).then_some(element.span)
+        self.raw().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
     }
 
     fn announce(&mut self, token: Token<'a>) -> Token<'a> {
@@ -475,14 +477,4 @@ fn may_settle(element: &Element) -> bool {
         ElementKind::Expr(e) => e.calls || matches!(e.kind, ExprKind::Name(_)),
         _ => true,
     }
-}
-
-/// Is it the name of a built-in function?
-pub(super) fn is_function(word: &str) -> bool {
-    matches!(crate::syntax::word::lookup(word), Some((_, crate::syntax::word::Category::Function)))
-}
-
-/// Can something of this kind be called?
-fn is_callable(kind: &str) -> bool {
-    matches!(kind, "function" | "spline")
 }

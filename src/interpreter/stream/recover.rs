@@ -13,12 +13,20 @@ pub(in crate::interpreter) struct Mark {
     pub(in crate::interpreter) closed: bool,
 }
 
+/// Brackets that were open when a fault was met.
+#[derive(Clone, Copy)]
+pub(super) struct Unclosed {
+    count: usize,
+    /// If there are braces, they alone count.
+    braces: bool,
+}
+
 impl Frame<'_> {
     /// After a fault: on to the end of the statement that began at index `from`, of which so many brackets are open.
-    pub(super) fn skip_statement(&mut self, from: usize, open: (bool, usize)) {
+    pub(super) fn skip_statement(&mut self, from: usize, open: Unclosed) {
         self.item = (0, 0);
         self.closer = None;
-        if open.1 > 0 {
+        if open.count > 0 {
             return self.skip_brackets(open);
         }
         if self.at == from {
@@ -27,11 +35,17 @@ impl Frame<'_> {
         // A block or a function ends a statement.
         // (A loop's next pass stands at its start.)
         let last = self.at.checked_sub(1).and_then(|last| self.elements.get(last)).map(|e| &e.kind);
-        let ends = [Sign::Close(Bracket::Brace)].map(ElementKind::Sign);
-        match last {
-            Some(ElementKind::Block(_) | ElementKind::Function(_) | ElementKind::Group(_)) => return,
-            Some(ElementKind::Sign(sign)) if matches!(&ends[0], ElementKind::Sign(end) if end == sign) => return,
-            _ => {}
+        let ends = matches!(
+            last,
+            Some(
+                ElementKind::Block(_)
+                    | ElementKind::Function(_)
+                    | ElementKind::Group(_)
+                    | ElementKind::Sign(Sign::Close(Bracket::Brace))
+            )
+        );
+        if ends {
+            return;
         }
         while let Some(element) = self.elements.get(self.at) {
             match element.kind {
@@ -51,19 +65,19 @@ impl Frame<'_> {
         let opens = matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(_))));
         self.at += 1;
         if opens {
-            self.skip_brackets((false, 1));
+            self.skip_brackets(Unclosed { count: 1, braces: false });
         }
     }
 
-    pub(super) fn skip_brackets(&mut self, (braces, mut open): (bool, usize)) {
+    pub(super) fn skip_brackets(&mut self, Unclosed { mut count, braces }: Unclosed) {
         while let Some(element) = self.elements.get(self.at) {
             self.at += 1;
             match element.kind {
-                ElementKind::Sign(Sign::Open(bracket)) if !braces || bracket == Bracket::Brace => open += 1,
-                ElementKind::Sign(Sign::Close(bracket)) if !braces || bracket == Bracket::Brace => open -= 1,
+                ElementKind::Sign(Sign::Open(bracket)) if !braces || bracket == Bracket::Brace => count += 1,
+                ElementKind::Sign(Sign::Close(bracket)) if !braces || bracket == Bracket::Brace => count -= 1,
                 _ => {}
             }
-            if open == 0 {
+            if count == 0 {
                 return;
             }
         }
@@ -97,9 +111,8 @@ impl<'a> Interpreter<'a> {
         while self.frames.len() > mark.frames {
             self.pop_frame();
         }
-        self.opened.truncate(mark.opened);
-        self.held.clear();
-        (self.peeked, self.comma, self.closed, self.skipping) = (None, false, mark.closed, false);
+        self.forget_ahead(mark);
+        self.closed = mark.closed;
     }
 
     /// After an error in a directive: what was seen behind it is looked at anew.
@@ -118,20 +131,19 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// How many brackets were opened since the mark, as tokens of the frame that was the innermost: if there are braces, they
-    /// alone count.
-    fn opened_alone(&self, mark: Mark) -> (bool, usize) {
+    /// What was opened since the mark, as tokens of the frame that was the innermost.
+    fn opened_alone(&self, mark: Mark) -> Unclosed {
         let own = |o: &&Opened| o.alone.is_some() && o.frames == mark.frames;
         let all = self.opened.iter().skip(mark.opened).filter(own);
         let braces = all.clone().filter(|o| o.bracket == Bracket::Brace).count();
-        if braces > 0 { (true, braces) } else { (false, all.count()) }
+        Unclosed { count: if braces > 0 { braces } else { all.count() }, braces: braces > 0 }
     }
 
     /// After an error: past the brackets that were opened since the mark.
     pub(in crate::interpreter) fn skip_brackets(&mut self, mark: Mark) {
         let open = self.opened_alone(mark);
         self.unwind(mark);
-        if let Some(frame) = self.frames.last_mut().filter(|_| open.1 > 0) {
+        if let Some(frame) = self.frames.last_mut().filter(|_| open.count > 0) {
             frame.skip_brackets(open);
         }
     }
