@@ -164,8 +164,9 @@ fn cases_of_light() {
 
 #[test]
 fn cases_of_the_library() {
-    let library = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library");
-    compare_all(&gather(&library), 10_000_000, LONG);
+    let files = gather(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library"));
+    assert!(!files.is_empty());
+    compare_all(&files, 10_000_000, LONG);
 }
 
 /// A few dozen of POV-Ray's own, spread over its folders; as many as there is time for. `WHOLES_ALL=1` compares all.

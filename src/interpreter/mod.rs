@@ -24,7 +24,7 @@ use crate::diagnostic::{Diagnostic, Label, Severity, codes};
 use crate::image_io::Picture;
 use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
-use crate::syntax::ast::{Element, Symbol};
+use crate::syntax::ast::Symbol;
 use crate::syntax::{Names, Wholes};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
@@ -139,8 +139,6 @@ pub(crate) struct Interpreter<'a> {
     options: &'a Options,
     debug: &'a mut dyn FnMut(&str),
     including: Vec<PathBuf>,
-    /// Expressions that were taken apart, by their elements.
-    parts: FxHashMap<*const (), &'a [Element]>,
     /// An empty list for the arguments of the next call.
     call_slots: Vec<Option<Slot<'a>>>,
     scopes: Scopes<'a>,
@@ -168,8 +166,6 @@ pub(crate) struct Interpreter<'a> {
     closed: bool,
     /// Is a value read that nobody wants?
     skipping: bool,
-    /// How large a picture the function makes that was read last.
-    picture_size: Option<[usize; 2]>,
     /// Values that are being read inside each other.
     nested: usize,
     /// The element of an array that [`Token::Element`] announces.
@@ -214,7 +210,6 @@ impl<'a> Interpreter<'a> {
             options,
             debug,
             including: vec![],
-            parts: FxHashMap::default(),
             call_slots: vec![],
             scopes: Scopes::default(),
             deprecated: FxHashMap::default(),
@@ -230,7 +225,6 @@ impl<'a> Interpreter<'a> {
             comma: false,
             closed: false,
             skipping: false,
-            picture_size: None,
             nested: 0,
             element: None,
             floor: 0,

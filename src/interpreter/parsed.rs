@@ -2,8 +2,8 @@
 
 use crate::source::FileId;
 use crate::syntax::Names;
-use crate::syntax::ast::Ast;
-use rustc_hash::FxHashMap;
+use crate::syntax::ast::{Ast, Element};
+use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -13,6 +13,8 @@ use std::time::SystemTime;
 pub struct ParsedFiles {
     pub(super) names: Names,
     pub(super) asts: elsa::FrozenVec<Box<Ast>>,
+    /// What elements and expressions of the trees were taken apart into, by their addresses.
+    parts: elsa::FrozenMap<*const (), Box<[Element]>, FxBuildHasher>,
     /// Numbers of trees.
     trees: RefCell<FxHashMap<FileId, usize>>,
     files: RefCell<FxHashMap<PathBuf, (FileId, Option<Stamp>)>>,
@@ -31,6 +33,15 @@ impl ParsedFiles {
     pub(super) fn tree(&self, file: FileId) -> Option<&Ast> {
         let index = self.trees.borrow().get(&file).copied()?;
         self.asts.get(index)
+    }
+
+    /// The parts of something in a tree; `make` is asked once.
+    pub(super) fn parts_of<T>(&self, whole: &T, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
+        let key: *const () = std::ptr::from_ref(whole).cast();
+        match self.parts.get(&key) {
+            Some(parts) => parts,
+            None => self.parts.insert(key, make().into()),
+        }
     }
 
     pub(super) fn keep(&self, file: FileId, ast: Ast) -> &Ast {

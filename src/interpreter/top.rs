@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{Object, is_object};
 use crate::source::Span;
-use crate::syntax::ast::{ElementKind, Sign};
+use crate::syntax::ast::{Element, ElementKind, Sign};
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Vocabulary};
 use std::sync::atomic::Ordering;
@@ -161,10 +161,7 @@ impl Interpreter<'_> {
     /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.
     fn stray_value(&mut self) -> Diagnostic {
         if let Ok(Token::Expr(e)) = self.peek() {
-            if e.compares() {
-                return self.comparison_outside(e);
-            }
-            if let Some(at) = self.comparison_behind() {
+            if let Some(at) = self.comparison_ahead() {
                 return self.misplaced(at);
             }
             if let Err(fault) = self.eval(e) {
@@ -176,12 +173,19 @@ impl Interpreter<'_> {
         self.unexpected_token("an object or a directive")
     }
 
-    /// `Size = 3`: the sign behind a name.
-    fn comparison_behind(&self) -> Option<Span> {
+    /// `Size = 3`: a sign that compares, in the row of operands that comes next.
+    fn comparison_ahead(&mut self) -> Option<Span> {
+        if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+            self.take_apart();
+        }
         let frame = self.frames.last()?;
-        let next = frame.elements.get(frame.at + 1)?;
-        let is_sign = matches!(next.kind, ElementKind::Sign(Sign::Operator(op)) if !op.adds() && !op.multiplies());
-        is_sign.then_some(next.span)
+        let row = frame.elements.get(frame.at..)?.iter();
+        let in_row = |e: &&Element| matches!(e.kind, ElementKind::Expr(_) | ElementKind::Sign(Sign::Operator(_)));
+        let compares = |e: &Element| match e.kind {
+            ElementKind::Sign(Sign::Operator(op)) => !op.adds() && !op.multiplies(),
+            _ => false,
+        };
+        row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)
     }
 
     /// What is settled only when the whole text has run.

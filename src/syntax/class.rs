@@ -18,67 +18,67 @@ pub(super) enum Role {
 }
 
 macro_rules! classes {
-    ($($name:ident $class:literal $text:literal $doc:literal,)*) => {
+    ($($name:ident $class:literal $doc:literal,)*) => {
         $(#[doc = $doc] pub(super) const $name: u8 = $class;)*
 
-        /// Each class, its name in the grammar, and the text that it stands for where that is always the same.
+        /// Each class and its name in the grammar.
         #[cfg(test)]
-        const CLASSES: &[(u8, &str, &str)] = &[$(($class, stringify!($name), $text),)*];
+        const CLASSES: &[(u8, &str)] = &[$(($class, stringify!($name)),)*];
     };
 }
 
 classes! {
-    KEYWORD b'k' "" "`sphere`, `color`, `translate` …",
-    NAME b'n' "" "What authors declare, and constants: `x`, `pi`, `clock`.",
-    BUILTIN b'f' "" "`sin`, `vlength` …",
-    HEAD b'b' "" "A word whose block stands whole behind it.",
-    FUNCTION b'u' "function" "`function`",
-    DEPRECATED b'd' "deprecated" "`deprecated`, which stands behind `#declare`.",
-    NUMBER b'1' "" "A number without a sign.",
-    STRING b'"' "" "A text in its quotes.",
-    LITERAL b'2' "" "`<1, 2, 3>`: a vector of numbers.",
-    NUMBERS b'3' "" "Two or more numbers and literal vectors with commas between them: a mesh is one token.",
-    PLUS b'+' "+" "`+`",
-    MINUS b'-' "-" "`-`",
-    TIMES b'*' "*" "`*`",
-    OVER b'/' "/" "`/`",
-    NOT b'!' "!" "`!`",
-    LESS b'<' "<" "A `<` that compares, or whose `>` does not stand where it could be met.",
-    GREATER b'>' ">" "A `>` that compares.",
-    LESS_EQUAL b'4' "<=" "`<=`",
-    GREATER_EQUAL b'5' ">=" "`>=`",
-    EQUAL b'=' "=" "`=`",
-    NOT_EQUAL b'6' "!=" "`!=`",
-    AND b'&' "&" "`&`",
-    OR b'|' "|" "`|`",
-    DOT b'.' "." "`.`",
-    COMMA b',' "," "`,`",
-    SEMICOLON b';' ";" "`;`",
-    BRACE b'{' "{" "A `{` whose `}` stands in the same body.",
-    BRACE_END b'}' "}" "Its `}`.",
-    PAREN b'(' "(" "A `(` whose `)` stands in the same body.",
-    PAREN_END b')' ")" "Its `)`.",
-    BRACKET b'[' "[" "A `[` whose `]` stands in the same body.",
-    BRACKET_END b']' "]" "Its `]`.",
-    VECTOR b'0' "<" "A `<` that opens a vector.",
-    VECTOR_END b'9' ">" "Its `>`.",
-    CHOICE b'?' "?" "A `?` whose `:` stands in the same brackets.",
-    CHOICE_ELSE b':' ":" "Its `:`.",
-    LOOSE b'~' "" "A bracket without its partner in this body, or a character that means nothing.",
-    DECLARE b'D' "" "`#declare`, `#local`",
-    IF b'I' "" "`#if`",
-    IFDEF b'J' "" "`#ifdef`",
-    IFNDEF b'K' "" "`#ifndef`",
-    ELSEIF b'G' "" "`#elseif`",
-    ELSE b'L' "" "`#else`",
-    WHILE b'W' "" "`#while`",
-    FOR b'R' "" "`#for`",
-    SWITCH b'S' "" "`#switch`",
-    CASE b'C' "" "`#case`",
-    RANGE b'T' "" "`#range`",
-    MACRO b'M' "" "`#macro`",
-    END b'E' "" "`#end`",
-    PLAIN b'#' "" "`#` and any other word.",
+    KEYWORD b'k' "`sphere`, `color`, `translate` …",
+    NAME b'n' "What authors declare, and constants: `x`, `pi`, `clock`.",
+    BUILTIN b'f' "`sin`, `vlength` …",
+    HEAD b'b' "A word whose block stands whole behind it.",
+    FUNCTION b'u' "`function`",
+    DEPRECATED b'd' "`deprecated`, which stands behind `#declare`.",
+    NUMBER b'1' "A number without a sign.",
+    STRING b'"' "A text in its quotes.",
+    LITERAL b'2' "`<1, 2, 3>`: a vector of numbers.",
+    NUMBERS b'3' "Two or more numbers and literal vectors with commas between them: a mesh is one token.",
+    PLUS b'+' "`+`",
+    MINUS b'-' "`-`",
+    TIMES b'*' "`*`",
+    OVER b'/' "`/`",
+    NOT b'!' "`!`",
+    LESS b'<' "A `<` that compares, or whose `>` does not stand where it could be met.",
+    GREATER b'>' "A `>` that compares.",
+    LESS_EQUAL b'4' "`<=`",
+    GREATER_EQUAL b'5' "`>=`",
+    EQUAL b'=' "`=`",
+    NOT_EQUAL b'6' "`!=`",
+    AND b'&' "`&`",
+    OR b'|' "`|`",
+    DOT b'.' "`.`",
+    COMMA b',' "`,`",
+    SEMICOLON b';' "`;`",
+    BRACE b'{' "A `{` whose `}` stands in the same body.",
+    BRACE_END b'}' "Its `}`.",
+    PAREN b'(' "A `(` whose `)` stands in the same body.",
+    PAREN_END b')' "Its `)`.",
+    BRACKET b'[' "A `[` whose `]` stands in the same body.",
+    BRACKET_END b']' "Its `]`.",
+    VECTOR b'0' "A `<` that opens a vector.",
+    VECTOR_END b'9' "Its `>`.",
+    CHOICE b'?' "A `?` whose `:` stands in the same brackets.",
+    CHOICE_ELSE b':' "Its `:`.",
+    LOOSE b'~' "A bracket without its partner in this body, or a character that means nothing.",
+    DECLARE b'D' "`#declare`, `#local`",
+    IF b'I' "`#if`",
+    IFDEF b'J' "`#ifdef`",
+    IFNDEF b'K' "`#ifndef`",
+    ELSEIF b'G' "`#elseif`",
+    ELSE b'L' "`#else`",
+    WHILE b'W' "`#while`",
+    FOR b'R' "`#for`",
+    SWITCH b'S' "`#switch`",
+    CASE b'C' "`#case`",
+    RANGE b'T' "`#range`",
+    MACRO b'M' "`#macro`",
+    END b'E' "`#end`",
+    PLAIN b'#' "`#` and any other word.",
 }
 
 const BRANCHES: &[u8] = &[IF, IFDEF, IFNDEF];
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn the_grammar_names_each_class_as_the_table_does() {
-        let table: BTreeMap<String, u8> = CLASSES.iter().map(|(class, name, _)| (name.to_string(), *class)).collect();
+        let table: BTreeMap<String, u8> = CLASSES.iter().map(|(class, name)| (name.to_string(), *class)).collect();
         assert_eq!(named_in_grammar(), table);
     }
 

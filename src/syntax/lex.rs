@@ -265,17 +265,9 @@ impl Lexer<'_> {
 
     /// The word before a brace that has its partner, so that the grammar need not try whether it opens a block.
     fn mark_head(&mut self, brace: usize) {
-        let [.., before, word, _] = &mut self.out.classes[..=brace] else { return self.mark_first_head(brace) };
+        let Some((word, before)) = self.out.classes[..brace].split_last_mut() else { return };
         let is_word = matches!(*word, class::KEYWORD | class::NAME | class::BUILTIN);
-        if is_word && !matches!(*before, class::DOT | class::MACRO) {
-            *word = class::HEAD;
-        }
-    }
-
-    fn mark_first_head(&mut self, brace: usize) {
-        if let [word, _] = &mut self.out.classes[..=brace]
-            && matches!(*word, class::KEYWORD | class::NAME | class::BUILTIN)
-        {
+        if is_word && !matches!(before.last(), Some(&class::DOT | &class::MACRO)) {
             *word = class::HEAD;
         }
     }

@@ -100,17 +100,14 @@ impl<'a> Interpreter<'a> {
     /// Calls the built-in function of this name with arguments that stand whole.
     pub(super) fn builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
         match self.function_of(name, span)? {
-            Function::Special(row) if row.name == "select" => {
-                check_count(name, &row.arity, arguments.len(), span)?;
-                self.select(&arguments[0], &arguments[1..])
-            }
             Function::Special(row) => {
                 check_count(name, &row.arity, arguments.len(), span)?;
+                let Some(run) = row.run else { return self.select(&arguments[0], &arguments[1..]) };
                 let mut given = SmallVec::<[Argument<'a>; 4]>::new();
                 for argument in arguments {
                     given.push(self.argument_of(argument)?);
                 }
-                (row.run)(self, &given, span)
+                run(self, &given, span)
             }
             function => {
                 let mut values = Vec::with_capacity(arguments.len());
@@ -130,9 +127,9 @@ impl<'a> Interpreter<'a> {
         span: Span,
     ) -> Result<Value> {
         match self.function_of(name, span)? {
-            Function::Special(row) => {
-                check_count(name, &row.arity, arguments.len(), span)?;
-                (row.run)(self, &arguments, span)
+            Function::Special(Special { run: Some(run), arity, .. }) => {
+                check_count(name, arity, arguments.len(), span)?;
+                run(self, &arguments, span)
             }
             function => {
                 let value = |argument: &Argument<'a>| Ok((self.argument_value(argument)?, argument.span));

@@ -18,9 +18,12 @@ pub(super) struct Special {
     pub summary: &'static str,
     /// How many arguments it takes.
     pub arity: RangeInclusive<usize>,
-    /// What computes it.
-    pub run: for<'a> fn(&mut Interpreter<'a>, &[Argument<'a>], Span) -> Result<Value>,
+    /// What computes it; `None` for `select`, of whose arguments only one is computed.
+    pub run: Option<Run>,
 }
+
+/// See [`Special::run`].
+pub(super) type Run = for<'a> fn(&mut Interpreter<'a>, &[Argument<'a>], Span) -> Result<Value>;
 
 pub(super) const TABLE: &[Special] = &[
     Special {
@@ -28,77 +31,77 @@ pub(super) const TABLE: &[Special] = &[
         usage: "(Name)",
         summary: "is there something of this name?",
         arity: 1..=1,
-        run: |me, a, span| me.is_defined(&a[0], span),
+        run: Some(|me, a, span| me.is_defined(&a[0], span)),
     },
     Special {
         name: "select",
         usage: "(A, B, C [, D])",
         summary: "B if A < 0, C if A = 0, D if A > 0; without D, C if A >= 0. Only the one is computed",
         arity: 3..=4,
-        run: |me, a, _| me.argument_value(&a[0]), // (It is computed where its arguments are read.)
+        run: None,
     },
     Special {
         name: "file_exists",
         usage: "(Text)",
         summary: "is there a file of this name that the scene may read?",
         arity: 1..=1,
-        run: |me, a, _| me.file_exists(&a[0]),
+        run: Some(|me, a, _| me.file_exists(&a[0])),
     },
     Special {
         name: "dimensions",
         usage: "(Array)",
         summary: "how many indices it takes",
         arity: 1..=1,
-        run: |me, a, _| me.array_argument(&a[0]).map(|array| Value::Float(array.sizes.len() as f64)),
+        run: Some(|me, a, _| me.array_argument(&a[0]).map(|array| Value::Float(array.sizes.len() as f64))),
     },
     Special {
         name: "dimension_size",
         usage: "(Array, N)",
         summary: "how many elements it has along its N-th index, counted from 1",
         arity: 2..=2,
-        run: |me, a, _| me.dimension_size(&a[0], &a[1]),
+        run: Some(|me, a, _| me.dimension_size(&a[0], &a[1])),
     },
     Special {
         name: "trace",
         usage: "(Object, From, Direction [, Normal])",
         summary: "where a ray meets the object; the name Normal is set to the surface's normal there, or to <0, 0, 0> if it misses",
         arity: 3..=4,
-        run: |me, a, _| me.trace_object(&a[0], &a[1], &a[2], a.get(3)),
+        run: Some(|me, a, _| me.trace_object(&a[0], &a[1], &a[2], a.get(3))),
     },
     Special {
         name: "inside",
         usage: "(Object, Point)",
         summary: "is the point in the object?",
         arity: 2..=2,
-        run: |me, a, _| me.inside_object(&a[0], &a[1]),
+        run: Some(|me, a, _| me.inside_object(&a[0], &a[1])),
     },
     Special {
         name: "min_extent",
         usage: "(Object)",
         summary: "the corner of the box around it with the smallest x, y and z",
         arity: 1..=1,
-        run: |me, a, _| me.extent(&a[0], false),
+        run: Some(|me, a, _| me.extent(&a[0], false)),
     },
     Special {
         name: "max_extent",
         usage: "(Object)",
         summary: "the opposite corner",
         arity: 1..=1,
-        run: |me, a, _| me.extent(&a[0], true),
+        run: Some(|me, a, _| me.extent(&a[0], true)),
     },
     Special {
         name: "seed",
         usage: "(Number)",
         summary: "a new stream of random numbers, the same for the same number",
         arity: 1..=1,
-        run: |me, a, _| me.seed(&a[0]),
+        run: Some(|me, a, _| me.seed(&a[0])),
     },
     Special {
         name: "rand",
         usage: "(Stream)",
         summary: "the stream's next number, from 0 to 1",
         arity: 1..=1,
-        run: |me, a, _| me.rand(&a[0]),
+        run: Some(|me, a, _| me.rand(&a[0])),
     },
 ];
 

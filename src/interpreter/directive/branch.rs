@@ -31,12 +31,13 @@ impl<'a> Interpreter<'a> {
     }
 
     fn number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
-        if let Some(at) = doubled_operator(elements) {
-            return Err(self.misplaced(at).into());
-        }
-        self.within(elements, Bracket::Paren, span, |me| {
+        let number = self.within(elements, Bracket::Paren, span, |me| {
             let (value, at) = me.value_in(true)?;
             as_float(&value, at)
+        });
+        number.map_err(|fault| match doubled_operator(elements) {
+            Some(at) => Box::new(self.misplaced(at)),
+            None => fault,
         })
     }
 

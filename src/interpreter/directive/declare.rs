@@ -77,14 +77,7 @@ impl<'a> Interpreter<'a> {
     /// `#declare` where what stands before the `=` comes in pieces.
     pub(in crate::interpreter) fn declare_pieces(&mut self, local: bool, span: Span) -> Result<()> {
         let mark = self.mark();
-        let result = self.declare_tokens(local, span);
-        result.map_err(|fault| {
-            let fault = self.with_trace(*fault);
-            if self.unclosed_bracket().is_none() {
-                self.skip_statement(mark);
-            }
-            Box::new(fault)
-        })
+        self.declare_tokens(local, span).map_err(|fault| self.past_fault(mark, fault))
     }
 
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
@@ -317,14 +310,11 @@ impl<'a> Interpreter<'a> {
             let d = self.unexpected_token("`{` behind `#default`");
             return d.help("`#default { finish { ambient 0 } }`").into();
         }
-        let closed = std::mem::replace(&mut self.closed, false);
         self.open()?;
         if let Some(opened) = self.opened.last_mut() {
             (opened.word, opened.span) = (Some("default"), span);
         }
         self.read_defaults()?;
-        self.close("the end of this block")?;
-        self.closed = closed;
-        Ok(())
+        self.close("the end of this block")
     }
 }

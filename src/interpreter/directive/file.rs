@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A name that comes next, which need not be declared.
-    fn name_here(&mut self) -> Result<Option<(Symbol, Span)>> {
+    pub(in crate::interpreter) fn name_here(&mut self) -> Result<Option<(Symbol, Span)>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
                 self.advance();

@@ -28,12 +28,12 @@ impl<'a> Interpreter<'a> {
             Directive::For(f) => self.for_loop(f, span),
             Directive::Switch(value, arms) => self.switch(value, arms, span),
             Directive::Macro(definition) => self.define_macro(definition),
-            Directive::Plain(word) => self.plain_directive(*word, span),
+            Directive::Plain(word) => self.plain_directive(directive, *word, span),
         }
     }
 
     /// A directive without a body; or a `#` that stands before something else, as in `#Ball(1)`.
-    fn plain_directive(&mut self, word: Symbol, span: Span) -> Result<()> {
+    fn plain_directive(&mut self, directive: &'a Directive, word: Symbol, span: Span) -> Result<()> {
         let name = self.names.text(word);
         if let Some((name, run)) = table::find(name) {
             return self.run_plain(name, run, span);
@@ -41,8 +41,7 @@ impl<'a> Interpreter<'a> {
         let declared = self.scopes.get(word).is_some();
         if declared || crate::syntax::word::lookup(name).is_some() {
             let text = Span { lo: span.hi - name.len() as u32, hi: span.hi };
-            let elements = self.tokens_of(text);
-            let parts = self.keep_elements(elements);
+            let parts = self.parsed.parts_of(directive, || self.tokens_of(text));
             self.push_piece(parts, None, text, false);
             return Ok(());
         }
@@ -58,13 +57,7 @@ impl<'a> Interpreter<'a> {
         let closed = std::mem::replace(&mut self.closed, true);
         let floor = std::mem::replace(&mut self.floor, self.frames.len());
         let mark = self.mark();
-        let result = run(self, name, span).map_err(|fault| {
-            let fault = self.with_trace(*fault);
-            if self.unclosed_bracket().is_none() {
-                self.skip_statement(mark);
-            }
-            Box::new(fault)
-        });
+        let result = run(self, name, span).map_err(|fault| self.past_fault(mark, fault));
         (self.closed, self.floor) = (closed, floor);
         result
     }

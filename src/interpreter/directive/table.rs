@@ -4,6 +4,8 @@
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
 use crate::source::Span;
+use rustc_hash::FxHashMap;
+use std::sync::LazyLock;
 
 /// A directive.
 #[derive(Debug)]
@@ -25,8 +27,14 @@ pub(in crate::interpreter) type Run = for<'a> fn(&mut Interpreter<'a>, &'static 
 
 /// The row of a directive without a body, and its name there.
 pub(in crate::interpreter) fn find(name: &str) -> Option<(&'static str, Run)> {
-    TABLE.iter().find_map(|row| Some((*row.names.iter().find(|n| **n == name)?, row.run?)))
+    RUNNERS.get(name).copied()
 }
+
+/// (Some stand in loops that write a million times.)
+static RUNNERS: LazyLock<FxHashMap<&'static str, (&'static str, Run)>> = LazyLock::new(|| {
+    let runners = |row: &'static Entry| row.names.iter().filter_map(|name| Some((*name, (*name, row.run?))));
+    TABLE.iter().flat_map(runners).collect()
+});
 
 /// The names of all directives.
 pub(in crate::interpreter) fn names() -> impl Iterator<Item = &'static str> {

@@ -15,29 +15,43 @@ use std::sync::Arc;
 impl<'a> Interpreter<'a> {
     /// The function that comes next in the stream.
     pub(in crate::interpreter) fn read_function(&mut self) -> Result<Arc<dyn Thing>> {
-        let token = self.peek()?;
+        self.sized_or_plain_function().map(|(_, function)| function)
+    }
+
+    /// The function that comes next, if it says how large the picture is that it makes: `function 200, 100 { … }`.
+    pub(in crate::interpreter) fn picture_function(&mut self) -> Result<Option<SizedFunction>> {
+        if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
+            return Ok(None);
+        }
         let span = self.here();
-        self.advance();
-        match token {
-            Token::Function(Some(f)) => {
-                let size = f.size.iter().map(|e| self.number(e).map(|n| (n, e.span))).collect::<Result<Vec<_>>>()?;
-                let parameters = &f.parameters;
-                self.function_of_size(size, span)?;
-                self.within(&f.body, Bracket::Brace, span, |me| me.function_body(parameters, span))
+        match self.sized_or_plain_function()? {
+            (Some(size), function) => Ok(Some((size, function))),
+            (None, _) => {
+                Diagnostic::err(codes::EXPECTED, span, "expected the width and the height of the function's picture")
             }
-            _ => self.function_in_pieces(span),
         }
     }
 
+    fn sized_or_plain_function(&mut self) -> Result<(Option<[usize; 2]>, Arc<dyn Thing>)> {
+        let token = self.peek()?;
+        let span = self.here();
+        self.advance();
+        let Token::Function(Some(f)) = token else { return self.function_in_pieces(span) };
+        let size = f.size.iter().map(|e| self.number(e).map(|n| (n, e.span))).collect::<Result<Vec<_>>>()?;
+        let size = self.picture_size(&size, span)?;
+        let function = self.within(&f.body, Bracket::Brace, span, |me| me.function_body(&f.parameters, span))?;
+        Ok((size, function))
+    }
+
     /// The same behind the word `function`.
-    fn function_in_pieces(&mut self, span: Span) -> Result<Arc<dyn Thing>> {
+    fn function_in_pieces(&mut self, span: Span) -> Result<(Option<[usize; 2]>, Arc<dyn Thing>)> {
         let (mut parameters, mut size) = (vec![], vec![]);
         self.expose_parenthesis()?;
         if let Token::Open(Bracket::Paren, _) = self.peek()? {
             self.open()?;
             while !self.peek()?.ends() {
-                match self.raw_parameter() {
-                    Some(symbol) => parameters.push(symbol),
+                match self.name_here()? {
+                    Some((symbol, _)) => parameters.push(symbol),
                     None => return Err(self.unexpected_token("the name of a parameter").into()),
                 }
             }
@@ -48,67 +62,34 @@ impl<'a> Interpreter<'a> {
                 size.push((as_float(&value, at)?, at));
             }
         }
-        self.function_of_size(size, span)?;
+        let size = self.picture_size(&size, span)?;
         if !matches!(self.peek()?, Token::Open(Bracket::Brace, _)) {
             return Err(self.unexpected_token("`{`").into());
         }
         self.open()?;
         let function = self.function_body(&parameters, span)?;
-        let end = self.here();
         self.close("`}`")?;
-        let _ = joined(span, end);
-        Ok(function)
+        Ok((size, function))
     }
 
-    fn raw_parameter(&mut self) -> Option<Symbol> {
-        let Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. })) = self.peek() else { return None };
-        self.advance();
-        Some(*symbol)
-    }
-
-    /// `function 200, 100 { … }` makes a picture: how many points it has across and down.
-    fn function_of_size(&mut self, size: Vec<(f64, Span)>, span: Span) -> Result<()> {
-        self.picture_size = None;
-        let [(width, at), (height, end)] = size[..] else {
+    /// How many points the picture that a function makes has across and down.
+    fn picture_size(&mut self, size: &[(f64, Span)], span: Span) -> Result<Option<[usize; 2]>> {
+        let &[(width, at), (height, end)] = size else {
             return match size.len() {
-                0 => Ok(()),
-                n => Diagnostic::err(
-                    codes::WRONG_COUNT,
-                    span,
-                    format!("a picture has a width and a height, this has {n} numbers"),
-                ),
+                0 => Ok(None),
+                n => {
+                    let message = format!("a picture has a width and a height, this has {n} numbers");
+                    Diagnostic::err(codes::WRONG_COUNT, span, message)
+                }
             };
         };
         let size = [self.picture_side(width, at)?, self.picture_side(height, end)?];
         self.check_picture(size, joined(at, end))?;
-        self.picture_size = Some(size);
-        Ok(())
-    }
-
-    /// The function that comes next, if it says how large the picture is that it makes.
-    pub(in crate::interpreter) fn picture_function(&mut self) -> Result<Option<SizedFunction>> {
-        if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
-            return Ok(None);
-        }
-        let span = self.here();
-        let function = self.read_function()?;
-        match self.picture_size.take() {
-            Some(size) => Ok(Some((size, function))),
-            None => {
-                Diagnostic::err(codes::EXPECTED, span, "expected the width and the height of the function's picture")
-            }
-        }
+        Ok(Some(size))
     }
 
     /// What stands between the braces.
     fn function_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
-        let size = self.picture_size.take();
-        let function = self.function_of_body(parameters, span);
-        self.picture_size = size;
-        function
-    }
-
-    fn function_of_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
         if let Token::Block(name) = self.peek()? {
             return self.sampled_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
         }

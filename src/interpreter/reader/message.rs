@@ -63,7 +63,10 @@ impl Interpreter<'_> {
             self.peek(),
             Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. }))
         );
-        let (file, range) = self.sources.locate(self.here()).filter(|_| opens && !self.comma)?;
+        if !opens || self.comma {
+            return None;
+        }
+        let (file, range) = self.sources.locate(self.here())?;
         let text = &self.sources.text(file)[..range.start];
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let name = &text[text.trim_end_matches(is_word).len()..];
@@ -73,21 +76,6 @@ impl Interpreter<'_> {
         let lo = self.sources.base(file) + range.start - name.len();
         let message = format!("`{name}` is neither a macro nor a function");
         Some(Diagnostic::new(codes::NOT_CALLABLE, Span::new(lo, lo + name.len()), message))
-    }
-
-    /// An operator that compares, outside of parentheses.
-    pub(in crate::interpreter) fn comparison_outside(&self, e: &Expr) -> Diagnostic {
-        let (before, after) = match &e.kind {
-            ExprKind::Chain(chain) => match chain.rest.first() {
-                Some((_, operand)) => (chain.first.span, operand.span),
-                None => (e.span, e.span),
-            },
-            ExprKind::Choice(parts) => (parts[0].span, parts[1].span),
-            _ => (e.span, e.span),
-        };
-        let gap = Span { lo: before.hi, hi: after.lo };
-        let text = self.sources.snippet(gap);
-        self.misplaced(Span { lo: gap.lo + (text.len() - text.trim_start().len()) as u32, ..gap })
     }
 
     /// A sign that can't stand where it does.

@@ -59,19 +59,11 @@ impl<'a> Interpreter<'a> {
         let item = frame.item;
         frame.at += 1;
         frame.item = (0, 0);
-        let key: *const () = std::ptr::from_ref(element).cast();
-        let parts = match self.parts.get(&key) {
-            Some(parts) => *parts,
-            None => {
-                let made = match &element.kind {
-                    ElementKind::Expr(e) => pieces(e, self.names),
-                    ElementKind::Numbers(_) => self.tokens_of(element.span),
-                    _ => vec![element.clone()],
-                };
-                let parts = self.keep_elements(self.with_exact_signs(made));
-                *self.parts.entry(key).or_insert(parts)
-            }
-        };
+        let parts = self.parsed.parts_of(element, || match &element.kind {
+            ElementKind::Expr(e) => self.with_exact_signs(pieces(e, self.names)),
+            ElementKind::Numbers(_) => self.tokens_of(element.span),
+            _ => vec![element.clone()],
+        });
         self.push_piece(parts, None, element.span, element.comma);
         if let (ElementKind::Numbers(list), Some(frame)) = (&element.kind, self.frames.last_mut()) {
             // Those that were read before are passed over: each item ends with a comma.
@@ -102,20 +94,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// An expression as the only element of a row, so that it is taken apart where it has to be.
-    pub(in crate::interpreter) fn as_elements(&mut self, e: &'a Expr) -> &'a [Element] {
-        let key: *const () = std::ptr::from_ref(e).cast();
-        if let Some(elements) = self.parts.get(&key) {
-            return elements;
-        }
-        let element = Element::new(e.span, ElementKind::Expr(Box::new(e.clone())));
-        let elements = self.keep_elements(vec![element]);
-        self.parts.insert(key, elements);
-        elements
-    }
-
-    /// Keeps elements that the run has made.
-    pub(in crate::interpreter) fn keep_elements(&self, elements: Vec<Element>) -> &'a [Element] {
-        &self.parsed.asts.push_get(Box::new(Ast { elements, ..Ast::default() })).elements
+    pub(in crate::interpreter) fn as_elements(&self, e: &'a Expr) -> &'a [Element] {
+        self.parsed.parts_of(e, || vec![Element::new(e.span, ElementKind::Expr(Box::new(e.clone())))])
     }
 
     /// A piece of text as single tokens.

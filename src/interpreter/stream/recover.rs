@@ -1,6 +1,7 @@
 //! After a fault: to the end of the statement, so that one mistake gives one message.
 
 use super::{Frame, Opened};
+use crate::diagnostic::Fault;
 use crate::interpreter::Interpreter;
 use crate::syntax::ast::*;
 
@@ -129,6 +130,15 @@ impl<'a> Interpreter<'a> {
         if let Some(frame) = self.frames.last_mut() {
             frame.skip_statement(mark.at, open);
         }
+    }
+
+    /// Leaves the statement in which a fault was met, unless a bracket that nothing closes tells more of it.
+    pub(in crate::interpreter) fn past_fault(&mut self, mark: Mark, fault: Fault) -> Fault {
+        let fault = self.with_trace(*fault);
+        if self.unclosed_bracket().is_none() {
+            self.skip_statement(mark);
+        }
+        Box::new(fault)
     }
 
     /// What was opened since the mark, as tokens of the frame that was the innermost.

@@ -144,12 +144,7 @@ impl<'n> Builder<'n> {
                 Some(declare) => ElementKind::Directive(Box::new(Directive::Declare(declare))),
                 None => return self.declare_pieces(pair, out),
             },
-            Rule::conditional
-            | Rule::while_loop
-            | Rule::for_loop
-            | Rule::switch
-            | Rule::macro_definition
-            | Rule::plain => ElementKind::Directive(Box::new(self.directive(pair, place))),
+            rule if is_directive(rule) => ElementKind::Directive(Box::new(self.directive(pair, place))),
             _ if self.single => return self.flatten(pair, place, out),
             Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(self.token(&pair)))),
             Rule::expr => match self.whole_expr(&pair, place) {
@@ -193,16 +188,8 @@ impl<'n> Builder<'n> {
             self.singles(at..within.start, first, out);
             at = within.end;
             match inner.as_rule() {
-                Rule::declare
-                | Rule::conditional
-                | Rule::while_loop
-                | Rule::for_loop
-                | Rule::switch
-                | Rule::macro_definition
-                | Rule::plain
-                | Rule::block
-                | Rule::group
-                | Rule::function => self.element(inner, place, out),
+                Rule::block | Rule::group | Rule::function => self.element(inner, place, out),
+                rule if is_directive(rule) => self.element(inner, place, out),
                 Rule::expr if own.len() <= SMALL || self.holds_directive(&own) => self.element(inner, place, out),
                 _ => self.flatten(inner, place, out),
             }
@@ -270,6 +257,11 @@ impl<'n> Builder<'n> {
         }
         Some(Function { parameters, size: size.into_boxed_slice(), body })
     }
+}
+
+fn is_directive(rule: Rule) -> bool {
+    use Rule::{conditional, declare, for_loop, macro_definition, plain, switch, while_loop};
+    matches!(rule, declare | conditional | while_loop | for_loop | switch | macro_definition | plain)
 }
 
 /// The tokens of a pair.
