@@ -77,7 +77,7 @@ impl<'a> Interpreter<'a> {
     /// `#declare` where what stands before the `=` comes in pieces.
     pub(in crate::interpreter) fn declare_pieces(&mut self, local: bool, span: Span) -> Result<()> {
         let mark = self.mark();
-        self.declare_tokens(local, span).map_err(|fault| self.past_fault(mark, fault))
+        self.declare_tokens(local, span).map_err(|fault| self.past_fault(mark, *fault))
     }
 
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {

@@ -57,7 +57,7 @@ impl<'a> Interpreter<'a> {
         let closed = std::mem::replace(&mut self.closed, true);
         let floor = std::mem::replace(&mut self.floor, self.frames.len());
         let mark = self.mark();
-        let result = run(self, name, span).map_err(|fault| self.past_fault(mark, fault));
+        let result = run(self, name, span).map_err(|fault| self.past_fault(mark, *fault));
         (self.closed, self.floor) = (closed, floor);
         result
     }

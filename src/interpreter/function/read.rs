@@ -12,6 +12,9 @@ use crate::syntax::ast::{Bracket, Expr, ExprKind, Symbol};
 use crate::value::{SizedFunction, Thing};
 use std::sync::Arc;
 
+/// A function, with the width and the height of the picture that it makes if it says them.
+type PerhapsSized = (Option<[usize; 2]>, Arc<dyn Thing>);
+
 impl<'a> Interpreter<'a> {
     /// The function that comes next in the stream.
     pub(in crate::interpreter) fn read_function(&mut self) -> Result<Arc<dyn Thing>> {
@@ -32,7 +35,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn sized_or_plain_function(&mut self) -> Result<(Option<[usize; 2]>, Arc<dyn Thing>)> {
+    fn sized_or_plain_function(&mut self) -> Result<PerhapsSized> {
         let token = self.peek()?;
         let span = self.here();
         self.advance();
@@ -44,7 +47,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The same behind the word `function`.
-    fn function_in_pieces(&mut self, span: Span) -> Result<(Option<[usize; 2]>, Arc<dyn Thing>)> {
+    fn function_in_pieces(&mut self, span: Span) -> Result<PerhapsSized> {
         let (mut parameters, mut size) = (vec![], vec![]);
         self.expose_parenthesis()?;
         if let Token::Open(Bracket::Paren, _) = self.peek()? {

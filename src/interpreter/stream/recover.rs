@@ -1,7 +1,7 @@
 //! After a fault: to the end of the statement, so that one mistake gives one message.
 
 use super::{Frame, Opened};
-use crate::diagnostic::Fault;
+use crate::diagnostic::{Diagnostic, Fault};
 use crate::interpreter::Interpreter;
 use crate::syntax::ast::*;
 
@@ -133,8 +133,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Leaves the statement in which a fault was met, unless a bracket that nothing closes tells more of it.
-    pub(in crate::interpreter) fn past_fault(&mut self, mark: Mark, fault: Fault) -> Fault {
-        let fault = self.with_trace(*fault);
+    pub(in crate::interpreter) fn past_fault(&mut self, mark: Mark, fault: Diagnostic) -> Fault {
+        let fault = self.with_trace(fault);
         if self.unclosed_bracket().is_none() {
             self.skip_statement(mark);
         }

@@ -1,228 +1,16 @@
-//! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
+//! Reads objects: the blocks that make them, and the modifiers that may stand in each (manual, "Object Modifiers").
 
-use super::extent::moved_box;
-use super::words::MODIFIERS;
-use super::{Defaults, Painted, Undrawn, Weight, read_layers, read_material};
+use super::{CsgOp, Flags, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
-use crate::math::{Aabb, Transform};
+use crate::math::Transform;
+use crate::scene::words::MODIFIERS;
+use crate::scene::{Defaults, Painted, Weight, read_layers, read_material};
 use crate::shape::{self, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
-use crate::value::{Next, Reader, ReaderExt, Said, Seldom, Thing, Usual, Value};
-use serde::Serialize;
-use std::ops::{Deref, DerefMut};
+use crate::value::{Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
-
-/// What an object is made of.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ObjectKind {
-    /// One shape.
-    Shape(Shape),
-    /// Several objects.
-    Csg(CsgOp, Arc<[Object]>),
-    /// A light, which a union may carry along.
-    Light(Arc<Light>),
-    /// A shape that is not drawn yet.
-    Undrawn(Arc<Undrawn>),
-}
-
-/// How a CSG object is made of its parts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum CsgOp {
-    /// All of them.
-    Union,
-    /// What they share.
-    Intersection,
-    /// The first without the others.
-    Difference,
-    /// All of them, without the surfaces inside.
-    Merge,
-}
-
-/// Switches; a CSG object's hold for its parts too.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[allow(missing_docs)]
-pub struct Flags {
-    pub no_shadow: bool,
-    pub no_image: bool,
-    pub no_reflection: bool,
-    pub no_radiosity: bool,
-    pub hollow: bool,
-    pub inverse: bool,
-    pub double_illuminate: bool,
-    pub cutaway_textures: bool,
-    pub uv_mapping: bool,
-}
-
-impl Flags {
-    /// All switched off.
-    pub const NONE: Self = Self {
-        no_shadow: false,
-        no_image: false,
-        no_reflection: false,
-        no_radiosity: false,
-        hollow: false,
-        inverse: false,
-        double_illuminate: false,
-        cutaway_textures: false,
-        uv_mapping: false,
-    };
-
-    /// The switch of this name.
-    fn named(&mut self, word: &str) -> Option<&mut bool> {
-        Some(match word {
-            "no_shadow" => &mut self.no_shadow,
-            "no_image" => &mut self.no_image,
-            "no_reflection" => &mut self.no_reflection,
-            "no_radiosity" => &mut self.no_radiosity,
-            "hollow" => &mut self.hollow,
-            "inverse" => &mut self.inverse,
-            "double_illuminate" => &mut self.double_illuminate,
-            "cutaway_textures" => &mut self.cutaway_textures,
-            "uv_mapping" => &mut self.uv_mapping,
-            _ => return None,
-        })
-    }
-}
-
-/// An object as it was written. Cheap to copy: a copy shares all but its place, until something else is said of it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Object {
-    /// What it is.
-    #[serde(flatten)]
-    pub body: Arc<ObjectBody>,
-    /// All its transforms, in the space around its block.
-    pub transform: Seldom<Transform>,
-    /// The text that made it.
-    pub source: Span,
-    /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
-    /// only.
-    pub default_texture: Arc<Texture>,
-}
-
-/// What an object is, wherever it lies. Its fields are read and set as the object's own.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ObjectBody {
-    /// What it is made of.
-    pub kind: ObjectKind,
-    /// What it looks like; its parent's texture, or the default, where it says nothing.
-    pub texture: Option<Painted>,
-    /// What most objects do not say.
-    #[serde(flatten)]
-    pub rare: Seldom<Rare>,
-    /// The word it was written with.
-    pub word: &'static str,
-    /// How large it is, if it is more than a shape.
-    #[serde(skip)]
-    pub bulk: Option<Box<Bulk>>,
-}
-
-/// How large an object is that is more than a shape.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Bulk {
-    /// The box that [`Object::extent`] tells of a CSG object; moved along with the object.
-    pub extent: Option<Aabb>,
-    /// What is in it.
-    pub weight: Weight,
-}
-
-/// What few objects say.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Rare {
-    /// What it looks like from inside.
-    pub interior_texture: Option<Painted>,
-    /// What fills it.
-    pub interior: Option<Arc<Interior>>,
-    /// Only what lies inside all of these is there; moved along with the object.
-    pub clipped_by: Option<Arc<[Object]>>,
-    /// A hint about its extent.
-    pub bounded_by: Option<Arc<[Object]>>,
-    /// Switches.
-    pub flags: Flags,
-    /// What was said and is not drawn yet.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub undrawn: Option<Arc<Vec<Said>>>,
-}
-
-impl Usual for Rare {
-    fn usual() -> &'static Self {
-        static NOTHING: Rare = Rare {
-            interior_texture: None,
-            interior: None,
-            clipped_by: None,
-            bounded_by: None,
-            flags: Flags::NONE,
-            undrawn: None,
-        };
-        &NOTHING
-    }
-}
-
-impl Rare {
-    fn transform_by(&mut self, step: &Transform) {
-        if let Some(painted) = &mut self.interior_texture {
-            painted.transform_by(step);
-        }
-        for bound in [&mut self.clipped_by, &mut self.bounded_by] {
-            let moved = |o: &Object| {
-                let mut o = o.clone();
-                o.transform_by(step);
-                o
-            };
-            *bound = bound.as_ref().map(|parts| parts.iter().map(moved).collect());
-        }
-    }
-}
-
-impl ObjectBody {
-    /// One of which nothing more is said.
-    pub fn new(kind: ObjectKind, word: &'static str) -> Self {
-        let bulk = match &kind {
-            ObjectKind::Csg(_, parts) if !parts.is_empty() => {
-                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts) }))
-            }
-            _ => None,
-        };
-        Self { kind, texture: None, rare: Seldom::USUAL, word, bulk }
-    }
-
-    /// How much is in it.
-    pub fn weight(&self) -> Weight {
-        self.bulk.as_ref().map_or(Weight::SHAPE, |bulk| bulk.weight)
-    }
-
-    /// Does it hold places that are moved when the object is?
-    fn holds_places(&self) -> bool {
-        let moved = |painted: &Option<Painted>| painted.as_ref().is_some_and(|p| p.moved.is_some());
-        let bound = self.rare.clipped_by.is_some() || self.rare.bounded_by.is_some();
-        let boxed = self.bulk.as_ref().is_some_and(|bulk| bulk.extent.is_some());
-        boxed || bound || moved(&self.texture) || moved(&self.rare.interior_texture)
-    }
-}
-
-impl Deref for Object {
-    type Target = ObjectBody;
-
-    fn deref(&self) -> &ObjectBody {
-        &self.body
-    }
-}
-
-impl DerefMut for Object {
-    /// Its own body from now on.
-    fn deref_mut(&mut self) -> &mut ObjectBody {
-        Arc::make_mut(&mut self.body)
-    }
-}
-
-impl Thing for Object {
-    fn kind(&self) -> &'static str {
-        "object"
-    }
-}
 
 /// Words of objects that are known but not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
@@ -288,22 +76,6 @@ impl Object {
             },
             _ => Err(r.unexpected("an object").into()),
         }
-    }
-
-    /// One of which nothing is said yet.
-    pub fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
-        Self {
-            body: Arc::new(ObjectBody::new(kind, word)),
-            transform: Seldom::USUAL,
-            source,
-            default_texture: defaults.texture.clone(),
-        }
-    }
-
-    /// A shape whose block is being read.
-    pub(super) fn unfinished(word: &'static str, source: Span, defaults: &Defaults) -> Self {
-        let nothing = ObjectKind::Csg(CsgOp::Union, Arc::default());
-        Self::new(nothing, word, source, defaults)
     }
 
     /// Reads what stands between the braces of a block of this name.
@@ -435,7 +207,12 @@ impl Object {
     }
 
     /// Reads one modifier; false if it is none.
-    pub(super) fn read_modifier(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
+    pub(in crate::scene) fn read_modifier(
+        &mut self,
+        next: Next,
+        r: &mut dyn Reader,
+        defaults: &Defaults,
+    ) -> Result<bool> {
         match next {
             next if next.moves() => {
                 if let Some(step) = r.transform()? {
@@ -557,24 +334,6 @@ impl Object {
             let rare = &mut *body.rare;
             rare.interior_texture = material.interior_texture.as_ref().map(painted).or(rare.interior_texture.take());
             rare.interior = material.interior.clone().or(rare.interior.take());
-        }
-    }
-
-    /// Moves the object with its textures and what clips it.
-    pub fn transform_by(&mut self, step: &Transform) {
-        self.transform = self.transform.then(step).into();
-        if !self.body.holds_places() {
-            return;
-        }
-        let body = Arc::make_mut(&mut self.body);
-        if let Some(extent) = body.bulk.as_mut().and_then(|bulk| bulk.extent.as_mut()) {
-            *extent = moved_box(step, extent);
-        }
-        if let Some(painted) = &mut body.texture {
-            painted.transform_by(step);
-        }
-        if body.rare.unusual().is_some() {
-            body.rare.transform_by(step);
         }
     }
 }
