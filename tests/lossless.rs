@@ -133,11 +133,28 @@ impl Places<'_> {
             ElementKind::Group(group) | ElementKind::Entry(group) => self.elements(&group.body, e.span),
             ElementKind::Function(function) => self.function(function, e.span),
             ElementKind::Directive(directive) => self.directive(directive, e.span),
-            ElementKind::Word(_)
-            | ElementKind::Numbers(_)
-            | ElementKind::Semicolon
-            | ElementKind::Comma
-            | ElementKind::Sign(_) => {}
+            ElementKind::Numbers(list) => self.items(list, e.span),
+            ElementKind::Word(_) | ElementKind::Semicolon | ElementKind::Comma | ElementKind::Sign(_) => {}
+        }
+    }
+
+    /// Literals with commas between them: what stands at the place of each is that item.
+    fn items(&mut self, list: &NumberList, span: Span) {
+        let text = self.text;
+        let at = |place: usize| place - self.base;
+        let (mut count, mut data, mut end) = (0, vec![], span.lo as usize);
+        for item in NumberList::spans(&text[at(span.lo as usize)..at(span.hi as usize)], span) {
+            let written = &text[at(item.lo as usize)..at(item.hi as usize)];
+            let between = &text[at(end)..at(item.lo as usize)];
+            if between.trim_matches(|c| c <= ' ') != if count == 0 { "" } else { "," } {
+                self.wrong.push(format!("{between:?} before item {count} `{written}`"));
+            }
+            let numbers = written.split(|c: char| matches!(c, '<' | ',' | '>') || c <= ' ').filter(|n| !n.is_empty());
+            data.extend(numbers.map(|n| n.parse::<f64>().unwrap()));
+            (count, end) = (count + 1, item.hi as usize);
+        }
+        if count != list.len() || data != *list.data || end != span.hi as usize {
+            self.wrong.push(format!("{count} items for {}, to {end} for {}", list.len(), span.hi));
         }
     }
 

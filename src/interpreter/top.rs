@@ -167,10 +167,18 @@ impl Interpreter<'_> {
             if let Err(fault) = self.eval(e) {
                 return *fault;
             }
-            return Diagnostic::new(codes::EXPECTED, e.span, "expected an object or a directive, found a value")
-                .help("to give it a name, write `#declare Name = …;`");
         }
-        self.unexpected_token("an object or a directive")
+        let (at, is_value) = match self.peek() {
+            Ok(Token::Expr(e)) => (e.span, !self.sources.snippet(e.span).starts_with('(')),
+            Ok(Token::Numbers(_)) => (self.here(), true),
+            Ok(Token::Sign(sign)) => (self.here(), self.begins_value(sign, self.here())),
+            _ => (Span::NONE, false),
+        };
+        if !is_value {
+            return self.unexpected_token("an object or a directive");
+        }
+        Diagnostic::new(codes::EXPECTED, at, "expected an object or a directive, found a value")
+            .help("to give it a name, write `#declare Name = …;`")
     }
 
     /// `Size = 3`: a sign that compares, in the row of operands that comes next.

@@ -1,6 +1,7 @@
 //! Literal numbers, scanned by hand: a mesh is mostly these.
 
 use super::ast::{NumberList, Widths};
+use crate::source::Span;
 
 /// A number that starts at `at`, without a sign: its value and its end. None if there is none.
 pub(super) fn scan_number(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
@@ -223,6 +224,20 @@ impl NumberList {
     /// Is there none?
     pub fn is_empty(&self) -> bool {
         self.data.is_empty()
+    }
+
+    /// The places of the items of a list that stands at `place` in a file and is written as `text`. They are scanned for
+    /// again: a mesh has millions, and only messages and editors ask.
+    pub fn spans(text: &str, place: Span) -> impl Iterator<Item = Span> + '_ {
+        let (bytes, mut scanner, mut at) = (text.as_bytes(), ListScanner::default(), 0);
+        std::iter::from_fn(move || {
+            let end = scanner.item(bytes, at, true)?;
+            let span = Span::new(place.lo as usize + at, place.lo as usize + end);
+            let comma = skip_blanks(bytes, end);
+            at = skip_blanks(bytes, comma + 1);
+            scanner.data.clear();
+            Some(span)
+        })
     }
 
     /// How many numbers item `i` has.

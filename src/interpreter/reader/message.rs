@@ -27,7 +27,12 @@ impl Interpreter<'_> {
                 }
                 format!("`{}`", self.names.text(*symbol))
             }
+            Ok(Token::Expr(Expr { span, .. })) if self.sources.snippet(*span).starts_with('(') => {
+                let paren = Span { hi: span.lo + 1, ..*span };
+                return self.expected_no_parenthesis(paren, expected);
+            }
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
+            Ok(Token::Sign(sign)) if self.begins_value(sign, span) => "a value".to_string(),
             Ok(Token::Element(span))
                 if let Some(slot @ Slot::Faulty(_)) = self.element.as_ref().and_then(|place| self.scopes.at(place)) =>
             {
@@ -39,11 +44,7 @@ impl Interpreter<'_> {
             }
             Ok(Token::Element(span)) => format!("`{}`", self.sources.snippet(span)),
             Ok(Token::Function(_)) => "a function".to_string(),
-            Ok(Token::Open(Bracket::Paren, _)) if let Some(d) = self.called_value() => return d,
-            Ok(Token::Open(Bracket::Paren, _)) => {
-                let d = self.expected(span, expected, "`(`");
-                return d.help("vectors stand in angle brackets: `<1, 2, 3>`");
-            }
+            Ok(Token::Open(Bracket::Paren, _)) => return self.expected_no_parenthesis(span, expected),
             Ok(Token::Open(bracket, _)) => format!("`{}`", bracket.text()[0]),
             Ok(Token::Sign(Sign::Close(bracket))) => match self.opened.last() {
                 Some(opened) if opened.bracket != bracket => return self.not_closed(),
@@ -55,6 +56,23 @@ impl Interpreter<'_> {
             Ok(Token::End) => "the end".to_string(),
         };
         self.expected(span, expected, &found)
+    }
+
+    fn expected_no_parenthesis(&mut self, span: Span, expected: &str) -> Diagnostic {
+        self.called_value().unwrap_or_else(|| {
+            self.expected(span, expected, "`(`").help("vectors stand in angle brackets: `<1, 2, 3>`")
+        })
+    }
+
+    /// Does a value begin with this sign, which comes in pieces?
+    pub(in crate::interpreter) fn begins_value(&self, sign: Sign, span: Span) -> bool {
+        let begins = match sign {
+            Sign::Not => true,
+            Sign::Operator(op) => op.adds() || op == Operator::Less,
+            _ => false,
+        };
+        let rest = self.sources.locate(span).map_or("", |(file, range)| &self.sources.text(file)[range.end..]);
+        begins && rest.trim_start().starts_with(|c: char| c.is_alphanumeric() || "_.(<\"-+!".contains(c))
     }
 
     /// `A(2)` where A is a value: nothing that could be called.

@@ -439,7 +439,9 @@ impl<'a> Interpreter<'a> {
         }
         let Some(frame) = self.frames.last() else { return Span::NONE };
         match frame.elements.get(frame.at) {
-            Some(Element { span, kind: ElementKind::Numbers(_), .. }) => self.item_span(*span, frame.item.0),
+            Some(Element { span, kind: ElementKind::Numbers(_), .. }) => {
+                NumberList::spans(&self.sources.snippet(*span), *span).nth(frame.item.0).unwrap_or(*span)
+            }
             Some(Element { kind: ElementKind::Block(block), .. }) => block.name.span,
             Some(Element { span, kind: ElementKind::Group(_) | ElementKind::Entry(_), .. }) => {
                 Span { hi: span.lo + 1, ..*span }
@@ -447,26 +449,6 @@ impl<'a> Interpreter<'a> {
             Some(element) => element.span,
             None => Span { lo: frame.span.hi.saturating_sub(1).max(frame.span.lo), hi: frame.span.hi },
         }
-    }
-
-    /// The place of one item of a literal list: its text is scanned again, which only messages do.
-    fn item_span(&self, list: Span, item: usize) -> Span {
-        let text = self.sources.snippet(list);
-        let (mut depth, mut index, mut start) = (0, 0, 0);
-        for (i, c) in text.char_indices().chain([(text.len(), ',')]) {
-            match c {
-                '<' => depth += 1,
-                '>' => depth -= 1,
-                ',' if depth == 0 && index == item => {
-                    let piece = &text[start..i];
-                    let lo = list.lo as usize + start + (piece.len() - piece.trim_start().len());
-                    return Span::new(lo, lo + piece.trim().len());
-                }
-                ',' if depth == 0 => (index, start) = (index + 1, i + 1),
-                _ => {}
-            }
-        }
-        list
     }
 }
 
