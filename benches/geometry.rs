@@ -3,7 +3,7 @@
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use durer::math::{DVec3, Range, Ray, Transform, rng};
 use durer::shape::{Shape, Sphere, Torus};
-use durer::world::{Geometry, Leaf, Node};
+use durer::world::{Geometry, Leaf, SolidNode};
 use std::hint::black_box;
 
 fn random_vector(i: u64, dimension: u64) -> DVec3 {
@@ -12,11 +12,11 @@ fn random_vector(i: u64, dimension: u64) -> DVec3 {
 }
 
 /// Spheres of about the size that leaves gaps between them, in the cube from -1 to 1.
-fn spheres(n: u64) -> Vec<Node> {
+fn spheres(n: u64) -> Vec<SolidNode> {
     let radius = 0.4 / (n as f64).cbrt();
     let sphere = |i| Sphere { center: random_vector(i, 0), radius: radius * (0.5 + rng::unit(&[i, 1])) };
     let leaf = |i| Leaf::new(Shape::from(sphere(i)), &Transform::IDENTITY, i as u32);
-    (0..n).map(|i| Node::leaf(leaf(i), i as u32)).collect()
+    (0..n).map(|i| SolidNode::leaf(leaf(i), i as u32)).collect()
 }
 
 /// The rays of a camera in front of the cube, row by row.
@@ -59,11 +59,11 @@ fn closest(c: &mut Criterion) {
 
 fn trees(c: &mut Criterion) {
     let sphere = |x: f64, r: f64| Shape::from(Sphere { center: DVec3::X * x, radius: r });
-    let leaf = |shape| Node::leaf(Leaf::new(shape, &Transform::IDENTITY, 0), 0);
-    let lens = Node::difference(vec![leaf(sphere(0.0, 1.0)), leaf(sphere(0.5, 0.7)), leaf(sphere(-0.9, 0.3))], 0);
+    let leaf = |shape| SolidNode::leaf(Leaf::new(shape, &Transform::IDENTITY, 0), 0);
+    let lens = SolidNode::difference(vec![leaf(sphere(0.0, 1.0)), leaf(sphere(0.5, 0.7)), leaf(sphere(-0.9, 0.3))], 0);
     let ring = leaf(Shape::from(Torus { major: 0.8, minor: 0.3 }));
     let holes = (0..1000).map(|i| leaf(Shape::from(Sphere { center: random_vector(i, 0), radius: 0.05 })));
-    let cheese = Node::difference([leaf(sphere(0.0, 1.0))].into_iter().chain(holes).collect(), 0);
+    let cheese = SolidNode::difference([leaf(sphere(0.0, 1.0))].into_iter().chain(holes).collect(), 0);
     let random = incoherent(10_000);
     let mut group = c.benchmark_group("one object, 10 000 rays");
     group.sample_size(20);

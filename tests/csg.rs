@@ -3,23 +3,23 @@
 
 use durer::math::{DVec2, DVec3, Range, Ray, Transform};
 use durer::shape::*;
-use durer::world::{FoundList, Geometry, Leaf, Node};
+use durer::world::{Geometry, Intersections, Leaf, SolidNode};
 
-fn leaf(shape: Shape, id: u32) -> Node {
-    Node::leaf(Leaf::new(shape, &Transform::IDENTITY, id), id)
+fn leaf(shape: Shape, id: u32) -> SolidNode {
+    SolidNode::leaf(Leaf::new(shape, &Transform::IDENTITY, id), id)
 }
 
-fn sphere(x: f64, radius: f64, id: u32) -> Node {
+fn sphere(x: f64, radius: f64, id: u32) -> SolidNode {
     leaf(Shape::from(Sphere { center: DVec3::X * x, radius }), id)
 }
 
-fn half_space(normal: DVec3) -> Node {
+fn half_space(normal: DVec3) -> SolidNode {
     leaf(Shape::from(Plane::new(normal, 0.0).unwrap()), 9)
 }
 
 /// All hits, t and leaf, in order.
-fn ids(node: &Node, ray: &Ray) -> Vec<(f64, u32)> {
-    let mut all = FoundList::new();
+fn ids(node: &SolidNode, ray: &Ray) -> Vec<(f64, u32)> {
+    let mut all = Intersections::new();
     node.hits(ray, Range::ALL, &mut all);
     all.sort_by(|a, b| a.t().total_cmp(&b.t()));
     all.iter().map(|f| (f.t(), f.leaf.id)).collect()
@@ -31,27 +31,27 @@ const ALONG: Ray = Ray { origin: DVec3 { x: -5.0, y: 0.0, z: 0.0 }, dir: DVec3::
 #[test]
 fn the_right_surfaces_are_kept() {
     let two = || vec![sphere(0.0, 1.0, 1), sphere(1.0, 1.0, 2)];
-    assert_eq!(ids(&Node::union(two(), 0), &ALONG), [(4.0, 1), (5.0, 2), (6.0, 1), (7.0, 2)]);
-    assert_eq!(ids(&Node::merge(two(), 0), &ALONG), [(4.0, 1), (7.0, 2)]);
-    assert_eq!(ids(&Node::intersection(two(), 0), &ALONG), [(5.0, 2), (6.0, 1)]);
-    assert_eq!(ids(&Node::difference(two(), 0), &ALONG), [(4.0, 1), (5.0, 2)]);
-    let empty = Node::intersection(vec![sphere(0.0, 1.0, 1), sphere(9.0, 1.0, 2)], 0);
+    assert_eq!(ids(&SolidNode::union(two(), 0), &ALONG), [(4.0, 1), (5.0, 2), (6.0, 1), (7.0, 2)]);
+    assert_eq!(ids(&SolidNode::merge(two(), 0), &ALONG), [(4.0, 1), (7.0, 2)]);
+    assert_eq!(ids(&SolidNode::intersection(two(), 0), &ALONG), [(5.0, 2), (6.0, 1)]);
+    assert_eq!(ids(&SolidNode::difference(two(), 0), &ALONG), [(4.0, 1), (5.0, 2)]);
+    let empty = SolidNode::intersection(vec![sphere(0.0, 1.0, 1), sphere(9.0, 1.0, 2)], 0);
     assert!(empty.bounds().is_empty() && ids(&empty, &ALONG).is_empty());
 }
 
 #[test]
 fn infinite_and_open_shapes_take_part() {
-    let half = Node::intersection(vec![sphere(0.0, 1.0, 1), half_space(DVec3::X)], 0);
+    let half = SolidNode::intersection(vec![sphere(0.0, 1.0, 1), half_space(DVec3::X)], 0);
     assert_eq!(ids(&half, &ALONG), [(4.0, 1), (5.0, 9)]);
     assert!(half.bounds().is_finite());
     let tube = leaf(Shape::from(Cylinder::new(-DVec3::Y, DVec3::Y, 0.5, true)), 3);
-    let drilled = Node::difference(vec![sphere(0.0, 1.0, 1), tube], 0);
+    let drilled = SolidNode::difference(vec![sphere(0.0, 1.0, 1), tube], 0);
     assert_eq!(ids(&drilled, &ALONG), [(4.0, 1), (4.5, 3), (5.5, 3), (6.0, 1)]);
 }
 
 #[test]
 fn cut_surfaces_face_into_what_was_cut_away() {
-    let shell = Node::difference(vec![sphere(0.0, 1.0, 1), sphere(0.0, 0.5, 2)], 7);
+    let shell = SolidNode::difference(vec![sphere(0.0, 1.0, 1), sphere(0.0, 0.5, 2)], 7);
     let ray = Ray::new(DVec3::ZERO, DVec3::Z);
     let found = shell.closest(&ray, Range::FORWARD).unwrap();
     assert_eq!((found.t(), found.leaf.id, found.object, found.inverted()), (0.5, 2, 7, true));
@@ -63,17 +63,17 @@ fn inverse_goes_down_to_the_leaves() {
     let ball = || sphere(0.0, 10.0, 3);
     let two = || vec![sphere(0.0, 1.0, 1), sphere(1.0, 1.0, 2)];
     // Seen in POV-Ray: what is cut away by a union has no surfaces within the union …
-    let cut = Node::difference(vec![ball(), Node::union(two(), 0)], 0);
+    let cut = SolidNode::difference(vec![ball(), SolidNode::union(two(), 0)], 0);
     assert_eq!(ids(&cut, &ALONG), [(-5.0, 3), (4.0, 1), (7.0, 2), (15.0, 3)]);
     // … and what is left of an intersection has none outside it.
-    let cut = Node::difference(vec![ball(), Node::intersection(two(), 0)], 0);
+    let cut = SolidNode::difference(vec![ball(), SolidNode::intersection(two(), 0)], 0);
     assert_eq!(ids(&cut, &ALONG), [(-5.0, 3), (5.0, 2), (6.0, 1), (15.0, 3)]);
 }
 
 #[test]
 fn clipping_survives_inverse() {
     // Each row was asked of POV-Ray's inside(): kept half, cut half, outside below, outside above.
-    let at = |node: &Node| [-0.5, 0.5, -5.0, 5.0].map(|y| node.inside(DVec3::Y * y));
+    let at = |node: &SolidNode| [-0.5, 0.5, -5.0, 5.0].map(|y| node.inside(DVec3::Y * y));
     let clipped = || sphere(0.0, 1.0, 1).clipped(vec![half_space(DVec3::Y)]);
     assert_eq!(at(&clipped()), [true, false, false, false]);
     assert_eq!(at(&clipped().inverted()), [false, false, true, false]);
@@ -90,9 +90,9 @@ fn patches_have_no_inside_even_inverted() {
     // Seen in POV-Ray: a triangle that is subtracted stays as a surface, and the solid's own surface goes.
     let t = Triangle { a: DVec3::new(0.2, -2.0, -2.0), b: DVec3::new(0.2, 2.0, -2.0), c: DVec3::new(0.2, 0.0, 4.0) };
     let pair = || vec![sphere(0.0, 1.0, 1), leaf(Shape::from(t), 5)];
-    assert_eq!(ids(&Node::difference(pair(), 0), &ALONG), [(5.2, 5)]);
-    assert_eq!(ids(&Node::intersection(pair(), 0), &ALONG), [(5.2, 5)]);
-    assert_eq!(ids(&Node::merge(pair(), 0), &ALONG), [(4.0, 1), (6.0, 1)]);
+    assert_eq!(ids(&SolidNode::difference(pair(), 0), &ALONG), [(5.2, 5)]);
+    assert_eq!(ids(&SolidNode::intersection(pair(), 0), &ALONG), [(5.2, 5)]);
+    assert_eq!(ids(&SolidNode::merge(pair(), 0), &ALONG), [(4.0, 1), (6.0, 1)]);
 }
 
 #[test]
@@ -100,9 +100,9 @@ fn a_disc_cuts_to_its_box() {
     // Seen in POV-Ray, with the same numbers.
     let disc = |inverse: bool| {
         let disc = leaf(Shape::from(Disc::new(DVec3::ZERO, DVec3::new(0.0, 1.0, -1.0), 0.5, 0.0)), 5);
-        Node::intersection(vec![sphere(0.0, 1.0, 1), if inverse { disc.inverted() } else { disc }], 0)
+        SolidNode::intersection(vec![sphere(0.0, 1.0, 1), if inverse { disc.inverted() } else { disc }], 0)
     };
-    let seen = |node: &Node, x: f64, y: f64| {
+    let seen = |node: &SolidNode, x: f64, y: f64| {
         let ray = Ray::new(DVec3::new(x, y, -5.0), DVec3::Z);
         node.closest(&ray, Range::FORWARD).map(|f| f.leaf.id)
     };
@@ -117,7 +117,7 @@ fn transformed_object() {
     // A unit ball stretched three times along x, then moved: its tip is at x = 3 + 1.
     let m = Transform::scale(DVec3::new(3.0, 1.0, 1.0)).unwrap().then(&Transform::translate(DVec3::X));
     let shape = Shape::from(Sphere { center: DVec3::ZERO, radius: 1.0 });
-    let node = Node::leaf(Leaf::new(shape, &m, 1), 1);
+    let node = SolidNode::leaf(Leaf::new(shape, &m, 1), 1);
     let found = node.closest(&Ray::new(DVec3::X * 10.0, -DVec3::X), Range::FORWARD).unwrap();
     assert!((found.t() - 6.0).abs() < 1e-14, "the distance is one of world space");
     // Half way up: x²/9 + y² = 1 at y = 1/2; the normal is the gradient (x/9, y), not M·n.
@@ -138,7 +138,7 @@ fn transformed_object() {
 #[test]
 fn a_point_knows_what_it_is_in() {
     let geometry = Geometry::new(vec![
-        Node::union(vec![sphere(0.0, 1.0, 1), sphere(0.5, 1.0, 2), sphere(5.0, 1.0, 3)], 0),
+        SolidNode::union(vec![sphere(0.0, 1.0, 1), sphere(0.5, 1.0, 2), sphere(5.0, 1.0, 3)], 0),
         half_space(DVec3::Y),
         sphere(40.0, 1.0, 4).inverted(),
     ]);

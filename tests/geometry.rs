@@ -3,7 +3,7 @@
 
 use durer::math::{DVec3, Range, Ray, Transform, rng};
 use durer::shape::*;
-use durer::world::{Found, FoundList, Geometry, Leaf, Node};
+use durer::world::{Geometry, Intersection, Intersections, Leaf, SolidNode};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
@@ -82,18 +82,18 @@ impl Dice {
         }
     }
 
-    fn leaf(&mut self, shape: Shape) -> Node {
+    fn leaf(&mut self, shape: Shape) -> SolidNode {
         let id = (self.unit() * 1e6) as u32;
-        Node::leaf(Leaf::new(shape, &self.transform(), id), id)
+        SolidNode::leaf(Leaf::new(shape, &self.transform(), id), id)
     }
 
     /// A tree of at most `depth` levels, of any shapes.
-    fn tree(&mut self, depth: usize) -> Node {
+    fn tree(&mut self, depth: usize) -> SolidNode {
         self.tree_of(depth, 7, Dice::shape)
     }
 
     /// A tree of the first so many kinds: leaf, union, merge, intersection, difference, clipped union.
-    fn tree_of(&mut self, depth: usize, kinds: usize, shape: fn(&mut Dice) -> Shape) -> Node {
+    fn tree_of(&mut self, depth: usize, kinds: usize, shape: fn(&mut Dice) -> Shape) -> SolidNode {
         let kind = if depth == 0 { 0 } else { self.below(kinds) };
         if kind < 2 {
             let shape = shape(self);
@@ -104,11 +104,11 @@ impl Dice {
         let children = (0..count).map(|_| self.tree_of(depth - 1, kinds, shape)).collect();
         let object = self.below(1000) as u32;
         match kind {
-            2 => Node::union(children, object),
-            3 => Node::merge(children, object),
-            4 => Node::intersection(children, object),
-            5 => Node::difference(children, object),
-            _ => Node::union(children, object).clipped(vec![self.tree_of(0, kinds, shape)]),
+            2 => SolidNode::union(children, object),
+            3 => SolidNode::merge(children, object),
+            4 => SolidNode::intersection(children, object),
+            5 => SolidNode::difference(children, object),
+            _ => SolidNode::union(children, object).clipped(vec![self.tree_of(0, kinds, shape)]),
         }
     }
 
@@ -142,8 +142,8 @@ fn hits(shape: &Shape, ray: &Ray, range: Range) -> Vec<Hit> {
     all.into_vec()
 }
 
-fn node_hits<'a>(node: &'a Node, ray: &Ray, range: Range) -> FoundList<'a> {
-    let mut all = FoundList::new();
+fn node_hits<'a>(node: &'a SolidNode, ray: &Ray, range: Range) -> Intersections<'a> {
+    let mut all = Intersections::new();
     node.hits(ray, range, &mut all);
     all.sort_by(|a, b| a.t().total_cmp(&b.t()));
     all
@@ -164,7 +164,7 @@ proptest! {
     fn hits_lie_in_bounds_and_have_normals(seed: u64) {
         let mut dice = Dice::new(seed);
         let (shape, m) = (dice.shape(), dice.transform());
-        let node = Node::leaf(Leaf::new(shape.clone(), &m, 1), 1);
+        let node = SolidNode::leaf(Leaf::new(shape.clone(), &m, 1), 1);
         for _ in 0..20 {
             let ray = dice.ray();
             let scale = 1.0 + ray.origin.length();
@@ -221,7 +221,7 @@ proptest! {
             let first = hits(&shape, &ray, range).first().map(|h| h.t);
             prop_assert_eq!(shape.closest(&ray, range).map(|h| h.t), first, "{:?} {:?}", shape, ray);
             prop_assert!(first.is_none_or(|t| range.contains(t)));
-            let first = node_hits(&node, &ray, range).first().map(Found::t);
+            let first = node_hits(&node, &ray, range).first().map(Intersection::t);
             prop_assert_eq!(node.closest(&ray, range).map(|f| f.t()), first, "{:?} {:?}", node, ray);
             prop_assert!(first.is_none_or(|t| range.contains(t)));
         }
@@ -256,7 +256,7 @@ proptest! {
             let at = |k: i32| -ray.origin.dot(ray.dir) / (size * size) + f64::from(k) * 0.0371 / size;
             for k in -100..100 {
                 let (a, b) = (tree.inside(ray.at(at(k))), tree.inside(ray.at(at(k + 1))));
-                let near = |f: &Found| f.t() > at(k) - 1e-6 / size && f.t() < at(k + 1) + 1e-6 / size;
+                let near = |f: &Intersection| f.t() > at(k) - 1e-6 / size && f.t() < at(k + 1) + 1e-6 / size;
                 prop_assert!(a == b || all.iter().any(near), "{tree:?} {ray:?}: {a} {b} at {} without a hit", at(k));
             }
             for found in &all {
@@ -279,34 +279,34 @@ proptest! {
         let mut part = |i: usize| {
             let shape = if i > 3 && dice.below(5) == 0 { dice.solid() } else { plane(&mut dice) };
             let m = if dice.below(3) == 0 { m.then(&dice.transform()) } else { m };
-            let leaf = Node::leaf(Leaf::new(shape, &m, i as u32), 0);
+            let leaf = SolidNode::leaf(Leaf::new(shape, &m, i as u32), 0);
             if dice.below(9) == 0 { leaf.inverted() } else { leaf }
         };
-        let parts: Vec<Node> = (0..count).map(&mut part).collect();
-        let more: Vec<Node> = (0..2).map(&mut part).collect();
+        let parts: Vec<SolidNode> = (0..count).map(&mut part).collect();
+        let more: Vec<SolidNode> = (0..2).map(&mut part).collect();
         let tree = match dice.below(3) {
-            0 => Node::intersection(parts, 0),
-            1 => Node::intersection(vec![Node::intersection(parts, 0), Node::difference(more, 0)], 0),
-            _ => Node::union(more, 0).clipped(parts),
+            0 => SolidNode::intersection(parts, 0),
+            1 => SolidNode::intersection(vec![SolidNode::intersection(parts, 0), SolidNode::difference(more, 0)], 0),
+            _ => SolidNode::union(more, 0).clipped(parts),
         };
         // The same without its box: asked child by child.
-        fn inside(node: &Node, p: DVec3) -> bool {
-            use durer::world::NodeKind;
+        fn inside(node: &SolidNode, p: DVec3) -> bool {
+            use durer::world::SolidKind;
             match node.kind() {
-                NodeKind::Leaf(_) => node.inside(p),
-                NodeKind::Intersection(children) => children.iter().all(|c| inside(c, p)),
-                NodeKind::Union(children) | NodeKind::Merge(children) => children.iter().any(|c| inside(c, p)),
+                SolidKind::Leaf(_) => node.inside(p),
+                SolidKind::Intersection(children) => children.iter().all(|c| inside(c, p)),
+                SolidKind::Union(children) | SolidKind::Merge(children) => children.iter().any(|c| inside(c, p)),
             }
         }
-        fn surviving(node: &Node, ray: &Ray) -> Vec<f64> {
-            let durer::world::NodeKind::Intersection(children) = node.kind() else {
+        fn surviving(node: &SolidNode, ray: &Ray) -> Vec<f64> {
+            let durer::world::SolidKind::Intersection(children) = node.kind() else {
                 return node_hits(node, ray, Range::ALL).iter().map(|f| f.t()).collect();
             };
             let others = |i: usize, p: DVec3| children.iter().enumerate().all(|(j, c)| j == i || inside(c, p));
             let each = children.iter().enumerate().map(|(i, c)| (i, surviving(c, ray)));
             each.flat_map(|(i, hits)| hits.into_iter().filter(move |t| others(i, ray.at(*t)))).collect()
         }
-        let is_clipped = matches!(tree.kind(), durer::world::NodeKind::Union(_));
+        let is_clipped = matches!(tree.kind(), durer::world::SolidKind::Union(_));
         for _ in 0..30 {
             let ray = Ray { origin: m.point(dice.vector(2.0)), ..dice.ray() };
             let kept = surviving(&tree, &ray);
@@ -325,18 +325,18 @@ proptest! {
     #[test]
     fn many_children_are_like_few(seed: u64) {
         let mut dice = Dice::new(seed);
-        let parts: Vec<Node> = (0..40).map(|_| dice.tree_of(dice.seed as usize % 2, 6, Dice::solid)).collect();
+        let parts: Vec<SolidNode> = (0..40).map(|_| dice.tree_of(dice.seed as usize % 2, 6, Dice::solid)).collect();
         let big = |dice: &mut Dice| Shape::from(Sphere { center: dice.vector(1.0), radius: dice.between(2.0, 3.0) });
-        let leaf = |shape| Node::leaf(Leaf::new(shape, &Transform::IDENTITY, 7), 7);
-        let balls: Vec<Node> = (0..12).map(|_| leaf(big(&mut dice))).collect();
-        let one_by_one = |make: fn(Vec<Node>, u32) -> Node, parts: &[Node]| {
+        let leaf = |shape| SolidNode::leaf(Leaf::new(shape, &Transform::IDENTITY, 7), 7);
+        let balls: Vec<SolidNode> = (0..12).map(|_| leaf(big(&mut dice))).collect();
+        let one_by_one = |make: fn(Vec<SolidNode>, u32) -> SolidNode, parts: &[SolidNode]| {
             let (first, rest) = parts.split_first().unwrap();
             rest.iter().fold(first.clone(), |node, part| make(vec![node, part.clone()], 0))
         };
-        let carved: Vec<Node> = balls[..1].iter().chain(&parts).cloned().collect();
-        type Make = fn(Vec<Node>, u32) -> Node;
-        let makers: [(Make, &Vec<Node>); 4] =
-            [(Node::union, &parts), (Node::merge, &parts), (Node::intersection, &balls), (Node::difference, &carved)];
+        let carved: Vec<SolidNode> = balls[..1].iter().chain(&parts).cloned().collect();
+        type Make = fn(Vec<SolidNode>, u32) -> SolidNode;
+        let makers: [(Make, &Vec<SolidNode>); 4] =
+            [(SolidNode::union, &parts), (SolidNode::merge, &parts), (SolidNode::intersection, &balls), (SolidNode::difference, &carved)];
         let pairs = makers.map(|(make, parts)| (make(parts.clone(), 0), one_by_one(make, parts)));
         for (many, few) in &pairs {
             for _ in 0..20 {
@@ -353,7 +353,7 @@ proptest! {
     #[test]
     fn hierarchy_is_brute_force(seed: u64, count in prop_oneof![0usize..8, 20usize..60]) {
         let mut dice = Dice::new(seed);
-        let nodes: Vec<Node> = (0..count).map(|_| dice.tree(2)).collect();
+        let nodes: Vec<SolidNode> = (0..count).map(|_| dice.tree(2)).collect();
         let geometry = Geometry::new(nodes.clone());
         for _ in 0..40 {
             let (ray, range) = (dice.ray(), dice.range());
@@ -384,8 +384,8 @@ proptest! {
             let mut inside = vec![];
             geometry.containing(p, &mut |node| inside.push(node.object));
             // A disc by itself is a plate: whether points behind it count is left open.
-            let plate = |n: &Node| matches!(n.kind(), durer::world::NodeKind::Leaf(l) if matches!(l.shape, Shape::Disc(_)));
-            let all = |n: &&Node| n.inside(p) && !plate(n);
+            let plate = |n: &SolidNode| matches!(n.kind(), durer::world::SolidKind::Leaf(l) if matches!(l.shape, Shape::Disc(_)));
+            let all = |n: &&SolidNode| n.inside(p) && !plate(n);
             let mut want: Vec<u32> = geometry.items().iter().filter(all).map(|n| n.object).collect();
             let plates: Vec<u32> = geometry.items().iter().filter(|n| plate(n)).map(|n| n.object).collect();
             inside.retain(|object| !plates.contains(object));

@@ -10,12 +10,12 @@ use durer::diagnostic::codes;
 use durer::interpreter::{self, interpret};
 use durer::math::noise::NoiseGenerator;
 use durer::math::{DVec3, Transform, rng};
-use durer::pattern::{CellPattern, Checker, Kind, Pattern, Spot};
+use durer::pattern::{CellPattern, Checker, Kind, Pattern, TextureContext};
 use durer::render::{Cancelled, Options, Region, Watch, pick, render};
 use durer::scene::{CsgOp, Object, ObjectKind, Scene};
 use durer::source::{Sources, Span};
-use durer::texture::{Finish, Paint, Parts, Pigment};
-use durer::world::{Ink, lower};
+use durer::texture::{Blend, Finish, Paint, Pigment};
+use durer::world::{PigmentProgram, lower};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn scaled(x: f64, y: f64, z: f64) -> Transform {
@@ -25,7 +25,7 @@ fn scaled(x: f64, y: f64, z: f64) -> Transform {
 fn checker(a: Color, b: Color) -> Pigment {
     let pigments = vec![Pigment::solid(a), Pigment::solid(b)];
     let pattern = Pattern { kind: Kind::Cells(CellPattern::Checker(Checker {})), ..Pattern::default() };
-    Pigment { pattern: pattern.into(), paint: Paint::Pigments(Parts::List(pigments.into())), quick_color: None }
+    Pigment { pattern: pattern.into(), paint: Paint::Pigments(Blend::List(pigments.into())), quick_color: None }
 }
 
 #[test]
@@ -306,12 +306,15 @@ fn ink_shows_what_the_pigment_does() {
         assert_eq!(scene.objects.len(), PIGMENTS.len());
         for (object, source) in scene.objects.iter().zip(PIGMENTS) {
             let pigment = &object.texture.as_ref().unwrap().texture.layers[0].pigment;
-            let ink = Ink::new(pigment);
+            let ink = PigmentProgram::new(pigment);
             for i in 0..300 {
                 let random = |axis| rng::unit(&[i, axis]) * 8.0 - 4.0;
                 let p = DVec3::new(random(0), random(1), random(2));
-                let spot = Spot { uv: p.truncate() * 0.1, ..Spot::free(p, NoiseGenerator::RangeCorrected) };
-                let (ours, theirs) = (ink.at(&spot), pigment.at(&spot));
+                let ctx = TextureContext {
+                    uv: p.truncate() * 0.1,
+                    ..TextureContext::free(p, NoiseGenerator::RangeCorrected)
+                };
+                let (ours, theirs) = (ink.at(&ctx), pigment.at(&ctx));
                 let far = (ours.rgb - theirs.rgb).abs().max_element() + (ours.transmit - theirs.transmit).abs();
                 assert!(far < 1e-9, "{source} at {p}: {ours:?}, not {theirs:?}");
             }

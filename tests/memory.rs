@@ -65,7 +65,7 @@ fn things_that_are_many_are_small() {
         ("texture::Pigment", size_of::<texture::Pigment>(), 64),
         ("texture::Finish", size_of::<texture::Finish>(), 152),
         ("pattern::Pattern", size_of::<pattern::Pattern>(), 168),
-        ("world::Node", size_of::<world::Node>(), 48),
+        ("world::SolidNode", size_of::<world::SolidNode>(), 48),
         ("world::Part", size_of::<world::Part>(), 48),
         ("world::ObjectInfo", size_of::<world::ObjectInfo>(), 8),
         ("world::Material", size_of::<world::Material>(), 48),

@@ -5,7 +5,7 @@ use super::Window;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
 use crate::source::Span;
-use crate::value::{Reader, Said};
+use crate::value::{RawItem, Reader};
 use serde::Serialize;
 
 /// As it was written.
@@ -25,7 +25,7 @@ pub struct LectureCamera {
     pub transform: Transform,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<Said>,
+    pub undrawn: Vec<RawItem>,
 }
 
 impl Default for LectureCamera {

@@ -10,7 +10,7 @@ pub use perspective::Perspective;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, Ray, Transform};
 use crate::source::Span;
-use crate::value::{Next, Reader, ReaderExt, Said, Thing};
+use crate::value::{Next, RawItem, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use words::{LECTURE, PERSPECTIVE};
 
@@ -113,7 +113,7 @@ impl Camera {
                     // Another kind of camera may see more than half a turn; the perspective that stands for it can't.
                     let own = povray.angle.filter(|a| !(1.0..=120.0).contains(a));
                     undrawn.extend(
-                        own.map(|a| Said::Block("angle", Box::new([Said::Numbers { width: 1, all: vec![a] }]))),
+                        own.map(|a| RawItem::Block("angle", Box::new([RawItem::Numbers { width: 1, all: vec![a] }]))),
                     );
                     povray.angle = povray.angle.map(|a| a.clamp(1.0, 120.0));
                 }

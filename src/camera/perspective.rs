@@ -5,7 +5,7 @@ use super::Window;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
 use crate::source::Span;
-use crate::value::{Reader, Said};
+use crate::value::{RawItem, Reader};
 use serde::Serialize;
 
 /// As it was written.
@@ -31,7 +31,7 @@ pub struct Perspective {
     pub transform: Transform,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<Said>,
+    pub undrawn: Vec<RawItem>,
 }
 
 impl Default for Perspective {
@@ -68,7 +68,7 @@ impl Perspective {
                 // The vertical angle of other kinds of cameras, which are not drawn yet.
                 if let Some(vertical) = r.optional_float()? {
                     let all = vec![angle, vertical];
-                    self.undrawn.push(Said::Block("angle", Box::new([Said::Numbers { width: 1, all }])));
+                    self.undrawn.push(RawItem::Block("angle", Box::new([RawItem::Numbers { width: 1, all }])));
                 }
             }
             _ => {}

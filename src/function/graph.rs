@@ -15,7 +15,7 @@ pub type Id = u32;
 
 /// One operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Node {
+pub enum Operation {
     /// A number, by its bits.
     Constant(u64),
     /// A parameter.
@@ -32,7 +32,7 @@ pub enum Node {
     Call(u32, u8, Box<[Id]>),
 }
 
-/// What a [`Node::Call`] asks.
+/// What a [`Operation::Call`] asks.
 #[derive(Clone, Debug)]
 pub enum Callee {
     /// One of the functions behind `functions.inc`.
@@ -56,12 +56,12 @@ pub enum Callee {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     /// In order.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<Operation>,
     /// What calls refer to.
     pub callees: Vec<Callee>,
     /// The result.
     pub result: Id,
-    known: FxHashMap<Node, Id>,
+    known: FxHashMap<Operation, Id>,
 }
 
 /// The operator for two numbers. Inside functions comparisons are exact, and all but 0 is true (measured on POV-Ray 3.7).
@@ -173,21 +173,21 @@ fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
 impl Graph {
     /// A number.
     pub fn constant(&mut self, x: f64) -> Id {
-        self.add(Node::Constant(x.to_bits()))
+        self.add(Operation::Constant(x.to_bits()))
     }
 
     /// The number that an operation is known to give.
     pub fn known(&self, id: Id) -> Option<f64> {
         match self.nodes[id as usize] {
-            Node::Constant(bits) => Some(f64::from_bits(bits)),
+            Operation::Constant(bits) => Some(f64::from_bits(bits)),
             _ => None,
         }
     }
 
     /// Finds or makes an operation.
-    pub fn add(&mut self, node: Node) -> Id {
-        let node = self.folded(&node).map_or(node, |x| Node::Constant(x.to_bits()));
-        if let Node::Choice(condition, yes, no) = node
+    pub fn add(&mut self, node: Operation) -> Id {
+        let node = self.folded(&node).map_or(node, |x| Operation::Constant(x.to_bits()));
+        if let Operation::Choice(condition, yes, no) = node
             && let Some(x) = self.known(condition)
         {
             return if x != 0.0 { yes } else { no };
@@ -201,11 +201,11 @@ impl Graph {
         id
     }
 
-    fn folded(&self, node: &Node) -> Option<f64> {
+    fn folded(&self, node: &Operation) -> Option<f64> {
         Some(match node {
-            Node::One(row, a) => one(*row, self.known(*a)?),
-            Node::Two(row, a, b) => two(*row, self.known(*a)?, self.known(*b)?),
-            Node::Binary(op, a, b) => operate(*op, self.known(*a)?, self.known(*b)?),
+            Operation::One(row, a) => one(*row, self.known(*a)?),
+            Operation::Two(row, a, b) => two(*row, self.known(*a)?, self.known(*b)?),
+            Operation::Binary(op, a, b) => operate(*op, self.known(*a)?, self.known(*b)?),
             _ => return None,
         })
     }
@@ -216,7 +216,7 @@ impl Graph {
             self.callees.push(callee);
             self.callees.len() - 1
         });
-        self.add(Node::Call(index as u32, component, arguments))
+        self.add(Operation::Call(index as u32, component, arguments))
     }
 
     /// Copies what another function computes, with these arguments for its parameters.
@@ -225,13 +225,13 @@ impl Graph {
         for node in &other.nodes {
             let at = |id: &Id| ids[*id as usize];
             let id = match node {
-                Node::Parameter(i) => arguments[*i as usize],
-                Node::Constant(_) => self.add(node.clone()),
-                Node::One(row, a) => self.add(Node::One(*row, at(a))),
-                Node::Two(row, a, b) => self.add(Node::Two(*row, at(a), at(b))),
-                Node::Binary(op, a, b) => self.add(Node::Binary(*op, at(a), at(b))),
-                Node::Choice(c, a, b) => self.add(Node::Choice(at(c), at(a), at(b))),
-                Node::Call(callee, component, list) => {
+                Operation::Parameter(i) => arguments[*i as usize],
+                Operation::Constant(_) => self.add(node.clone()),
+                Operation::One(row, a) => self.add(Operation::One(*row, at(a))),
+                Operation::Two(row, a, b) => self.add(Operation::Two(*row, at(a), at(b))),
+                Operation::Binary(op, a, b) => self.add(Operation::Binary(*op, at(a), at(b))),
+                Operation::Choice(c, a, b) => self.add(Operation::Choice(at(c), at(a), at(b))),
+                Operation::Call(callee, component, list) => {
                     let list = list.iter().map(at).collect();
                     self.call(other.callees[*callee as usize].clone(), *component, list)
                 }
@@ -247,17 +247,17 @@ impl Graph {
         for node in &self.nodes {
             let at = |id: &Id| all[*id as usize];
             let bounds = match node {
-                Node::Constant(bits) => Interval::point(f64::from_bits(*bits)),
-                Node::Parameter(i) => parameters[*i as usize],
-                Node::One(row, a) => (numeric::TABLE[*row as usize].bounds)(at(a), at(a)),
-                Node::Two(row, a, b) => (numeric::TABLE[*row as usize].bounds)(at(a), at(b)),
-                Node::Binary(op, a, b) => operator_bounds(*op, at(a), at(b), a == b),
-                Node::Choice(condition, yes, no) => match at(condition) {
+                Operation::Constant(bits) => Interval::point(f64::from_bits(*bits)),
+                Operation::Parameter(i) => parameters[*i as usize],
+                Operation::One(row, a) => (numeric::TABLE[*row as usize].bounds)(at(a), at(a)),
+                Operation::Two(row, a, b) => (numeric::TABLE[*row as usize].bounds)(at(a), at(b)),
+                Operation::Binary(op, a, b) => operator_bounds(*op, at(a), at(b), a == b),
+                Operation::Choice(condition, yes, no) => match at(condition) {
                     c if !c.contains(0.0) => at(yes),
                     c if c.lo == 0.0 && c.hi == 0.0 => at(no),
                     _ => at(yes).hull(at(no)),
                 },
-                Node::Call(callee, component, list) => {
+                Operation::Call(callee, component, list) => {
                     let list: Vec<Interval> = list.iter().map(at).collect();
                     self.callees[*callee as usize].bounds(*component as usize, &list)
                 }

@@ -11,7 +11,7 @@ pub mod numeric;
 mod program;
 mod spline;
 
-pub use graph::{Callee, Graph, Id, Node};
+pub use graph::{Callee, Graph, Id, Operation};
 pub use interval::Interval;
 pub use program::Program;
 pub use spline::{Spline, SplineKind};

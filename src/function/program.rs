@@ -1,6 +1,6 @@
 //! Bytecode: the operations of a [`Graph`] in an order in which they can be computed, each into a register of its own.
 
-use super::graph::{self, Graph, Id, Node};
+use super::graph::{self, Graph, Id, Operation};
 use super::numeric::{self, Kernel};
 use crate::syntax::ast::Operator;
 
@@ -65,7 +65,7 @@ impl Program {
         let mut places = vec![None; graph.nodes.len()];
         let mut constants = vec![];
         for (place, node) in places.iter_mut().zip(&graph.nodes) {
-            if let Node::Constant(bits) = node {
+            if let Operation::Constant(bits) = node {
                 *place = Some((parameters + constants.len()) as Register);
                 constants.push(f64::from_bits(*bits));
             }
@@ -142,9 +142,9 @@ impl Writer<'_> {
         }
         let graph = self.graph;
         let place = match &graph.nodes[id as usize] {
-            Node::Parameter(i) => *i,
-            Node::Constant(_) => 0,
-            Node::One(row, a) => {
+            Operation::Parameter(i) => *i,
+            Operation::Constant(_) => 0,
+            Operation::One(row, a) => {
                 let a = self.write(*a);
                 let to = self.register();
                 let f = match numeric::TABLE[*row as usize].kernel {
@@ -154,7 +154,7 @@ impl Writer<'_> {
                 self.steps.push(Step::One(f, to, a));
                 to
             }
-            Node::Two(row, a, b) => {
+            Operation::Two(row, a, b) => {
                 let (a, b) = (self.write(*a), self.write(*b));
                 let to = self.register();
                 let f = match numeric::TABLE[*row as usize].kernel {
@@ -164,7 +164,7 @@ impl Writer<'_> {
                 self.steps.push(Step::Two(f, to, a, b));
                 to
             }
-            Node::Binary(op, a, b) => {
+            Operation::Binary(op, a, b) => {
                 let (a, b) = (self.write(*a), self.write(*b));
                 let to = self.register();
                 self.steps.push(match op {
@@ -176,8 +176,8 @@ impl Writer<'_> {
                 });
                 to
             }
-            Node::Choice(condition, yes, no) => self.choice(*condition, *yes, *no),
-            Node::Call(callee, component, list) => {
+            Operation::Choice(condition, yes, no) => self.choice(*condition, *yes, *no),
+            Operation::Call(callee, component, list) => {
                 let registers: Vec<Register> = list.iter().map(|id| self.write(*id)).collect();
                 let start = self.arguments.len() as u32;
                 let count = registers.len() as u16;
@@ -223,13 +223,13 @@ pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
     fn value(graph: &Graph, id: Id, p: &[f64]) -> f64 {
         let at = |id: &Id| value(graph, *id, p);
         match &graph.nodes[id as usize] {
-            Node::Constant(bits) => f64::from_bits(*bits),
-            Node::Parameter(i) => p[*i as usize],
-            Node::One(row, a) => graph::one(*row, at(a)),
-            Node::Two(row, a, b) => graph::two(*row, at(a), at(b)),
-            Node::Binary(op, a, b) => graph::operate(*op, at(a), at(b)),
-            Node::Choice(c, yes, no) => at(if at(c) != 0.0 { yes } else { no }),
-            Node::Call(callee, component, list) => {
+            Operation::Constant(bits) => f64::from_bits(*bits),
+            Operation::Parameter(i) => p[*i as usize],
+            Operation::One(row, a) => graph::one(*row, at(a)),
+            Operation::Two(row, a, b) => graph::two(*row, at(a), at(b)),
+            Operation::Binary(op, a, b) => graph::operate(*op, at(a), at(b)),
+            Operation::Choice(c, yes, no) => at(if at(c) != 0.0 { yes } else { no }),
+            Operation::Call(callee, component, list) => {
                 let list: Vec<f64> = list.iter().map(at).collect();
                 graph.callees[*callee as usize].call(*component as usize, &list)
             }
@@ -250,7 +250,7 @@ mod tests {
     /// Operations that give finite numbers mostly, in any order.
     fn graph(recipe: &Recipe) -> Graph {
         let mut graph = Graph::default();
-        let mut ids: Vec<Id> = (0..3).map(|i| graph.add(Node::Parameter(i))).collect();
+        let mut ids: Vec<Id> = (0..3).map(|i| graph.add(Operation::Parameter(i))).collect();
         let rows = ["abs", "sin", "cos", "exp", "sqrt", "floor", "max", "min", "pow", "tanh"];
         for &(kind, a, b, c, x) in recipe {
             let pick = |i: u32| ids[i as usize % ids.len()];
@@ -258,16 +258,16 @@ mod tests {
             use Operator::*;
             let id = match kind % 24 {
                 0 => graph.constant(x),
-                1 => graph.add(Node::Choice(a, b, c)),
+                1 => graph.add(Operation::Choice(a, b, c)),
                 k @ 2..=13 => {
                     let op = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
-                    graph.add(Node::Binary(op[k as usize - 2], a, b))
+                    graph.add(Operation::Binary(op[k as usize - 2], a, b))
                 }
                 k => {
                     let row = numeric::find(rows[k as usize - 14]).unwrap();
                     match numeric::TABLE[row as usize].kernel {
-                        Kernel::One(_) => graph.add(Node::One(row, a)),
-                        _ => graph.add(Node::Two(row, a, b)),
+                        Kernel::One(_) => graph.add(Operation::One(row, a)),
+                        _ => graph.add(Operation::Two(row, a, b)),
                     }
                 }
             };
@@ -316,14 +316,14 @@ mod tests {
     fn only_the_chosen_branch_is_computed_and_shared_results_stay_known() {
         // x < 0 ? x·y : (x·y)² − x·y, and then + x·y
         let mut g = Graph::default();
-        let (x, y) = (g.add(Node::Parameter(0)), g.add(Node::Parameter(1)));
+        let (x, y) = (g.add(Operation::Parameter(0)), g.add(Operation::Parameter(1)));
         let zero = g.constant(0.0);
-        let below = g.add(Node::Binary(Operator::Less, x, zero));
-        let product = g.add(Node::Binary(Operator::Mul, x, y));
-        let square = g.add(Node::Binary(Operator::Mul, product, product));
-        let rest = g.add(Node::Binary(Operator::Sub, square, product));
-        let choice = g.add(Node::Choice(below, product, rest));
-        g.result = g.add(Node::Binary(Operator::Add, choice, product));
+        let below = g.add(Operation::Binary(Operator::Less, x, zero));
+        let product = g.add(Operation::Binary(Operator::Mul, x, y));
+        let square = g.add(Operation::Binary(Operator::Mul, product, product));
+        let rest = g.add(Operation::Binary(Operator::Sub, square, product));
+        let choice = g.add(Operation::Choice(below, product, rest));
+        g.result = g.add(Operation::Binary(Operator::Add, choice, product));
         let program = Program::new(g, 2).unwrap();
         assert_eq!(program.run(&[-2.0, 3.0]), -12.0);
         assert_eq!(program.run(&[2.0, 3.0]), 36.0);

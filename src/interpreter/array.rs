@@ -5,7 +5,7 @@ use super::argument::Argument;
 use super::eval::as_float;
 use super::pieces::joined;
 use super::scope::{Array, Place, Slot};
-use super::stream::{Frame, Token};
+use super::stream::{StackFrame, Token};
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, ElementKind, Expr, ExprKind, Sign, Symbol};
@@ -219,7 +219,7 @@ impl<'a> Interpreter<'a> {
                 Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot)) => {
                     self.peek().map(Some)
                 }
-                None if self.held.is_empty() && self.frames.last().is_some_and(Frame::is_spent_piece) => {
+                None if self.held.is_empty() && self.frames.last().is_some_and(StackFrame::is_spent_piece) => {
                     self.pop_frame();
                     continue;
                 }

@@ -38,7 +38,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::time::Instant;
-use stream::{Frame, FrameKind, Held, Opened, Token};
+use stream::{FrameKind, Held, Opened, StackFrame, Token};
 pub use timing::Timing;
 pub use top::STATEMENTS;
 
@@ -155,7 +155,7 @@ pub(crate) struct Interpreter<'a> {
     files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
     written: u64,
-    frames: Vec<Frame<'a>>,
+    frames: Vec<StackFrame<'a>>,
     peeked: Option<Token<'a>>,
     /// Tokens that come before those of the frames, the next one last.
     held: Vec<Held<'a>>,
@@ -352,7 +352,7 @@ impl<'a> Interpreter<'a> {
 
     /// The macro calls and includes around here, innermost first; of a deep recursion both ends.
     fn trace(&self) -> Vec<Label> {
-        let label = |frame: &Frame| match frame.kind {
+        let label = |frame: &StackFrame| match frame.kind {
             FrameKind::Macro(name) => {
                 Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.names.text(name)) })
             }

@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagnostic::{Result, codes};
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
-use crate::value::{Next, Reader, Said, Thing};
+use crate::value::{Next, RawItem, Reader, Thing};
 use serde::Serialize;
 use words::LIGHT;
 
@@ -26,7 +26,7 @@ pub struct Light {
     pub fade_power: f64,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<Said>,
+    pub undrawn: Vec<RawItem>,
     /// The text that made it.
     pub source: Span,
 }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { agate agate_turb 0.7 } }
 //! ```
 
-use super::{Field, Readable, Spot, Words};
+use super::{Field, Readable, TextureContext, Words};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{fp, noise};
@@ -43,11 +43,11 @@ impl Readable for Agate {
 }
 
 impl Field for Agate {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         self.value_as(at, &Words::NONE)
     }
 
-    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
         // the constants were fitted to what POV-Ray 3.7 prints
         let turbulence = noise::turbulence(at.p, words.turbulence.series(), at.noise);
         let turn = 1.3 * self.turbulence * turbulence + 1.1 * at.p.z;

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { aoi color_map { [0.5 color rgb <1, 0.5, 0>] [1 color rgb <0, 0, 0.5>] } } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::fp;
 use crate::value::{Reader, Spec};
@@ -29,7 +29,7 @@ impl Readable for Aoi {
 }
 
 impl Field for Aoi {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         1.0 - fp::acos(-at.normal.dot(at.ray)) / PI
     }
 }
@@ -41,8 +41,8 @@ mod tests {
 
     #[test]
     fn head_on_and_grazing() {
-        let spot = Spot::free(DVec3::ZERO, Default::default());
-        let seen = |ray| Aoi {}.value(&Spot { normal: DVec3::Y, ray, ..spot });
+        let ctx = TextureContext::free(DVec3::ZERO, Default::default());
+        let seen = |ray| Aoi {}.value(&TextureContext { normal: DVec3::Y, ray, ..ctx });
         assert_eq!(seen(DVec3::NEG_Y), 1.0);
         assert_eq!(seen(DVec3::X), 0.5);
     }

@@ -4,7 +4,7 @@
 //! box { 0, <4, 3, 2> pigment { cells color_map { [0 color rgb <0.2, 0.1, 0.6>] [1 color rgb <1, 0.9, 0.4>] } scale 0.999 } }
 //! ```
 
-use super::{EDGE, Field, Readable, Spot};
+use super::{EDGE, Field, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise::Cell;
 use crate::value::{Reader, Spec};
@@ -24,7 +24,7 @@ impl Readable for RandomCells {
 }
 
 impl Field for RandomCells {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         Cell::of(at.p + EDGE).0.random()
     }
 }
@@ -37,8 +37,9 @@ mod tests {
     #[test]
     fn a_border_belongs_to_the_cell_behind_it() {
         // the numbers of POV-Ray 3.7
-        let at =
-            |x: f64| (RandomCells {}.value(&Spot::free(DVec3::new(x, 0.5, 0.5), Default::default())) * 1e6).round();
+        let at = |x: f64| {
+            (RandomCells {}.value(&TextureContext::free(DVec3::new(x, 0.5, 0.5), Default::default())) * 1e6).round()
+        };
         assert_eq!([0.5, 1.0 - 1.01e-10].map(at), [711_819.0; 2]);
         assert_eq!([1.0 - 0.99e-10, 1.0, 1.5].map(at), [681_271.0; 3]);
     }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { crackle color_map { [0.05 color rgb 0.1] [0.1 color rgb <0.8, 0.6, 0.4>] } scale 0.3 } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise::{self, Cell};
 use crate::math::{DVec3, fp};
@@ -63,7 +63,7 @@ impl Readable for Crackle {
 }
 
 impl Field for Crackle {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let near = nearest(at.p, self.metric);
         if self.solid {
             return noise::noise(near.site, at.noise);

@@ -1,6 +1,6 @@
 //! `density_file`: numbers from a file in the unit cube (manual, "Density File Pattern").
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Voxels;
 use crate::math::DVec3;
@@ -103,7 +103,7 @@ fn curve(t: f64) -> [f64; 4] {
 }
 
 impl Field for DensityFile {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let p = at.p.to_array();
         if !p.iter().all(|x| (0.0..1.0).contains(x)) {
             return 0.0;
@@ -126,7 +126,7 @@ mod tests {
     fn value(between: Voxel, x: f64) -> f64 {
         let bytes = [0, 4, 0, 1, 0, 1, 0, 255, 51, 0];
         let voxels = Arc::new(Voxels::decode(&bytes).unwrap());
-        DensityFile { voxels, between }.value(&Spot::free(DVec3::new(x, 0.5, 0.5), Default::default()))
+        DensityFile { voxels, between }.value(&TextureContext::free(DVec3::new(x, 0.5, 0.5), Default::default()))
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { dents color_map { [0 color rgb 0.9] [0.5 color rgb <0.6, 0.1, 0>] } scale 0.2 } }
 //! ```
 
-use super::{Field, Readable, Spot, Words};
+use super::{Field, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
@@ -24,11 +24,11 @@ impl Readable for Dents {
 }
 
 impl Field for Dents {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         noise::noise(at.p, at.noise).powi(3)
     }
 
-    fn bumped(&self, at: &Spot, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
         Some(n + amount * self.value(at) * noise::noise_vector(at.p))
     }
 }

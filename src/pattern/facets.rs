@@ -5,7 +5,7 @@
 //! ```
 
 use super::crackle::{lowest, nearest};
-use super::{Field, Readable, Spot, Words};
+use super::{Field, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::{Kind, Reader, Spec, WordSpec};
@@ -69,11 +69,11 @@ impl Readable for Facets {
 
 impl Field for Facets {
     /// As a pigment it shows nothing.
-    fn value(&self, _: &Spot) -> f64 {
+    fn value(&self, _: &TextureContext) -> f64 {
         0.0
     }
 
-    fn bumped(&self, at: &Spot, _: &Words, n: DVec3, _: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, _: f64) -> Option<DVec3> {
         let unit = n.normalize_or_zero();
         Some(match self.cut {
             Cut::Coords(turn) => {
@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn no_place_and_no_normal_is_too_strange() {
         for p in extreme_points() {
-            let there = Spot::free(p, Default::default());
+            let there = TextureContext::free(p, Default::default());
             for (cut, metric) in [(Cut::Coords(0.5), 2.0), (Cut::Size(0.1), 1.0), (Cut::Size(0.0), -3.0)] {
                 let facets = Facets { cut, metric };
                 for normal in [DVec3::Y, p] {

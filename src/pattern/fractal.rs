@@ -5,7 +5,7 @@
 //! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
 //! ```
 
-use super::{Field, GRAYS, Readable, SIX_COLORS, Spot};
+use super::{Field, GRAYS, Readable, SIX_COLORS, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Complex, DVec2};
@@ -14,7 +14,7 @@ use serde::Serialize;
 
 /// Which number is shown of an orbit, and times what.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Shown {
+pub struct OrbitValue {
     /// 0 to 6, see the manual.
     pub kind: u8,
     /// Times this, mostly.
@@ -27,9 +27,9 @@ pub struct Orbits {
     /// How often the formula is applied at most.
     pub iterations: u32,
     /// Of points that go away, or end where nothing moves any more.
-    pub exterior: Shown,
+    pub exterior: OrbitValue,
     /// Of those that stay.
-    pub interior: Shown,
+    pub interior: OrbitValue,
 }
 
 /// What became of an orbit.
@@ -66,7 +66,7 @@ const JULIA: Param =
 impl Orbits {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let iterations = r.float()? as u32;
-        let (exterior, interior) = (Shown { kind: 1, factor: 1.0 }, Shown { kind: 0, factor: 1.0 });
+        let (exterior, interior) = (OrbitValue { kind: 1, factor: 1.0 }, OrbitValue { kind: 0, factor: 1.0 });
         Ok(Self { iterations, exterior, interior })
     }
 
@@ -76,7 +76,7 @@ impl Orbits {
             let message = format!("`{word}` is one of 0 to 6, found {kind}");
             return Diagnostic::err(codes::BAD_ARGUMENT, span, message);
         }
-        let shown = Shown { kind: kind as u8, factor: r.float()? };
+        let shown = OrbitValue { kind: kind as u8, factor: r.float()? };
         match word {
             "exterior" => self.exterior = shown,
             _ => self.interior = shown,
@@ -100,7 +100,7 @@ impl Orbits {
         };
         match end {
             End::Left(i, z) => {
-                let Shown { kind, factor } = self.exterior;
+                let OrbitValue { kind, factor } = self.exterior;
                 match kind {
                     1 => f64::from(i) / f64::from(self.iterations),
                     6 => z.length_squared().sqrt() * factor,
@@ -108,7 +108,7 @@ impl Orbits {
                 }
             }
             End::Stays(z, least) => {
-                let Shown { kind, factor } = self.interior;
+                let OrbitValue { kind, factor } = self.interior;
                 match kind {
                     1 => least.sqrt() * factor,
                     // measured; the manual has the length here
@@ -242,9 +242,9 @@ fn is_in_main_bodies(c: Complex) -> bool {
 }
 
 impl Field for Mandel {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let c = Complex::new(at.p.x, at.p.y);
-        let Shown { kind, factor } = self.orbits.interior;
+        let OrbitValue { kind, factor } = self.orbits.interior;
         if kind == 0 && self.exponent == 2 && is_in_main_bodies(c) {
             return Orbits::common(kind, c) * factor;
         }
@@ -294,7 +294,7 @@ impl Readable for Julia {
 }
 
 impl Field for Julia {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let c = Complex::new(self.constant.x, self.constant.y);
         self.orbits.powers(self.exponent, Complex::new(at.p.x, at.p.y), c)
     }
@@ -358,7 +358,7 @@ impl Readable for Magnet {
 }
 
 impl Field for Magnet {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let point = Complex::new(at.p.x, at.p.y);
         let (start, c) = match self.constant {
             Some(c) => (point, Complex::new(c.x, c.y)),
@@ -388,13 +388,13 @@ mod tests {
     use crate::math::DVec3;
 
     fn orbits(exterior: u8, interior: u8) -> Orbits {
-        let shown = |kind| Shown { kind, factor: 0.5 };
+        let shown = |kind| OrbitValue { kind, factor: 0.5 };
         Orbits { iterations: 10, exterior: shown(exterior), interior: shown(interior) }
     }
 
     fn mandel(x: f64, y: f64, exterior: u8, interior: u8) -> f64 {
         let pattern = Mandel { orbits: orbits(exterior, interior), exponent: 2 };
-        pattern.value(&Spot::free(DVec3::new(x, y, 3.0), Default::default()))
+        pattern.value(&TextureContext::free(DVec3::new(x, y, 3.0), Default::default()))
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { function { abs(sin(8*x) * sin(8*y)) } color_map { [0 color rgb 0] [1 color rgb <1, 0.8, 0.2>] } } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Function;
 use crate::value::{Reader, Spec, downcast};
@@ -51,7 +51,7 @@ impl Readable for FunctionPattern {
 }
 
 impl Field for FunctionPattern {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let [value, ..] = self.0.call(&at.p.to_array());
         // It begins anew after each 1, which belongs to the numbers below; those under 0 are left to the wave.
         if value > 1.0 { value.fract() } else { value }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { gradient y color_map { [0 color rgb 0] [1 color rgb 1] } scale 2 translate -y } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::value::{Kind, Param, Reader, Spec};
@@ -40,7 +40,7 @@ impl Readable for Gradient {
 }
 
 impl Field for Gradient {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         // Negative numbers keep their sign here; frequency and phase bring them into [0, 1]. The first unit keeps its end.
         let along = at.p.dot(self.direction);
         if along > 1.0 { along.fract() } else { along }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { granite color_map { [0 color rgb <0.3, 0.2, 0.2>] [0.5 color rgb 0.9] } } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise;
 use crate::value::{Reader, Spec};
@@ -23,7 +23,7 @@ impl Readable for Granite {
 }
 
 impl Field for Granite {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         // six octaves, each half as strong and twice as fine: how far the noise lies from the middle
         let octaves = noise::octaves::<6>(at.p * 4.0, at.noise);
         let far = octaves.iter().rev().fold(0.0, |sum, noise| 0.5 * sum + (0.5 - noise).abs());

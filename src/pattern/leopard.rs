@@ -4,7 +4,7 @@
 //! box { -1, 1 pigment { leopard color_map { [0.1 color rgb <0.9, 0.7, 0.3>] [0.4 color rgb <0.2, 0.1, 0>] } scale 0.1 } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::fp;
 use crate::value::{Reader, Spec};
@@ -23,7 +23,7 @@ impl Readable for Leopard {
 }
 
 impl Field for Leopard {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let mean = (fp::sin(at.p.x) + fp::sin(at.p.y) + fp::sin(at.p.z)) / 3.0;
         mean * mean
     }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { marble turbulence 0.8 scale 0.4 } }
 //! ```
 
-use super::{Field, Readable, Spot, Wave, Words};
+use super::{Field, Readable, TextureContext, Wave, Words};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise;
@@ -29,11 +29,11 @@ impl Readable for Marble {
 }
 
 impl Field for Marble {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         at.p.x
     }
 
-    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
         let by = words.turbulence;
         if by.amount.x == 0.0 {
             return at.p.x;

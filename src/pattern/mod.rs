@@ -10,6 +10,7 @@ mod brick;
 mod bumps;
 mod cells;
 mod checker;
+mod context;
 mod crackle;
 mod cubic;
 mod cylindrical;
@@ -38,7 +39,6 @@ mod space;
 mod spherical;
 mod spiral1;
 mod spiral2;
-mod spot;
 mod spotted;
 mod square;
 mod tiling;
@@ -58,6 +58,8 @@ pub use brick::Brick;
 pub use bumps::Bumps;
 pub use cells::RandomCells;
 pub use checker::Checker;
+use context::GRAYS;
+pub use context::{Field, TextureContext, Words};
 pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
@@ -86,8 +88,6 @@ pub use space::{Space, Step};
 pub use spherical::Spherical;
 pub use spiral1::Spiral1;
 pub use spiral2::Spiral2;
-use spot::GRAYS;
-pub use spot::{Field, Spot, Words};
 pub use spotted::Spotted;
 pub use square::Square;
 pub use tiling::Tiling;
@@ -205,13 +205,13 @@ macro_rules! fields {
         }
 
         impl Field for FieldPattern {
-            fn value(&self, at: &Spot) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
-            fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+            fn value(&self, at: &TextureContext) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
+            fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
                 match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
             fn stirs(&self) -> bool { match self { $(FieldPattern::$name(f) => f.stirs()),* } }
-            fn bumped(&self, at: &Spot, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+            fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
                 match self { $(FieldPattern::$name(f) => f.bumped(at, words, n, amount)),* }
             }
             fn default_colors(&self) -> Vec<(f64, Color)> {

@@ -5,7 +5,7 @@
 //!   color_map { [0 color rgb <0, 0, 0.5>] [1 color rgb <1, 1, 0>] } } }
 //! ```
 
-use super::{Field, FunctionPattern, Readable, Spot};
+use super::{Field, FunctionPattern, Readable, TextureContext};
 use crate::color::{Rgb, gray};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Function;
@@ -36,7 +36,7 @@ impl Readable for PigmentPattern {
 }
 
 impl Field for PigmentPattern {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let [r, g, b, ..] = self.0.0.call(&at.p.to_array());
         gray(Rgb::new(r, g, b))
     }

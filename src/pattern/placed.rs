@@ -1,7 +1,8 @@
 //! A pattern where it lies: what pigments, normals and textures have in common.
 
 use super::{
-    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Spot, Turbulent, Warp, Words,
+    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, TextureContext, Turbulent,
+    Warp, Words,
 };
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
@@ -143,26 +144,26 @@ impl Pattern {
         self.space.then(by);
     }
 
-    /// The number that the map sees, or that of the cell; and the spot as the pattern's own entries see it.
-    pub fn see(&self, spot: &Spot) -> (f64, Spot) {
-        let inner = self.enter(spot);
+    /// The number that the map sees, or that of the cell; and the point as the pattern's own entries see it.
+    pub fn see(&self, ctx: &TextureContext) -> (f64, TextureContext) {
+        let inner = self.enter(ctx);
         (self.number(&inner), inner)
     }
 
-    /// The spot as the pattern itself and its entries see it.
-    pub fn enter(&self, spot: &Spot) -> Spot {
-        let p = if self.uv { DVec3::new(spot.uv.x, spot.uv.y, 0.0) } else { spot.p };
+    /// The point as the pattern itself and its entries see it.
+    pub fn enter(&self, ctx: &TextureContext) -> TextureContext {
+        let p = if self.uv { DVec3::new(ctx.uv.x, ctx.uv.y, 0.0) } else { ctx.p };
         let mut p = self.space.unwarped(p);
         if let Some(turbulence) = &self.space.turbulence
             && !matches!(&self.kind, Kind::Field(field) if field.stirs())
         {
             p = turbulence.displace(p);
         }
-        spot.at(p)
+        ctx.at(p)
     }
 
-    /// The number that the map sees, or that of the cell, at a spot in the pattern's space.
-    pub fn number(&self, inner: &Spot) -> f64 {
+    /// The number that the map sees, or that of the cell, at a point in the pattern's space.
+    pub fn number(&self, inner: &TextureContext) -> f64 {
         match &self.kind {
             Kind::Field(field) => self.modifiers.apply(field.value_as(&self.own(inner), &self.words())),
             Kind::Cells(cells) => self.modifiers.apply_to_cell(cells.cell(inner.p)),
@@ -170,8 +171,8 @@ impl Pattern {
         }
     }
 
-    /// The normal `n` with bumps of the pattern's own making, at a spot in its space.
-    pub fn bumped(&self, inner: &Spot, n: DVec3, amount: f64) -> Option<DVec3> {
+    /// The normal `n` with bumps of the pattern's own making, at a point in its space.
+    pub fn bumped(&self, inner: &TextureContext, n: DVec3, amount: f64) -> Option<DVec3> {
         match &self.kind {
             Kind::Field(field) => field.bumped(&self.own(inner), &self.words(), n, amount),
             _ => None,
@@ -182,9 +183,9 @@ impl Pattern {
         Words { modifiers: &self.modifiers, turbulence: self.space.turbulence.as_deref().unwrap_or(&Turbulent::STILL) }
     }
 
-    /// The spot with the pattern's own noise.
-    fn own(&self, inner: &Spot) -> Spot {
-        Spot { noise: self.noise.unwrap_or(inner.noise), ..*inner }
+    /// The point with the pattern's own noise.
+    fn own(&self, inner: &TextureContext) -> TextureContext {
+        TextureContext { noise: self.noise.unwrap_or(inner.noise), ..*inner }
     }
 }
 

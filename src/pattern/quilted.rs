@@ -4,7 +4,7 @@
 //! box { -1, 1 pigment { quilted control0 0.8 control1 0.5 color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
 //! ```
 
-use super::{Field, Readable, Spot, Words};
+use super::{Field, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::{Kind, Reader, Spec, WordSpec};
@@ -56,13 +56,13 @@ impl Quilted {
 }
 
 impl Field for Quilted {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         // from the middle of the cube
         let from = (at.p - at.p.floor() - 0.5).abs();
         self.curve(from.length()) * PART * (from.x + from.y + from.z) * 2.0 / 3.0
     }
 
-    fn bumped(&self, at: &Spot, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
         let from = at.p - at.p.floor() - 0.5;
         Some(n + amount * 2.0 * PART * self.curve(from.length()) * from)
     }

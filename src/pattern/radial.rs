@@ -4,7 +4,7 @@
 //! cylinder { 0, y, 1 pigment { radial frequency 6 color_map { [0.5 color rgb <1, 0.2, 0.2>] [0.5 color rgb 1] } } }
 //! ```
 
-use super::{Field, Readable, SIX_COLORS, Spot};
+use super::{Field, Readable, SIX_COLORS, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::fp;
@@ -26,7 +26,7 @@ impl Readable for Radial {
 }
 
 impl Field for Radial {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         // near the axis there is one value; the turn from -z on goes beyond 1, which the wave brings back
         if at.p.x.abs() < 0.001 && at.p.z.abs() < 0.001 {
             return 0.25;

@@ -5,7 +5,7 @@
 //! ```
 
 use super::waves::{Source, sources};
-use super::{Field, Readable, Spot, Words};
+use super::{Field, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
 use crate::value::{Reader, Spec};
@@ -30,18 +30,18 @@ impl Readable for Ripples {
 }
 
 impl Field for Ripples {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         self.value_as(at, &Words::NONE)
     }
 
-    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
         let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
         let wave = |s: &Source| fp::sin(TAU * (frequency * at.p.distance(s.place) + phase));
         let sources = sources(at.waves);
         0.5 + 0.5 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
     }
 
-    fn bumped(&self, at: &Spot, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
         let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
         let wave = |s: &Source| {
             let from = at.p - s.place;

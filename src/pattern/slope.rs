@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { slope { -y, 0.3, 0.7 } color_map { [0 color rgb 1] [1 color rgb <0.3, 0.5, 0.2>] } } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, fp};
 use crate::value::{Kind, Param, Reader, ReaderExt, Spec};
@@ -98,7 +98,7 @@ fn within(x: f64, [low, high]: [f64; 2]) -> f64 {
 }
 
 impl Field for Slope {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let towards = match self.towards {
             Towards::Direction(direction) => direction,
             Towards::Point(point) => point - at.world,
@@ -126,14 +126,14 @@ mod tests {
 
     #[test]
     fn facing_and_height() {
-        let spot = Spot { normal: DVec3::Y, ..Spot::free(DVec3::Y * 0.5, Default::default()) };
+        let ctx = TextureContext { normal: DVec3::Y, ..TextureContext::free(DVec3::Y * 0.5, Default::default()) };
         let slope = Slope { towards: Towards::Direction(DVec3::X), range: [0.0, 1.0], altitude: None };
-        assert_eq!(slope.value(&spot), 0.5);
-        assert_eq!(Slope { range: [0.25, 0.75], ..slope.clone() }.value(&spot), 0.5);
+        assert_eq!(slope.value(&ctx), 0.5);
+        assert_eq!(Slope { range: [0.25, 0.75], ..slope.clone() }.value(&ctx), 0.5);
         let point = Slope { towards: Towards::Point(DVec3::Y * 9.0), ..slope.clone() };
-        assert_eq!(point.value(&spot), 1.0);
+        assert_eq!(point.value(&ctx), 1.0);
         let altitude = Some(Box::new(Altitude { up: DVec3::Y * 3.0, range: [0.0, 2.0] }));
-        assert_eq!(Slope { altitude, ..slope }.value(&spot), (0.5 + 3.0 * 0.25) / 4.0);
+        assert_eq!(Slope { altitude, ..slope }.value(&ctx), (0.5 + 3.0 * 0.25) / 4.0);
     }
 
     #[test]
@@ -142,12 +142,14 @@ mod tests {
         let point = Slope { towards: Towards::Point(DVec3::Y), range: [0.5, 0.5], altitude: None };
         let high = Slope { altitude: Some(Box::new(Altitude { up: DVec3::Y, range: [1.0, -1.0] })), ..slope.clone() };
         for p in extreme_points() {
-            let there = Spot::free(p, Default::default());
-            for spot in [there, Spot { normal: p, ..there }, Spot { normal: DVec3::ZERO, ray: p, ..there }] {
+            let there = TextureContext::free(p, Default::default());
+            for ctx in
+                [there, TextureContext { normal: p, ..there }, TextureContext { normal: DVec3::ZERO, ray: p, ..there }]
+            {
                 for pattern in [&slope, &point, &high] {
-                    pattern.value(&spot);
+                    pattern.value(&ctx);
                 }
-                crate::pattern::Aoi {}.value(&spot);
+                crate::pattern::Aoi {}.value(&ctx);
             }
         }
     }

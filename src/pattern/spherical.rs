@@ -4,7 +4,7 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { spherical color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
@@ -23,7 +23,7 @@ impl Readable for Spherical {
 }
 
 impl Field for Spherical {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         (1.0 - at.p.length()).max(0.0)
     }
 }
@@ -35,7 +35,7 @@ mod tests {
 
     #[test]
     fn spheres_lie_in_each_other() {
-        let value = |x, y, z| Spherical {}.value(&Spot::free(DVec3::new(x, y, z), Default::default()));
+        let value = |x, y, z| Spherical {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(0.0, 0.25, 0.0), value(0.3, 0.0, 0.4), value(0.0, 0.0, 2.0)], [0.75, 0.5, 0.0]);
     }
 }

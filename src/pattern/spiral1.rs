@@ -4,7 +4,7 @@
 //! cylinder { 0, 0.2*z, 1 pigment { spiral1 5 color_map { [0.5 color rgb <0.1, 0.2, 0.5>] [0.5 color rgb 1] } scale 0.6 } }
 //! ```
 
-use super::{Field, Readable, Spot, Wave, Words};
+use super::{Field, Readable, TextureContext, Wave, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -35,11 +35,11 @@ impl Readable for Spiral1 {
 }
 
 impl Field for Spiral1 {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         self.value_as(at, &Words::NONE)
     }
 
-    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
         thread(at.p, self.arms) + shift(at, words)
     }
 
@@ -58,7 +58,7 @@ pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
 }
 
 /// What `turbulence` adds beside displacing the point.
-pub(super) fn shift(at: &Spot, words: &Words) -> f64 {
+pub(super) fn shift(at: &TextureContext, words: &Words) -> f64 {
     let amount = words.turbulence.amount.x;
     if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, words.turbulence.series(), at.noise) }
 }

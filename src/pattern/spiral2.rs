@@ -5,7 +5,7 @@
 //! ```
 
 use super::spiral1::{ARMS, shift, thread};
-use super::{Field, Readable, Spot, Wave, Words};
+use super::{Field, Readable, TextureContext, Wave, Words};
 use crate::diagnostic::Result;
 use crate::math::fp;
 use crate::value::{Reader, Spec};
@@ -28,11 +28,11 @@ impl Readable for Spiral2 {
 }
 
 impl Field for Spiral2 {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         self.value_as(at, &Words::NONE)
     }
 
-    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
         // rings and a thread, each up and down again
         triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, words))
     }

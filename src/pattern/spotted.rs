@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { spotted color_map { [0.5 color rgb <0.9, 0.7, 0.4>] [0.6 color rgb <0.4, 0.2, 0.1>] } scale 0.2 } }
 //! ```
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise;
 use crate::value::{Reader, Spec};
@@ -23,7 +23,7 @@ impl Readable for Spotted {
 }
 
 impl Field for Spotted {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         noise::noise(at.p, at.noise)
     }
 }

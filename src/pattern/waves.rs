@@ -4,7 +4,7 @@
 //! plane { y, 0.1 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
 //! ```
 
-use super::{Field, Readable, Spot, Words};
+use super::{Field, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Reader, Spec};
@@ -30,11 +30,11 @@ impl Readable for Waves {
 }
 
 impl Field for Waves {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         self.value_as(at, &Words::NONE)
     }
 
-    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
         let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
         let wave = |s: &Source| {
             let turns = s.frequency * frequency * at.p.distance(s.place) + phase;
@@ -44,7 +44,7 @@ impl Field for Waves {
         0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
     }
 
-    fn bumped(&self, at: &Spot, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
         let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
         let wave = |s: &Source| {
             let from = at.p - s.place;

@@ -4,7 +4,7 @@
 //! box { -1, 1 pigment { wood turbulence 0.1 scale 0.2 } }
 //! ```
 
-use super::{Field, Readable, Spot, Wave, Words};
+use super::{Field, Readable, TextureContext, Wave, Words};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{DVec2, DVec3, fp, noise};
@@ -26,11 +26,11 @@ impl Readable for Wood {
 }
 
 impl Field for Wood {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         at.p.truncate().length()
     }
 
-    fn value_as(&self, at: &Spot, words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
         let by = words.turbulence;
         if by.amount == DVec3::ZERO {
             return self.value(at);

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { wrinkles color_map { [0.2 color rgb <0.2, 0.3, 0.1>] [0.8 color rgb <0.9, 1, 0.6>] } scale 0.3 } }
 //! ```
 
-use super::{Field, Readable, Spot, Words};
+use super::{Field, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
@@ -27,13 +27,13 @@ impl Readable for Wrinkles {
 const HALVES: [f64; 10] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
 
 impl Field for Wrinkles {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         // ten octaves, each half as strong and twice as fine
         let octaves = noise::octaves::<10>(at.p, at.noise);
         octaves.iter().zip(HALVES).map(|(noise, weight)| 0.5 * weight * noise).sum()
     }
 
-    fn bumped(&self, at: &Spot, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
         // ten octaves of the noise's size along each axis
         let octave = |weight| weight * noise::noise_vector(at.p / weight).abs();
         Some(n + amount * HALVES.into_iter().map(octave).sum::<DVec3>())

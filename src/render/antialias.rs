@@ -41,11 +41,11 @@ fn threshold(options: &Options) -> Option<f64> {
 
 /// How many pixels both passes have.
 pub(super) fn total(options: &Options, region: Region) -> usize {
-    let border = threshold(options).map_or(0, |_| {
+    let interface = threshold(options).map_or(0, |_| {
         let area = with_border(options, region);
         area.width * area.height
     });
-    region.width * region.height + border
+    region.width * region.height + interface
 }
 
 /// A region and the pixels around it, whose differences count too: so a region looks as it does in the whole picture.

@@ -3,8 +3,8 @@
 //! White light splits where it passes between interiors of different dispersion; each part then keeps its hue on its whole
 //! way. How many parts there are changes neither how much a ray counts nor, in all, what is seen.
 
-use super::refract::Border;
-use super::site::Site;
+use super::refract::Interface;
+use super::shading_point::ShadingPoint;
 use super::trace::{Path, Tracer, bounce};
 use crate::color::Rgb;
 use crate::math::Ray;
@@ -19,8 +19,8 @@ pub(super) struct Split {
 
 impl Tracer<'_> {
     /// Follows white light into the colours that it splits into at the border of what it meets.
-    pub(super) fn split(&mut self, path: &Path, site: &Site, border: &Border, samples: u32) -> Split {
-        let own = site.part.interior;
+    pub(super) fn split(&mut self, path: &Path, shading: &ShadingPoint, interface: &Interface, samples: u32) -> Split {
+        let own = shading.part.interior;
         let mut split = Split { passing: Rgb::ZERO, total: Rgb::ZERO };
         // The colours that can't pass; they stay together, as white light (measured on 3.7).
         let mut kept = Rgb::ZERO;
@@ -30,21 +30,21 @@ impl Tracer<'_> {
             }
             let share = share(i, samples);
             let hue = (f64::from(i) + 0.5) / f64::from(samples);
-            let border = border.of_hue(hue, &path.inside, own, &self.setup.world.interiors);
-            let Some(dir) = border.refract(path.ray.dir, site.normal) else {
+            let interface = interface.of_hue(hue, &path.inside, own, &self.setup.world.interiors);
+            let Some(dir) = interface.refract(path.ray.dir, shading.normal) else {
                 kept += share;
                 continue;
             };
             let mut inside = path.inside.clone();
-            border.cross(&mut inside, own);
+            interface.cross(&mut inside, own);
             self.rays.transmitted += 1;
-            let ray = Ray::new(site.point, dir);
+            let ray = Ray::new(shading.point, dir);
             split.passing +=
                 share * self.follow(Path { ray, level: path.level + 1, inside, hue: Some(hue), ..*path }).rgb;
         }
         if kept != Rgb::ZERO {
             self.rays.reflected += 1;
-            let ray = Ray::new(site.point, bounce(path.ray.dir, site.normal, site.smooth));
+            let ray = Ray::new(shading.point, bounce(path.ray.dir, shading.normal, shading.smooth));
             let inside = path.inside.clone();
             split.total = kept * self.follow(Path { ray, level: path.level + 1, mirrored: true, inside, ..*path }).rgb;
         }
@@ -123,7 +123,7 @@ mod tests {
     fn each_hue_by_snells_law() {
         let glass = [Interior { ior: 1.5, dispersion: 1.2, ..Interior::default() }.into()];
         let outside = Default::default();
-        let white = Border::new(&outside, 0, &glass);
+        let white = Interface::new(&outside, 0, &glass);
         let ior = |hue| white.of_hue(hue, &outside, 0, &glass).n2;
         assert_eq!(white.n2, 1.5);
         assert!((ior(1.0) / ior(0.0) - 1.2).abs() < 1e-12);

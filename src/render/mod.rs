@@ -7,8 +7,8 @@ mod output;
 mod pick;
 mod refract;
 mod shade;
+mod shading_point;
 mod shadow;
-mod site;
 mod tiles;
 mod trace;
 

@@ -15,7 +15,7 @@ pub(super) fn copied(interiors: &Interiors) -> Interiors {
 
 /// What lies on both sides of a surface that a ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Border {
+pub(super) struct Interface {
     /// Index of refraction on the ray's side.
     pub n1: f64,
     /// Index of refraction behind the surface.
@@ -26,9 +26,9 @@ pub(super) struct Border {
     leaves: Option<usize>,
 }
 
-impl Border {
+impl Interface {
     /// The same on both sides.
-    pub const NONE: Border = Border { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
+    pub const NONE: Interface = Interface { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
     /// The border of interior `own` for a ray in `inside`: a ray that is in it leaves it, any other enters it.
     pub fn new(inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
@@ -131,28 +131,28 @@ pub(super) fn reflect(dir: DVec3, normal: DVec3) -> DVec3 {
 mod tests {
     use super::*;
 
-    fn border(n1: f64, n2: f64) -> Border {
-        Border { n1, n2, mirror: (n1, n2), leaves: None }
+    fn interface(n1: f64, n2: f64) -> Interface {
+        Interface { n1, n2, mirror: (n1, n2), leaves: None }
     }
 
     #[test]
     fn snell() {
         let (sin, cos) = 30f64.to_radians().sin_cos();
-        let out = border(1.0, 1.5).refract(DVec3::new(sin, -cos, 0.0), DVec3::Y).unwrap();
+        let out = interface(1.0, 1.5).refract(DVec3::new(sin, -cos, 0.0), DVec3::Y).unwrap();
         assert!((out.x - sin / 1.5).abs() < 1e-15 && out.y < 0.0);
         // past the critical angle asin(1/1.5) = 41.8°
         let (sin, cos) = 42f64.to_radians().sin_cos();
-        assert_eq!(border(1.5, 1.0).refract(DVec3::new(sin, -cos, 0.0), DVec3::Y), None);
+        assert_eq!(interface(1.5, 1.0).refract(DVec3::new(sin, -cos, 0.0), DVec3::Y), None);
     }
 
     #[test]
     fn fresnel_straight_on_and_at_brewsters_angle() {
         // ((n₁ - n₂)/(n₁ + n₂))²
-        assert!((border(1.0, 1.5).fresnel(1.0) - 0.04).abs() < 1e-15);
-        assert!((border(1.5, 1.0).fresnel(0.1) - 1.0).abs() < 1e-15);
+        assert!((interface(1.0, 1.5).fresnel(1.0) - 0.04).abs() < 1e-15);
+        assert!((interface(1.5, 1.0).fresnel(0.1) - 1.0).abs() < 1e-15);
         // at Brewster's angle, tan θ = n₂/n₁, only the part across is mirrored: ((n² - 1)/(n² + 1))²/2
         let cos = 1.5f64.atan().cos();
-        assert!((border(1.0, 1.5).fresnel(cos) - (1.25f64 / 3.25).powi(2) / 2.0).abs() < 1e-15);
+        assert!((interface(1.0, 1.5).fresnel(cos) - (1.25f64 / 3.25).powi(2) / 2.0).abs() < 1e-15);
     }
 
     #[test]
@@ -162,15 +162,15 @@ mod tests {
         let mut inside = Interiors::new();
         let mut seen = vec![];
         for own in [0, 1, 0, 1] {
-            let border = Border::new(&inside, own, &iors);
-            seen.push(((border.n1, border.n2), border.mirror));
-            border.cross(&mut inside, own);
+            let interface = Interface::new(&inside, own, &iors);
+            seen.push(((interface.n1, interface.n2), interface.mirror));
+            interface.cross(&mut inside, own);
         }
         let both = |n1: f64, n2: f64| ((n1, n2), (n1, n2));
         assert_eq!(seen, [both(1.0, 1.5), both(1.5, 1.2), ((1.2, 1.2), (1.5, 1.2)), both(1.2, 1.0)]);
         assert!(inside.is_empty());
         // out of B, which lies in A
-        let border = Border::new(&Interiors::from_slice(&[0, 1]), 1, &iors);
-        assert_eq!(((border.n1, border.n2), border.mirror), ((1.2, 1.5), (1.2, 1.2)));
+        let interface = Interface::new(&Interiors::from_slice(&[0, 1]), 1, &iors);
+        assert_eq!(((interface.n1, interface.n2), interface.mirror), ((1.2, 1.5), (1.2, 1.2)));
     }
 }

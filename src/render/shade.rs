@@ -2,11 +2,11 @@
 
 use super::mirror::film;
 use super::refract::Interiors;
-use super::site::{Shown, Site};
+use super::shading_point::{ShadedLayer, ShadingPoint};
 use super::trace::Tracer;
 use crate::color::Rgb;
 use crate::math::{DVec3, fp};
-use crate::world::{Lamp, Layer, Lobe};
+use crate::world::{Layer, Lobe, PointLight};
 use std::f64::consts::FRAC_PI_2;
 
 /// Where the light comes from and where it is looked at from.
@@ -15,103 +15,103 @@ struct Incidence {
     dir: DVec3,
     /// N, length 1.
     normal: DVec3,
-    /// l, length 1, towards the lamp.
-    to_lamp: DVec3,
+    /// l, length 1, towards the light.
+    to_light: DVec3,
     /// N·l; negative from behind.
     cos: f64,
 }
 
 impl Tracer<'_> {
     /// The light that a place sends back along the ray, without what it mirrors and lets pass.
-    pub(super) fn shade(&mut self, dir: DVec3, site: &Site, inside: &Interiors) -> Rgb {
+    pub(super) fn shade(&mut self, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
         if !self.setup.quality.lit {
-            return site.layers.iter().map(|shown| shown.weight * shown.color.rgb).sum();
+            return shading.layers.iter().map(|shaded| shaded.weight * shaded.color.rgb).sum();
         }
         let mut sum = Rgb::ZERO;
-        for shown in &site.layers {
-            sum += shown.weight * glow(shown);
+        for shaded in &shading.layers {
+            sum += shaded.weight * glow(shaded);
         }
-        for lamp in &self.setup.world.lights {
-            sum += self.answer(lamp, dir, site, inside);
+        for light in &self.setup.world.lights {
+            sum += self.answer(light, dir, shading, inside);
         }
         sum
     }
 
-    /// What it answers to one lamp.
-    fn answer(&mut self, lamp: &Lamp, dir: DVec3, site: &Site, inside: &Interiors) -> Rgb {
-        let to_lamp = lamp.location - site.point;
-        let distance = to_lamp.length();
-        let l = to_lamp / distance;
-        let answers = |shown: &Shown| {
-            let side = if shown.normal.dot(l) > 0.0 { answers_front } else { answers_back };
-            side(shown.layer, site.part.double_illuminate)
+    /// What it answers to one light.
+    fn answer(&mut self, light: &PointLight, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
+        let to_light = light.location - shading.point;
+        let distance = to_light.length();
+        let l = to_light / distance;
+        let answers = |shaded: &ShadedLayer| {
+            let side = if shaded.normal.dot(l) > 0.0 { answers_front } else { answers_back };
+            side(shaded.layer, shading.part.double_illuminate)
         };
-        if !site.layers.iter().any(answers) || distance == 0.0 {
+        if !shading.layers.iter().any(answers) || distance == 0.0 {
             return Rgb::ZERO;
         }
-        let mut light = lamp.strength(distance);
-        if !lamp.shadowless && self.setup.quality.shadows && light != Rgb::ZERO {
-            light *= self.unshadowed(site.point, l, distance, inside);
+        let mut arriving = light.strength(distance);
+        if !light.shadowless && self.setup.quality.shadows && arriving != Rgb::ZERO {
+            arriving *= self.unshadowed(shading.point, l, distance, inside);
         }
-        if light == Rgb::ZERO {
+        if arriving == Rgb::ZERO {
             return Rgb::ZERO;
         }
         let mut sum = Rgb::ZERO;
-        for shown in &site.layers {
-            let at = Incidence { dir, normal: shown.normal, to_lamp: l, cos: shown.normal.dot(l) };
-            let grain = if shown.layer.sheen.crand == 0.0 { 0.0 } else { shown.layer.sheen.crand * self.random() };
-            let mut answer = scattered(shown, &at, grain, site.part.double_illuminate);
-            if at.cos > 0.0 && !lamp.shadowless {
-                answer += highlight(shown, &at);
+        for shaded in &shading.layers {
+            let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
+            let grain = if shaded.layer.finish.crand == 0.0 { 0.0 } else { shaded.layer.finish.crand * self.random() };
+            let mut answer = scattered(shaded, &at, grain, shading.part.double_illuminate);
+            if at.cos > 0.0 && !light.shadowless {
+                answer += highlight(shaded, &at);
             }
-            answer *= film(site, shown, l, self.setup.world);
-            sum += shown.weight * answer;
+            answer *= film(shading, shaded, l, self.setup.world);
+            sum += shaded.weight * answer;
         }
-        sum * light
+        sum * arriving
     }
 }
 
 fn answers_front(layer: &Layer, _: bool) -> bool {
-    layer.sheen.diffuse != 0.0 || layer.sheen.phong.strength != 0.0 || layer.sheen.specular.strength != 0.0
+    layer.finish.diffuse != 0.0 || layer.finish.phong.strength != 0.0 || layer.finish.specular.strength != 0.0
 }
 
 fn answers_back(layer: &Layer, double_illuminate: bool) -> bool {
-    layer.sheen.diffuse_back != 0.0 || (double_illuminate && layer.sheen.diffuse != 0.0)
+    layer.finish.diffuse_back != 0.0 || (double_illuminate && layer.finish.diffuse != 0.0)
 }
 
 /// `ambient` and `emission`.
-fn glow(shown: &Shown) -> Rgb {
-    shown.color.rgb * shown.opacity * shown.layer.sheen.glow
+fn glow(shaded: &ShadedLayer) -> Rgb {
+    shaded.color.rgb * shaded.opacity * shaded.layer.finish.glow
 }
 
 /// `diffuse`, `brilliance`, `crand`.
-fn scattered(shown: &Shown, at: &Incidence, grain: f64, double_illuminate: bool) -> Rgb {
-    let layer = shown.layer;
-    let amount = if at.cos > 0.0 || double_illuminate { layer.sheen.diffuse } else { layer.sheen.diffuse_back };
+fn scattered(shaded: &ShadedLayer, at: &Incidence, grain: f64, double_illuminate: bool) -> Rgb {
+    let layer = shaded.layer;
+    let amount = if at.cos > 0.0 || double_illuminate { layer.finish.diffuse } else { layer.finish.diffuse_back };
     if amount == 0.0 {
         return Rgb::ZERO;
     }
     // opacity · d·|N·l|ᵇ, less some grain, of which all is seen however thin the layer is; what falls below zero darkens the other
     // terms (measured on 3.7)
-    shown.color.rgb * (shown.opacity * amount * power(at.cos.abs(), layer.sheen.brilliance) - grain)
+    shaded.color.rgb * (shaded.opacity * amount * power(at.cos.abs(), layer.finish.brilliance) - grain)
 }
 
 /// `phong` and `specular`, coloured by `metallic`.
-fn highlight(shown: &Shown, at: &Incidence) -> Rgb {
-    let layer = shown.layer;
+fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
+    let layer = shaded.layer;
     let mut amount = 0.0;
-    if layer.sheen.phong.strength != 0.0 {
+    if layer.finish.phong.strength != 0.0 {
         // (R·l)ⁿ, where R is the mirrored ray
-        amount += lobe(&layer.sheen.phong, (at.dir - at.normal * (2.0 * at.dir.dot(at.normal))).dot(at.to_lamp));
+        amount += lobe(&layer.finish.phong, (at.dir - at.normal * (2.0 * at.dir.dot(at.normal))).dot(at.to_light));
     }
-    if layer.sheen.specular.strength != 0.0 {
-        // (N·h)ⁿ, where h is half-way between lamp and eye
-        amount += lobe(&layer.sheen.specular, at.normal.dot((at.to_lamp - at.dir).normalize_or_zero()));
+    if layer.finish.specular.strength != 0.0 {
+        // (N·h)ⁿ, where h is half-way between light and eye
+        amount += lobe(&layer.finish.specular, at.normal.dot((at.to_light - at.dir).normalize_or_zero()));
     }
     if amount == 0.0 {
         return Rgb::ZERO;
     }
-    metal_tint(layer.sheen.metallic, at.cos, shown.color.rgb) * amount
+    metal_tint(layer.finish.metallic, at.cos, shaded.color.rgb) * amount
 }
 
 /// strength · cosⁿ

@@ -1,14 +1,14 @@
-//! What reaches a surface of a lamp's light.
+//! What reaches a surface of a light.
 
-use super::refract::{Border, Interiors};
-use super::site::{self, Site};
+use super::refract::{Interface, Interiors};
+use super::shading_point::{self, ShadingPoint};
 use super::trace::Tracer;
 use crate::color::Rgb;
 use crate::math::{DVec3, Range, Ray, tolerance};
 use std::ops::ControlFlow;
 
 impl Tracer<'_> {
-    /// The part of the light that comes through from a lamp at `distance` along `dir`. Every surface on the way takes
+    /// The part of the light that comes through from a light at `distance` along `dir`. Every surface on the way takes
     /// its share, so what passes a solid is taken from twice.
     pub(super) fn unshadowed(&mut self, point: DVec3, dir: DVec3, distance: f64, inside: &Interiors) -> Rgb {
         self.rays.shadow += 1;
@@ -36,7 +36,7 @@ impl Tracer<'_> {
         }
         let mut light = Rgb::ONE;
         let _ = world.geometry.visit(&ray, range, filters, &mut |found| {
-            light *= site::pass(world, &ray, &found, quick);
+            light *= shading_point::pass(world, &ray, &found, quick);
             if light == Rgb::ZERO { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         light
@@ -56,7 +56,7 @@ impl Tracer<'_> {
         for found in surfaces {
             let own = world.parts[found.leaf.id as usize].interior;
             let interior = &world.interiors[own as usize];
-            light *= site::pass(world, ray, &found, !self.setup.quality.real);
+            light *= shading_point::pass(world, ray, &found, !self.setup.quality.real);
             if let Some(at) = inside.iter().rposition(|&i| i == own) {
                 inside.remove(at);
                 light *= interior.fade(found.t() - before);
@@ -64,8 +64,8 @@ impl Tracer<'_> {
                 inside.push(own);
             }
             if interior.caustics != 0.0 {
-                let site = Site::new(world, ray, &found, &self.setup.quality, &Border::NONE);
-                light *= interior.caustic(site.normal.dot(ray.dir).abs());
+                let shading = ShadingPoint::new(world, ray, &found, &self.setup.quality, &Interface::NONE);
+                light *= interior.caustic(shading.normal.dot(ray.dir).abs());
             }
             before = found.t();
         }

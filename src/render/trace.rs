@@ -1,13 +1,13 @@
 //! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
 
 use super::mirror::{self, Incoming};
-use super::refract::{Border, Interiors, copied, reflect};
-use super::site::Site;
+use super::refract::{Interface, Interiors, copied, reflect};
+use super::shading_point::ShadingPoint;
 use super::{Options, Rays, Watch};
 use crate::camera::Window;
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Range, Ray, rng, tolerance};
-use crate::world::{Found, World};
+use crate::world::{Intersection, World};
 
 /// So many surfaces one ray passes at most; it ends what rounding would keep in one place for ever.
 const CROSSINGS: usize = 20_000;
@@ -18,7 +18,7 @@ const ASK_EVERY: u32 = 64;
 /// What `+Q` switches.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quality {
-    /// From 2 on: lamps shine.
+    /// From 2 on: lights shine.
     pub lit: bool,
     /// From 4 on.
     pub shadows: bool,
@@ -167,56 +167,56 @@ impl<'w> Tracer<'w> {
             };
             let world = self.setup.world;
             let own = world.parts[found.leaf.id as usize].interior;
-            let mut border = match world.bends || world.colors_light {
-                true => Border::new(&path.inside, own, &world.interiors),
-                false => Border::NONE,
+            let mut interface = match world.bends || world.colors_light {
+                true => Interface::new(&path.inside, own, &world.interiors),
+                false => Interface::NONE,
             };
             if let Some(hue) = path.hue {
-                border = border.of_hue(hue, &path.inside, own, &world.interiors);
+                interface = interface.of_hue(hue, &path.inside, own, &world.interiors);
             }
-            let site = Site::new(world, &path.ray, &found, &self.setup.quality, &border);
-            rgb += through * self.shade(path.ray.dir, &site, &path.inside);
+            let shading = ShadingPoint::new(world, &path.ray, &found, &self.setup.quality, &interface);
+            rgb += through * self.shade(path.ray.dir, &shading, &path.inside);
             let mirrors =
-                self.setup.quality.mirrors && site.layers.iter().any(|shown| shown.layer.sheen.mirror.is_some());
+                self.setup.quality.mirrors && shading.layers.iter().any(|shaded| shaded.layer.finish.mirror.is_some());
             // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
-            let fade = match world.colors_light && border.leaves() {
-                true => world.interiors[site.part.interior as usize].fade(found.t()),
+            let fade = match world.colors_light && interface.leaves() {
+                true => world.interiors[shading.part.interior as usize].fade(found.t()),
                 false => Rgb::ONE,
             };
             // What has faded counts as if it had not (measured on 3.7).
-            let pass = fade * site.pass;
-            let onward = self.onward(&path, &site, &border, site.pass);
+            let pass = fade * shading.pass;
+            let onward = self.onward(&path, &shading, &interface, shading.pass);
             if mirrors {
                 // What is totally reflected takes the place of the mirror with the same bumps (measured on 3.7).
-                let taken = matches!(onward, Onward::Total | Onward::Lost).then_some(site.normal);
-                rgb += through * self.mirrored(&path, &site, &border, taken);
+                let taken = matches!(onward, Onward::Total | Onward::Lost).then_some(shading.normal);
+                rgb += through * self.mirrored(&path, &shading, &interface, taken);
             }
             match onward {
                 Onward::Ends | Onward::Lost => return Sample { rgb, passed: 0.0 },
                 Onward::Through(dir) => {
                     through *= pass;
-                    passed *= gray(site.pass);
-                    path.weight *= site.pass.max_element();
+                    passed *= gray(shading.pass);
+                    path.weight *= shading.pass.max_element();
                     // Straight on it stays on its level (measured on 3.7).
-                    path.level += u32::from(border.bends());
-                    path.ray = Ray::new(site.point, dir);
+                    path.level += u32::from(interface.bends());
+                    path.ray = Ray::new(shading.point, dir);
                     if world.bends || world.colors_light {
-                        border.cross(&mut path.inside, site.part.interior);
+                        interface.cross(&mut path.inside, shading.part.interior);
                     }
                     self.rays.transmitted += 1;
                 }
                 Onward::Total => {
                     // It takes no more from the light, but the ray counts less (measured on 3.7).
-                    let out = bounce(path.ray.dir, site.normal, site.smooth);
-                    through *= fade * mirror::total(&site, out, world);
-                    path.weight *= site.pass.max_element();
+                    let out = bounce(path.ray.dir, shading.normal, shading.smooth);
+                    through *= fade * mirror::total(&shading, out, world);
+                    path.weight *= shading.pass.max_element();
                     (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
-                    path.ray = Ray::new(site.point, out);
+                    path.ray = Ray::new(shading.point, out);
                     self.rays.reflected += 1;
                 }
                 Onward::Splits(samples) => {
-                    path.weight *= site.pass.max_element();
-                    let split = self.split(&path, &site, &border, samples);
+                    path.weight *= shading.pass.max_element();
+                    let split = self.split(&path, &shading, &interface, samples);
                     rgb += through * (pass * split.passing + fade * split.total);
                     return Sample { rgb, passed: 0.0 };
                 }
@@ -225,7 +225,7 @@ impl<'w> Tracer<'w> {
         Sample { rgb, passed: 0.0 }
     }
 
-    fn closest(&self, path: &Path) -> Option<Found<'w>> {
+    fn closest(&self, path: &Path) -> Option<Intersection<'w>> {
         let world = self.setup.world;
         let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
         if path.mirrored {
@@ -247,43 +247,43 @@ impl<'w> Tracer<'w> {
     /// Does the ray go on behind the surface, which lets `pass` through, and where to? It must count enough by its largest
     /// channel, and this surface alone by its gray; if only the former is too little, what is totally reflected is not seen in
     /// the mirror either (all measured on 3.7).
-    fn onward(&self, path: &Path, site: &Site, border: &Border, pass: Rgb) -> Onward {
+    fn onward(&self, path: &Path, shading: &ShadingPoint, interface: &Interface, pass: Rgb) -> Onward {
         let world = self.setup.world;
-        let clear = self.setup.quality.real && site.pass != Rgb::ZERO && gray(pass) > world.adc_bailout;
+        let clear = self.setup.quality.real && shading.pass != Rgb::ZERO && gray(pass) > world.adc_bailout;
         if !clear || path.level >= world.max_trace_level {
             return Onward::Ends;
         }
         if path.weight * pass.max_element() <= world.adc_bailout {
-            let total = border.refract(path.ray.dir, site.normal).is_none();
+            let total = interface.refract(path.ray.dir, shading.normal).is_none();
             return if total { Onward::Lost } else { Onward::Ends };
         }
         if world.disperses
             && path.hue.is_none()
-            && let Some(samples) = border.samples(&path.inside, site.part.interior, &world.interiors)
+            && let Some(samples) = interface.samples(&path.inside, shading.part.interior, &world.interiors)
         {
             return Onward::Splits(samples);
         }
-        border.refract(path.ray.dir, site.normal).map_or(Onward::Total, Onward::Through)
+        interface.refract(path.ray.dir, shading.normal).map_or(Onward::Total, Onward::Through)
     }
 
     /// The light that the place mirrors, but for mirrors with the normal `taken`.
-    fn mirrored(&mut self, path: &Path, site: &Site, border: &Border, taken: Option<DVec3>) -> Rgb {
+    fn mirrored(&mut self, path: &Path, shading: &ShadingPoint, interface: &Interface, taken: Option<DVec3>) -> Rgb {
         let world = self.setup.world;
         let mut sum = Rgb::ZERO;
         if path.level >= world.max_trace_level {
             return sum;
         }
-        let incoming = Incoming { weight: path.weight, border, world };
-        for mirrored in mirror::bounces(site, incoming) {
+        let incoming = Incoming { weight: path.weight, interface, world };
+        for mirrored in mirror::bounces(shading, incoming) {
             if taken == Some(mirrored.normal) {
                 continue;
             }
             self.rays.reflected += 1;
-            let out = bounce(path.ray.dir, mirrored.normal, site.smooth);
-            let ray = Ray::new(site.point, out);
+            let out = bounce(path.ray.dir, mirrored.normal, shading.smooth);
+            let ray = Ray::new(shading.point, out);
             let (level, weight, inside) = (path.level + 1, mirrored.weight, copied(&path.inside));
             let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
-            sum += mirror::answer(site, incoming, mirrored, out, light);
+            sum += mirror::answer(shading, incoming, mirrored, out, light);
         }
         sum
     }

@@ -19,7 +19,7 @@ pub use weight::Weight;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::texture::Texture;
-use crate::value::Said;
+use crate::value::RawItem;
 use serde::Serialize;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -39,7 +39,7 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<Said>,
+    pub undrawn: Vec<RawItem>,
 }
 
 /// What `#default` has set for all that follows.

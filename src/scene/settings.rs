@@ -4,8 +4,8 @@ use super::words::SETTINGS;
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
-use crate::pattern::{Spot, read_noise_generator};
-use crate::value::{Next, Reader, Said};
+use crate::pattern::{TextureContext, read_noise_generator};
+use crate::value::{Next, RawItem, Reader};
 use serde::Serialize;
 
 /// All numbers of `global_settings`.
@@ -29,7 +29,7 @@ pub struct Settings {
     pub opacity_by_color: bool,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<Said>,
+    pub undrawn: Vec<RawItem>,
 }
 
 impl Default for Settings {
@@ -41,7 +41,7 @@ impl Default for Settings {
             ambient_light: Rgb::ONE,
             irid_wavelength: Rgb::new(0.7, 0.52, 0.48),
             noise_generator: None,
-            number_of_waves: Spot::WAVES,
+            number_of_waves: TextureContext::WAVES,
             opacity_by_color: false,
             undrawn: vec![],
         }
@@ -91,7 +91,7 @@ impl Settings {
                     while r.at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
                         r.pass(&mut row)?;
                     }
-                    self.undrawn.push(Said::Block(word, row.into()));
+                    self.undrawn.push(RawItem::Block(word, row.into()));
                 }
                 Next::Word(word) | Next::Block(word) if SETTINGS.leaves_out(word) => {
                     self.undrawn.push(r.keep_undrawn(word)?);

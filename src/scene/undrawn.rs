@@ -5,7 +5,7 @@ use super::{Defaults, Object, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3};
 use crate::source::Span;
-use crate::value::{Next, Reader, Said};
+use crate::value::{Next, RawItem, Reader};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -19,8 +19,8 @@ pub struct Undrawn {
     /// Stands for it where scripts ask, in its own space.
     pub bounds: Aabb,
     /// What stands between its braces.
-    #[serde(serialize_with = "Said::print_row")]
-    pub said: Vec<Said>,
+    #[serde(serialize_with = "RawItem::print_row")]
+    pub said: Vec<RawItem>,
 }
 
 impl Object {
@@ -52,7 +52,7 @@ impl Object {
 }
 
 /// `"cyrvetic.ttf"` of a `text`: names without ending mean `.ttf`. Behind the name stands the file that will be used.
-fn read_font(r: &mut dyn Reader) -> Result<Said> {
+fn read_font(r: &mut dyn Reader) -> Result<RawItem> {
     let (at, name) = (r.span(), r.text()?);
     let full = if name.contains('.') { name.clone() } else { format!("{name}.ttf") };
     let file = match r.find_file(&full, at)? {
@@ -60,7 +60,7 @@ fn read_font(r: &mut dyn Reader) -> Result<Said> {
         None => stand_in(r, &name, at),
     };
     let names = std::iter::once(name).chain(file.map(|file| file.to_string_lossy().into_owned()));
-    Ok(Said::Block("ttf", names.map(|name| Said::Text(name.into())).collect()))
+    Ok(RawItem::Block("ttf", names.map(|name| RawItem::Text(name.into())).collect()))
 }
 
 /// The font that is used where the one of this name is not there.
@@ -76,7 +76,7 @@ fn stand_in(r: &mut dyn Reader, name: &str, at: Span) -> Option<PathBuf> {
 }
 
 /// A box about where the shape is.
-fn about(word: &str, said: &[Said]) -> Aabb {
+fn about(word: &str, said: &[RawItem]) -> Aabb {
     let (mut all, mut count, mut flat) = (Aabb::EMPTY, 0, false);
     for part in said {
         part.visit_vectors(&mut |v| {
@@ -87,7 +87,8 @@ fn about(word: &str, said: &[Said]) -> Aabb {
     }
     match word {
         "text" => {
-            let text = said.iter().rev().find_map(|part| if let Said::Text(text) = part { Some(text) } else { None });
+            let text =
+                said.iter().rev().find_map(|part| if let RawItem::Text(text) = part { Some(text) } else { None });
             let letters = text.map_or(0, |text| text.chars().count());
             Aabb { min: DVec3::new(0.0, LETTER[1], 0.0), max: DVec3::new(LETTER[0] * letters as f64, LETTER[2], 1.0) }
         }

@@ -27,12 +27,12 @@ pub struct Frustum {
     /// Without end discs.
     pub open: bool,
     #[serde(skip)]
-    frame: Frame,
+    frame: Precomputed,
 }
 
 /// What every ray asks for.
 #[derive(Clone, Debug, PartialEq)]
-struct Frame {
+struct Precomputed {
     /// Axis / |axis|².
     along: DVec3,
     /// Two directions of length 1 at right angles to it.
@@ -58,7 +58,7 @@ impl Frustum {
     /// Between two different points.
     pub fn new(base: DVec3, cap: DVec3, base_radius: f64, cap_radius: f64, open: bool) -> Self {
         let axis = cap - base;
-        let frame = Frame {
+        let frame = Precomputed {
             along: axis / axis.length_squared(),
             across: axis.normalize().any_orthonormal_pair(),
             middle: 0.5 * (base + cap),
@@ -76,7 +76,7 @@ impl Frustum {
     }
 
     fn split(&self, v: DVec3) -> Split {
-        let Frame { along, across: (x, y), .. } = &self.frame;
+        let Precomputed { along, across: (x, y), .. } = &self.frame;
         Split { w: v.dot(*along), x: v.dot(*x), y: v.dot(*y) }
     }
 

@@ -5,7 +5,7 @@ use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{FloatOrColor, Language, Next, Reader, Said, Solid, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value, VecN};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -106,7 +106,7 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn keep_undrawn(&mut self, _: &'static str) -> Result<Said> {
+    fn keep_undrawn(&mut self, _: &'static str) -> Result<RawItem> {
         unreachable!()
     }
 
@@ -175,7 +175,7 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn pass(&mut self, _: &mut Vec<Said>) -> Result<()> {
+    fn pass(&mut self, _: &mut Vec<RawItem>) -> Result<()> {
         unreachable!()
     }
 

@@ -114,7 +114,7 @@ pub fn read_list<T: Entry>(
     pattern: &Pattern,
     defaults: &Texture,
     default: &dyn Fn(&CellPattern, usize) -> T,
-) -> Result<Option<Parts<T>>> {
+) -> Result<Option<Blend<T>>> {
     let (Next::Word(word) | Next::Block(word), Kind::Cells(pattern)) = (name, &pattern.kind) else { return Ok(None) };
     if !CellPattern::is_name(word) {
         return Ok(None);
@@ -135,45 +135,45 @@ pub fn read_list<T: Entry>(
         r.leave()?;
     }
     list.extend((list.len()..pattern.count()).map(|cell| default(pattern, cell)));
-    Ok(Some(Parts::List(list.into())))
+    Ok(Some(Blend::List(list.into())))
 }
 
 /// What a pattern makes of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Parts<T> {
+pub enum Blend<T> {
     /// By the pattern's number; all at once with `average`.
     Map(Arc<Map<T>>),
     /// One for each cell.
     List(Arc<[T]>),
 }
 
-impl<T> Parts<T> {
+impl<T> Blend<T> {
     /// What is seen at a number; `average` sees all.
     pub fn shares(&self, number: f64, average: bool) -> Shares<'_, T> {
         match self {
-            Parts::Map(map) if average => map.average(),
-            Parts::Map(map) => map.shares(number),
-            Parts::List(list) => between(list, number),
+            Blend::Map(map) if average => map.average(),
+            Blend::Map(map) => map.shares(number),
+            Blend::List(list) => between(list, number),
         }
     }
 
     /// The same with others in their places.
-    pub fn map<U>(&self, mut f: impl FnMut(&T) -> U) -> Parts<U> {
+    pub fn map<U>(&self, mut f: impl FnMut(&T) -> U) -> Blend<U> {
         match self {
-            Parts::Map(map) => {
+            Blend::Map(map) => {
                 let entries = map.entries.iter().map(|(number, entry)| (*number, f(entry))).collect();
-                Parts::Map(Arc::new(Map { entries }))
+                Blend::Map(Arc::new(Map { entries }))
             }
-            Parts::List(list) => Parts::List(list.iter().map(f).collect()),
+            Blend::List(list) => Blend::List(list.iter().map(f).collect()),
         }
     }
 
     /// All of them.
     pub fn iter(&self) -> Box<dyn Iterator<Item = &T> + '_> {
         match self {
-            Parts::Map(map) => Box::new(map.entries.iter().map(|(_, entry)| entry)),
-            Parts::List(list) => Box::new(list.iter()),
+            Blend::Map(map) => Box::new(map.entries.iter().map(|(_, entry)| entry)),
+            Blend::List(list) => Box::new(list.iter()),
         }
     }
 }

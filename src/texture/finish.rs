@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::math::noise::{NoiseGenerator, Turbulence, turbulence};
 use crate::math::{DVec3, fp};
-use crate::value::{Next, Reader, ReaderExt, Said, Seldom, Usual};
+use crate::value::{Next, RawItem, Reader, ReaderExt, Seldom, Usual};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -65,7 +65,7 @@ pub struct Rare {
     pub refraction: f64,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<Said>,
+    pub undrawn: Vec<RawItem>,
 }
 
 /// `irid`: the colours of a thin film (manual, "Iridescence").

@@ -4,7 +4,7 @@ use super::words::INTERIOR;
 use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
-use crate::value::{Next, Reader, ReaderExt, Said};
+use crate::value::{Next, RawItem, Reader, ReaderExt};
 use serde::Serialize;
 
 /// What light meets inside.
@@ -26,7 +26,7 @@ pub struct Interior {
     pub caustics: f64,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<Said>,
+    pub undrawn: Vec<RawItem>,
 }
 
 impl Default for Interior {

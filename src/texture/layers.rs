@@ -1,6 +1,6 @@
 //! `texture` and `material` (manual, "Texture", "Material").
 
-use super::blend::{self, Entry, Map, Parts};
+use super::blend::{self, Blend, Entry, Map};
 use super::pigment::read_uv_mapping;
 use super::words::TEXTURE;
 use super::{Finish, Interior, Normal, Pigment};
@@ -32,7 +32,7 @@ pub struct Choice {
     /// What tells points apart, and where it lies.
     pub pattern: Pattern,
     /// The textures.
-    pub parts: Parts<Texture>,
+    pub parts: Blend<Texture>,
 }
 
 impl Layer {
@@ -66,7 +66,7 @@ impl Default for Texture {
 struct Draft {
     /// Of the textures to choose from.
     pattern: Pattern,
-    parts: Option<Parts<Texture>>,
+    parts: Option<Blend<Texture>>,
     /// `uv_mapping` in front of what it is for.
     uv: bool,
 }
@@ -118,7 +118,7 @@ impl Texture {
             }
             Next::Block("texture_map") => {
                 r.take()?;
-                draft.parts = Some(Parts::Map(Arc::new(Map::read_entries(r, base, draft.pattern.averages())?)));
+                draft.parts = Some(Blend::Map(Arc::new(Map::read_entries(r, base, draft.pattern.averages())?)));
                 r.leave()?;
             }
             Next::Block("tiles") => {
@@ -227,7 +227,7 @@ impl Texture {
 }
 
 /// `tiles { texture A tile2 texture B }`: a checker of textures in old scenes.
-fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Parts<Texture>> {
+fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Blend<Texture>> {
     let mut list = vec![];
     loop {
         match r.next()? {
@@ -248,11 +248,11 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Resu
     // The second is at the origin (measured on POV-Ray 3.7).
     list.swap(0, 1);
     pattern.kind = Kind::Cells(CellPattern::Checker(crate::pattern::Checker {}));
-    Ok(Parts::List(list.into()))
+    Ok(Blend::List(list.into()))
 }
 
 /// `material_map { "file" … texture … texture … }`
-fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Parts<Texture>> {
+fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Blend<Texture>> {
     let mut map = MaterialMap::read(r)?;
     let mut list = vec![];
     loop {
@@ -269,7 +269,7 @@ fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) 
     }
     map.count = list.len();
     pattern.kind = Kind::Cells(CellPattern::MaterialMap(map));
-    Ok(Parts::List(list.into()))
+    Ok(Blend::List(list.into()))
 }
 
 impl Entry for Texture {

@@ -10,7 +10,7 @@ mod normal;
 mod pigment;
 pub mod words;
 
-pub use blend::{Map, Parts, Shares};
+pub use blend::{Blend, Map, Shares};
 pub use color_map::ColorMap;
 pub use finish::{Finish, Irid, Rare, Reflection};
 pub use image_map::ImageMap;

@@ -1,12 +1,12 @@
 //! `normal`: bumps that only light sees (manual, "Normal").
 
 use super::Texture;
-use super::blend::{self, Entry, Map, Parts};
+use super::blend::{self, Blend, Entry, Map};
 use super::pigment::read_uv_mapping;
 use super::words::NORMAL;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::pattern::{CellPattern, FieldPattern, ImagePattern, Kind, Pattern, Spot};
+use crate::pattern::{CellPattern, FieldPattern, ImagePattern, Kind, Pattern, TextureContext};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::f64::consts::SQRT_2;
@@ -53,7 +53,7 @@ pub enum Relief {
     /// A map from the pattern's numbers to heights.
     Slopes(Arc<SlopeMap>),
     /// Other normals, which move along.
-    Normals(Parts<Normal>),
+    Normals(Blend<Normal>),
 }
 
 /// A normal in its own space.
@@ -156,7 +156,7 @@ impl Normal {
             Next::Block("normal_map") => {
                 r.take()?;
                 self.relief =
-                    Relief::Normals(Parts::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
+                    Relief::Normals(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
                 r.leave()?;
             }
             _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),
@@ -179,18 +179,18 @@ impl Normal {
         self.pattern.uv || inner
     }
 
-    /// The normal with its bumps, at a spot in the space around; `n` in the same space, of any length. Each space turns it by
+    /// The normal with its bumps, at a point in the space around; `n` in the same space, of any length. Each space turns it by
     /// the transpose of its matrix, so that what is stretched gets flatter bumps (all measured on POV-Ray 3.7).
-    pub fn perturb(&self, spot: &Spot, n: DVec3) -> DVec3 {
-        self.perturb_as(spot, n, !self.bump_scale)
+    pub fn perturb(&self, ctx: &TextureContext, n: DVec3) -> DVec3 {
+        self.perturb_as(ctx, n, !self.bump_scale)
     }
 
     /// `keep_length` is `no_bump_scale`, of this normal or of one around it.
-    fn perturb_as(&self, spot: &Spot, n: DVec3, keep_length: bool) -> DVec3 {
+    fn perturb_as(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
         let space = &self.pattern.space;
         let inside = space.normal_inside(n);
         let n = if keep_length { inside } else { inside.normalize_or(inside) };
-        let inner = self.pattern.enter(spot);
+        let inner = self.pattern.enter(ctx);
         let bumped = match &self.relief {
             Relief::Normals(parts) => self.blended(parts, &inner, n, keep_length),
             _ => match self.pattern.bumped(&inner, n, self.amount) {
@@ -202,7 +202,7 @@ impl Normal {
     }
 
     /// What the entries make of it together.
-    fn blended(&self, parts: &Parts<Normal>, inner: &Spot, n: DVec3, keep_length: bool) -> DVec3 {
+    fn blended(&self, parts: &Blend<Normal>, inner: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
         let average = self.pattern.averages();
         let number = if average { 0.0 } else { self.pattern.number(inner) };
         let mut sum = DVec3::ZERO;
@@ -214,8 +214,8 @@ impl Normal {
         sum
     }
 
-    /// How heights slant around a spot: they are compared at the corners of a tetrahedron around it.
-    fn slant(&self, inner: &Spot) -> DVec3 {
+    /// How heights slant around a point: they are compared at the corners of a tetrahedron around it.
+    fn slant(&self, inner: &TextureContext) -> DVec3 {
         if let Kind::Plain | Kind::Average = self.pattern.kind {
             return DVec3::ZERO;
         }
@@ -225,7 +225,7 @@ impl Normal {
     }
 
     /// The height of the surface as it seems.
-    fn height(&self, inner: &Spot) -> f64 {
+    fn height(&self, inner: &TextureContext) -> f64 {
         let number = self.pattern.number(inner);
         match &self.relief {
             Relief::Slopes(map) => match map.around(number) {

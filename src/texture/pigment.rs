@@ -1,11 +1,11 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
-use super::blend::{self, Entry, Map, Parts};
+use super::blend::{self, Blend, Entry, Map};
 use super::words::{PIGMENT, pigment_names};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern, Spot};
+use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern, TextureContext};
 use crate::value::{Next, Reader, ReaderExt, Seldom};
 use serde::Serialize;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ pub enum Paint {
     /// By the pattern's number.
     Colors(Arc<ColorMap>),
     /// Other pigments, which move along.
-    Pigments(Parts<Pigment>),
+    Pigments(Blend<Pigment>),
     /// A picture.
     Image(Arc<ImageMap>),
 }
@@ -118,7 +118,7 @@ impl Pigment {
             Next::Block("pigment_map") => {
                 r.take()?;
                 self.paint =
-                    Paint::Pigments(Parts::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
+                    Paint::Pigments(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
                 r.leave()
             }
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
@@ -145,13 +145,13 @@ impl Pigment {
     }
 
     /// The colour at a point of the space around it.
-    pub fn at(&self, spot: &Spot) -> Color {
+    pub fn at(&self, ctx: &TextureContext) -> Color {
         match &self.paint {
             Paint::Solid(color) => *color,
-            Paint::Colors(map) => map.at(self.pattern.see(spot).0),
-            Paint::Image(image) => image.at(self.pattern.see(spot).1.p),
+            Paint::Colors(map) => map.at(self.pattern.see(ctx).0),
+            Paint::Image(image) => image.at(self.pattern.see(ctx).1.p),
             Paint::Pigments(parts) => {
-                let (number, inner) = self.pattern.see(spot);
+                let (number, inner) = self.pattern.see(ctx);
                 let shares = parts.shares(number, self.pattern.averages());
                 shares.iter().fold(Color::BLACK, |sum, (pigment, share)| sum.plus(pigment.at(&inner), *share))
             }
@@ -172,8 +172,8 @@ impl Pigment {
     }
 
     /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
-    pub fn number_at(&self, spot: &Spot) -> f64 {
-        self.pattern.see(spot).0
+    pub fn number_at(&self, ctx: &TextureContext) -> f64 {
+        self.pattern.see(ctx).0
     }
 
     /// Is it the same everywhere?

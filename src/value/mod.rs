@@ -2,15 +2,15 @@
 //! reads its own words.
 
 mod kinds;
+mod raw_item;
 mod reader;
-mod said;
 mod seldom;
 mod spec;
 pub mod words;
 
 pub use kinds::{Thing, Value, VecN, downcast};
+pub use raw_item::RawItem;
 pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
-pub use said::Said;
 pub use seldom::{Seldom, Usual};
 pub use spec::{Kind, Param, Spec, WordSpec};
 pub use words::Vocabulary;

@@ -1,8 +1,8 @@
 //! Everything that a ray can hit.
 
 use super::bvh::{self, Bvh};
-use super::leaf::{Found, FoundList};
-use super::node::{Node, Parts};
+use super::leaf::{Intersection, Intersections};
+use super::node::{NodeParts, SolidNode};
 use crate::math::{DVec3, Range, Ray};
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Geometry {
     /// First the finite ones, in the hierarchy's order.
-    items: Vec<Node>,
+    items: Vec<SolidNode>,
     finite: usize,
     /// Finite ones whose inside reaches beyond their box, as that of an inverted sphere.
     unbounded: Vec<u32>,
@@ -22,17 +22,17 @@ pub struct Geometry {
 /// Objects before there is a hierarchy over them.
 #[derive(Debug, Default)]
 pub(super) struct Heap {
-    finite: Vec<Node>,
-    infinite: Vec<Node>,
+    finite: Vec<SolidNode>,
+    infinite: Vec<SolidNode>,
 }
 
 impl Heap {
     /// Adds an object. Unions that keep all surfaces of their children are taken apart, so that each child has its own place
     /// in the hierarchy: what holds for the union as a whole must be said of each child.
-    pub fn add(&mut self, object: Node) {
+    pub fn add(&mut self, object: SolidNode) {
         match object.into_parts() {
-            Parts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
-            Parts::One(node) => match node.bounds() {
+            NodeParts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
+            NodeParts::One(node) => match node.bounds() {
                 bounds if bounds.is_empty() => {}
                 bounds if bvh::fits(&bounds) => self.finite.push(node),
                 _ => self.infinite.push(node),
@@ -41,15 +41,15 @@ impl Heap {
     }
 }
 
-impl Extend<Node> for Heap {
-    fn extend<T: IntoIterator<Item = Node>>(&mut self, objects: T) {
+impl Extend<SolidNode> for Heap {
+    fn extend<T: IntoIterator<Item = SolidNode>>(&mut self, objects: T) {
         objects.into_iter().for_each(|object| self.add(object));
     }
 }
 
 impl From<Heap> for Geometry {
     fn from(Heap { finite: mut items, infinite }: Heap) -> Self {
-        let (bvh, order) = Bvh::build(items.iter().map(Node::bounds));
+        let (bvh, order) = Bvh::build(items.iter().map(SolidNode::bounds));
         put_in_order(&mut items, order);
         let finite = items.len();
         let unbounded = (0..finite as u32).filter(|&i| items[i as usize].is_unbounded()).collect();
@@ -61,19 +61,19 @@ impl From<Heap> for Geometry {
 
 impl Geometry {
     /// Over these objects; unions among them are taken apart.
-    pub fn new(roots: Vec<Node>) -> Self {
+    pub fn new(roots: Vec<SolidNode>) -> Self {
         let mut heap = Heap::default();
         heap.extend(roots);
         heap.into()
     }
 
     /// All objects, in no particular order.
-    pub fn items(&self) -> &[Node] {
+    pub fn items(&self) -> &[SolidNode] {
         &self.items
     }
 
     /// The nearest hit in the range of an object that `accept` takes by its number.
-    pub fn closest(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> Option<Found<'_>> {
+    pub fn closest(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
         let mut best = None;
         self.meet(ray, range, |item, range| {
             if accept(item.object)
@@ -106,10 +106,10 @@ impl Geometry {
         ray: &Ray,
         range: Range,
         accept: impl Fn(u32) -> bool,
-        visit: &mut dyn FnMut(Found<'a>) -> ControlFlow<()>,
+        visit: &mut dyn FnMut(Intersection<'a>) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let mut flow = ControlFlow::Continue(());
-        let mut list = FoundList::new();
+        let mut list = Intersections::new();
         self.meet(ray, range, |item, range| {
             if accept(item.object) {
                 list.clear();
@@ -122,8 +122,8 @@ impl Geometry {
     }
 
     /// Tells `visit` every object that the point is inside of, in no particular order.
-    pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a Node)) {
-        let mut ask = |item: &'a Node| {
+    pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a SolidNode)) {
+        let mut ask = |item: &'a SolidNode| {
             if item.inside(p) {
                 visit(item);
             }
@@ -139,7 +139,12 @@ impl Geometry {
     }
 
     /// Hands every object whose box the ray meets to `visit`, which returns how far hits still count.
-    fn meet<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(&'a Node, Range) -> ControlFlow<(), f64>) {
+    fn meet<'a>(
+        &'a self,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(&'a SolidNode, Range) -> ControlFlow<(), f64>,
+    ) {
         let mut max = range.max;
         for item in &self.items[self.finite..] {
             match visit(item, Range { max, ..range }) {
@@ -152,7 +157,7 @@ impl Geometry {
 }
 
 /// Puts at each place the item whose number `order` has there, without room for a second row of items.
-fn put_in_order(items: &mut [Node], mut order: Vec<u32>) {
+fn put_in_order(items: &mut [SolidNode], mut order: Vec<u32>) {
     for start in 0..items.len() {
         // Around the cycle that begins here; a place that is done has its own number.
         let mut place = start;

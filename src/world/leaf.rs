@@ -22,7 +22,7 @@ pub struct Leaf {
 
 /// A hit and whose it is.
 #[derive(Clone, Copy, Debug)]
-pub struct Found<'a> {
+pub struct Intersection<'a> {
     /// In the leaf's object space, except for `t`.
     pub hit: Hit,
     /// The shape that was hit.
@@ -32,7 +32,7 @@ pub struct Found<'a> {
 }
 
 /// Hits of a tree.
-pub type FoundList<'a> = SmallVec<[Found<'a>; 8]>;
+pub type Intersections<'a> = SmallVec<[Intersection<'a>; 8]>;
 
 /// The place of a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,7 +110,7 @@ pub(super) fn place(transform: &Seldom<Transform>) -> Option<Arc<Transform>> {
     transform.unusual().filter(|transform| !transform.is_identity()).cloned()
 }
 
-impl Found<'_> {
+impl Intersection<'_> {
     /// Distance along the ray.
     pub fn t(&self) -> f64 {
         self.hit.t
@@ -121,7 +121,7 @@ impl Found<'_> {
         self.leaf.inverse
     }
 
-    /// The shape's own coordinates on its surface, at `object_point` of [`Found::surface`].
+    /// The shape's own coordinates on its surface, at `object_point` of [`Intersection::surface`].
     pub fn uv(&self, object_point: DVec3) -> DVec2 {
         self.leaf.shape.uv(object_point, &self.hit)
     }

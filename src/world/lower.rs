@@ -3,7 +3,7 @@
 
 use super::geometry::Heap;
 use super::leaf::place;
-use super::{Coat, Geometry, Lamp, Leaf, Material, Node, ObjectInfo, Part, Sheen, World};
+use super::{Geometry, Leaf, LoweredFinish, Material, ObjectInfo, Part, PlacedMaterial, PointLight, SolidNode, World};
 use crate::color::Gamma;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -40,7 +40,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let mut heap = Heap::default();
     for object in objects {
         lowering.default_texture = object.default_texture.clone();
-        heap.extend(lowering.lower_object(&object, &Around::default())?.map(|solid| solid.node));
+        heap.extend(lowering.lower_object(&object, &Inherited::default())?.map(|solid| solid.node));
         drop(object);
         lowering.forget_spent();
     }
@@ -73,7 +73,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
 pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
     let texture = object.default_texture.clone();
     let mut lowering = Lowering { asked: true, default_texture: texture, ..Lowering::default() };
-    let solid = lowering.lower_object(object, &Around::default())?;
+    let solid = lowering.lower_object(object, &Inherited::default())?;
     let mut heap = Heap::default();
     heap.extend(solid.map(|solid| solid.node));
     Ok(heap.into())
@@ -81,7 +81,7 @@ pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
 
 /// What the blocks around an object say.
 #[derive(Clone, Default)]
-struct Around {
+struct Inherited {
     /// World from the space in the block.
     transform: Seldom<Transform>,
     texture: Option<Look>,
@@ -118,7 +118,7 @@ struct Look {
 
 /// A lowered object.
 struct Solid {
-    node: Node,
+    node: SolidNode,
     opaque: bool,
 }
 
@@ -131,15 +131,15 @@ struct Lowering {
     default_texture: Arc<Texture>,
     parts: Vec<Part>,
     objects: Vec<ObjectInfo>,
-    cuts: Vec<Vec<(Node, Coat)>>,
+    cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
     materials: Vec<Material>,
     /// Textures that may come again, and their materials.
     textures: Lowered<Texture, u32>,
-    finishes: Lowered<Finish, Arc<Sheen>>,
+    finishes: Lowered<Finish, Arc<LoweredFinish>>,
     interiors: Vec<Arc<Interior>>,
     /// That of all shapes that say nothing.
     air: Arc<Interior>,
-    lights: Vec<Lamp>,
+    lights: Vec<PointLight>,
 }
 
 impl Lowering {
@@ -150,9 +150,9 @@ impl Lowering {
     }
 
     /// `None` for what can't be hit: lights, empty groups.
-    fn lower_object(&mut self, object: &Object, around: &Around) -> Result<Option<Solid>> {
-        let own = self.own(object, around)?;
-        let clip = self.lower_clip(object, around)?;
+    fn lower_object(&mut self, object: &Object, inherited: &Inherited) -> Result<Option<Solid>> {
+        let own = self.own(object, inherited)?;
+        let clip = self.lower_clip(object, inherited)?;
         let solid = match &object.kind {
             ObjectKind::Light(light) => {
                 self.lower_light(light, &own.transform)?;
@@ -178,13 +178,13 @@ impl Lowering {
     }
 
     /// What holds inside the object's block.
-    fn own(&mut self, object: &Object, around: &Around) -> Result<Around> {
+    fn own(&mut self, object: &Object, inherited: &Inherited) -> Result<Inherited> {
         // world from object = world from block · block from object
-        let transform = moved(&object.transform, &around.transform, object.source)?;
+        let transform = moved(&object.transform, &inherited.transform, object.source)?;
         let look = |painted: &Option<Painted>| -> Result<Option<Look>> {
             let Some(painted) = painted else { return Ok(None) };
             let place = match &painted.moved {
-                Some(own) => checked(own.then(&around.transform), object.source)?.into(),
+                Some(own) => checked(own.then(&inherited.transform), object.source)?.into(),
                 None => transform.clone(),
             };
             Ok(Some(Look { texture: painted.texture.clone(), transform: place }))
@@ -193,15 +193,15 @@ impl Lowering {
         let inside = look(&object.rare.interior_texture)?;
         let interior = interior_of(object);
         // What a group says of its inside does not belong to a part's own texture.
-        let inherited = if texture.is_none() { around.inside.clone() } else { None };
-        Ok(Around {
+        let inside_of_group = if texture.is_none() { inherited.inside.clone() } else { None };
+        Ok(Inherited {
             transform,
-            inside: inside.or(inherited),
-            texture: texture.or_else(|| around.texture.clone()),
-            cut: around.cut,
-            inverted: around.inverted != object.rare.flags.inverse,
-            interior: interior.map(|i| self.add_interior(i)).or(around.interior),
-            flags: joined(object.rare.flags, around.flags),
+            inside: inside.or(inside_of_group),
+            texture: texture.or_else(|| inherited.texture.clone()),
+            cut: inherited.cut,
+            inverted: inherited.inverted != object.rare.flags.inverse,
+            interior: interior.map(|i| self.add_interior(i)).or(inherited.interior),
+            flags: joined(object.rare.flags, inherited.flags),
         })
     }
 
@@ -219,10 +219,10 @@ impl Lowering {
     }
 
     /// The objects that clip this one; they are in the space around it.
-    fn lower_clip(&mut self, object: &Object, around: &Around) -> Result<Vec<Node>> {
+    fn lower_clip(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
         let mut clip = vec![];
         for part in object.rare.clipped_by.iter().flat_map(|parts| parts.iter()) {
-            clip.extend(self.lower_object(part, around)?.map(|solid| solid.node));
+            clip.extend(self.lower_object(part, inherited)?.map(|solid| solid.node));
         }
         Ok(clip)
     }
@@ -234,11 +234,11 @@ impl Lowering {
         }
         let fade =
             (light.fade_distance > 0.0 && light.fade_power > 0.0).then_some((light.fade_distance, light.fade_power));
-        self.lights.push(Lamp { location, color: light.color, shadowless: light.shadowless, fade });
+        self.lights.push(PointLight { location, color: light.color, shadowless: light.shadowless, fade });
         Ok(())
     }
 
-    fn lower_shape(&mut self, object: &Object, shape: &Shape, own: &Around) -> Result<Solid> {
+    fn lower_shape(&mut self, object: &Object, shape: &Shape, own: &Inherited) -> Result<Solid> {
         let bounds = shape.bounds_under(&own.transform);
         if bounds.min.is_nan() || bounds.max.is_nan() {
             return not_finite(object.source);
@@ -246,18 +246,18 @@ impl Lowering {
         let outside = self.lower_look(&own.texture.clone().unwrap_or_else(|| self.default_look()));
         let inside = own.inside.as_ref().map(|look| Box::new(self.lower_look(look)));
         let cut = own.cut.filter(|_| own.texture.is_none());
-        let others = cut.map(|cut| self.cuts[cut as usize].iter().map(|(_, coat)| coat));
+        let others = cut.map(|cut| self.cuts[cut as usize].iter().map(|(_, placed)| placed));
         let opaque = [Some(&outside), inside.as_deref()]
             .into_iter()
             .flatten()
             .chain(others.into_iter().flatten())
-            .all(|coat| self.materials[coat.material as usize].opaque);
+            .all(|placed| self.materials[placed.material as usize].opaque);
         let interior = own.interior.unwrap_or_else(|| self.add_air());
         let id = self.parts.len() as u32;
         let double_illuminate = own.flags.double_illuminate;
         self.parts.push(Part { outside, inside, cut, interior, double_illuminate, source: object.source });
         let leaf = Leaf::placed(shape.clone(), &own.transform, id);
-        Ok(Solid { node: Node::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
+        Ok(Solid { node: SolidNode::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }
 
     fn add_object(&mut self, flags: Flags, opaque: bool, interior: u32) -> u32 {
@@ -272,16 +272,17 @@ impl Lowering {
         Look { texture: self.default_texture.clone(), transform: Seldom::USUAL }
     }
 
-    fn lower_look(&mut self, look: &Look) -> Coat {
+    fn lower_look(&mut self, look: &Look) -> PlacedMaterial {
         let Self { textures, finishes, materials, ambient_light, .. } = self;
-        let mut polish =
-            |finish: &Arc<Finish>| finishes.of(finish, |finish| Arc::new(Sheen::new(finish, *ambient_light))).clone();
+        let mut lower_finish = |finish: &Arc<Finish>| {
+            finishes.of(finish, |finish| Arc::new(LoweredFinish::new(finish, *ambient_light))).clone()
+        };
         let material = *textures.of(&look.texture, |texture| {
-            materials.push(Material::new(texture, &mut polish));
+            materials.push(Material::new(texture, &mut lower_finish));
             materials.len() as u32 - 1
         });
         let place = if self.materials[material as usize].solid { None } else { place(&look.transform) };
-        Coat { material, place }
+        PlacedMaterial { material, place }
     }
 
     /// Appends the shapes in a group by themselves, with what each shows where it is cut (manual, "Cutaway Textures"). What has no
@@ -291,18 +292,18 @@ impl Lowering {
         &mut self,
         op: CsgOp,
         parts: &[Object],
-        around: &Seldom<Transform>,
+        inherited: &Seldom<Transform>,
         look: Option<&Look>,
-        out: &mut Vec<(Node, Coat)>,
+        out: &mut Vec<(SolidNode, PlacedMaterial)>,
     ) {
         let cut = if op == CsgOp::Difference { 1 } else { parts.len() };
         let any = matches!(op, CsgOp::Union | CsgOp::Merge);
         for part in parts.iter().take(cut) {
-            let place = composed(&part.transform, around);
+            let place = composed(&part.transform, inherited);
             let own = part.texture.as_ref().map(|painted| Look {
                 texture: painted.texture.clone(),
                 transform: match &painted.moved {
-                    Some(own) => own.then(around).into(),
+                    Some(own) => own.then(inherited).into(),
                     None => place.clone(),
                 },
             });
@@ -310,16 +311,16 @@ impl Lowering {
             match (&part.kind, look) {
                 (ObjectKind::Csg(op, parts), look) => self.find_cut(*op, parts, &place, look, out),
                 (ObjectKind::Shape(shape), look) if look.is_some() || any => {
-                    let coat = self.lower_look(&look.cloned().unwrap_or_else(|| self.default_look()));
-                    let node = Node::leaf(Leaf::placed(shape.clone(), &place, 0), 0);
-                    out.push((if part.rare.flags.inverse { node.inverted() } else { node }, coat));
+                    let placed = self.lower_look(&look.cloned().unwrap_or_else(|| self.default_look()));
+                    let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place, 0), 0);
+                    out.push((if part.rare.flags.inverse { node.inverted() } else { node }, placed));
                 }
                 _ => {}
             }
         }
     }
 
-    fn lower_csg(&mut self, op: CsgOp, parts: &[Object], own: &Around) -> Result<Option<Solid>> {
+    fn lower_csg(&mut self, op: CsgOp, parts: &[Object], own: &Inherited) -> Result<Option<Solid>> {
         let mut within = own.clone();
         if op != CsgOp::Union && within.interior.is_none() {
             // All faces of one solid border on the same inside.
@@ -358,10 +359,10 @@ impl Lowering {
         };
         let number = self.add_object(own.flags, opaque, interior);
         let node = match op {
-            CsgOp::Union => Node::union(nodes, number),
-            CsgOp::Intersection => Node::intersection(nodes, number),
-            CsgOp::Difference => Node::difference(nodes, number),
-            CsgOp::Merge => Node::merge(nodes, number),
+            CsgOp::Union => SolidNode::union(nodes, number),
+            CsgOp::Intersection => SolidNode::intersection(nodes, number),
+            CsgOp::Difference => SolidNode::difference(nodes, number),
+            CsgOp::Merge => SolidNode::merge(nodes, number),
         };
         Ok(Some(Solid { node, opaque }))
     }
@@ -419,16 +420,16 @@ fn moved(inner: &Seldom<Transform>, outer: &Seldom<Transform>, source: Span) -> 
 }
 
 /// Switches of a part and of the group around it. `inverse` is each one's own.
-fn joined(own: Flags, around: Flags) -> Flags {
+fn joined(own: Flags, inherited: Flags) -> Flags {
     Flags {
-        no_shadow: own.no_shadow || around.no_shadow,
-        no_image: own.no_image || around.no_image,
-        no_reflection: own.no_reflection || around.no_reflection,
-        no_radiosity: own.no_radiosity || around.no_radiosity,
-        hollow: own.hollow || around.hollow,
+        no_shadow: own.no_shadow || inherited.no_shadow,
+        no_image: own.no_image || inherited.no_image,
+        no_reflection: own.no_reflection || inherited.no_reflection,
+        no_radiosity: own.no_radiosity || inherited.no_radiosity,
+        hollow: own.hollow || inherited.hollow,
         inverse: own.inverse,
-        double_illuminate: own.double_illuminate || around.double_illuminate,
-        cutaway_textures: own.cutaway_textures || around.cutaway_textures,
+        double_illuminate: own.double_illuminate || inherited.double_illuminate,
+        cutaway_textures: own.cutaway_textures || inherited.cutaway_textures,
         // It has been said to the object's texture when it was read.
         ..own
     }

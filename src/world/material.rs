@@ -1,9 +1,9 @@
 //! Textures as a ray needs them: layers with all constants worked out.
 
-use super::Ink;
+use super::PigmentProgram;
 use crate::color::{Color, Rgb};
-use crate::pattern::{Pattern, Spot};
-use crate::texture::{self, Finish, Irid, Normal, Parts, Pigment, Reflection, Texture};
+use crate::pattern::{Pattern, TextureContext};
+use crate::texture::{self, Blend, Finish, Irid, Normal, Pigment, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ pub struct Choice {
     /// What tells points apart.
     pub pattern: Pattern,
     /// The materials.
-    pub parts: Parts<Material>,
+    pub parts: Blend<Material>,
 }
 
 impl Choice {
@@ -46,20 +46,20 @@ pub struct Layer {
     /// Its bumps.
     pub normal: Option<Arc<Normal>>,
     /// Its colour.
-    pub ink: LayerColor,
+    pub pigment: LayerColor,
     /// Its colour where quality is low (`quick_color`), if that is another.
     pub quick: Option<Box<LayerColor>>,
     /// Its answer to light; layers of one finish share it.
     #[serde(flatten)]
-    pub sheen: Arc<Sheen>,
+    pub finish: Arc<LoweredFinish>,
 }
 
 /// A lowered finish.
 #[derive(Clone, Debug, Serialize)]
-pub struct Sheen {
-    /// Light without a lamp: `ambient` times the scene's `ambient_light`, and `emission`.
+pub struct LoweredFinish {
+    /// Light without a light: `ambient` times the scene's `ambient_light`, and `emission`.
     pub glow: Rgb,
-    /// Scattered on the side of the lamp.
+    /// Scattered on the side of the light.
     pub diffuse: f64,
     /// Scattered on the other side.
     pub diffuse_back: f64,
@@ -90,7 +90,7 @@ pub enum LayerColor {
     /// The same everywhere.
     Solid(Color),
     /// Another one at each point.
-    Ink(Box<Ink>),
+    PigmentProgram(Box<PigmentProgram>),
 }
 
 /// strength · cosⁿ
@@ -103,15 +103,15 @@ pub struct Lobe {
 }
 
 impl Material {
-    /// Lowers a texture; `polish` lowers its finishes.
-    pub fn new(texture: &Texture, polish: &mut dyn FnMut(&Arc<Finish>) -> Arc<Sheen>) -> Self {
-        let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, polish)).collect();
+    /// Lowers a texture; `lower_finish` lowers its finishes.
+    pub fn new(texture: &Texture, lower_finish: &mut dyn FnMut(&Arc<Finish>) -> Arc<LoweredFinish>) -> Self {
+        let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, lower_finish)).collect();
         Self {
             // One layer that lets nothing pass is enough.
             opaque: texture.layers.iter().any(is_opaque),
             solid: layers
                 .iter()
-                .all(|l| matches!(l.ink, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
+                .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.passing()).product(),
             uv: texture.layers.iter().any(asks_uv),
             layers,
@@ -133,33 +133,33 @@ fn asks_uv(layer: &texture::Layer) -> bool {
         || choice.is_some_and(|c| c.pattern.uv || c.parts.iter().any(|part| part.layers.iter().any(asks_uv)))
 }
 
-fn lower_choice(choice: &texture::Choice, polish: &mut dyn FnMut(&Arc<Finish>) -> Arc<Sheen>) -> Choice {
-    let parts = choice.parts.map(|texture| Material::new(texture, polish));
+fn lower_choice(choice: &texture::Choice, lower_finish: &mut dyn FnMut(&Arc<Finish>) -> Arc<LoweredFinish>) -> Choice {
+    let parts = choice.parts.map(|texture| Material::new(texture, lower_finish));
     Choice { pattern: choice.pattern.clone(), parts }
 }
 
 impl Layer {
-    fn new(layer: &texture::Layer, polish: &mut dyn FnMut(&Arc<Finish>) -> Arc<Sheen>) -> Self {
+    fn new(layer: &texture::Layer, lower_finish: &mut dyn FnMut(&Arc<Finish>) -> Arc<LoweredFinish>) -> Self {
         let texture::Layer { pigment, normal, finish, choice } = layer;
         Self {
-            choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, polish))),
+            choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, lower_finish))),
             normal: normal.clone().filter(|normal| !normal.is_flat()),
-            ink: LayerColor::new(pigment),
+            pigment: LayerColor::new(pigment),
             quick: pigment.quick().map(|quick| Box::new(LayerColor::new(&quick))),
-            sheen: polish(finish),
+            finish: lower_finish(finish),
         }
     }
 
-    /// Its colour at a spot in the texture's space; `quick` as the lower qualities show it.
-    pub fn color(&self, spot: &Spot, quick: bool) -> Color {
-        match self.quick.as_deref().filter(|_| quick).unwrap_or(&self.ink) {
+    /// Its colour at a point in the texture's space; `quick` as the lower qualities show it.
+    pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
+        match self.quick.as_deref().filter(|_| quick).unwrap_or(&self.pigment) {
             LayerColor::Solid(color) => *color,
-            LayerColor::Ink(ink) => ink.at(spot),
+            LayerColor::PigmentProgram(pigment) => pigment.at(ctx),
         }
     }
 }
 
-impl Sheen {
+impl LoweredFinish {
     /// Lowers a finish under the scene's `ambient_light`.
     pub fn new(f: &Finish, ambient_light: Rgb) -> Self {
         // `albedo` scales each lobe by one over its integral over the half sphere; what is negative counts as none (both
@@ -190,7 +190,7 @@ impl LayerColor {
     fn new(pigment: &Pigment) -> Self {
         match pigment.as_solid() {
             Some(color) => Self::Solid(color),
-            None => Self::Ink(Box::new(Ink::new(pigment))),
+            None => Self::PigmentProgram(Box::new(PigmentProgram::new(pigment))),
         }
     }
 }

@@ -1,23 +1,23 @@
 //! What a ray needs: every object with M and M⁻¹; no names, versions, degrees or nested blocks.
 
 mod bvh;
-mod crowd;
+mod child_bvh;
+mod convex_interval;
 mod geometry;
 mod halfspace;
-mod ink;
 mod leaf;
 mod lower;
 mod material;
 mod node;
+mod pigment_program;
 mod probe;
-mod stretch;
 
 pub use geometry::Geometry;
-pub use ink::Ink;
-pub use leaf::{Found, FoundList, Leaf, Surface};
+pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
-pub use material::{Choice, Layer, LayerColor, Lobe, Material, Sheen};
-pub use node::{Node, NodeKind};
+pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
+pub use node::{SolidKind, SolidNode};
+pub use pigment_program::PigmentProgram;
 pub use probe::Probe;
 
 use crate::camera::Camera;
@@ -39,11 +39,11 @@ pub struct World {
     pub geometry: Geometry,
     /// By [`Leaf::id`].
     pub parts: Vec<Part>,
-    /// By [`Node::object`].
+    /// By [`SolidNode::object`].
     pub objects: Vec<ObjectInfo>,
     /// By [`Part::cut`]: what can be cut. At a point, all that hold it are seen in equal parts, and [`Part::outside`] where none does.
-    pub cuts: Vec<Vec<(Node, Coat)>>,
-    /// By [`Coat::material`].
+    pub cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
+    /// By [`PlacedMaterial::material`].
     pub materials: Vec<Material>,
     /// What fills objects, by number of the interior.
     pub interiors: Vec<Arc<Interior>>,
@@ -51,8 +51,8 @@ pub struct World {
     pub noise: NoiseGenerator,
     /// How many sources `ripples` and `waves` have.
     pub waves: usize,
-    /// All lamps.
-    pub lights: Vec<Lamp>,
+    /// All lights.
+    pub lights: Vec<PointLight>,
     /// What rays see that hit nothing.
     pub background: Color,
     /// From the numbers of the scene to light.
@@ -79,9 +79,9 @@ pub struct World {
 #[derive(Clone, Debug, Serialize)]
 pub struct Part {
     /// Seen from outside.
-    pub outside: Coat,
+    pub outside: PlacedMaterial,
     /// Seen from inside, if that differs.
-    pub inside: Option<Box<Coat>>,
+    pub inside: Option<Box<PlacedMaterial>>,
     /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
     pub cut: Option<u32>,
     /// Number of what fills it.
@@ -94,14 +94,14 @@ pub struct Part {
 
 /// A material where it lies.
 #[derive(Clone, Debug, Serialize)]
-pub struct Coat {
+pub struct PlacedMaterial {
     /// Number of the material.
     pub material: u32,
     /// World from texture; `None` where both are the same or it does not matter.
     pub place: Option<Arc<Transform>>,
 }
 
-impl Coat {
+impl PlacedMaterial {
     /// A point of the world in the texture's space.
     pub fn local(&self, p: DVec3) -> DVec3 {
         self.place.as_ref().map_or(p, |m| m.inverse_point(p))
@@ -125,7 +125,7 @@ pub struct ObjectInfo {
 
 /// A point of light.
 #[derive(Clone, Debug, Serialize)]
-pub struct Lamp {
+pub struct PointLight {
     /// In world space.
     pub location: DVec3,
     /// Negative ones darken.
@@ -136,7 +136,7 @@ pub struct Lamp {
     pub fade: Option<(f64, f64)>,
 }
 
-impl Lamp {
+impl PointLight {
     /// The light at a distance when nothing is in between.
     pub fn strength(&self, distance: f64) -> Rgb {
         match self.fade {

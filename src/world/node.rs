@@ -4,10 +4,10 @@
 //! inside the others: so open and infinite shapes take part like any other. `inverse` is never kept for a group: as in
 //! POV-Ray, it goes down to the leaves by De Morgan's laws, and clipping objects stay as they are.
 
-use super::crowd::Crowd;
+use super::child_bvh::ChildBvh;
+use super::convex_interval::{self, Gathered};
 use super::halfspace::{self, HalfSpaces};
-use super::leaf::{Found, FoundList, Leaf};
-use super::stretch::{self, Gathered};
+use super::leaf::{Intersection, Intersections, Leaf};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::shape::{Hits, Kernel, Shape};
 use serde::Serialize;
@@ -16,8 +16,8 @@ use std::ops::ControlFlow;
 
 /// A leaf, or a solid made of others.
 #[derive(Clone, Debug, Serialize)]
-pub struct Node {
-    kind: NodeKind,
+pub struct SolidNode {
+    kind: SolidKind,
     /// The caller's number for the object, for what belongs to an object as a whole, such as `no_shadow`.
     pub object: u32,
     /// What there is nothing to say of, if it is a shape that nothing clips.
@@ -29,7 +29,7 @@ pub struct Node {
 #[derive(Clone, Debug, Serialize)]
 struct More {
     /// Only what lies inside all of these is there.
-    clip: Box<[Node]>,
+    clip: Box<[SolidNode]>,
     #[serde(flatten)]
     boxes: Boxes,
     /// Is it an intersection or a merge of a few whole convex shapes?
@@ -37,7 +37,7 @@ struct More {
     convex_parts: bool,
     /// Over its children, if they are many.
     #[serde(skip)]
-    crowd: Option<Box<Crowd>>,
+    child_bvh: Option<Box<ChildBvh>>,
 }
 
 /// Where a solid is.
@@ -51,65 +51,65 @@ struct Boxes {
 
 /// What a node is.
 #[derive(Clone, Debug, Serialize)]
-pub enum NodeKind {
+pub enum SolidKind {
     /// A shape.
     Leaf(Leaf),
     /// All surfaces of all children.
-    Union(Vec<Node>),
+    Union(Vec<SolidNode>),
     /// What is inside all children.
-    Intersection(Vec<Node>),
+    Intersection(Vec<SolidNode>),
     /// A union without the surfaces inside it.
-    Merge(Vec<Node>),
+    Merge(Vec<SolidNode>),
 }
 
 /// What a node falls into.
-pub(super) enum Parts {
-    One(Node),
-    Many(Vec<Node>),
+pub(super) enum NodeParts {
+    One(SolidNode),
+    Many(Vec<SolidNode>),
 }
 
-impl Node {
+impl SolidNode {
     /// A shape by itself.
     pub fn leaf(leaf: Leaf, object: u32) -> Self {
-        Self::new(NodeKind::Leaf(leaf), object)
+        Self::new(SolidKind::Leaf(leaf), object)
     }
 
     /// All surfaces of all children.
-    pub fn union(children: Vec<Node>, object: u32) -> Self {
-        Self::new(NodeKind::Union(children), object)
+    pub fn union(children: Vec<SolidNode>, object: u32) -> Self {
+        Self::new(SolidKind::Union(children), object)
     }
 
     /// What is inside all children.
-    pub fn intersection(children: Vec<Node>, object: u32) -> Self {
+    pub fn intersection(children: Vec<SolidNode>, object: u32) -> Self {
         // Intersections in it are taken apart: what is inside all is inside all.
         let parts = children.into_iter().flat_map(|child| match (child.is_whole(), child.kind) {
-            (true, NodeKind::Intersection(parts)) => parts,
+            (true, SolidKind::Intersection(parts)) => parts,
             (_, kind) => vec![Self { kind, ..child }],
         });
-        let mut parts: Vec<Node> = parts.collect();
+        let mut parts: Vec<SolidNode> = parts.collect();
         parts.shrink_to_fit();
-        Self::new(NodeKind::Intersection(parts), object)
+        Self::new(SolidKind::Intersection(parts), object)
     }
 
     /// A union without the surfaces inside it.
-    pub fn merge(children: Vec<Node>, object: u32) -> Self {
-        Self::new(NodeKind::Merge(children), object)
+    pub fn merge(children: Vec<SolidNode>, object: u32) -> Self {
+        Self::new(SolidKind::Merge(children), object)
     }
 
     /// The first child without the others: the intersection with their inverses.
-    pub fn difference(children: Vec<Node>, object: u32) -> Self {
+    pub fn difference(children: Vec<SolidNode>, object: u32) -> Self {
         let turned = children.into_iter().enumerate().map(|(i, c)| if i == 0 { c } else { c.inverted() });
         Self::intersection(turned.collect(), object)
     }
 
-    fn new(kind: NodeKind, object: u32) -> Self {
+    fn new(kind: SolidKind, object: u32) -> Self {
         let mut node = Self { kind, object, more: None };
         node.measure(Box::default());
         node
     }
 
     /// Cut to what is inside all of `by`, and of what clipped it before.
-    pub fn clipped(mut self, by: Vec<Node>) -> Self {
+    pub fn clipped(mut self, by: Vec<SolidNode>) -> Self {
         let clip = self.take_clip().into_iter().chain(by).collect();
         self.measure(clip);
         self
@@ -117,11 +117,11 @@ impl Node {
 
     /// Turned inside out. What clips it stays; triangles and polygons, which have no inside, stay too.
     pub fn inverted(mut self) -> Self {
-        let turned = |children: Vec<Node>| children.into_iter().map(Node::inverted).collect();
+        let turned = |children: Vec<SolidNode>| children.into_iter().map(SolidNode::inverted).collect();
         self.kind = match self.kind {
-            NodeKind::Leaf(leaf) => NodeKind::Leaf(leaf.inverted()),
-            NodeKind::Union(children) | NodeKind::Merge(children) => NodeKind::Intersection(turned(children)),
-            NodeKind::Intersection(children) => NodeKind::Merge(turned(children)),
+            SolidKind::Leaf(leaf) => SolidKind::Leaf(leaf.inverted()),
+            SolidKind::Union(children) | SolidKind::Merge(children) => SolidKind::Intersection(turned(children)),
+            SolidKind::Intersection(children) => SolidKind::Merge(turned(children)),
         };
         let clip = self.take_clip();
         self.measure(clip);
@@ -129,15 +129,15 @@ impl Node {
     }
 
     /// What it is made of.
-    pub fn kind(&self) -> &NodeKind {
+    pub fn kind(&self) -> &SolidKind {
         &self.kind
     }
 
     /// Its children, if it is nothing but the collection of them: a union that is not clipped. Itself otherwise.
-    pub(super) fn into_parts(self) -> Parts {
+    pub(super) fn into_parts(self) -> NodeParts {
         match (self.is_whole(), self.kind) {
-            (true, NodeKind::Union(children)) => Parts::Many(children),
-            (_, kind) => Parts::One(Self { kind, ..self }),
+            (true, SolidKind::Union(children)) => NodeParts::Many(children),
+            (_, kind) => NodeParts::One(Self { kind, ..self }),
         }
     }
 
@@ -146,11 +146,11 @@ impl Node {
         self.clip().is_empty()
     }
 
-    fn clip(&self) -> &[Node] {
+    fn clip(&self) -> &[SolidNode] {
         self.more.as_ref().map_or(&[], |more| &more.clip)
     }
 
-    fn take_clip(&mut self) -> Box<[Node]> {
+    fn take_clip(&mut self) -> Box<[SolidNode]> {
         self.more.take().map_or_else(Box::default, |more| more.clip)
     }
 
@@ -158,7 +158,7 @@ impl Node {
     fn boxes(&self) -> Boxes {
         match (&self.more, &self.kind) {
             (Some(more), _) => more.boxes,
-            (None, NodeKind::Leaf(leaf)) => {
+            (None, SolidKind::Leaf(leaf)) => {
                 let (surface, solid) = leaf.bounds();
                 Boxes { surface, solid }
             }
@@ -166,7 +166,7 @@ impl Node {
         }
     }
 
-    /// Is it inside at places outside [`Node::bounds`]?
+    /// Is it inside at places outside [`SolidNode::bounds`]?
     pub(super) fn is_unbounded(&self) -> bool {
         let Boxes { surface, solid } = self.boxes();
         !solid.is_empty() && solid.union(surface) != surface
@@ -180,24 +180,24 @@ impl Node {
     /// Is the point inside?
     pub fn inside(&self, p: DVec3) -> bool {
         let in_kind = match &self.kind {
-            NodeKind::Leaf(leaf) => leaf.inside(p),
+            SolidKind::Leaf(leaf) => leaf.inside(p),
             _ if !self.more.as_ref().is_some_and(|more| more.boxes.solid.contains(p)) => false,
-            NodeKind::Union(_) | NodeKind::Merge(_) => !self.all_children(p, usize::MAX, |_, c| !c.inside(p)),
-            NodeKind::Intersection(_) => self.all_children(p, usize::MAX, |_, c| c.inside(p)),
+            SolidKind::Union(_) | SolidKind::Merge(_) => !self.all_children(p, usize::MAX, |_, c| !c.inside(p)),
+            SolidKind::Intersection(_) => self.all_children(p, usize::MAX, |_, c| c.inside(p)),
         };
         in_kind && self.in_clip(p)
     }
 
     /// Appends every hit in the range, in no particular order.
-    pub fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut FoundList<'a>) {
+    pub fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         let first = out.len();
         match &self.kind {
-            NodeKind::Leaf(leaf) => {
+            SolidKind::Leaf(leaf) => {
                 let mut hits = Hits::new();
                 leaf.hits(ray, range, &mut hits);
-                out.extend(hits.into_iter().map(|hit| Found { hit, leaf, object: self.object }));
+                out.extend(hits.into_iter().map(|hit| Intersection { hit, leaf, object: self.object }));
             }
-            NodeKind::Union(_) => {
+            SolidKind::Union(_) => {
                 self.each_child(ray, range, |_, child, range| {
                     child.hits(ray, range, out);
                     range
@@ -209,7 +209,7 @@ impl Node {
                 self.gather(ray, range, &mut all);
                 let kept =
                     all.hits.iter().filter(|(found, child)| self.survives(&all, *child as usize, ray, found.t()));
-                out.extend(kept.map(|(found, _)| Found { object: self.object, ..*found }));
+                out.extend(kept.map(|(found, _)| Intersection { object: self.object, ..*found }));
             }
         }
         if !self.is_whole() {
@@ -219,54 +219,54 @@ impl Node {
 
     /// The nearest hit in the range.
     #[inline]
-    pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
+    pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match &self.kind {
-            NodeKind::Leaf(leaf) if self.more.is_none() => {
-                leaf.closest(ray, range).map(|hit| Found { hit, leaf, object: self.object })
+            SolidKind::Leaf(leaf) if self.more.is_none() => {
+                leaf.closest(ray, range).map(|hit| Intersection { hit, leaf, object: self.object })
             }
             _ => self.closest_of_many(ray, range),
         }
     }
 
     /// The nearest hit of what is more than a shape.
-    fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
+    fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match &self.kind {
-            NodeKind::Leaf(_) => {
-                let mut all = FoundList::new();
+            SolidKind::Leaf(_) => {
+                let mut all = Intersections::new();
                 self.hits(ray, range, &mut all);
                 all.into_iter().min_by(|a, b| a.t().total_cmp(&b.t()))
             }
-            NodeKind::Union(_) if self.is_whole() => self.closest_of_all(ray, range),
+            SolidKind::Union(_) if self.is_whole() => self.closest_of_all(ray, range),
             _ if self.more.as_ref().is_some_and(|more| more.convex_parts) => self.closest_of_convex(ray, range),
             _ => self.closest_survivor(ray, range),
         }
     }
 
-    fn closest_of_convex<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
+    fn closest_of_convex<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let (min, max) = self.enter(ray, range)?;
-        let merged = matches!(self.kind, NodeKind::Merge(_));
+        let merged = matches!(self.kind, SolidKind::Merge(_));
         let shows = |t| self.in_clip(ray.at(t));
-        match stretch::nearest(self.children(), merged, ray, Range { min, max }, shows) {
-            Ok(nearest) => nearest.map(|(end, leaf)| Found { hit: end.into(), leaf, object: self.object }),
-            Err(stretch::Unknown) => self.closest_survivor(ray, range),
+        match convex_interval::nearest(self.children(), merged, ray, Range { min, max }, shows) {
+            Ok(nearest) => nearest.map(|(end, leaf)| Intersection { hit: end.into(), leaf, object: self.object }),
+            Err(convex_interval::Unknown) => self.closest_survivor(ray, range),
         }
     }
 
-    fn closest_of_all<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
+    fn closest_of_all<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut best = None;
         self.each_child(ray, range, |_, child, range| {
             let found = child.closest(ray, range);
             best = found.or(best);
             Range { max: found.map_or(range.max, |f| f.t()), ..range }
         });
-        best.map(|found| Found { object: self.object, ..found })
+        best.map(|found| Intersection { object: self.object, ..found })
     }
 
     /// The hits on an intersection's or a merge's children.
     fn gather<'a>(&'a self, ray: &Ray, range: Range, all: &mut Gathered<'a>) {
         let children = self.children();
         all.expect(children.len());
-        let only_inside = matches!(self.kind, NodeKind::Intersection(_));
+        let only_inside = matches!(self.kind, SolidKind::Intersection(_));
         let mut met: SmallVec<[u32; 16]> = SmallVec::new();
         self.each_child(ray, range, |i, child, range| {
             met.push(i as u32);
@@ -276,23 +276,23 @@ impl Node {
     }
 
     /// Gathers the children's hits and asks about them in order, until one is kept.
-    fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Found<'a>> {
+    fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut all = Gathered::new();
         self.gather(ray, range, &mut all);
         all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(i.cmp(j)));
         let kept = all.hits.iter().find(|(found, child)| {
             self.survives(&all, *child as usize, ray, found.t()) && self.in_clip(ray.at(found.t()))
         });
-        kept.map(|(found, _)| Found { object: self.object, ..*found })
+        kept.map(|(found, _)| Intersection { object: self.object, ..*found })
     }
 
     /// Hands the children that the ray may meet to `visit`, which returns where hits count from now on.
-    fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a Node, Range) -> Range) {
+    fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a SolidNode, Range) -> Range) {
         let children = self.children();
         let Some((min, max)) = self.enter(ray, range) else { return };
         let mut range = Range { min, max };
-        match self.crowd() {
-            Some(crowd) => crowd.along(ray, range, |i, range| visit(i, &children[i], range)),
+        match self.child_bvh() {
+            Some(child_bvh) => child_bvh.along(ray, range, |i, range| visit(i, &children[i], range)),
             None => {
                 for (i, child) in children.iter().enumerate() {
                     range = visit(i, child, range);
@@ -305,13 +305,13 @@ impl Node {
     }
 
     /// Does the condition hold for all children but one? It must hold by itself for children far from the point.
-    fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &Node) -> bool) -> bool {
+    fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &SolidNode) -> bool) -> bool {
         let children = self.children();
         let fine = |i: usize| i == but || condition(i, &children[i]);
-        match self.crowd() {
-            Some(crowd) => {
+        match self.child_bvh() {
+            Some(child_bvh) => {
                 let flow =
-                    crowd.around(p, |i| if fine(i) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
+                    child_bvh.around(p, |i| if fine(i) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
                 flow.is_continue()
             }
             None => (0..children.len()).all(fine),
@@ -320,11 +320,11 @@ impl Node {
 
     /// Is a hit on one child, at `t`, on the surface of the whole?
     fn survives(&self, all: &Gathered, child: usize, ray: &Ray, t: f64) -> bool {
-        let inside = |i: usize, c: &Node| all.inside(i, c, ray, t);
+        let inside = |i: usize, c: &SolidNode| all.inside(i, c, ray, t);
         match &self.kind {
-            NodeKind::Leaf(_) | NodeKind::Union(_) => true,
-            NodeKind::Intersection(_) => self.all_children(ray.at(t), child, inside),
-            NodeKind::Merge(_) => self.all_children(ray.at(t), child, |i, c| !inside(i, c)),
+            SolidKind::Leaf(_) | SolidKind::Union(_) => true,
+            SolidKind::Intersection(_) => self.all_children(ray.at(t), child, inside),
+            SolidKind::Merge(_) => self.all_children(ray.at(t), child, |i, c| !inside(i, c)),
         }
     }
 
@@ -337,37 +337,37 @@ impl Node {
         self.clip().iter().all(|c| c.inside(p))
     }
 
-    fn crowd(&self) -> Option<&Crowd> {
-        self.more.as_ref().and_then(|more| more.crowd.as_deref())
+    fn child_bvh(&self) -> Option<&ChildBvh> {
+        self.more.as_ref().and_then(|more| more.child_bvh.as_deref())
     }
 
-    fn children(&self) -> &[Node] {
+    fn children(&self) -> &[SolidNode] {
         match &self.kind {
-            NodeKind::Leaf(_) => &[],
-            NodeKind::Union(c) | NodeKind::Intersection(c) | NodeKind::Merge(c) => c,
+            SolidKind::Leaf(_) => &[],
+            SolidKind::Union(c) | SolidKind::Intersection(c) | SolidKind::Merge(c) => c,
         }
     }
 
     /// Computes both boxes from the parts and what clips them.
-    fn measure(&mut self, clip: Box<[Node]>) {
-        let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(Node::boxes).collect();
+    fn measure(&mut self, clip: Box<[SolidNode]>) {
+        let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
         let (surface, solid) = match &self.kind {
-            NodeKind::Leaf(leaf) => {
+            SolidKind::Leaf(leaf) => {
                 if clip.is_empty() {
                     self.more = None;
                     return;
                 }
                 leaf.bounds()
             }
-            NodeKind::Union(_) | NodeKind::Merge(_) => {
+            SolidKind::Union(_) | SolidKind::Merge(_) => {
                 let join = |side: fn(&Boxes) -> Aabb| inner.iter().map(side).fold(Aabb::EMPTY, Aabb::union);
                 (join(|c| c.surface), join(|c| c.solid))
             }
-            NodeKind::Intersection(_) => intersection_bounds(&inner),
+            SolidKind::Intersection(_) => intersection_bounds(&inner),
         };
         let clipped = clip.iter().map(|c| c.boxes().solid).fold(Aabb::INFINITE, Aabb::intersection);
         let (mut surface, mut solid) = (surface.intersection(clipped), solid.intersection(clipped));
-        if !clip.is_empty() || matches!(self.kind, NodeKind::Intersection(_)) {
+        if !clip.is_empty() || matches!(self.kind, SolidKind::Intersection(_)) {
             // Cut by the half-spaces that all of it lies in.
             let mut planes = HalfSpaces::new();
             half_spaces(&self.kind, &clip, &mut planes);
@@ -377,45 +377,46 @@ impl Node {
             }
         }
         // A child matters to a ray in its surface's box, and to a point where it could be the exception.
-        let reach = |(c, boxes): (&Node, &Boxes)| match &self.kind {
-            NodeKind::Intersection(_) => boxes.surface.union(c.hole()),
+        let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
+            SolidKind::Intersection(_) => boxes.surface.union(c.hole()),
             _ => boxes.surface.union(boxes.solid),
         };
-        let is_convex = |c: &Node| matches!(&c.kind, NodeKind::Leaf(leaf) if c.is_whole() && leaf.shape.is_convex());
+        let is_convex =
+            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.is_convex());
         let convex = match &self.kind {
-            NodeKind::Leaf(_) | NodeKind::Union(_) => false,
-            NodeKind::Intersection(children) | NodeKind::Merge(children) => children.iter().all(is_convex),
+            SolidKind::Leaf(_) | SolidKind::Union(_) => false,
+            SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_convex),
         };
-        let crowd = Crowd::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
+        let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
         // Many are quicker found by their boxes.
-        let convex_parts = convex && crowd.is_none();
-        self.more = Some(Box::new(More { clip, boxes: Boxes { surface, solid }, convex_parts, crowd }));
+        let convex_parts = convex && child_bvh.is_none();
+        self.more = Some(Box::new(More { clip, boxes: Boxes { surface, solid }, convex_parts, child_bvh }));
     }
 
     /// A box that holds every point which is not inside: finite for what was inverted.
     fn hole(&self) -> Aabb {
         match &self.kind {
             _ if !self.is_whole() => Aabb::INFINITE,
-            NodeKind::Leaf(leaf) => match leaf.shape {
+            SolidKind::Leaf(leaf) => match leaf.shape {
                 Shape::Disc(_) => Aabb::INFINITE,
                 _ if leaf.shape.is_patch() || !leaf.inverse => Aabb::INFINITE,
                 _ => self.bounds(),
             },
-            NodeKind::Intersection(children) => children.iter().map(Node::hole).fold(Aabb::EMPTY, Aabb::union),
-            NodeKind::Union(children) | NodeKind::Merge(children) => {
-                children.iter().map(Node::hole).fold(Aabb::INFINITE, Aabb::intersection)
+            SolidKind::Intersection(children) => children.iter().map(SolidNode::hole).fold(Aabb::EMPTY, Aabb::union),
+            SolidKind::Union(children) | SolidKind::Merge(children) => {
+                children.iter().map(SolidNode::hole).fold(Aabb::INFINITE, Aabb::intersection)
             }
         }
     }
 }
 
 /// Appends half-spaces that all hits of a solid and all points inside it lie in.
-fn half_spaces(kind: &NodeKind, clip: &[Node], out: &mut HalfSpaces) {
+fn half_spaces(kind: &SolidKind, clip: &[SolidNode], out: &mut HalfSpaces) {
     clip.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out));
     match kind {
-        NodeKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
-        NodeKind::Intersection(children) => children.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out)),
-        NodeKind::Union(_) | NodeKind::Merge(_) => {}
+        SolidKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
+        SolidKind::Intersection(children) => children.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out)),
+        SolidKind::Union(_) | SolidKind::Merge(_) => {}
     }
 }
 
@@ -438,7 +439,7 @@ fn intersection_bounds(children: &[Boxes]) -> (Aabb, Aabb) {
 }
 
 /// Drops the hits from `first` on that do not meet the condition.
-fn keep<'a>(list: &mut FoundList<'a>, first: usize, condition: impl Fn(&Found<'a>) -> bool) {
+fn keep<'a>(list: &mut Intersections<'a>, first: usize, condition: impl Fn(&Intersection<'a>) -> bool) {
     let mut end = first;
     for i in first..list.len() {
         if condition(&list[i]) {

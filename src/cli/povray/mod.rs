@@ -17,7 +17,7 @@ use crate::source::{Sources, Span};
 use clap::CommandFactory;
 pub use files::is_ini;
 use files::{Files, with_ending};
-use parts::Parts;
+use parts::Settings;
 use std::ffi::OsString;
 use std::path::Path;
 use table::{Effect, ROWS, Row, Takes};
@@ -86,7 +86,7 @@ fn is_ours(words: &[OsString]) -> bool {
 }
 
 struct Translation<'s> {
-    parts: Parts,
+    parts: Settings,
     /// Ours, as they came.
     options: Vec<OsString>,
     /// Was anything said in POV-Ray's way?
@@ -107,7 +107,7 @@ impl<'s> Translation<'s> {
     fn new(sources: &'s Sources) -> Self {
         let files = Files::new(sources);
         Self {
-            parts: Parts::new(),
+            parts: Settings::new(),
             options: Vec::new(),
             any_switch: false,
             faults: Vec::new(),

@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// What was said so far.
 #[derive(Clone, Debug, Default)]
-pub struct Parts {
+pub struct Settings {
     pub input: Option<String>,
     pub output: Option<String>,
     pub format: Option<&'static str>,
@@ -34,7 +34,7 @@ pub struct Parts {
 
 type Checked = Result<(), String>;
 
-impl Parts {
+impl Settings {
     /// POV-Ray's defaults where they differ from nothing.
     pub fn new() -> Self {
         Self { final_clock: 1.0, frame_step: 1, threshold: 0.3, ..Self::default() }

@@ -1,6 +1,6 @@
 //! Every option of POV-Ray 3.7: its switch, its INI name, and what it becomes here (manual, section 3.2).
 
-use super::parts::Parts;
+use super::parts::Settings;
 
 /// One option in all its spellings. Letter case counts nowhere.
 pub struct Row {
@@ -41,7 +41,7 @@ pub enum Effect {
     /// Our option that takes no value.
     Flag(&'static str),
     /// One part of an option that is put together at the end; what is wrong with the value, if anything.
-    Part(fn(&mut Parts, &str) -> Result<(), String>),
+    Part(fn(&mut Settings, &str) -> Result<(), String>),
     /// It can't be obeyed, and this is why.
     Lacks(&'static str),
     /// The same, but the picture is what it should be: told with `--warn options`.

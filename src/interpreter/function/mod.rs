@@ -10,7 +10,7 @@ use super::operators::component_index;
 use super::scope::Slot;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{
-    self, Body, Callee, Function, Gives, Graph, Id, Node, Program, Sampler, Spline, SplineKind, internal, numeric,
+    self, Body, Callee, Function, Gives, Graph, Id, Operation, Program, Sampler, Spline, SplineKind, internal, numeric,
 };
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Name, Operator, Prefix, Symbol};
@@ -131,7 +131,7 @@ impl<'a> Interpreter<'a> {
                 let mut left = self.compile(c, &chain.first)?;
                 for (op, operand) in &chain.rest {
                     let right = self.compile(c, operand)?;
-                    left = c.graph.add(Node::Binary(*op, left, right));
+                    left = c.graph.add(Operation::Binary(*op, left, right));
                 }
                 Ok(left)
             }
@@ -139,7 +139,7 @@ impl<'a> Interpreter<'a> {
                 let [condition, yes, no] = &**parts;
                 let condition = self.compile(c, condition)?;
                 let (yes, no) = (self.compile(c, yes)?, self.compile(c, no)?);
-                Ok(c.graph.add(Node::Choice(condition, yes, no)))
+                Ok(c.graph.add(Operation::Choice(condition, yes, no)))
             }
             ExprKind::Builtin(name, arguments) => self.compile_builtin(c, name.name, arguments, e.span),
             ExprKind::Call(name, arguments) => self.compile_call(c, *name, arguments, None, e.span),
@@ -170,7 +170,7 @@ impl<'a> Interpreter<'a> {
 
     fn compile_name(&mut self, c: &mut Compiler, symbol: Symbol, e: &'a Expr) -> Result<Id> {
         if let Some(i) = c.parameters.iter().position(|p| *p == symbol) {
-            return Ok(c.graph.add(Node::Parameter(i as u16)));
+            return Ok(c.graph.add(Operation::Parameter(i as u16)));
         }
         // u and v are other names of x and y.
         let other = match self.names.text(symbol) {
@@ -179,7 +179,7 @@ impl<'a> Interpreter<'a> {
             _ => return self.constant_number(c, e),
         };
         match c.parameters.iter().position(|p| self.names.text(*p) == other) {
-            Some(i) => Ok(c.graph.add(Node::Parameter(i as u16))),
+            Some(i) => Ok(c.graph.add(Operation::Parameter(i as u16))),
             None => self.constant_number(c, e),
         }
     }
@@ -202,10 +202,10 @@ impl<'a> Interpreter<'a> {
             return Diagnostic::err(codes::NOT_CALLABLE, span, message);
         };
         let (wanted, node): (&str, Option<Id>) = match (numeric::TABLE[row as usize].kernel, ids) {
-            (numeric::Kernel::One(_), [a]) => ("", Some(c.graph.add(Node::One(row, *a)))),
-            (numeric::Kernel::Two(_), [a, b]) => ("", Some(c.graph.add(Node::Two(row, *a, *b)))),
+            (numeric::Kernel::One(_), [a]) => ("", Some(c.graph.add(Operation::One(row, *a)))),
+            (numeric::Kernel::Two(_), [a, b]) => ("", Some(c.graph.add(Operation::Two(row, *a, *b)))),
             (numeric::Kernel::Many(_), [first, rest @ ..]) => {
-                ("", Some(rest.iter().fold(*first, |a, b| c.graph.add(Node::Two(row, a, *b)))))
+                ("", Some(rest.iter().fold(*first, |a, b| c.graph.add(Operation::Two(row, a, *b)))))
             }
             (numeric::Kernel::One(_), _) => ("one argument", None),
             (numeric::Kernel::Two(_), _) => ("two arguments", None),
@@ -297,8 +297,8 @@ impl<'a> Interpreter<'a> {
                 let mut sum = c.graph.constant(0.0);
                 for (i, weight) in weights.iter().enumerate() {
                     let (value, weight) = (one(c, i as u8), c.graph.constant(*weight));
-                    let term = c.graph.add(Node::Binary(Operator::Mul, value, weight));
-                    sum = c.graph.add(Node::Binary(Operator::Add, sum, term));
+                    let term = c.graph.add(Operation::Binary(Operator::Mul, value, weight));
+                    sum = c.graph.add(Operation::Binary(Operator::Add, sum, term));
                 }
                 sum
             }
@@ -405,11 +405,11 @@ impl Compiler {
             Prefix::Plus => a,
             Prefix::Minus => {
                 let minus = self.graph.constant(-1.0);
-                self.graph.add(Node::Binary(Operator::Mul, a, minus))
+                self.graph.add(Operation::Binary(Operator::Mul, a, minus))
             }
             Prefix::Not => {
                 let zero = self.graph.constant(0.0);
-                self.graph.add(Node::Binary(Operator::Equal, a, zero))
+                self.graph.add(Operation::Binary(Operator::Equal, a, zero))
             }
         }
     }
@@ -417,12 +417,12 @@ impl Compiler {
     /// `select(a, below, zero, above)`, or `select(a, below, from zero on)`.
     fn select(&mut self, ids: &[Id]) -> Id {
         let zero = self.graph.constant(0.0);
-        let below = self.graph.add(Node::Binary(Operator::Less, ids[0], zero));
+        let below = self.graph.add(Operation::Binary(Operator::Less, ids[0], zero));
         let rest = match ids {
-            [a, _, at, above] => self.graph.add(Node::Choice(*a, *above, *at)),
+            [a, _, at, above] => self.graph.add(Operation::Choice(*a, *above, *at)),
             ids => ids[2],
         };
-        self.graph.add(Node::Choice(below, ids[1], rest))
+        self.graph.add(Operation::Choice(below, ids[1], rest))
     }
 
     fn finish(self, me: &Interpreter, span: Span) -> Result<Arc<dyn Thing>> {
@@ -437,7 +437,7 @@ impl Compiler {
 /// `sum` or `prod` from one value to another.
 fn series(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, span: Span) -> Result<Id> {
     let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large(span) };
-    ids.extend((0..c.parameters.len()).map(|i| c.graph.add(Node::Parameter(i as u16))).collect::<Vec<_>>());
+    ids.extend((0..c.parameters.len()).map(|i| c.graph.add(Operation::Parameter(i as u16))).collect::<Vec<_>>());
     Ok(c.graph.call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
 }
 
@@ -454,7 +454,7 @@ pub(super) fn internal_function(number: f64, noise: &Arc<AtomicU8>) -> Option<Fu
     let row = internal::find(number as u32).filter(|_| number >= 0.0)?;
     let mut graph = function::Graph::default();
     let count = 3 + row.parameters.len();
-    let ids: Box<[Id]> = (0..count).map(|i| graph.add(Node::Parameter(i as u16))).collect();
+    let ids: Box<[Id]> = (0..count).map(|i| graph.add(Operation::Parameter(i as u16))).collect();
     let callee = match row.number {
         internal::SCENE_NOISE => Callee::SceneNoise(noise.clone()),
         _ => Callee::Internal(row),

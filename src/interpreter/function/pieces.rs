@@ -2,7 +2,7 @@
 
 use super::{Compiler, series};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Id, Node};
+use crate::function::{Id, Operation};
 use crate::interpreter::Interpreter;
 use crate::interpreter::eval::as_float;
 use crate::interpreter::pieces::{Operands, expect_colon, is_callable, joined, read_signs};
@@ -29,14 +29,14 @@ impl<'a> Operands<'a> for Compiled<'_> {
     }
 
     fn combine(&mut self, _: &mut Interpreter<'a>, op: Operator, left: (Id, Span), right: (Id, Span)) -> Result<Id> {
-        Ok(self.0.graph.add(Node::Binary(op, left.0, right.0)))
+        Ok(self.0.graph.add(Operation::Binary(op, left.0, right.0)))
     }
 
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Id, Span)) -> Result<(Id, Span)> {
         let (yes, _) = me.climb(self, true)?;
         expect_colon(me)?;
         let (no, span) = me.climb(self, true)?;
-        Ok((self.0.graph.add(Node::Choice(condition.0, yes, no)), span))
+        Ok((self.0.graph.add(Operation::Choice(condition.0, yes, no)), span))
     }
 
     fn precedence(&self, op: Operator) -> u8 {

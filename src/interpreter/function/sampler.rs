@@ -3,7 +3,7 @@
 use crate::function::{Gives, Sampler};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
-use crate::pattern::Spot;
+use crate::pattern::TextureContext;
 use crate::texture::Pigment;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -11,9 +11,9 @@ use std::sync::atomic::{AtomicU8, Ordering};
 /// The number of the scene's noise generator, which may still change.
 pub(super) type SceneNoise = Arc<AtomicU8>;
 
-fn spot(p: &[f64], noise: &SceneNoise) -> Spot {
+fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
     let generator = NoiseGenerator::from_number(f64::from(noise.load(Ordering::Relaxed)));
-    Spot::free(DVec3::new(p[0], p[1], p[2]), generator)
+    TextureContext::free(DVec3::new(p[0], p[1], p[2]), generator)
 }
 
 /// `function { pigment { … } }`
@@ -30,7 +30,7 @@ impl Sampler for PigmentSampler {
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        self.0.at(&spot(p, &self.1)).to_array()
+        self.0.at(&ctx(p, &self.1)).to_array()
     }
 }
 
@@ -48,7 +48,7 @@ impl Sampler for PatternSampler {
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        [self.0.number_at(&spot(p, &self.1)), 0.0, 0.0, 0.0, 0.0]
+        [self.0.number_at(&ctx(p, &self.1)), 0.0, 0.0, 0.0, 0.0]
     }
 }
 

@@ -19,7 +19,7 @@ use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
 use crate::source::{Span, fonts};
 use crate::syntax::ast::*;
-use crate::value::{FloatOrColor, Language, Next, Reader, Said, Solid, Thing, Value};
+use crate::value::{FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value};
 use crate::world::Probe;
 pub use color::COLOR_WORDS;
 pub(super) use color::begins_color;
@@ -285,7 +285,7 @@ impl Reader for Interpreter<'_> {
         fonts::similar(name, &self.options.search.fonts, |path| self.options.sandbox.may_read(path))
     }
 
-    fn pass(&mut self, row: &mut Vec<Said>) -> Result<()> {
+    fn pass(&mut self, row: &mut Vec<RawItem>) -> Result<()> {
         self.pass_over(row)
     }
 
@@ -302,7 +302,7 @@ impl Reader for Interpreter<'_> {
         self.tell_unknown_word(block, takes)
     }
 
-    fn keep_undrawn(&mut self, what: &'static str) -> Result<Said> {
+    fn keep_undrawn(&mut self, what: &'static str) -> Result<RawItem> {
         self.keep_with_warning(what)
     }
 }

@@ -7,11 +7,11 @@ use super::super::stream::Token;
 use super::color::{begins_color, is_component};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Sign};
-use crate::value::{Next, Reader, Said};
+use crate::value::{Next, RawItem, Reader};
 
 impl Interpreter<'_> {
     /// A word or block with all that belongs to it.
-    pub(super) fn keep_with_warning(&mut self, what: &'static str) -> Result<Said> {
+    pub(super) fn keep_with_warning(&mut self, what: &'static str) -> Result<RawItem> {
         let token = self.peek()?;
         let (word, span) = match token {
             Token::Block(name) => (name.word.unwrap_or(what), name.span),
@@ -24,23 +24,23 @@ impl Interpreter<'_> {
             Token::Function(_) | Token::Expr(_) => {
                 let mut row = vec![];
                 self.pass_over(&mut row)?;
-                Ok(Said::Block(word, row.into()))
+                Ok(RawItem::Block(word, row.into()))
             }
             _ => {
                 self.advance();
                 let row = self.arguments_said()?;
-                Ok(if row.is_empty() { Said::Word(word) } else { Said::Block(word, row.into()) })
+                Ok(if row.is_empty() { RawItem::Word(word) } else { RawItem::Block(word, row.into()) })
             }
         }
     }
 
     /// The values, entries and texts after a word.
-    fn arguments_said(&mut self) -> Result<Vec<Said>> {
+    fn arguments_said(&mut self) -> Result<Vec<RawItem>> {
         let mut row = vec![];
         loop {
             match Reader::next(self)? {
                 Next::Value | Next::Function | Next::Entry | Next::Group => self.pass_over(&mut row)?,
-                Next::Word(word) if begins_color(word) => row.push(Said::Color(self.read_color()?)),
+                Next::Word(word) if begins_color(word) => row.push(RawItem::Color(self.read_color()?)),
                 Next::Thing("color_map" | "pigment" | "texture" | "normal") => self.pass_over(&mut row)?,
                 _ => return Ok(row),
             }
@@ -48,18 +48,18 @@ impl Interpreter<'_> {
     }
 
     /// A block, entry or group to its end.
-    fn enclosed_said(&mut self, word: &'static str) -> Result<Said> {
+    fn enclosed_said(&mut self, word: &'static str) -> Result<RawItem> {
         self.take()?;
         let mut row = vec![];
         while !self.peek()?.ends() {
             self.pass_over(&mut row)?;
         }
         self.leave()?;
-        Ok(Said::Block(word, row.into()))
+        Ok(RawItem::Block(word, row.into()))
     }
 
     /// Whatever comes next, with all that is in it. Directives run and values are computed, so that mistakes are found.
-    pub(super) fn pass_over(&mut self, row: &mut Vec<Said>) -> Result<()> {
+    pub(super) fn pass_over(&mut self, row: &mut Vec<RawItem>) -> Result<()> {
         match self.peek()? {
             Token::Block(name) => {
                 row.push(self.enclosed_said(name.word.unwrap_or("block"))?);
@@ -68,29 +68,29 @@ impl Interpreter<'_> {
             Token::Open(Bracket::Brace, _) => row.push(self.enclosed_said("group")?),
             Token::Numbers(data) if data.len() > 5 || self.is_whole(false) => {
                 self.advance();
-                Said::push_numbers(row, data);
+                RawItem::push_numbers(row, data);
                 // Most of a list of literals is no matter of what follows it.
                 while let Some(data) = self.inner_literal() {
-                    Said::push_numbers(row, data);
+                    RawItem::push_numbers(row, data);
                 }
             }
             // `<a, b, … >` of a quartic has more numbers than a vector.
             Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 || self.is_whole(false) => {
                 self.advance();
-                Said::push_numbers(row, data);
+                RawItem::push_numbers(row, data);
             }
             Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) if parts.len() > 5 || self.is_whole(false) => {
                 self.advance();
                 let data = self.whole_numbers(parts)?;
-                Said::push_numbers(row, &data);
+                RawItem::push_numbers(row, &data);
             }
             Token::Sign(Sign::Operator(Operator::Less)) => {
                 let (data, span) = self.numbers_in_pieces()?;
                 if self.value_ends()? {
-                    Said::push_numbers(row, &data);
+                    RawItem::push_numbers(row, &data);
                 } else {
                     let first = vector_value(&data, span)?;
-                    Said::push_value(row, &self.value_from(first, span)?.0);
+                    RawItem::push_value(row, &self.value_from(first, span)?.0);
                 }
             }
             Token::Expr(_)
@@ -105,13 +105,15 @@ impl Interpreter<'_> {
                     _ => Slot::Value(self.value_here()?.0),
                 };
                 if let Slot::Value(value) = value {
-                    Said::push_value(row, &value);
+                    RawItem::push_value(row, &value);
                 }
             }
-            Token::Word(word) if begins_color(word) && !is_component(word) => row.push(Said::Color(self.read_color()?)),
+            Token::Word(word) if begins_color(word) && !is_component(word) => {
+                row.push(RawItem::Color(self.read_color()?))
+            }
             Token::Word(word) => {
                 self.advance();
-                row.push(Said::Word(word));
+                row.push(RawItem::Word(word));
             }
             Token::Sign(_) | Token::End => {
                 return Err(self.unexpected_token("a word, a value or a block").into());

@@ -1,6 +1,6 @@
 //! What stands whole and is no whole after all: a macro in it gives tokens of its own, or something goes on with it.
 
-use super::{Frame, FrameKind};
+use super::{FrameKind, StackFrame};
 use crate::interpreter::Interpreter;
 use crate::interpreter::pieces::is_callable;
 use crate::interpreter::scope::Slot;
@@ -84,7 +84,7 @@ impl<'a> Interpreter<'a> {
 
     /// Leaves macros that have come to their end.
     pub(in crate::interpreter) fn pop_spent(&mut self) {
-        let spent = |f: &Frame| {
+        let spent = |f: &StackFrame| {
             let leaves = matches!(f.kind, FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch);
             leaves && f.closer.is_none() && f.at >= f.elements.len()
         };

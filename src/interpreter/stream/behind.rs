@@ -1,6 +1,6 @@
 //! What stands behind a value: may it go on with it?
 
-use super::{Frame, FrameKind, Token};
+use super::{FrameKind, StackFrame, Token};
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
 use crate::syntax::ast::*;
@@ -28,8 +28,8 @@ impl<'a> Interpreter<'a> {
 
     pub(super) fn end_separates<'f>(
         &self,
-        mut frame: &'f Frame<'a>,
-        mut outer: &'f [Frame<'a>],
+        mut frame: &'f StackFrame<'a>,
+        mut outer: &'f [StackFrame<'a>],
         compares: bool,
     ) -> bool {
         loop {

@@ -6,7 +6,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 
 /// Where elements come from.
-pub(in crate::interpreter) struct Frame<'a> {
+pub(in crate::interpreter) struct StackFrame<'a> {
     pub(in crate::interpreter) elements: &'a [Element],
     pub(in crate::interpreter) at: usize,
     /// Index within a literal list, and of its first number.
@@ -39,7 +39,7 @@ pub(in crate::interpreter) enum FrameKind<'a> {
     Include,
 }
 
-impl Frame<'_> {
+impl StackFrame<'_> {
     /// Has an expression that was taken apart come to its end?
     pub(in crate::interpreter) fn is_spent_piece(&self) -> bool {
         let whole = matches!(self.kind, FrameKind::Piece) && self.closer.is_none();
@@ -65,7 +65,7 @@ impl Frame<'_> {
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn push_frame(&mut self, elements: &'a [Element], kind: FrameKind<'a>, span: Span) {
         self.peeked = None;
-        self.frames.push(Frame { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false });
+        self.frames.push(StackFrame { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false });
     }
 
     /// Elements that come next, then perhaps a closing bracket and a comma.
@@ -77,7 +77,7 @@ impl<'a> Interpreter<'a> {
         comma: bool,
     ) {
         self.peeked = None;
-        self.frames.push(Frame { elements, at: 0, item: (0, 0), kind: FrameKind::Piece, span, closer, comma });
+        self.frames.push(StackFrame { elements, at: 0, item: (0, 0), kind: FrameKind::Piece, span, closer, comma });
     }
 
     /// Drops the innermost frame, and the scope that came with it.
@@ -127,10 +127,10 @@ impl<'a> Interpreter<'a> {
 
     /// `#break`: leaves the innermost loop, `#switch` or macro.
     pub(in crate::interpreter) fn break_out(&mut self, span: Span) -> Result<()> {
-        let is_breakable = |f: &Frame| {
+        let is_breakable = |f: &StackFrame| {
             matches!(f.kind, FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch | FrameKind::Macro(_))
         };
-        let is_inner = |f: &Frame| matches!(f.kind, FrameKind::Branch | FrameKind::Piece);
+        let is_inner = |f: &StackFrame| matches!(f.kind, FrameKind::Branch | FrameKind::Piece);
         let inner = self.frames.iter().rev().take_while(|f| is_inner(f)).count();
         let target = self.frames.len().checked_sub(inner + 1);
         match target {
@@ -148,7 +148,7 @@ impl<'a> Interpreter<'a> {
 
     /// Runs what the macros that gave a declared value still have to run, down to `floor` frames.
     pub(in crate::interpreter) fn drain(&mut self, floor: usize) -> Result<()> {
-        let in_macro = |f: &Frame| matches!(f.kind, FrameKind::Macro(_));
+        let in_macro = |f: &StackFrame| matches!(f.kind, FrameKind::Macro(_));
         if self.held.is_empty() {
             self.peeked = None;
         }

@@ -15,7 +15,7 @@ use crate::syntax::ast::*;
 use crate::syntax::word::Category;
 use crate::value::Value;
 pub(super) use brackets::Opened;
-pub(super) use frames::{Frame, FrameKind};
+pub(super) use frames::{FrameKind, StackFrame};
 
 /// What the iterator gives.
 #[derive(Clone, Copy, Debug)]
@@ -440,7 +440,7 @@ impl<'a> Interpreter<'a> {
         let Some(frame) = self.frames.last() else { return Span::NONE };
         match frame.elements.get(frame.at) {
             Some(Element { span, kind: ElementKind::Numbers(_), .. }) => {
-                NumberList::spans(&self.sources.snippet(*span), *span).nth(frame.item.0).unwrap_or(*span)
+                NumberList::spans(self.sources.snippet(*span), *span).nth(frame.item.0).unwrap_or(*span)
             }
             Some(Element { kind: ElementKind::Block(block), .. }) => block.name.span,
             Some(Element { span, kind: ElementKind::Group(_) | ElementKind::Entry(_), .. }) => {

@@ -1,6 +1,6 @@
 //! After a fault: to the end of the statement, so that one mistake gives one message.
 
-use super::{Frame, Opened};
+use super::{Opened, StackFrame};
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::interpreter::Interpreter;
 use crate::syntax::ast::*;
@@ -22,7 +22,7 @@ pub(super) struct Unclosed {
     braces: bool,
 }
 
-impl Frame<'_> {
+impl StackFrame<'_> {
     /// After a fault: on to the end of the statement that began at index `from`, of which so many brackets are open.
     pub(super) fn skip_statement(&mut self, from: usize, open: Unclosed) {
         self.item = (0, 0);

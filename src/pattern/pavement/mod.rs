@@ -9,7 +9,7 @@
 mod grid;
 mod plans;
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec2;
 use crate::source::Span;
@@ -24,7 +24,7 @@ use std::sync::Arc;
 pub struct Pavement {
     /// What the author said.
     #[serde(flatten)]
-    pub said: Said,
+    pub said: PavementWords,
     /// What this makes.
     #[serde(skip)]
     laid: Arc<Laid>,
@@ -32,7 +32,7 @@ pub struct Pavement {
 
 /// The pattern's words.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Said {
+pub struct PavementWords {
     /// 3, 4 or 6.
     pub number_of_sides: f64,
     /// How many cells make a tile.
@@ -99,8 +99,14 @@ impl Readable for Pavement {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        let said =
-            Said { number_of_sides: 3.0, number_of_tiles: 1.0, pattern: 1.0, exterior: 0.0, interior: 0.0, form: 0.0 };
+        let said = PavementWords {
+            number_of_sides: 3.0,
+            number_of_tiles: 1.0,
+            pattern: 1.0,
+            exterior: 0.0,
+            interior: 0.0,
+            form: 0.0,
+        };
         said.continued(r)
     }
 
@@ -111,7 +117,7 @@ impl Readable for Pavement {
     }
 }
 
-impl Said {
+impl PavementWords {
     /// Reads on while words of its own follow: they depend on each other in any order, so none is checked before the last.
     fn continued(mut self, r: &mut dyn Reader) -> Result<Pavement> {
         let at = r.span();
@@ -137,7 +143,7 @@ impl Said {
 }
 
 impl Pavement {
-    fn lay(said: Said, at: Span) -> Result<Self> {
+    fn lay(said: PavementWords, at: Span) -> Result<Self> {
         let fault = |message: String| Diagnostic::err(codes::BAD_ARGUMENT, at, message);
         let Some(cells) = Cells::with_sides(said.number_of_sides) else {
             return fault(format!("the cells of a pavement have 3, 4 or 6 sides, found {}", said.number_of_sides));
@@ -327,7 +333,7 @@ fn turn(corners: &[Corner]) -> Option<usize> {
 }
 
 impl Field for Pavement {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         self.laid.value(DVec2::new(at.p.x, at.p.z))
     }
 }
@@ -345,7 +351,7 @@ mod tests {
     fn numbers_are_those_of_povray() {
         for line in MEASURED.lines() {
             let n: Vec<f64> = line.split(' ').map(|n| n.parse().unwrap()).collect();
-            let said = Said {
+            let said = PavementWords {
                 number_of_sides: n[0],
                 number_of_tiles: n[1],
                 pattern: n[2],
@@ -354,7 +360,7 @@ mod tests {
                 form: n[5],
             };
             let pavement = Pavement::lay(said, Span::default()).unwrap();
-            let ours = pavement.value(&Spot::free(DVec3::new(n[6], 0.3, n[7]), Default::default()));
+            let ours = pavement.value(&TextureContext::free(DVec3::new(n[6], 0.3, n[7]), Default::default()));
             assert!((ours - n[8]).abs() < 1e-5, "{line}: {ours}");
         }
     }
@@ -365,7 +371,7 @@ mod tests {
             let all = cells.plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
             for (tiles, pattern) in all {
                 let look = ((tiles + pattern) % 4) as f64;
-                let said = Said {
+                let said = PavementWords {
                     number_of_sides: sides,
                     number_of_tiles: tiles as f64 + 1.0,
                     pattern: pattern as f64 + 1.0,
@@ -375,7 +381,7 @@ mod tests {
                 };
                 let pavement = Pavement::lay(said, Span::default()).unwrap();
                 for p in extreme_points() {
-                    let value = pavement.value(&Spot::free(p, Default::default()));
+                    let value = pavement.value(&TextureContext::free(p, Default::default()));
                     assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{said:?} {p}: {value}");
                 }
             }

@@ -6,7 +6,7 @@
 
 mod penrose;
 
-use super::{Field, Readable, Spot};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -350,7 +350,7 @@ impl Tiling {
 }
 
 impl Field for Tiling {
-    fn value(&self, at: &Spot) -> f64 {
+    fn value(&self, at: &TextureContext) -> f64 {
         let p = DVec2::new(at.p.x, at.p.z);
         let ((kind, within), kinds) = match &self.tiles {
             Tiles::Plan(plan) => (plan.at(p), plan.kinds),
@@ -370,7 +370,7 @@ mod tests {
         for number in 1..=27 {
             let tiling = Tiling::numbered(number);
             for p in extreme_points() {
-                let value = tiling.value(&Spot::free(p, Default::default()));
+                let value = tiling.value(&TextureContext::free(p, Default::default()));
                 assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{number} {p}: {value}");
             }
         }

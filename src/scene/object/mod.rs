@@ -9,7 +9,7 @@ use crate::math::{Aabb, Transform};
 use crate::shape::Shape;
 use crate::source::Span;
 use crate::texture::{Interior, Texture};
-use crate::value::{Said, Seldom, Thing, Usual};
+use crate::value::{RawItem, Seldom, Thing, Usual};
 use serde::Serialize;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -146,7 +146,7 @@ pub struct Rare {
     pub flags: Flags,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub undrawn: Option<Arc<Vec<Said>>>,
+    pub undrawn: Option<Arc<Vec<RawItem>>>,
 }
 
 impl Usual for Rare {

@@ -1,17 +1,17 @@
 //! A place on a surface: what is painted there.
 
 use super::mirror::left_over;
-use super::refract::Border;
+use super::refract::Interface;
 use super::trace::Quality;
 use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray};
-use crate::pattern::{Space, Spot};
+use crate::pattern::{Space, TextureContext};
 use crate::texture::Normal;
-use crate::world::{Coat, Found, Layer, Material, Node, Part, Surface, World};
+use crate::world::{Intersection, Layer, Material, Part, PlacedMaterial, SolidNode, Surface, World};
 use smallvec::SmallVec;
 
 /// A layer of the texture at a place.
-pub(super) struct Shown<'w> {
+pub(super) struct ShadedLayer<'w> {
     pub layer: &'w Layer,
     /// Its pigment there.
     pub color: Color,
@@ -28,41 +28,41 @@ pub(super) struct Shown<'w> {
 }
 
 /// The place where a ray meets a surface.
-pub(super) struct Site<'w> {
+pub(super) struct ShadingPoint<'w> {
     pub part: &'w Part,
     pub point: DVec3,
     /// Length 1, towards the ray's origin, with the bumps of the topmost layer.
     pub normal: DVec3,
     /// From the topmost to the lowest that can be seen.
-    pub layers: SmallVec<[Shown<'w>; 2]>,
+    pub layers: SmallVec<[ShadedLayer<'w>; 2]>,
     /// Without bumps.
     pub smooth: DVec3,
     /// What passes all layers of the light from behind.
     pub pass: Rgb,
 }
 
-impl<'w> Site<'w> {
+impl<'w> ShadingPoint<'w> {
     /// Where `ray` meets `found` at a border.
-    pub fn new(world: &'w World, ray: &Ray, found: &Found, quality: &Quality, border: &Border) -> Self {
+    pub fn new(world: &'w World, ray: &Ray, found: &Intersection, quality: &Quality, interface: &Interface) -> Self {
         let part = &world.parts[found.leaf.id as usize];
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
         let normal = if against > 0.0 { -surface.normal } else { surface.normal };
         let mut painter = Painter {
-            coat: &part.outside,
+            placed: &part.outside,
             quality,
-            border,
+            interface,
             opacity_by_color: world.opacity_by_color,
             bailout: world.adc_bailout,
             layers: SmallVec::new(),
         };
-        let pass = of_coats(world, part, against > 0.0, surface.point, |coat, share| {
-            let (material, spot) = spot(world, coat, found, &surface, normal, ray);
-            painter.coat = coat;
-            share * painter.paint(material, &spot, Rgb::splat(share), share, None)
+        let pass = of_materials(world, part, against > 0.0, surface.point, |placed, share| {
+            let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
+            painter.placed = placed;
+            share * painter.paint(material, &ctx, Rgb::splat(share), share, None)
         });
         let (bumped, refraction) =
-            painter.layers.first().map_or((normal, 1.0), |top| (top.normal, top.layer.sheen.refraction));
+            painter.layers.first().map_or((normal, 1.0), |top| (top.normal, top.layer.finish.refraction));
         Self {
             part,
             point: surface.point,
@@ -76,26 +76,33 @@ impl<'w> Site<'w> {
 
 /// Collects what is painted at a place.
 struct Painter<'w, 'a> {
-    coat: &'w Coat,
+    placed: &'w PlacedMaterial,
     quality: &'a Quality,
-    border: &'a Border,
+    interface: &'a Interface,
     opacity_by_color: bool,
     bailout: f64,
-    layers: SmallVec<[Shown<'w>; 2]>,
+    layers: SmallVec<[ShadedLayer<'w>; 2]>,
 }
 
 impl<'w> Painter<'w, '_> {
     /// Adds the layers of a material that counts for `weight`; gives what passes them. Without light, the lowest layer alone
     /// is seen (measured on POV-Ray 3.7).
-    fn paint(&mut self, material: &'w Material, spot: &Spot, weight: Rgb, share: f64, frame: Option<&Frame>) -> Rgb {
+    fn paint(
+        &mut self,
+        material: &'w Material,
+        ctx: &TextureContext,
+        weight: Rgb,
+        share: f64,
+        frame: Option<&PatternSpaces>,
+    ) -> Rgb {
         let mut pass = Rgb::ONE;
         let hidden = if self.quality.lit { 0 } else { material.layers.len() - 1 };
         for layer in &material.layers[hidden..] {
             match &layer.choice {
                 Some(choice) => {
-                    let (number, inner) = choice.pattern.see(spot);
+                    let (number, inner) = choice.pattern.see(ctx);
                     let mut passed = Rgb::ZERO;
-                    let within = Frame { space: &choice.pattern.space, outer: frame };
+                    let within = PatternSpaces { space: &choice.pattern.space, outer: frame };
                     for (part, s) in choice.parts.shares(number, choice.averages()) {
                         passed += s * self.paint(part, &inner, weight * pass * s, share * s, Some(&within));
                     }
@@ -103,18 +110,18 @@ impl<'w> Painter<'w, '_> {
                 }
                 None => {
                     let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
-                    let normal = bumps.map_or(spot.normal, |bumps| self.bumped(bumps, spot, frame));
+                    let normal = bumps.map_or(ctx.normal, |bumps| self.bumped(bumps, ctx, frame));
                     let quick = !self.quality.real;
                     let color = match bumps {
                         // as was measured: `slope` and `aoi` of a pigment see the bumps
-                        Some(_) => layer.color(&Spot { normal, ..*spot }, quick),
-                        None => layer.color(spot, quick),
+                        Some(_) => layer.color(&TextureContext { normal, ..*ctx }, quick),
+                        None => layer.color(ctx, quick),
                     };
-                    let cos = -spot.ray.dot(normal);
+                    let cos = -ctx.ray.dot(normal);
                     let opacity = color.opacity(self.opacity_by_color);
-                    let shown = Shown { layer, color, opacity, weight: weight * pass, share, normal, cos };
-                    pass *= color.passing() * left_over(&shown, self.border);
-                    self.layers.push(shown);
+                    let shaded = ShadedLayer { layer, color, opacity, weight: weight * pass, share, normal, cos };
+                    pass *= color.passing() * left_over(&shaded, self.interface);
+                    self.layers.push(shaded);
                 }
             }
             // What shows too little of itself is not looked at (measured on POV-Ray 3.7).
@@ -126,23 +133,23 @@ impl<'w> Painter<'w, '_> {
     }
 
     /// The normal that light sees: into the space of its texture by Mᵀ, back by M⁻ᵀ.
-    fn bumped(&self, bumps: &Normal, spot: &Spot, frame: Option<&Frame>) -> DVec3 {
-        let place = self.coat.place.as_deref().filter(|_| !bumps.stays);
-        let local = place.map_or(spot.normal, |m| m.inverse_normal(spot.normal));
+    fn bumped(&self, bumps: &Normal, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> DVec3 {
+        let place = self.placed.place.as_deref().filter(|_| !bumps.stays);
+        let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
         let local = frame.map_or(local, |frame| frame.inside(local));
-        let bumped = bumps.perturb(spot, local);
+        let bumped = bumps.perturb(ctx, local);
         let bumped = frame.map_or(bumped, |frame| frame.outside(bumped));
-        place.map_or(bumped, |m| m.normal(bumped)).normalize_or(spot.normal)
+        place.map_or(bumped, |m| m.normal(bumped)).normalize_or(ctx.normal)
     }
 }
 
 /// The spaces of the patterns that chose a texture, the innermost first.
-struct Frame<'a> {
+struct PatternSpaces<'a> {
     space: &'a Space,
-    outer: Option<&'a Frame<'a>>,
+    outer: Option<&'a PatternSpaces<'a>>,
 }
 
-impl Frame<'_> {
+impl PatternSpaces<'_> {
     fn inside(&self, n: DVec3) -> DVec3 {
         self.space.normal_inside(self.outer.map_or(n, |outer| outer.inside(n)))
     }
@@ -154,39 +161,39 @@ impl Frame<'_> {
 }
 
 /// The sum over what is painted on the side that a ray sees, all of it in equal parts, which `answer` is told; mostly one.
-fn of_coats<'w>(
+fn of_materials<'w>(
     world: &'w World,
     part: &'w Part,
     from_inside: bool,
     point: DVec3,
-    mut answer: impl FnMut(&'w Coat, f64) -> Rgb,
+    mut answer: impl FnMut(&'w PlacedMaterial, f64) -> Rgb,
 ) -> Rgb {
     if let Some(inside) = part.inside.as_ref().filter(|_| from_inside) {
         return answer(inside, 1.0);
     }
     if let Some(cut) = part.cut {
-        let holds = |(node, coat): &'w (Node, Coat)| node.inside(point).then_some(coat);
-        let coats: SmallVec<[&Coat; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
-        if !coats.is_empty() {
-            let share = 1.0 / coats.len() as f64;
-            return coats.into_iter().map(|coat| answer(coat, share)).sum();
+        let holds = |(node, placed): &'w (SolidNode, PlacedMaterial)| node.inside(point).then_some(placed);
+        let materials: SmallVec<[&PlacedMaterial; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
+        if !materials.is_empty() {
+            let share = 1.0 / materials.len() as f64;
+            return materials.into_iter().map(|placed| answer(placed, share)).sum();
         }
     }
     answer(&part.outside, 1.0)
 }
 
 /// A material, and the place as it sees it; the normal is in world space.
-fn spot<'w>(
+fn texture_context<'w>(
     world: &'w World,
-    coat: &Coat,
-    found: &Found,
+    placed: &PlacedMaterial,
+    found: &Intersection,
     surface: &Surface,
     normal: DVec3,
     ray: &Ray,
-) -> (&'w Material, Spot) {
-    let material = &world.materials[coat.material as usize];
-    let spot = Spot {
-        p: coat.local(surface.point),
+) -> (&'w Material, TextureContext) {
+    let material = &world.materials[placed.material as usize];
+    let ctx = TextureContext {
+        p: placed.local(surface.point),
         world: surface.point,
         uv: if material.uv { found.mapped_uv(surface) } else { DVec2::ZERO },
         normal,
@@ -194,31 +201,31 @@ fn spot<'w>(
         noise: world.noise,
         waves: world.waves,
     };
-    (material, spot)
+    (material, ctx)
 }
 
 /// What all layers at the place where `ray` meets `found` let pass; `quick` as the lower qualities show them.
-pub(super) fn pass(world: &World, ray: &Ray, found: &Found, quick: bool) -> Rgb {
+pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
     let part = &world.parts[found.leaf.id as usize];
     let outside = &world.materials[part.outside.material as usize];
     if part.inside.is_none() && part.cut.is_none() && outside.solid && !quick {
         return outside.pass;
     }
     let surface = found.surface(ray);
-    of_coats(world, part, ray.dir.dot(surface.normal) > 0.0, surface.point, |coat, share| {
-        let (material, spot) = spot(world, coat, found, &surface, surface.normal, ray);
-        share * pass_of(material, &spot, quick)
+    of_materials(world, part, ray.dir.dot(surface.normal) > 0.0, surface.point, |placed, share| {
+        let (material, ctx) = texture_context(world, placed, found, &surface, surface.normal, ray);
+        share * pass_of(material, &ctx, quick)
     })
 }
 
 /// What passes the layers of a material.
-fn pass_of(material: &Material, spot: &Spot, quick: bool) -> Rgb {
+fn pass_of(material: &Material, ctx: &TextureContext, quick: bool) -> Rgb {
     material.layers.iter().fold(Rgb::ONE, |pass, layer| match &layer.choice {
         Some(choice) => {
-            let (number, inner) = choice.pattern.see(spot);
+            let (number, inner) = choice.pattern.see(ctx);
             let shares = choice.parts.shares(number, choice.averages());
             pass * shares.iter().fold(Rgb::ZERO, |sum, (part, share)| sum + *share * pass_of(part, &inner, quick))
         }
-        None => pass * layer.color(spot, quick).passing(),
+        None => pass * layer.color(ctx, quick).passing(),
     })
 }

@@ -4,23 +4,23 @@ use crate::color::Color;
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
 use crate::pattern::{
-    CellPattern, Cells, Field, FieldPattern, Kind, Modifiers, Pattern, Spot, Step, Turbulent, Warp, Words,
+    CellPattern, Cells, Field, FieldPattern, Kind, Modifiers, Pattern, Step, TextureContext, Turbulent, Warp, Words,
 };
-use crate::texture::{ColorMap, ImageMap, Map, Paint, Parts, Pigment};
+use crate::texture::{Blend, ColorMap, ImageMap, Map, Paint, Pigment};
 use glam::DAffine3;
 use serde::Serialize;
 use std::sync::Arc;
 
 /// A lowered pigment; shows what [`Pigment::at`] does.
 #[derive(Clone, Debug, Serialize)]
-pub struct Ink {
+pub struct PigmentProgram {
     /// That of the whole pigment is the last: each stands behind those it is made of.
-    nodes: Box<[Node]>,
+    nodes: Box<[PigmentNode]>,
 }
 
 /// A pigment within a pigment.
 #[derive(Clone, Debug, Serialize)]
-struct Node {
+struct PigmentNode {
     /// `uv_mapping`: the way begins with the place on the surface.
     uv: bool,
     /// From the space around it to its own, in the order in which a point goes it.
@@ -63,11 +63,11 @@ enum Shows {
     Solid(Color),
     Colors(Arc<ColorMap>),
     /// Nodes.
-    Inks(Parts<u32>, bool),
+    Inks(Blend<u32>, bool),
     Image(Arc<ImageMap>),
 }
 
-impl Ink {
+impl PigmentProgram {
     /// Lowers a pigment.
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
@@ -75,18 +75,18 @@ impl Ink {
         Self { nodes: nodes.into() }
     }
 
-    /// The colour at a spot of the texture's space.
-    pub fn at(&self, spot: &Spot) -> Color {
-        self.node(self.nodes.len() - 1, spot)
+    /// The colour at a point of the texture's space.
+    pub fn at(&self, ctx: &TextureContext) -> Color {
+        self.node(self.nodes.len() - 1, ctx)
     }
 
-    fn node(&self, i: usize, spot: &Spot) -> Color {
+    fn node(&self, i: usize, ctx: &TextureContext) -> Color {
         let node = &self.nodes[i];
-        let inner = || spot.at(node.enter(spot));
+        let inner = || ctx.at(node.enter(ctx));
         match &node.shows {
             Shows::Solid(color) => *color,
             Shows::Colors(map) => map.at(node.value.at(inner())),
-            Shows::Image(image) => image.at(node.enter(spot)),
+            Shows::Image(image) => image.at(node.enter(ctx)),
             Shows::Inks(parts, average) => {
                 let inner = inner();
                 match parts.shares(node.value.at(inner), *average)[..] {
@@ -100,10 +100,10 @@ impl Ink {
     }
 }
 
-impl Node {
-    /// Where a spot lies in its own space.
-    fn enter(&self, spot: &Spot) -> DVec3 {
-        let p = if self.uv { spot.uv.extend(0.0) } else { spot.p };
+impl PigmentNode {
+    /// Where a point lies in its own space.
+    fn enter(&self, ctx: &TextureContext) -> DVec3 {
+        let p = if self.uv { ctx.uv.extend(0.0) } else { ctx.p };
         self.way.iter().fold(p, |p, leg| match leg {
             Leg::Affine(inverse) => inverse.transform_point3(p),
             Leg::Warp(warp) => warp.apply(p),
@@ -113,7 +113,7 @@ impl Node {
 }
 
 impl Value {
-    fn at(&self, mut inner: Spot) -> f64 {
+    fn at(&self, mut inner: TextureContext) -> f64 {
         match self {
             Value::Nothing => 0.0,
             Value::Cells(pattern) => pattern.1.apply_to_cell(pattern.0.cell(inner.p)),
@@ -127,7 +127,7 @@ impl Value {
 }
 
 /// Appends the nodes of a pigment; the number of its own.
-fn push(pigment: &Pigment, nodes: &mut Vec<Node>) -> u32 {
+fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
     let pattern = &pigment.pattern;
     let shows = match &pigment.paint {
         Paint::Solid(color) => Shows::Solid(*color),
@@ -135,16 +135,16 @@ fn push(pigment: &Pigment, nodes: &mut Vec<Node>) -> u32 {
         Paint::Image(image) => Shows::Image(image.clone()),
         Paint::Pigments(parts) => {
             let parts = match parts {
-                Parts::Map(map) => {
+                Blend::Map(map) => {
                     let entries = map.entries.iter().map(|(number, entry)| (*number, push(entry, nodes)));
-                    Parts::Map(Arc::new(Map { entries: entries.collect() }))
+                    Blend::Map(Arc::new(Map { entries: entries.collect() }))
                 }
-                Parts::List(list) => Parts::List(list.iter().map(|entry| push(entry, nodes)).collect()),
+                Blend::List(list) => Blend::List(list.iter().map(|entry| push(entry, nodes)).collect()),
             };
             Shows::Inks(parts, pattern.averages())
         }
     };
-    nodes.push(Node { uv: pattern.uv, way: way(pattern), value: value(pattern), shows });
+    nodes.push(PigmentNode { uv: pattern.uv, way: way(pattern), value: value(pattern), shows });
     nodes.len() as u32 - 1
 }
 

@@ -7,7 +7,7 @@ use crate::math::{DVec2, DVec3};
 
 /// A point, and what patterns want to know beside it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
+pub struct TextureContext {
     /// The point, in the space of who is asked.
     pub p: DVec3,
     /// Where it lies on its shape.
@@ -24,7 +24,7 @@ pub struct Spot {
     pub waves: usize,
 }
 
-impl Spot {
+impl TextureContext {
     /// How many sources waves have, unless the scene says.
     pub const WAVES: usize = 10;
 
@@ -59,10 +59,10 @@ pub(super) const GRAYS: [(f64, Color); 2] = [(0.0, Color::BLACK), (1.0, Color::W
 /// A pattern that gives every point a number, which a map turns into colour.
 pub trait Field {
     /// The number before frequency, phase and wave; mostly in [0, 1].
-    fn value(&self, at: &Spot) -> f64;
+    fn value(&self, at: &TextureContext) -> f64;
 
     /// The number of a pattern that listens to what else is said of it.
-    fn value_as(&self, at: &Spot, _words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, _words: &Words) -> f64 {
         self.value(at)
     }
 
@@ -73,7 +73,7 @@ pub trait Field {
 
     /// The normal `n` with bumps of the pattern's own making, all in the pattern's space; `None` if they are found by
     /// comparing heights.
-    fn bumped(&self, _at: &Spot, _words: &Words, _n: DVec3, _amount: f64) -> Option<DVec3> {
+    fn bumped(&self, _at: &TextureContext, _words: &Words, _n: DVec3, _amount: f64) -> Option<DVec3> {
         None
     }
 

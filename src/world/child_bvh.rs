@@ -9,7 +9,7 @@ const MANY: usize = 8;
 
 /// Which children a ray or a point has to do with.
 #[derive(Clone, Debug)]
-pub struct Crowd {
+pub struct ChildBvh {
     bvh: Bvh,
     /// The numbers of the children in the hierarchy, in its order.
     order: Vec<u32>,
@@ -17,16 +17,16 @@ pub struct Crowd {
     rest: Vec<u32>,
 }
 
-impl Crowd {
+impl ChildBvh {
     /// Over the children's boxes; `None` if there are too few to be worth it.
-    pub fn over(boxes: &[Aabb]) -> Option<Box<Crowd>> {
+    pub fn over(boxes: &[Aabb]) -> Option<Box<ChildBvh>> {
         let (inner, rest): (Vec<u32>, Vec<u32>) = (0..boxes.len() as u32).partition(|&i| bvh::fits(&boxes[i as usize]));
         if inner.len() < MANY {
             return None;
         }
         let (bvh, order) = Bvh::build(inner.iter().map(|&i| boxes[i as usize]));
         let order = order.into_iter().map(|i| inner[i as usize]).collect();
-        Some(Box::new(Crowd { bvh, order, rest }))
+        Some(Box::new(ChildBvh { bvh, order, rest }))
     }
 
     /// Hands the children that the ray may meet to `visit`, which returns where hits count from now on.

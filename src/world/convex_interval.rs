@@ -1,7 +1,7 @@
 //! Which of the hits on a solid's parts are hits of the solid: told along the ray, where that is safe.
 
-use super::leaf::{Found, FoundList, Leaf};
-use super::node::{Node, NodeKind};
+use super::leaf::{Intersection, Intersections, Leaf};
+use super::node::{SolidKind, SolidNode};
 use crate::math::{Range, Ray};
 use crate::shape::{Crossing, End, Kernel};
 use smallvec::SmallVec;
@@ -10,9 +10,9 @@ use smallvec::SmallVec;
 /// another is settled there. Far above rounding and above what `inside` tolerates.
 const SLACK: f64 = 1e-6;
 
-/// The stretch of a ray that lies inside a convex part.
+/// The interval of a ray that lies inside a convex part.
 #[derive(Clone, Copy, Debug)]
-struct Stretch {
+struct ConvexInterval {
     /// Where it begins and ends; at an infinite t where it does not, the first behind the second where there is none.
     ends: [End; 2],
     /// The part is what lies outside of that.
@@ -21,7 +21,7 @@ struct Stretch {
     slack: f64,
 }
 
-impl Stretch {
+impl ConvexInterval {
     const NONE: [End; 2] = [End { t: f64::INFINITY, part: 0 }, End { t: f64::NEG_INFINITY, part: 0 }];
 
     /// That of a ray with a leaf, if it is known.
@@ -56,28 +56,28 @@ pub(super) struct Unknown;
 /// The nearest hit of an intersection, or if `merged` of a merge, whose children are all convex, and the shape that it is on.
 /// `shows` says of a hit at t whether nothing clips it.
 pub(super) fn nearest<'a>(
-    children: &'a [Node],
+    children: &'a [SolidNode],
     merged: bool,
     ray: &Ray,
     mut range: Range,
     shows: impl Fn(f64) -> bool,
 ) -> Result<Option<(End, &'a Leaf)>, Unknown> {
-    let mut parts: SmallVec<[(Stretch, &Leaf); 4]> = SmallVec::new();
+    let mut parts: SmallVec<[(ConvexInterval, &Leaf); 4]> = SmallVec::new();
     for child in children {
-        let NodeKind::Leaf(leaf) = child.kind() else { return Err(Unknown) };
-        let stretch = Stretch::of(leaf, ray).ok_or(Unknown)?;
+        let SolidKind::Leaf(leaf) = child.kind() else { return Err(Unknown) };
+        let interval = ConvexInterval::of(leaf, ray).ok_or(Unknown)?;
         if !merged && !leaf.inverse {
-            range = range.and(stretch.reach());
+            range = range.and(interval.reach());
             if range.is_empty() {
                 return Ok(None);
             }
         }
-        parts.push((stretch, leaf));
+        parts.push((interval, leaf));
     }
     let mut best = None;
-    for (i, &(stretch, leaf)) in parts.iter().enumerate() {
-        for end in stretch.ends {
-            let inside = |j: usize, other: &Stretch| match other.holds(end.t) {
+    for (i, &(interval, leaf)) in parts.iter().enumerate() {
+        for end in interval.ends {
+            let inside = |j: usize, other: &ConvexInterval| match other.holds(end.t) {
                 Some(inside) => inside,
                 None => children[j].inside(ray.at(end.t)),
             };
@@ -96,52 +96,52 @@ pub(super) struct Gathered<'a> {
     /// Outside of it nothing counts.
     range: Range,
     /// The hits, and the number of the child that each is on.
-    pub(super) hits: SmallVec<[(Found<'a>, u32); 4]>,
+    pub(super) hits: SmallVec<[(Intersection<'a>, u32); 4]>,
     /// Where the ray is inside the children, so far as that is known.
-    stretches: SmallVec<[Option<Stretch>; 4]>,
+    intervals: SmallVec<[Option<ConvexInterval>; 4]>,
 }
 
 impl<'a> Gathered<'a> {
     /// Nothing. (It is large: it stays where it is made.)
     pub(super) fn new() -> Self {
-        Self { range: Range::ALL, hits: SmallVec::new(), stretches: SmallVec::new() }
+        Self { range: Range::ALL, hits: SmallVec::new(), intervals: SmallVec::new() }
     }
 
     /// Makes place for so many children.
     pub(super) fn expect(&mut self, children: usize) {
-        self.stretches.resize(children, None);
+        self.intervals.resize(children, None);
     }
 
     /// Looks where the ray is inside a child. If only what lies inside counts, then that is all of the range from now on, which is
     /// returned.
-    pub(super) fn look(&mut self, i: usize, child: &Node, ray: &Ray, range: Range, only_inside: bool) -> Range {
+    pub(super) fn look(&mut self, i: usize, child: &SolidNode, ray: &Ray, range: Range, only_inside: bool) -> Range {
         self.range = self.range.and(range);
-        if let NodeKind::Leaf(leaf) = child.kind()
+        if let SolidKind::Leaf(leaf) = child.kind()
             && child.is_whole()
-            && let Some(stretch) = Stretch::of(leaf, ray)
+            && let Some(interval) = ConvexInterval::of(leaf, ray)
         {
             if only_inside && !leaf.inverse {
-                self.range = self.range.and(stretch.reach());
+                self.range = self.range.and(interval.reach());
             }
-            self.stretches[i] = Some(stretch);
+            self.intervals[i] = Some(interval);
         }
         self.range
     }
 
     /// Adds the hits of a child in what is left of the range.
-    pub(super) fn add(&mut self, i: usize, child: &'a Node, ray: &Ray) {
+    pub(super) fn add(&mut self, i: usize, child: &'a SolidNode, ray: &Ray) {
         if self.range.is_empty() {
             return;
         }
         let number = i as u32;
-        match (child.kind(), &self.stretches[i]) {
-            (NodeKind::Leaf(leaf), Some(stretch)) => {
-                for end in stretch.ends.into_iter().filter(|end| self.range.contains(end.t)) {
-                    self.hits.push((Found { hit: end.into(), leaf, object: child.object }, number));
+        match (child.kind(), &self.intervals[i]) {
+            (SolidKind::Leaf(leaf), Some(interval)) => {
+                for end in interval.ends.into_iter().filter(|end| self.range.contains(end.t)) {
+                    self.hits.push((Intersection { hit: end.into(), leaf, object: child.object }, number));
                 }
             }
             _ => {
-                let mut all = FoundList::new();
+                let mut all = Intersections::new();
                 child.hits(ray, self.range, &mut all);
                 self.hits.extend(all.into_iter().map(|found| (found, number)));
             }
@@ -149,7 +149,7 @@ impl<'a> Gathered<'a> {
     }
 
     /// Is the ray at `t` inside child `i`?
-    pub(super) fn inside(&self, i: usize, child: &Node, ray: &Ray, t: f64) -> bool {
-        self.stretches[i].and_then(|stretch| stretch.holds(t)).unwrap_or_else(|| child.inside(ray.at(t)))
+    pub(super) fn inside(&self, i: usize, child: &SolidNode, ray: &Ray, t: f64) -> bool {
+        self.intervals[i].and_then(|interval| interval.holds(t)).unwrap_or_else(|| child.inside(ray.at(t)))
     }
 }
