@@ -273,15 +273,21 @@ pub struct PickArgs {
 
 /// `durer test`.
 #[derive(Args, Clone, Debug)]
-#[command(after_help = "A snapshot is a PNG beside the scene, of the same name. A scene may say how its snapshot is \
-                        drawn, in a comment at its start:\n\n    //! test: --size 128x96 --aa off")]
+#[command(
+    after_help = "The snapshot of chair.scene is chair.snapshot.png beside it. A scene may say how its snapshot is \
+                        drawn, in a comment at its start:\n\n    //! test: --size 128x96 --aa off"
+)]
 pub struct TestArgs {
     /// Scenes and folders [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Take what is drawn now as the snapshot; makes new ones for scenes that are named
+    /// Take what is drawn now as the snapshot, of the scenes that are named or of all that differ; makes new ones for scenes that
+    /// are named
     #[arg(long)]
     pub accept: bool,
+    /// For a person, or one JSON object a line for each scene
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: MessageFormat,
     /// Write a page with the pictures side by side
     #[arg(long, value_name = "DIR")]
     pub report: Option<PathBuf>,
