@@ -19,9 +19,14 @@ use durer::interpreter::Options;
 use durer::render;
 use durer::snapshot::{Tolerance, Verdict, compare};
 use durer::source::{Sandbox, SearchPath, Sources};
+use durer::world::World;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
 
+#[path = "manual/illustrate.rs"]
+mod illustrate;
+
+const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
 const SIZE: (usize, usize) = (240, 180);
 /// What stands before an example in the code.
 const STAGE: &str = "#include \"stage.inc\"\n";
@@ -32,8 +37,9 @@ fn main() {
     std::env::set_current_dir(env!("CARGO_TARGET_TMPDIR")).ok();
     let mut trials = vec![];
     for page in durer::cli::manual::pages() {
-        let path = source.join("reference").join(page.file);
-        trials.push(Trial::test(format!("reference::{}", page.file), move || same_file(&path, &page.text)));
+        let source = source.clone();
+        trials
+            .push(Trial::test(format!("reference::{}", page.file), move || reference(&source, page.file, &page.text)));
     }
     for path in chapters(&source) {
         let name = path.strip_prefix(&source).unwrap_or(&path).display().to_string();
@@ -50,10 +56,49 @@ fn main() {
         trials.push(Trial::test(place, move || durer::on_big_stack(|| block.draw(&source))));
     }
     trials.push(Trial::test("SUMMARY.md: every page", move || in_summary(&source)));
+    trials.push(Trial::test("README.md: every shape", || readme(&std::fs::read_to_string(README)?)));
     trials.push(Trial::test("reference: every word of a table", every_tabled_word));
     trials.push(Trial::test("reference: every word that is read", every_read_word));
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
+
+/// A page of the reference is what the tables give, with an example and its picture for each entry.
+fn reference(source: &Path, file: &str, text: &str) -> Result<(), Failed> {
+    let page = illustrate::illustrated(file, text, source, &examples_in_code())?;
+    durer::on_big_stack(|| {
+        page.pictures.iter().try_for_each(|(name, scene)| {
+            let world = illustrate::world(source, scene)?;
+            picture(source, &format!("reference/{name}"), &world, illustrate::SIZE)
+        })
+    })?;
+    same_file(&source.join("reference").join(file), &page.text)
+}
+
+/// README's list of what is drawn is the table of shapes, and names none that is not drawn yet as drawn.
+fn readme(text: &str) -> Result<(), Failed> {
+    let drawn = text.split("## What is drawn today").nth(1).and_then(|rest| rest.split("\n## ").next()).unwrap_or("");
+    let listed = drawn.split('`').nth(1).ok_or("README.md lists no shapes")?;
+    let mut listed: Vec<&str> = listed.split_whitespace().collect();
+    let mut shapes: Vec<&str> = durer::shape::SPECS.iter().map(|spec| spec.name).collect();
+    listed.sort_unstable();
+    shapes.sort_unstable();
+    if listed != shapes {
+        return Err(format!("README.md says that durer draws {listed:?}, the table says {shapes:?}").into());
+    }
+    let (_, later) = drawn.split_once("gets a warning").ok_or("README.md says nothing of what is not drawn")?;
+    let later = later.split_whitespace().collect::<Vec<_>>().join(" ");
+    let missing = LATER.iter().find(|(word, said)| durer::scene::NOT_DRAWN.contains(word) != later.contains(said));
+    missing.map_or(Ok(()), |(word, said)| Err(format!("README.md on what is not drawn: `{word}`, {said}").into()))
+}
+
+/// Words of shapes, and how README calls them.
+const LATER: &[(&str, &str)] = &[
+    ("mesh", "meshes"),
+    ("blob", "blobs"),
+    ("height_field", "height fields"),
+    ("text", "text"),
+    ("isosurface", "isosurfaces"),
+];
 
 /// A page that nobody lists, nobody finds.
 fn in_summary(source: &Path) -> Result<(), Failed> {
@@ -159,10 +204,11 @@ fn chapters(source: &Path) -> Vec<PathBuf> {
 /// The examples at the head of the files of shapes and patterns, each with a stage around it.
 fn examples_in_code() -> Vec<(String, Block)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders = ["src/shape", "src/pattern", "src/pattern/warp", "src/pattern/bitmap"];
+    let folders = ["shape", "pattern", "pattern/warp", "pattern/bitmap", "pattern/tiling", "pattern/pavement"]
+        .map(|f| format!("src/{f}"));
     let mut out = vec![];
     for folder in folders {
-        let entries = std::fs::read_dir(root.join(folder)).into_iter().flatten().flatten();
+        let entries = std::fs::read_dir(root.join(&folder)).into_iter().flatten().flatten();
         let mut files: Vec<PathBuf> =
             entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "rs")).collect();
         files.sort();
@@ -262,7 +308,10 @@ impl Block {
             return Err(format!("{}\nexpected:\n{expected}printed:\n{printed}", self.text).into());
         }
         match (self.value("picture"), &built.world) {
-            (Some(name), Some(world)) => picture(source, chapter, name, world),
+            (Some(name), Some(_)) if !chapter.contains(&format!("(pictures/{name}.png)")) => {
+                Err(format!("the chapter does not show pictures/{name}.png").into())
+            }
+            (Some(name), Some(world)) => picture(source, name, world, SIZE),
             (Some(_), None) => Err("no picture without a scene".into()),
             (None, _) => Ok(()),
         }
@@ -271,11 +320,18 @@ impl Block {
 
 /// A small picture of a scene.
 fn thumbnail(source: &Path, text: &str) -> Result<Frame, Failed> {
+    let world = world_of(source, text, SIZE)?;
+    Ok(render::render(&world, &drawing(32, 24), &render::Unwatched).map_err(|e| format!("{e:?}"))?.0)
+}
+
+/// A scene of the manual, for a picture of a size.
+fn world_of(source: &Path, text: &str, size: (usize, usize)) -> Result<World, Failed> {
     let folder = source.join("examples");
     let sources = Sources::default();
     let file = sources.add("example.pov", Some(&folder.join("example.pov")), text.into()).ok_or("too long")?;
-    let world = durer::build(&sources, file, &options(&folder), &mut |_| ()).world.ok_or("there is nothing to draw")?;
-    Ok(render::render(&world, &drawing(32, 24), &render::Unwatched).map_err(|e| format!("{e:?}"))?.0)
+    let built = durer::build(&sources, file, &Options { size, ..options(&folder) }, &mut |_| ());
+    let told = || built.diagnostics.iter().map(|d| d.message.clone()).collect::<Vec<_>>().join("\n");
+    Ok(built.world.ok_or_else(|| format!("there is nothing to draw: {}\n{text}", told()))?)
 }
 
 fn options(folder: &Path) -> Options {
@@ -294,12 +350,10 @@ fn drawing(width: usize, height: usize) -> render::Options {
     render::Options { width, height, antialias, quality: 9, threads: 1, region: None, frame: 0, alpha: false }
 }
 
-fn picture(source: &Path, chapter: &str, name: &str, world: &durer::world::World) -> Result<(), Failed> {
-    if !chapter.contains(&format!("(pictures/{name}.png)")) {
-        return Err(format!("the chapter does not show pictures/{name}.png").into());
-    }
+/// A picture is as it is stored, and stored when the manual is updated.
+fn picture(source: &Path, name: &str, world: &World, (width, height): (usize, usize)) -> Result<(), Failed> {
     let (drawn, _) =
-        render::render(world, &drawing(SIZE.0, SIZE.1), &render::Unwatched).map_err(|e| format!("{e:?}"))?;
+        render::render(world, &drawing(width, height), &render::Unwatched).map_err(|e| format!("{e:?}"))?;
     let path = source.join("pictures").join(format!("{name}.png"));
     let drawn = drawn.over_black();
     let stored = image_io::decode_file(&path).ok().map(|pixels| pixels.to_frame());

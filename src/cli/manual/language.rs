@@ -31,7 +31,8 @@ fn shape_section(spec: &Spec) -> String {
         text += &table(["in this order", "is a", ""], spec.params.iter().map(row));
     }
     if !spec.words.is_empty() {
-        text += &word_table(spec.words, contextual(spec.name));
+        let behind = if spec.params.is_empty() { "" } else { "Behind these, in any order:\n\n" };
+        text += &(behind.to_string() + &word_table(spec.words, contextual(spec.name)));
     }
     text
 }
@@ -62,7 +63,9 @@ pub(super) fn colors() -> String {
 }
 
 pub(super) fn pigments() -> String {
-    let modifiers = word_table(Modifiers::WORDS, &[]) + &word_table(Turbulent::WORDS, &[]);
+    let modifiers = word_table(Modifiers::WORDS, &[])
+        + "And what stirs the point that the pattern is asked about:\n\n"
+        + &word_table(Turbulent::WORDS, &[]);
     let warps = Warp::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let cells = CellPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let fields = FieldPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();

@@ -2,7 +2,7 @@
 //! "Pavement Pattern"; what it leaves open was measured on POV-Ray 3.7).
 //!
 //! ```pov
-//! plane { y, 0 pigment { pavement number_of_sides 4 number_of_tiles 5 pattern 7 exterior 2 interior 1 form 2
+//! plane { y, 0.1 pigment { pavement number_of_sides 4 number_of_tiles 5 pattern 7 exterior 2 interior 1 form 2
 //!   color_map { [0.7 color rgb <0.7, 0.2, 0.1>] [0.8 color rgb 0.6] } } }
 //! ```
 
