@@ -1,7 +1,7 @@
 //! Building the hierarchy and finding the closest hit: `cargo bench -p durer-benches --bench geometry`.
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
-use durer::math::{DVec3, Range, Ray, Transform, rng};
+use durer::math::{DVec3, Range, Ray, Transform, fp, rng};
 use durer::shape::{Shape, Sphere, Torus};
 use durer::world::{Geometry, Leaf, SolidNode};
 use std::hint::black_box;
@@ -13,7 +13,7 @@ fn random_vector(i: u64, dimension: u64) -> DVec3 {
 
 /// Spheres of about the size that leaves gaps between them, in the cube from -1 to 1.
 fn spheres(n: u64) -> Vec<SolidNode> {
-    let radius = 0.4 / (n as f64).cbrt();
+    let radius = 0.4 / fp::pow(n as f64, 1.0 / 3.0);
     let sphere = |i| Sphere { center: random_vector(i, 0), radius: radius * (0.5 + rng::unit(&[i, 1])) };
     let leaf = |i| Leaf::new(Shape::from(sphere(i)), &Transform::IDENTITY, i as u32);
     (0..n).map(|i| SolidNode::leaf(leaf(i), i as u32)).collect()

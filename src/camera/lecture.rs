@@ -106,8 +106,8 @@ mod tests {
         let u = camera.up.cross(w).normalize();
         let v = w.cross(u);
         let (fov_x, fov_y) = (camera.fov_x.unwrap().to_radians(), camera.fov_y.unwrap().to_radians());
-        let alpha = (fov_x / 2.0).tan() * (i as f64 + 0.5 - width / 2.0) / (width / 2.0);
-        let beta = (fov_y / 2.0).tan() * (height / 2.0 - (j as f64 + 0.5)) / (height / 2.0);
+        let alpha = fp::tan(fov_x / 2.0) * (i as f64 + 0.5 - width / 2.0) / (width / 2.0);
+        let beta = fp::tan(fov_y / 2.0) * (height / 2.0 - (j as f64 + 0.5)) / (height / 2.0);
         (alpha * u + beta * v - w).normalize()
     }
 

@@ -89,20 +89,20 @@ fn any(_: Interval, _: Interval) -> Interval {
 /// All of them. The arcs are not clamped here: outside of [-1, 1] they are not a number.
 pub const TABLE: &[Numeric] = &[
     one("abs", f64::abs, |a, _| a.abs(), "the distance from 0"),
-    one("acos", f64::acos, any, "the angle in radians whose cosine it is").of(Domain::Arc),
-    one("acosh", f64::acosh, any, "the inverse of cosh"),
-    one("asin", f64::asin, any, "the angle in radians whose sine it is").of(Domain::Arc),
-    one("asinh", f64::asinh, |a, _| a.growing(f64::asinh), "the inverse of sinh"),
-    one("atan", f64::atan, |a, _| a.growing(f64::atan), "the angle in radians whose tangent it is"),
+    one("acos", fp::acos_or_nan, any, "the angle in radians whose cosine it is").of(Domain::Arc),
+    one("acosh", fp::acosh, any, "the inverse of cosh"),
+    one("asin", fp::asin_or_nan, any, "the angle in radians whose sine it is").of(Domain::Arc),
+    one("asinh", fp::asinh, |a, _| a.growing(fp::asinh), "the inverse of sinh"),
+    one("atan", fp::atan, |a, _| a.growing(fp::atan), "the angle in radians whose tangent it is"),
     two("atan2", fp::atan2, |_, _| Interval::new(-3.2, 3.2), "the angle in radians of the point (B, A)")
         .of(Domain::NotBothZero("<0, 0> has no direction")),
-    one("atanh", f64::atanh, any, "the inverse of tanh"),
+    one("atanh", fp::atanh, any, "the inverse of tanh"),
     many("bitwise_and", |a, b| bits(a, b, |a, b| a & b), any, "bits that are in all of the whole numbers"),
     many("bitwise_or", |a, b| bits(a, b, |a, b| a | b), any, "bits that are in any of the whole numbers"),
     many("bitwise_xor", |a, b| bits(a, b, |a, b| a ^ b), any, "bits that are in an odd number of them"),
     one("ceil", f64::ceil, |a, _| Interval { lo: a.lo.ceil(), hi: a.hi.ceil() }, "the next whole number above"),
     one("cos", fp::cos, |a, _| a.cos(), "the cosine of an angle in radians"),
-    one("cosh", f64::cosh, |a, _| a.abs().growing(f64::cosh), "the hyperbolic cosine"),
+    one("cosh", fp::cosh, |a, _| a.abs().growing(fp::cosh), "the hyperbolic cosine"),
     one("degrees", f64::to_degrees, |a, _| a.growing(f64::to_degrees), "radians to degrees"),
     two("div", |a, b| (a / b).trunc(), any, "the whole part of A/B").of(Domain::Divides),
     one("exp", fp::exp, |a, _| a.growing(fp::exp), "e to the power of A"),
@@ -112,8 +112,8 @@ pub const TABLE: &[Numeric] = &[
         .of(Domain::AboveZero),
     one(
         "log",
-        f64::log10,
-        |a, _| if a.lo > 0.0 { a.growing(f64::log10) } else { Interval::ALL },
+        fp::log10,
+        |a, _| if a.lo > 0.0 { a.growing(fp::log10) } else { Interval::ALL },
         "the logarithm of base 10",
     )
     .of(Domain::AboveZero),
@@ -124,11 +124,11 @@ pub const TABLE: &[Numeric] = &[
         .of(Domain::NotBothZero("0 to the power of 0 is not defined")),
     one("radians", f64::to_radians, |a, _| a.growing(f64::to_radians), "degrees to radians"),
     one("sin", fp::sin, |a, _| a.sin(), "the sine of an angle in radians"),
-    one("sinh", f64::sinh, |a, _| a.growing(f64::sinh), "the hyperbolic sine"),
+    one("sinh", fp::sinh, |a, _| a.growing(fp::sinh), "the hyperbolic sine"),
     one("sqrt", f64::sqrt, |a, _| if a.lo >= 0.0 { a.growing(f64::sqrt) } else { Interval::ALL }, "the square root")
         .of(Domain::FromZero),
     one("tan", fp::tan, any, "the tangent of an angle in radians"),
-    one("tanh", f64::tanh, |a, _| a.growing(f64::tanh), "the hyperbolic tangent"),
+    one("tanh", fp::tanh, |a, _| a.growing(fp::tanh), "the hyperbolic tangent"),
 ];
 
 fn bits(a: f64, b: f64, f: fn(i64, i64) -> i64) -> f64 {

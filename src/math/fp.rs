@@ -1,59 +1,95 @@
 //! Every transcendental function goes through here, so that one edit can make them the same on all
-//! platforms.
+//! platforms. (clippy.toml forbids those of the standard library everywhere else.)
+#![allow(clippy::disallowed_methods)]
 
 use std::f64::consts::TAU;
 
 /// Sine of an angle in radians.
+#[inline]
 pub fn sin(x: f64) -> f64 {
     x.sin()
 }
 
 /// Cosine of an angle in radians.
+#[inline]
 pub fn cos(x: f64) -> f64 {
     x.cos()
 }
 
 /// Sine and cosine together.
+#[inline]
 pub fn sin_cos(x: f64) -> (f64, f64) {
     x.sin_cos()
 }
 
 /// Tangent of an angle in radians.
+#[inline]
 pub fn tan(x: f64) -> f64 {
     x.tan()
 }
 
 /// Arc sine in radians; the argument is clamped to [-1, 1].
+#[inline]
 pub fn asin(x: f64) -> f64 {
     x.clamp(-1.0, 1.0).asin()
 }
 
 /// Arc cosine in radians; the argument is clamped to [-1, 1].
+#[inline]
 pub fn acos(x: f64) -> f64 {
     x.clamp(-1.0, 1.0).acos()
 }
 
+/// Arc sine in radians; NaN outside of [-1, 1].
+#[inline]
+pub fn asin_or_nan(x: f64) -> f64 {
+    x.asin()
+}
+
+/// Arc cosine in radians; NaN outside of [-1, 1].
+#[inline]
+pub fn acos_or_nan(x: f64) -> f64 {
+    x.acos()
+}
+
+/// Arc tangent in radians.
+#[inline]
+pub fn atan(x: f64) -> f64 {
+    x.atan()
+}
+
 /// Angle of the point (x, y) in radians.
+#[inline]
 pub fn atan2(y: f64, x: f64) -> f64 {
     y.atan2(x)
 }
 
+/// Length of the vector (x, y).
+#[inline]
+pub fn hypot(x: f64, y: f64) -> f64 {
+    x.hypot(y)
+}
+
 /// What is left of a number above the whole number below it, in [0, 1].
+#[inline]
 pub fn fraction(x: f64) -> f64 {
     x - x.floor()
 }
 
 /// Angle of the point (x, y) as a part of a whole turn, in [0, 1].
+#[inline]
 pub fn turn(y: f64, x: f64) -> f64 {
     fraction(atan2(y, x) / TAU)
 }
 
 /// x to the power of y.
+#[inline]
 pub fn pow(x: f64, y: f64) -> f64 {
     x.powf(y)
 }
 
 /// xⁿ by products alone, which are the same on all machines.
+#[inline]
 pub fn power_of(x: f64, n: u32) -> f64 {
     let (mut out, mut square, mut rest) = (1.0, x, n);
     while rest > 0 {
@@ -67,11 +103,61 @@ pub fn power_of(x: f64, n: u32) -> f64 {
 }
 
 /// e to the power of x.
+#[inline]
 pub fn exp(x: f64) -> f64 {
     x.exp()
 }
 
+/// 2 to the power of x.
+#[inline]
+pub fn exp2(x: f64) -> f64 {
+    x.exp2()
+}
+
 /// Natural logarithm.
+#[inline]
 pub fn ln(x: f64) -> f64 {
     x.ln()
+}
+
+/// Logarithm of base 10.
+#[inline]
+pub fn log10(x: f64) -> f64 {
+    x.log10()
+}
+
+/// Hyperbolic cosine.
+#[inline]
+pub fn cosh(x: f64) -> f64 {
+    x.cosh()
+}
+
+/// Hyperbolic sine.
+#[inline]
+pub fn sinh(x: f64) -> f64 {
+    x.sinh()
+}
+
+/// Hyperbolic tangent.
+#[inline]
+pub fn tanh(x: f64) -> f64 {
+    x.tanh()
+}
+
+/// Inverse of cosh.
+#[inline]
+pub fn acosh(x: f64) -> f64 {
+    x.acosh()
+}
+
+/// Inverse of sinh.
+#[inline]
+pub fn asinh(x: f64) -> f64 {
+    x.asinh()
+}
+
+/// Inverse of tanh.
+#[inline]
+pub fn atanh(x: f64) -> f64 {
+    x.atanh()
 }

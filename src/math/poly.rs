@@ -160,6 +160,7 @@ fn bracketed_root(c: &[f64], a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::fp;
     use proptest::prelude::*;
 
     #[test]
@@ -215,7 +216,7 @@ mod tests {
         fn quartic_finds_its_roots(roots in proptest::array::uniform4(root()), scale in 0.01..100.0f64) {
             let mut roots = roots;
             roots.sort_by(f64::total_cmp);
-            let scale = scale.exp2().round();
+            let scale = fp::exp2(scale).round();
             let c = from_roots(scale, &roots);
             let found = solve_quartic([c[0], c[1], c[2], c[3], c[4]]);
             // Roots of multiplicity m are known to the m-th root of rounding.

@@ -6,6 +6,7 @@
 
 use super::{Field, Readable, TextureContext};
 use crate::diagnostic::Result;
+use crate::math::fp;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
@@ -24,7 +25,7 @@ impl Readable for Cylindrical {
 
 impl Field for Cylindrical {
     fn value(&self, at: &TextureContext) -> f64 {
-        (1.0 - at.p.x.hypot(at.p.z)).max(0.0)
+        (1.0 - fp::hypot(at.p.x, at.p.z)).max(0.0)
     }
 }
 

@@ -130,6 +130,7 @@ pub(super) fn reflect(dir: DVec3, normal: DVec3) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::fp;
 
     fn interface(n1: f64, n2: f64) -> Interface {
         Interface { n1, n2, mirror: (n1, n2), leaves: None }
@@ -137,11 +138,11 @@ mod tests {
 
     #[test]
     fn snell() {
-        let (sin, cos) = 30f64.to_radians().sin_cos();
+        let (sin, cos) = fp::sin_cos(30f64.to_radians());
         let out = interface(1.0, 1.5).refract(DVec3::new(sin, -cos, 0.0), DVec3::Y).unwrap();
         assert!((out.x - sin / 1.5).abs() < 1e-15 && out.y < 0.0);
         // past the critical angle asin(1/1.5) = 41.8°
-        let (sin, cos) = 42f64.to_radians().sin_cos();
+        let (sin, cos) = fp::sin_cos(42f64.to_radians());
         assert_eq!(interface(1.5, 1.0).refract(DVec3::new(sin, -cos, 0.0), DVec3::Y), None);
     }
 
@@ -151,7 +152,7 @@ mod tests {
         assert!((interface(1.0, 1.5).fresnel(1.0) - 0.04).abs() < 1e-15);
         assert!((interface(1.5, 1.0).fresnel(0.1) - 1.0).abs() < 1e-15);
         // at Brewster's angle, tan θ = n₂/n₁, only the part across is mirrored: ((n² - 1)/(n² + 1))²/2
-        let cos = 1.5f64.atan().cos();
+        let cos = fp::cos(fp::atan(1.5f64));
         assert!((interface(1.0, 1.5).fresnel(cos) - (1.25f64 / 3.25).powi(2) / 2.0).abs() < 1e-15);
     }
 

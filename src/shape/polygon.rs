@@ -201,6 +201,7 @@ impl Kernel for Polygon {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::fp;
     use crate::shape::testing::read;
 
     /// Is there a hit straight above (x, y) of the plane that was turned about x = y = z?
@@ -236,7 +237,7 @@ mod tests {
         // A pentagram: its middle is crossed twice from outside, so it is a hole.
         let corner = |k: usize| {
             let a = std::f64::consts::TAU * k as f64 / 5.0;
-            (a.sin(), a.cos())
+            (fp::sin(a), fp::cos(a))
         };
         let star = flat(&[0, 2, 4, 1, 3, 0].map(corner));
         assert!(!at(&star, 0.0, 0.0) && at(&star, 0.0, 0.8) && !at(&star, 0.0, -0.5));

@@ -62,7 +62,7 @@ impl Torus {
 
     /// (ρ - R)² + y² - r²: negative inside.
     fn implicit(&self, p: DVec3) -> f64 {
-        let across = p.x.hypot(p.z) - self.major;
+        let across = fp::hypot(p.x, p.z) - self.major;
         across * across + p.y * p.y - self.minor * self.minor
     }
 
@@ -74,7 +74,7 @@ impl Torus {
         let c2 = 2.0 * k - 4.0 * major2 * (v.x * v.x + v.z * v.z);
         let c1 = -8.0 * major2 * (o.x * v.x + o.z * v.z);
         // K² - 4R²ρ² = (K - 2Rρ)·(K + 2Rρ) at s = 0
-        let (rho, rest) = (o.x.hypot(o.z), o.y * o.y - minor2);
+        let (rho, rest) = (fp::hypot(o.x, o.z), o.y * o.y - minor2);
         let c0 = ((rho - self.major).powi(2) + rest) * ((rho + self.major).powi(2) + rest);
         let mut roots = Roots::new();
         solve_between(&[1.0, 0.0, c2, c1, c0], lo, hi, &mut roots);
@@ -149,7 +149,7 @@ impl Kernel for Torus {
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
         // From the nearest point of the circle in the rim's middle.
-        let rho = p.x.hypot(p.z);
+        let rho = fp::hypot(p.x, p.z);
         let rim = if rho > 0.0 { DVec3::new(p.x, 0.0, p.z) * (self.major / rho) } else { DVec3::ZERO };
         let n = p - rim;
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
@@ -158,7 +158,7 @@ impl Kernel for Torus {
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         // Around the axis, and around the rim from the inside of the hole; as seen in POV-Ray.
         let u = 0.5 - fp::atan2(p.z, p.x) / TAU;
-        let v = 0.5 + fp::atan2(p.y, p.x.hypot(p.z) - self.major) / TAU;
+        let v = 0.5 + fp::atan2(p.y, fp::hypot(p.x, p.z) - self.major) / TAU;
         DVec2::new(u, v)
     }
 }

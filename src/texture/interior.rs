@@ -133,7 +133,7 @@ mod tests {
     fn fades_as_measured() {
         let one = |fade_distance, fade_power| Interior { fade_distance, fade_power, ..Interior::default() }.fade(2.0).x;
         let values = [one(0.0, 2.0), one(1.0, 1.0), one(0.5, 2.0), one(1.0, 0.0), one(1.0, 1000.0)];
-        for (found, wanted) in values.into_iter().zip([1.0, 1.0 / 3.0, 1.0 / 17.0, 0.5, (-2.0f64).exp()]) {
+        for (found, wanted) in values.into_iter().zip([1.0, 1.0 / 3.0, 1.0 / 17.0, 0.5, fp::exp(-2.0f64)]) {
             assert!((found - wanted).abs() < 1e-12, "{found} {wanted}");
         }
         let fade_color = Rgb::new(0.2, 0.5, 1.0);

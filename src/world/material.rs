@@ -2,6 +2,7 @@
 
 use super::PigmentProgram;
 use crate::color::{Color, Rgb};
+use crate::math::fp;
 use crate::pattern::{Pattern, TextureContext};
 use crate::texture::{self, Blend, Finish, Irid, Normal, Pigment, Reflection, Texture};
 use serde::Serialize;
@@ -168,7 +169,7 @@ impl LoweredFinish {
         let diffuse = |amount| lobe(amount, f.diffuse_albedo, (f.brilliance + 1.0) / 2.0);
         let phong = lobe(f.phong, f.phong_albedo, (f.phong_size + 1.0) / 2.0);
         let n = 1.0 / f.roughness;
-        let specular = lobe(f.specular, f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - (-n / 2.0).exp2())));
+        let specular = lobe(f.specular, f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - fp::exp2(-n / 2.0))));
         Self {
             glow: f.ambient * ambient_light + f.emission,
             diffuse: diffuse(f.diffuse),

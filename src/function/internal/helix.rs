@@ -2,6 +2,7 @@
 //! a curve (A. Gray, "Modern Differential Geometry of Curves and Surfaces", 1993, "Helix"), where the cross section is a
 //! superellipse of exponent 2 / type (manual, "Cross Section Type").
 
+use crate::math::fp;
 use std::f64::consts::{PI, TAU};
 
 /// (|a|^p + |b|^p)^(1/p) with p = 2 / type: type 0 gives squares, 1 circles, 2 diamonds.
@@ -11,7 +12,7 @@ fn cross_section(a: f64, b: f64, kind: f64) -> f64 {
         0.0 => a.max(b),
         1.0 => (a * a + b * b).sqrt(),
         2.0 => a + b,
-        _ => (a.powf(2.0 / kind) + b.powf(2.0 / kind)).powf(kind / 2.0),
+        _ => fp::pow(fp::pow(a, 2.0 / kind) + fp::pow(b, 2.0 / kind), kind / 2.0),
     }
 }
 
@@ -30,15 +31,15 @@ fn from_middle(x: f64, period: f64) -> f64 {
 pub fn helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f64; 10]) -> f64 {
     let q = (x * x + z * z).sqrt();
     let pitch = TAU / (number * period);
-    let along = from_middle(y - (-z).atan2(x) / period, pitch);
-    let (a, b) = turned(q - major, along / shape, degrees.to_radians().sin_cos());
+    let along = from_middle(y - fp::atan2(-z, x) / period, pitch);
+    let (a, b) = turned(q - major, along / shape, fp::sin_cos(degrees.to_radians()));
     // `min` also drops what is undefined where there is no helix.
     cross_section(a, b, kind).min(q + major) - minor
 }
 
 /// A cylinder whose horizontal cross section turns around the y axis while its centre does.
 pub fn helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
-    let (sin, cos) = (period * y).sin_cos();
+    let (sin, cos) = fp::sin_cos(period * y);
     let (a, b) = turned(x - major * cos, z - major * sin, (-sin, cos));
     cross_section(a, b, kind) - minor
 }
@@ -47,7 +48,7 @@ pub fn helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 
 pub fn spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f64 {
     let around = x * x + z * z;
     let r = (around + y * y).sqrt();
-    let from_spiral = around.sqrt() - winding * z.atan2(-x).rem_euclid(TAU) / TAU;
+    let from_spiral = around.sqrt() - winding * fp::atan2(z, -x).rem_euclid(TAU) / TAU;
     let across = (from_spiral + winding / 2.0) % winding - winding / 2.0;
     let tube = cross_section(across, y, kind);
     let tube = if r < tube { r } else { tube } - thickness;
@@ -61,10 +62,10 @@ pub fn helical_torus(
     let q = (x * x + z * z).sqrt();
     let across = q - major;
     let from_circle = (across * across + y * y).sqrt();
-    let azimuth = x.atan2(z);
+    let azimuth = fp::atan2(x, z);
 
     // How far around the tube the next winding is, and the distance from it.
-    let turn = loops * azimuth + twist * across.atan2(y);
+    let turn = loops * azimuth + twist * fp::atan2(across, y);
     let away = turn - TAU * (turn / TAU).floor() - PI;
     let deep = from_circle - minor;
     let square = deep * deep + flatness * away * away;
@@ -75,7 +76,10 @@ pub fn helical_torus(
     let distance = square.sqrt().min(from_circle + minor);
 
     // Grooves lie around the winding.
-    let groove =
-        if fatness == 0.0 { 0.0 } else { fatness * (period * (amplitude * away).atan2(deep) + phase * azimuth).cos() };
+    let groove = if fatness == 0.0 {
+        0.0
+    } else {
+        fatness * fp::cos(period * fp::atan2(amplitude * away, deep) + phase * azimuth)
+    };
     (distance - threshold - groove).min(axis)
 }

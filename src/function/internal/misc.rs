@@ -2,6 +2,7 @@
 //! constants and signs were measured.
 
 use super::super::Interval;
+use crate::math::fp;
 use std::f64::consts::{PI, TAU};
 
 /// Half the side of a hexagon's triangle: cos 30°.
@@ -20,7 +21,7 @@ pub fn blob([x, y, z, distance, s1, k1, s2, k2]: [f64; 8]) -> f64 {
 /// t - s (exp(-k d₁²) + exp(-k d₂²)): J. Blinn's blobs, "A Generalization of Algebraic Surface Drawing" (1982).
 pub fn blob2([x, y, z, distance, k, s, t]: [f64; 7]) -> f64 {
     let (from_axis, u) = (y * y + z * z, x - distance);
-    t - s * ((-k * (x * x + from_axis)).exp() + (-k * (u * u + from_axis)).exp())
+    t - s * (fp::exp(-k * (x * x + from_axis)) + fp::exp(-k * (u * u + from_axis)))
 }
 
 /// The quadratic forms of three ellipsoids around x, y and z: 1 along their axis, e across.
@@ -32,29 +33,29 @@ fn ellipsoids(x: f64, y: f64, z: f64, e: f64) -> [f64; 3] {
 /// t - s max exp(-k q) over the three ellipsoids q.
 pub fn cross_ellipsoids([x, y, z, e, k, s, t]: [f64; 7]) -> f64 {
     let [a, b, c] = ellipsoids(x, y, z, e).map(|q| -k * q);
-    t - s * a.max(b).max(c).exp()
+    t - s * fp::exp(a.max(b).max(c))
 }
 
 /// t - s min exp(-k q) over the three ellipsoids q.
 pub fn isect_ellipsoids([x, y, z, e, k, s, t]: [f64; 7]) -> f64 {
     let [a, b, c] = ellipsoids(x, y, z, e).map(|q| -k * q);
-    t - s * a.min(b).min(c).exp()
+    t - s * fp::exp(a.min(b).min(c))
 }
 
 /// t - s Σ exp(-k q) over the three ellipsoids q.
 pub fn flange_cover([x, y, z, e, k, s, t]: [f64; 7]) -> f64 {
-    t - s * ellipsoids(x, y, z, e).map(|q| (-k * q).exp()).iter().sum::<f64>()
+    t - s * ellipsoids(x, y, z, e).map(|q| fp::exp(-k * q)).iter().sum::<f64>()
 }
 
 /// s (Σ exp(-k q) - w exp(-m r²)) over the three ellipsoids q.
 pub fn spikes([x, y, z, e, k, s, m, w]: [f64; 8]) -> f64 {
-    let sum: f64 = ellipsoids(x, y, z, e).map(|q| (-k * q).exp()).iter().sum();
-    s * (sum - w * (-m * (x * x + y * y + z * z)).exp())
+    let sum: f64 = ellipsoids(x, y, z, e).map(|q| fp::exp(-k * q)).iter().sum();
+    s * (sum - w * fp::exp(-m * (x * x + y * y + z * z)))
 }
 
 /// y - h cos(a x) cos(b z) exp(-c (x² + z²)).
 pub fn spikes_2d([x, y, z, h, a, b, c]: [f64; 7]) -> f64 {
-    y - h * (a * x).cos() * (b * z).cos() * (-c * (x * x + z * z)).exp()
+    y - h * fp::cos(a * x) * fp::cos(b * z) * fp::exp(-c * (x * x + z * z))
 }
 
 /// A comma: a ball of radius s/2 and a horn along the half circle of radius 3s/4 above it, of half the ball's size times
@@ -65,7 +66,7 @@ pub fn comma([x, y, z, s]: [f64; 4]) -> f64 {
     let head = (u * u + y * y + z * z).sqrt() - 0.5 * s;
     let v = x + 0.25 * s;
     let away = (v * v + z * z).sqrt() - 0.75 * s;
-    let tail = (away * away + y * y).sqrt() - 0.5 * s * (0.5 * z.atan2(x)).cos();
+    let tail = (away * away + y * y).sqrt() - 0.5 * s * fp::cos(0.5 * fp::atan2(z, x));
     head.min(tail.max(-z))
 }
 
@@ -92,7 +93,7 @@ pub fn mesh1([x, y, z, dx, dz, flat, amplitude, high]: [f64; 8]) -> f64 {
             let (u, v) = (flat * (across - n * period), high * (y - height));
             u * u + v * v
         };
-        let wave = sign * amplitude * (PI * (along / side + first)).cos();
+        let wave = sign * amplitude * fp::cos(PI * (along / side + first));
         thread(first, wave).min(thread(first + 1.0, -wave))
     };
     let square = nearest(x, z, dz, dx, -1.0).min(nearest(z, x, dx, dz, 1.0));
@@ -117,12 +118,12 @@ pub fn polytubes([x, y, z, number, a, b, c, d, e]: [f64; 9]) -> f64 {
     let (step, last) = (TAU / number, number.floor() - 1.0);
     let (q, radius) = ((x * x + z * z).sqrt(), polynomial(y, [a, b, c, d, e]));
     let from_tube = |away: f64| {
-        let (across, half) = (q - radius.abs(), (0.5 * away).sin());
+        let (across, half) = (q - radius.abs(), fp::sin(0.5 * away));
         across * across + 4.0 * q * radius.abs() * half * half
     };
 
     // The nearest tube is before the point or behind it; behind the last one is the first.
-    let angle = if radius < 0.0 { (-x).atan2(-z) } else { x.atan2(z) }.rem_euclid(TAU);
+    let angle = if radius < 0.0 { fp::atan2(-x, -z) } else { fp::atan2(x, z) }.rem_euclid(TAU);
     let nearest = (angle / step).round().min(last) * step;
     from_tube(angle - nearest).min(from_tube(angle)).sqrt().min(1e4)
 }
@@ -132,7 +133,7 @@ pub fn polytubes([x, y, z, number, a, b, c, d, e]: [f64; 9]) -> f64 {
 pub fn quantum([x, y, z, _]: [f64; 4]) -> f64 {
     let (q, y2) = (x * x + z * z, y * y);
     let harmonic = 2.0 * y2 - q;
-    1.2 - 1.6 * harmonic * harmonic * (-1.333_333_32 * (q + y2).sqrt()).exp()
+    1.2 - 1.6 * harmonic * harmonic * fp::exp(-1.333_333_32 * (q + y2).sqrt())
 }
 
 /// Where [`poly4`] lies.

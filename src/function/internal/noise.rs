@@ -3,8 +3,8 @@
 //! one call to the next, and so gives wrong numbers where calls of several parameters take turns; here they are always right.
 
 use super::super::Interval;
-use crate::math::DVec3;
 use crate::math::noise::{NoiseGenerator, noise};
+use crate::math::{DVec3, fp};
 
 /// More octaves than these only add rounding errors, and would take for ever.
 const MOST_OCTAVES: f64 = 64.0;
@@ -34,7 +34,7 @@ pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 
     let mut increment = || {
         p *= lacunarity;
         frequency *= lacunarity;
-        (signed(p, generator) + offset) * frequency.powf(-h)
+        (signed(p, generator) + offset) * fp::pow(frequency, -h)
     };
     let power = t.clamp(0.0, 64.0) as i32;
     while i < octaves {
@@ -61,7 +61,7 @@ pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f6
         p *= lacunarity;
         frequency *= lacunarity;
         signal = ridge(p) * (signal * gain).clamp(0.0, 1.0);
-        sum += signal * frequency.powf(-h);
+        sum += signal * fp::pow(frequency, -h);
         i += 1.0;
     }
     sum

@@ -3,13 +3,14 @@
 //! and MathWorld under the curve's name. The weights of the parameters were measured.
 
 use super::{clamped, field};
+use crate::math::fp;
 
 /// Where on the plane of the curve the point lies. Swept, the distance from the y axis less the offset takes the place of x,
 /// and the point is turned by the angle.
 fn plane([x, y, z]: [f64; 3], [switch, offset, degrees]: [f64; 3]) -> (f64, f64) {
     if switch > 0.0 {
         let u = (x * x + z * z).sqrt() - offset;
-        let (sin, cos) = degrees.to_radians().sin_cos();
+        let (sin, cos) = fp::sin_cos(degrees.to_radians());
         (u * cos - y * sin, u * sin + y * cos)
     } else {
         (x, y)

@@ -2,6 +2,7 @@
 //! the numbers between are distances was measured on POV-Ray 3.7.0.10, as every formula in this folder was.
 
 use super::super::Interval;
+use crate::math::fp;
 
 /// √(x² + y² + z²).
 pub fn r([x, y, z]: [f64; 3]) -> f64 {
@@ -11,12 +12,12 @@ pub fn r([x, y, z]: [f64; 3]) -> f64 {
 /// The angle from the y axis, from 0 to π, in radians; 0 in the origin (colatitude of spherical coordinates).
 pub fn ph([x, y, z]: [f64; 3]) -> f64 {
     let r = (x * x + y * y + z * z).sqrt();
-    if r > 0.0 { (y / r).clamp(-1.0, 1.0).acos() } else { 0.0 }
+    if r > 0.0 { fp::acos((y / r).clamp(-1.0, 1.0)) } else { 0.0 }
 }
 
 /// The angle around the y axis, in radians, 0 along z, π/2 along x.
 pub fn th([x, _, z]: [f64; 3]) -> f64 {
-    x.atan2(z)
+    fp::atan2(x, z)
 }
 
 /// The distance from a sphere.
@@ -47,8 +48,8 @@ pub fn rounded_box([x, y, z, radius, a, b, c]: [f64; 7]) -> f64 {
 /// 1 - ((|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n))^(n/2): the superellipsoid of A. Barr, "Superquadrics and
 /// Angle-Preserving Transformations" (IEEE CG&A, 1981), with the exponents of POV-Ray's `superellipsoid`.
 pub fn superellipsoid([x, y, z, e, n]: [f64; 5]) -> f64 {
-    let around = x.abs().powf(2.0 / e) + y.abs().powf(2.0 / e);
-    1.0 - (around.powf(e / n) + z.abs().powf(2.0 / n)).powf(n / 2.0)
+    let around = fp::pow(x.abs(), 2.0 / e) + fp::pow(y.abs(), 2.0 / e);
+    1.0 - fp::pow(fp::pow(around, e / n) + fp::pow(z.abs(), 2.0 / n), n / 2.0)
 }
 
 fn root(a: Interval) -> Interval {
@@ -96,7 +97,7 @@ pub fn superellipsoid_bounds(a: &[Interval]) -> Interval {
         return Interval::ALL;
     }
     let (e, n) = (e.lo, n.lo);
-    let power = |i: Interval, p: f64| i.growing(|x| x.max(0.0).powf(p));
+    let power = |i: Interval, p: f64| i.growing(|x| fp::pow(x.max(0.0), p));
     let around = power(x.abs(), 2.0 / e) + power(y.abs(), 2.0 / e);
     let sum = power(around, e / n) + power(z.abs(), 2.0 / n);
     Interval::point(1.0) + -power(sum, n / 2.0)

@@ -96,7 +96,7 @@ impl Mapping {
                 inside.then(|| (around(), fp::fraction(p.y)))
             }
             Wrap::Toroidal => {
-                let tube = fp::atan2(p.y, p.x.hypot(p.z) - 1.0) / TAU + 0.5;
+                let tube = fp::atan2(p.y, fp::hypot(p.x, p.z) - 1.0) / TAU + 0.5;
                 (!axis).then(|| (around(), fp::fraction(tube)))
             }
         }

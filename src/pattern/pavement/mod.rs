@@ -11,7 +11,7 @@ mod plans;
 
 use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::DVec2;
+use crate::math::{DVec2, fp};
 use crate::source::Span;
 use crate::value::{Kind, Next, Reader, Spec, WordSpec};
 use grid::{Cells, Corner, H, Plan};
@@ -189,7 +189,7 @@ struct Near {
 impl Near {
     /// To the corner.
     fn to_corner(self) -> f64 {
-        self.along.hypot(self.across)
+        fp::hypot(self.along, self.across)
     }
 }
 

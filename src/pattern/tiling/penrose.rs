@@ -7,7 +7,7 @@
 //! logarithm of its distance. That POV-Ray 3.7 shows these very tilings, with the origin as their centre, was measured at random
 //! points, and so were size, direction and bevel.
 
-use crate::math::DVec2;
+use crate::math::{DVec2, fp};
 
 /// The golden ratio.
 const PHI: f64 = 1.618_033_988_749_895;
@@ -72,7 +72,7 @@ impl Place {
         let (x, z) = turn(p, widest(p, &[0, 2, 4]));
         let (x, z) = (x, z.abs());
         let (mut cuts, mut long) = (cuts, leg * PHI.powi(cuts));
-        while long * C18 < x.hypot(z) {
+        while long * C18 < fp::hypot(x, z) {
             (cuts, long) = (cuts + 4, long * PHI.powi(4));
         }
         let b = z / (long * S36);

@@ -87,7 +87,7 @@ impl Readable for CylindricalWarp {
 
 impl Bend for CylindricalWarp {
     fn apply(&self, p: DVec3) -> DVec3 {
-        let distance = p.x.hypot(p.z);
+        let distance = fp::hypot(p.x, p.z);
         if distance == 0.0 {
             return p;
         }
@@ -167,8 +167,8 @@ impl Bend for ToroidalWarp {
         if p.x == 0.0 && p.z == 0.0 {
             return p;
         }
-        let outwards = p.x.hypot(p.z) - self.major_radius;
-        let distance = outwards.hypot(p.y);
+        let outwards = fp::hypot(p.x, p.z) - self.major_radius;
+        let distance = fp::hypot(outwards, p.y);
         let part = fp::atan2(p.y, outwards) / TAU + 0.5;
         let grown = self.layout.growth(distance);
         self.layout.place(fp::turn(p.z, p.x) * grown, fp::fraction(part) * grown, distance)
