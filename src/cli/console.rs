@@ -2,6 +2,7 @@
 
 use super::args::{Common, When};
 use super::exit::{Exit, Failure, Result};
+use super::summary::Count;
 use crate::diagnostic::{Diagnostic, Severity, draw, file};
 use crate::source::Sources;
 use serde_json::json;
@@ -70,7 +71,7 @@ impl Console {
         let told: Vec<_> = errors.chain(warnings).collect();
         let mut text: String = told.iter().map(|d| draw::render(d, sources, self.style) + "\n").collect();
         if told.len() > 1 {
-            text += &format!("{}\n", summary(&told));
+            text += &format!("{}\n", Count::of(told));
         }
         text
     }
@@ -122,17 +123,6 @@ fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<()>
 /// To stderr; when nobody listens there is nobody to tell.
 pub fn say(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
-}
-
-/// `2 errors, 1 warning`.
-fn summary(diagnostics: &[&Diagnostic]) -> String {
-    let count = |severity, word: &str| match diagnostics.iter().filter(|d| d.severity == severity).count() {
-        0 => None,
-        1 => Some(format!("1 {word}")),
-        n => Some(format!("{n} {word}s")),
-    };
-    let parts = [count(Severity::Error, "error"), count(Severity::Warning, "warning")];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// `code severity message file line column end{line column} help labels trace`; the place is null where there is none.

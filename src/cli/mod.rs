@@ -17,6 +17,7 @@ mod progress;
 mod render;
 mod session;
 mod stats;
+mod summary;
 mod target;
 pub mod test;
 mod values;
