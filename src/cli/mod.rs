@@ -3,10 +3,12 @@
 mod animation;
 mod args;
 mod check;
+mod choices;
 mod completions;
 mod console;
 mod exit;
 mod explain;
+mod inputs;
 mod interrupt;
 pub mod manual;
 mod memory;

@@ -1,8 +1,10 @@
 //! How scenes fared, in the same words wherever several are named: `render`, `check` and `test`.
 
-use super::exit::Exit;
+use super::console::Console;
+use super::exit::{Exit, Failure, Result};
 use crate::diagnostic::{Diagnostic, Severity};
 use std::fmt::{self, Display};
+use std::path::{Path, PathBuf};
 
 /// How one scene fared, in a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +84,36 @@ pub fn total(words: &[Word], messages: Count) -> String {
     let parts = parts.iter().filter(|(n, _)| *n > 0).map(|(n, word)| format!("{n} {word}"));
     let gap = if messages == Count::default() { "" } else { "; " };
     format!("{}{gap}{messages}\n", parts.collect::<Vec<_>>().join(", "))
+}
+
+/// Does something with each of several scenes, and tells of each on a line of its own: `work` gives how it ended and what is to
+/// be told of a scene that went well.
+pub fn each(
+    console: &Console,
+    inputs: &[PathBuf],
+    tell: impl Fn(&str) -> Result<()>,
+    mut work: impl FnMut(&Console, &Path) -> Result<(Exit, String)>,
+) -> Result {
+    let console = &console.among_several();
+    let (mut exits, mut all) = (Vec::new(), Count::default());
+    for input in inputs {
+        let (exit, text) = match work(console, input) {
+            Ok(ended) => ended,
+            Err(Failure::NobodyListens) => return Err(Failure::NobodyListens),
+            Err(failure) => (console.tell(failure), String::new()),
+        };
+        let count = console.take_count();
+        let parts = [text, count.to_string()].into_iter().filter(|part| !part.is_empty());
+        exits.push(exit);
+        all = all.and(count);
+        if exit == Exit::Interrupted {
+            return Err(Failure::Told(exit));
+        }
+        tell(&line(Word::of(exit), input.display(), &parts.collect::<Vec<_>>().join("  ")))?;
+    }
+    let words: Vec<_> = exits.iter().map(|exit| Word::of(*exit)).collect();
+    tell(&total(&words, all))?;
+    Ok(worst(exits))
 }
 
 /// The exit code of all scenes together: what is wrong with a scene counts most, a picture that differs least.
