@@ -25,6 +25,10 @@ impl Inputs {
                 all.push(input);
                 continue;
             }
+            if input.canonicalize().is_ok_and(|folder| folder.parent().is_none()) {
+                // All files of the machine are nobody's scenes.
+                session::check_input(&input)?;
+            }
             let before = all.len();
             search(&input, &mut all).map_err(|e| Failure::Fault(Box::new(file::unreadable(&input, &e.into()))))?;
             all[before..].sort();

@@ -39,9 +39,14 @@ pub fn read_ini(
 /// Our own words, with the animation that they can't say.
 pub fn parse(words: Vec<std::ffi::OsString>, animation: Option<Animation>) -> std::result::Result<Cli, clap::Error> {
     let mut cli = Cli::try_parse_from(words)?;
-    if let Command::Render(args) = &mut cli.command {
-        args.scene.animation = animation;
-        args.input = args.inputs.first().cloned().unwrap_or_default();
+    match &mut cli.command {
+        Command::Render(args) => {
+            args.scene.animation = animation;
+            args.input = args.inputs.first().cloned().unwrap_or_default();
+        }
+        Command::Check(args) => args.scene.animation = animation,
+        Command::Pick(args) => args.scene.animation = animation,
+        _ => {}
     }
     Ok(cli)
 }

@@ -11,7 +11,7 @@ use super::stats::{self, Report};
 use super::target::{Target, is_folder};
 use super::values::Stats;
 use super::watch::Watcher;
-use super::{memory, overlay, povray, session, summary};
+use super::{dump, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{self, Region};
@@ -224,8 +224,8 @@ impl<'a> Job<'a> {
         let mut built = self.build(timing);
         let world = session::settle(console, &self.sources, &mut built)?;
         match args.dump {
-            Some(Dump::Scene) => return console.json(&built.scene).map(|()| Exit::Fine),
-            Some(Dump::World) => return console.json(&world).map(|()| Exit::Fine),
+            Some(Dump::Scene) => return console.data(dump::text(&self.sources, &built.scene)).map(|()| Exit::Fine),
+            Some(Dump::World) => return console.data(dump::text(&self.sources, &world)).map(|()| Exit::Fine),
             None => {}
         }
 
