@@ -15,7 +15,10 @@ pub fn run(console: &Console, args: &ExplainArgs) -> Result {
     let found = codes_of(wanted);
     if found.is_empty() {
         let near = nearest_code(wanted).map(|e| format!("the nearest is `{}` ({}); ", e.code, e.title));
-        return usage(format!("there is no code `{wanted}`; {}`durer explain` lists all codes", near.unwrap_or_default()));
+        return usage(format!(
+            "there is no code `{wanted}`; {}`durer explain` lists all codes",
+            near.unwrap_or_default()
+        ));
     }
     let texts: Vec<_> = found.iter().map(|e| format!("{}: {}\n\n{}\n", e.code, e.title, e.text)).collect();
     console.data(texts.join("\n"))?;
@@ -38,8 +41,12 @@ fn codes_of(wanted: &str) -> Vec<&'static Explanation> {
 fn nearest_code(wanted: &str) -> Option<&'static Explanation> {
     let number = |code: &str| code.trim_matches(|c: char| !c.is_ascii_digit()).parse::<i64>().ok();
     let (letter, wanted) = (wanted.chars().next()?.to_ascii_uppercase(), number(wanted)?);
-    codes::ALL.iter().filter_map(|e| {
-        let apart = number(e.code.0)?.saturating_sub(wanted).abs();
-        Some(((!e.code.0.starts_with(letter), apart), e))
-    }).min_by_key(|(key, _)| *key).map(|(_, e)| e)
+    codes::ALL
+        .iter()
+        .filter_map(|e| {
+            let apart = number(e.code.0)?.saturating_sub(wanted).abs();
+            Some(((!e.code.0.starts_with(letter), apart), e))
+        })
+        .min_by_key(|(key, _)| *key)
+        .map(|(_, e)| e)
 }

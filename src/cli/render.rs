@@ -71,18 +71,13 @@ fn check_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
 }
 
 /// One scene; also says what became of it, in a few words.
-fn draw_scene(
-    console: &Console,
-    args: &RenderArgs,
-    input: &Path,
-    reports: &mut Vec<Report>,
-) -> Result<(Exit, String)> {
+fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, reports: &mut Vec<Report>) -> Result<(Exit, String)> {
     let args = RenderArgs { input: input.to_path_buf(), ..args.clone() };
     let (console, mut args) = overlay::with_ini(console, &args)?;
     session::check_input(&args.input)?;
     if args.dump.is_none() {
-        memory::check(args.scene.size(), args.scene.max_memory.map(|b| b.0))?;
         check_region(&args)?;
+        check_memory(&args)?;
     }
     settle_frames(&mut args)?;
     let target = Target::new(&args)?;
@@ -162,6 +157,13 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
         size.width, size.height
     );
     Diagnostic::err(codes::OUTSIDE_PICTURE, Span::NONE, text)
+}
+
+/// Is there room for the picture?
+fn check_memory(args: &RenderArgs) -> crate::diagnostic::Result<()> {
+    let antialias = drawing_options(args, Timing::default()).antialias.is_some_and(|threshold| threshold < 1.0);
+    let limit = args.scene.max_memory.map(|bytes| bytes.0);
+    memory::check_drawing(args.scene.size(), args.region.map(|part| part.0), antialias, limit)
 }
 
 fn drawing_options(args: &RenderArgs, timing: Timing) -> render::Options {

@@ -120,13 +120,17 @@ impl Translation<'_> {
         }
         // What was said in our way counts, whatever POV-Ray's words say.
         let said = |name: &str| {
-            let short = command.get_arguments().find(|a| name.strip_prefix("--") == a.get_long()).and_then(|a| a.get_short());
+            let short =
+                command.get_arguments().find(|a| name.strip_prefix("--") == a.get_long()).and_then(|a| a.get_short());
             let is_short = |w: &str| short.is_some_and(|c| w.starts_with(&format!("-{c}")));
             let mut words = ours.iter().map(|w| w.to_string_lossy());
-            name != "--include" && name != "--declare" && words.any(|w| w.split('=').next() == Some(name) || is_short(&w))
+            name != "--include"
+                && name != "--declare"
+                && words.any(|w| w.split('=').next() == Some(name) || is_short(&w))
         };
         let options = self.option_words(false).into_iter().map(|word| Own::of(word.to_string_lossy().into_owned()));
-        let options = options.filter(|own| is_taken(command.get_name(), &own.name) && !said(&own.name)).flat_map(|own| own.words);
+        let options =
+            options.filter(|own| is_taken(command.get_name(), &own.name) && !said(&own.name)).flat_map(|own| own.words);
         let named = self.parts.input.take().map(OsString::from);
         let words = words[..=at].iter().cloned().chain(options).chain(named).chain(ours.iter().cloned()).collect();
         Translated { words, animation: self.parts.animation(), diagnostics: self.faults, idle: self.idle }

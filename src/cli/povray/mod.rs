@@ -16,8 +16,8 @@ use super::animation::Animation;
 use crate::diagnostic::{Diagnostic, codes, nearest};
 use crate::source::{Sources, Span};
 pub use files::is_ini;
-pub use mixed::first_word;
 use files::{Files, with_ending};
+pub use mixed::first_word;
 use own::Own;
 use parts::Settings;
 use std::ffi::OsString;
@@ -214,9 +214,7 @@ impl<'s> Translation<'s> {
                 self.set_input(value);
                 Ok(())
             }
-            Effect::Part(put) => {
-                put(&mut self.parts, value).map_err(|reason| wrong(text, &reason, origin))
-            }
+            Effect::Part(put) => put(&mut self.parts, value).map_err(|reason| wrong(text, &reason, origin)),
             Effect::Lacks(reason) => {
                 let message = format!("`{text}` has no effect: {reason}");
                 self.faults.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
