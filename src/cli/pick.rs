@@ -217,6 +217,6 @@ mod tests {
 
     #[test]
     fn colours_on_the_screen() {
-        assert_eq!(on_screen([1.0, 0.2140411, -1.0]), "#ff8000");
+        assert_eq!(on_screen([1.0, 0.2158605, -1.0]), "#ff8000");
     }
 }

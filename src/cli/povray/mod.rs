@@ -73,7 +73,8 @@ pub fn translate_ini(sources: &Sources, name: &Path) -> Translated {
 
 struct Translation<'s> {
     parts: Settings,
-    /// Scenes that are named on the command line without a switch: all of them are drawn.
+    /// Scenes that are named on the command line without a switch: all of them are drawn, unless POV-Ray's words say that this is
+    /// its manner. It draws the last one.
     scenes: Vec<OsString>,
     /// Ours, as they came.
     options: Vec<Own>,
@@ -246,7 +247,11 @@ impl<'s> Translation<'s> {
         words.extend(options);
         let animation = self.parts.animation();
         let input = self.parts.input.map(|input| with_ending(input).into());
-        let scenes: Vec<_> = if self.scenes.is_empty() { input.into_iter().collect() } else { self.scenes };
+        let skipped = if self.any_switch { self.scenes.len().saturating_sub(1) } else { 0 };
+        let scenes: Vec<_> = match self.scenes.is_empty() {
+            true => input.into_iter().collect(),
+            false => self.scenes.into_iter().skip(skipped).collect(),
+        };
         if !scenes.is_empty() {
             words.push("--".into());
             words.extend(scenes);

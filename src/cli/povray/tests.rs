@@ -254,6 +254,6 @@ fn pov_rays_words_stand_before_ours() {
     mixes("render a.scene +Oa.ppm -ob.png +La -Ib", "render --include=a a.scene -ob.png -Ib");
     mixes("-q check a.scene +W32 +A0.1 -P", "-q check --size=32x480 a.scene");
     mixes("+W32 check a.scene +A0.1", "check --size=32x480 -- a.scene");
-    mixes("a.scene b.scene +W32", "render --aa=off --size=32x480 -- a.scene b.scene");
+    mixes("a.scene b.scene --size 8x6", "render --size 8x6 -- a.scene b.scene");
     mixes("a.scene +Ib.scene", "render --aa=off -- b.scene");
 }
