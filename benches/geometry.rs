@@ -1,4 +1,4 @@
-//! Building the hierarchy and finding the closest hit: `cargo bench --bench geometry`.
+//! Building the hierarchy and finding the closest hit: `cargo bench -p durer-benches --bench geometry`.
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use durer::math::{DVec3, Range, Ray, Transform, rng};

@@ -1,4 +1,4 @@
-//! Noise and turbulence, per thousand points: `cargo bench --bench noise`.
+//! Noise and turbulence, per thousand points: `cargo bench -p durer-benches --bench noise`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use durer::math::noise::{NoiseGenerator, Turbulence, noise, noise_vector, turbulence, vturbulence};

@@ -250,23 +250,38 @@ fn snapshots_are_made_kept_and_compared() {
     assert!(out.starts_with("new   ball.scene"), "{out}");
     place.exits(2, "test .");
     let (out, _) = place.exits(0, "test --accept ball.scene");
-    assert!(out.contains("accepted") && place.names() == ["ball.png", "ball.scene"], "{out}");
-    let accepted = place.read("ball.png");
+    assert!(out.contains("accepted") && place.names() == ["ball.scene", "ball.snapshot.png"], "{out}");
+    let accepted = place.read("ball.snapshot.png");
+    // Drawing the scene leaves it alone.
+    place.exits(0, "render ball.scene --size 8x6 --aa off --declare Size=2");
+    place.exits(2, "render ball.scene --size 8x6 -o ball.snapshot.png");
+    place.exits(2, "+Iball.scene +W8 +H6 +Oball.snapshot.png");
+    assert_eq!(place.read("ball.snapshot.png"), accepted);
+    std::fs::remove_file(place.path().join("ball.png")).unwrap();
     assert_eq!(place.exits(0, "test").0, "ok    ball.scene\n1 ok\n");
 
     std::fs::create_dir(place.path().join("other")).unwrap();
     place.put("other/white.ppm", [b"P6\n8 6\n255\n".as_slice(), &[255; 8 * 6 * 3]].concat());
     let white = durer::image_io::decode_file(&place.path().join("other/white.ppm")).unwrap().to_frame();
     let png = durer::image_io::Encoding::new(durer::image_io::Format::Png);
-    place.put("ball.png", durer::image_io::encode(&white, &png).unwrap());
-    let (out, _) = place.exits(3, "test --report report");
+    place.put("ball.snapshot.png", durer::image_io::encode(&white, &png).unwrap());
+    let (out, err) = place.exits(3, "test --report report");
     assert!(out.starts_with("FAIL  ball.scene") && out.ends_with("1 FAIL\n"), "{out}");
+    assert!(out.contains("durer test --accept ball.scene\n") && err.contains("report/index.html"), "{out}{err}");
+    let (out, _) = place.exits(3, "test --format json");
+    let json: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(json["result"], "fail");
+    assert_eq!((json["pixels"].as_u64(), json["exit"].as_u64()), (Some(48), Some(3)));
+    assert_eq!(
+        (&json["snapshot"], &json["accept"]),
+        (&"ball.snapshot.png".into(), &"durer test --accept ball.scene".into())
+    );
     let page = String::from_utf8(place.read("report/index.html")).unwrap();
     assert!(
         page.contains("ball.scene.difference.png") && place.path().join("report/ball.scene.difference.png").exists()
     );
     place.exits(0, "test --accept");
-    assert_eq!(place.read("ball.png"), accepted);
+    assert_eq!(place.read("ball.snapshot.png"), accepted);
 }
 
 #[cfg(target_os = "linux")]

@@ -1,7 +1,7 @@
 //! The options of the command line. Every option that is taken is obeyed.
 
 use super::animation::Animation;
-pub use super::choices::{Deny, DrawingWarn, Dump, Library, MessageFormat, Warn, When};
+pub use super::choices::{CheckFormat, Deny, DrawingWarn, Dump, Library, MessageFormat, Warn, When};
 use super::values::{Antialias, Bytes, Clock, Declare, Frames, Part, Pixel, Seconds, Size, Stats, Version};
 use crate::image_io::Format;
 use clap::{Args, Parser, Subcommand};
@@ -71,6 +71,24 @@ pub enum Command {
 /// What a scene is given when it is read.
 #[derive(Args, Clone, Debug, Default)]
 pub struct SceneArgs {
+    /// Only this frame of an animation
+    #[arg(help_heading = DRAWN, long, value_name = "N")]
+    pub frame: Option<u32>,
+    /// Of an INI file, or of POV-Ray's options.
+    #[arg(skip)]
+    pub animation: Option<Animation>,
+    /// The value of `clock`; A..B from the first frame to the last [default: 0..1]
+    #[arg(help_heading = DRAWN, long, value_name = "X", allow_hyphen_values = true)]
+    pub clock: Option<Clock>,
+    /// Declare a name: 2.5, '"text"', '<1,2,3>' or 'rgb <1,0,0>'
+    #[arg(help_heading = DRAWN, long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub declare: Vec<Declare>,
+    /// The version of the language, such as 3.1, until the scene's own `#version`
+    #[arg(help_heading = DRAWN, long, value_name = "VERSION")]
+    pub language: Option<Version>,
+    /// Width and height in pixels [default: 640x480]
+    #[arg(help_heading = PICTURE, long, value_name = "WxH")]
+    pub size: Option<Size>,
     /// Look for included files here too
     #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,
@@ -83,24 +101,6 @@ pub struct SceneArgs {
     /// Let the scene write files below this folder too
     #[arg(help_heading = FILES, long, value_name = "DIR")]
     pub allow_write: Vec<PathBuf>,
-    /// Declare a name: 2.5, '"text"', '<1,2,3>' or 'rgb <1,0,0>'
-    #[arg(help_heading = DRAWN, long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
-    pub declare: Vec<Declare>,
-    /// The version of the language, such as 3.1, until the scene's own `#version`
-    #[arg(help_heading = DRAWN, long, value_name = "VERSION")]
-    pub language: Option<Version>,
-    /// Width and height in pixels [default: 640x480]
-    #[arg(help_heading = PICTURE, long, value_name = "WxH")]
-    pub size: Option<Size>,
-    /// Only this frame of an animation
-    #[arg(help_heading = DRAWN, long, value_name = "N")]
-    pub frame: Option<u32>,
-    /// Of an INI file, or of POV-Ray's options.
-    #[arg(skip)]
-    pub animation: Option<Animation>,
-    /// The value of `clock`; A..B from the first frame to the last [default: 0..1]
-    #[arg(help_heading = DRAWN, long, value_name = "X", allow_hyphen_values = true)]
-    pub clock: Option<Clock>,
     /// Take the text apart into single tokens: slow, and for tests, since what comes out is the same
     #[arg(long, hide = true)]
     pub single_tokens: bool,
@@ -141,6 +141,12 @@ pub struct RenderArgs {
     /// The one of them that is drawn now.
     #[arg(skip)]
     pub input: PathBuf,
+    /// Draw these frames, numbered with as many digits as B has [default: the INI file's]
+    #[arg(help_heading = DRAWN, long, value_name = "A-B[:STEP]")]
+    pub frames: Option<Frames>,
+    /// Draw only this part of the picture
+    #[arg(help_heading = DRAWN, long, value_name = "X,Y,W,H")]
+    pub region: Option<Part>,
     /// The picture's file, a folder, or - for standard output [default: the input's name with .png, here]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -156,24 +162,18 @@ pub struct RenderArgs {
     /// Draw, but write no picture
     #[arg(help_heading = PICTURE, long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,
-    /// Warn of more
-    #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
-    pub warn: Vec<DrawingWarn>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub look: LookArgs,
-    /// Draw these frames, numbered with as many digits as B has [default: the INI file's]
-    #[arg(help_heading = DRAWN, long, value_name = "A-B[:STEP]")]
-    pub frames: Option<Frames>,
-    /// Draw only this part of the picture
-    #[arg(help_heading = DRAWN, long, value_name = "X,Y,W,H")]
-    pub region: Option<Part>,
     /// How many threads draw [default: one for each processor]
     #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
+    /// Warn of more
+    #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
+    pub warn: Vec<DrawingWarn>,
     /// Show how far the picture is [default: auto]
     #[arg(help_heading = TOLD, long, value_name = "WHEN")]
     pub progress: Option<When>,
@@ -195,18 +195,18 @@ pub struct CheckArgs {
     /// Scenes, folders of scenes, INI files, or - for standard input
     #[arg(value_name = "INPUT", required = true)]
     pub inputs: Vec<PathBuf>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub scene: SceneArgs,
     /// How messages are written; all but `human` go to standard output
     #[arg(help_heading = TOLD, long, value_name = "FORMAT", default_value = "human")]
-    pub format: MessageFormat,
+    pub format: CheckFormat,
     /// Let `warnings` fail as errors do
     #[arg(help_heading = TOLD, long, value_name = "WHAT")]
     pub deny: Option<Deny>,
     /// Warn of more
     #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<Warn>,
-    #[command(flatten)]
-    #[allow(missing_docs)]
-    pub scene: SceneArgs,
 }
 
 /// `durer pick`.
@@ -218,25 +218,31 @@ pub struct PickArgs {
     /// Column and row, counted from 0 at the top left
     #[arg(value_name = "X,Y", allow_hyphen_values = true)]
     pub pixel: Pixel,
-    /// As one JSON object
-    #[arg(help_heading = TOLD, long)]
-    pub json: bool,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
+    /// As one JSON object
+    #[arg(help_heading = TOLD, long)]
+    pub json: bool,
 }
 
 /// `durer test`.
 #[derive(Args, Clone, Debug)]
-#[command(after_help = "A snapshot is a PNG beside the scene, of the same name. A scene may say how its snapshot is \
-                        drawn, in a comment at its start:\n\n    //! test: --size 128x96 --aa off")]
+#[command(
+    after_help = "The snapshot of chair.scene is chair.snapshot.png beside it. A scene may say how its snapshot is \
+                        drawn, in a comment at its start:\n\n    //! test: --size 128x96 --aa off"
+)]
 pub struct TestArgs {
     /// Scenes and folders [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Take what is drawn now as the snapshot; makes new ones for scenes that are named
+    /// Take what is drawn now as the snapshot, of the scenes that are named or of all that differ; makes new ones for scenes that
+    /// are named
     #[arg(long)]
     pub accept: bool,
+    /// For a person, or one JSON object a line for each scene
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: MessageFormat,
     /// Write a page with the pictures side by side
     #[arg(long, value_name = "DIR")]
     pub report: Option<PathBuf>,

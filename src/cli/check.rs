@@ -1,6 +1,6 @@
 //! `durer check INPUT…`: reads and evaluates, draws nothing.
 
-use super::args::{CheckArgs, Deny, MessageFormat, Warn};
+use super::args::{CheckArgs, CheckFormat, Deny, Warn};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::inputs::Inputs;
@@ -18,7 +18,7 @@ pub fn run(console: &Console, args: &CheckArgs) -> Result {
     if !inputs.several {
         return inputs.all.iter().try_fold(Exit::Fine, |_, input| check(console, args, input));
     }
-    let human = args.format == MessageFormat::Human;
+    let human = args.format == CheckFormat::Human;
     let tell = |line: &str| if human && !console.quiet { console.data(line) } else { Ok(()) };
     summary::each(console, &inputs.all, tell, |console, input| Ok((check(console, args, input)?, String::new())))
 }
@@ -64,9 +64,9 @@ fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagno
 
 fn report(console: &Console, args: &CheckArgs, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
     match args.format {
-        MessageFormat::Human => console.report(sources, diagnostics),
-        MessageFormat::Short => console.report_short(sources, diagnostics)?,
-        MessageFormat::Json => console.report_json(sources, diagnostics)?,
+        CheckFormat::Human => console.report(sources, diagnostics),
+        CheckFormat::Short => console.report_short(sources, diagnostics)?,
+        CheckFormat::Json => console.report_json(sources, diagnostics)?,
     }
     Ok(())
 }

@@ -32,9 +32,18 @@ pub enum Dump {
     World,
 }
 
-/// How messages are written.
+/// How results are written.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MessageFormat {
+    /// For a person
+    Human,
+    /// One object a line
+    Json,
+}
+
+/// How messages are written.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CheckFormat {
     /// For a person
     Human,
     /// file:line:column: error[CODE]: message, one a line

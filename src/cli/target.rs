@@ -5,6 +5,7 @@ use super::console::Console;
 use super::exit::{Result, usage};
 use crate::diagnostic::file;
 use crate::image_io::{Encoding, Format, Frame, encode};
+use crate::snapshot;
 use crate::source;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -48,6 +49,12 @@ impl Target {
             && is_same(path, &args.input)
         {
             return usage(format!("the picture would take the place of the scene `{}`", path.display()));
+        }
+        if let Place::File(path) = &place
+            && snapshot::is_snapshot(path)
+        {
+            let path = path.display();
+            return usage(format!("`{path}` is a snapshot: only `durer test --accept` writes it"));
         }
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));

@@ -1,6 +1,6 @@
 //! `durer test [PATH…]`: draws each scene that has a snapshot, and compares.
 
-use super::args::{LookArgs, SceneArgs, TestArgs};
+use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
 use super::interrupt::{self, Orderly};
@@ -13,6 +13,7 @@ use crate::image_io::{self, Encoding, Format, Frame, Pixels};
 use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};
 use crate::source::{self, Sources};
 use clap::Parser;
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -75,17 +76,26 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         if args.accept {
             accept(&case, &mut outcome)?;
         }
-        console.note(&outcome.messages);
-        console.data(line(&case, &outcome))?;
+        let accept = acceptance(args, &case, &outcome);
+        match args.format {
+            MessageFormat::Human => {
+                console.note(&outcome.messages);
+                console.data(line(&case, &outcome, accept.as_deref()))?;
+            }
+            MessageFormat::Json => console.json(&as_json(&case, &outcome, accept.as_deref()))?,
+        }
         outcomes.push((case, outcome));
         if interrupt::asked() {
             return Err(Failure::Told(Exit::Interrupted));
         }
     }
     if let Some(folder) = &args.report {
-        write_report(folder, &outcomes)?;
+        let page = write_report(args, folder, &outcomes)?;
+        console.note(&format!("the pictures are side by side in {}\n", page.display()));
     }
-    console.data(summary(&outcomes))?;
+    if args.format == MessageFormat::Human {
+        console.data(summary(&outcomes))?;
+    }
     let worst = [Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot].into_iter();
     Ok(worst.into_iter().find(|exit| outcomes.iter().any(|(_, o)| o.exit == *exit)).unwrap_or(Exit::Fine))
 }
@@ -189,9 +199,43 @@ fn word(outcome: &Outcome) -> &'static str {
     }
 }
 
-fn line(case: &Case, outcome: &Outcome) -> String {
+/// The command that takes what was drawn as the snapshot, where there is something to take.
+fn acceptance(args: &TestArgs, case: &Case, outcome: &Outcome) -> Option<String> {
+    let differs = outcome.exit == Exit::Snapshot && outcome.drawn.is_some();
+    let folders = args.include.iter().flat_map(|folder| ["-I".to_string(), quoted(folder)]);
+    let command = ["durer test --accept".to_string()].into_iter().chain(folders).chain([quoted(&case.scene)]);
+    differs.then(|| command.collect::<Vec<_>>().join(" "))
+}
+
+/// A path as a shell takes it.
+fn quoted(path: &Path) -> String {
+    let text = path.display().to_string();
+    let plain = |c: char| c.is_alphanumeric() || "-_./\\:~+@,".contains(c);
+    if !text.is_empty() && text.chars().all(plain) { text } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
+fn line(case: &Case, outcome: &Outcome, accept: Option<&str>) -> String {
     let text = if outcome.text.is_empty() { String::new() } else { format!("  {}", outcome.text) };
-    format!("{:4}  {}{text}\n", word(outcome), case.scene.display())
+    let accept = accept.map_or(String::new(), |command| format!("      if it is as it should be: {command}\n"));
+    format!("{:4}  {}{text}\n{accept}", word(outcome), case.scene.display())
+}
+
+/// One scene for programs; numbers are null where there is nothing to compare.
+fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::Value {
+    let numbers = outcome.comparison;
+    json!({
+        "scene": case.scene.display().to_string(),
+        "snapshot": case.picture.display().to_string(),
+        "result": word(outcome).to_lowercase(),
+        "exit": outcome.exit as u8,
+        "text": outcome.text,
+        "messages": outcome.messages,
+        "pixels": numbers.map(|n| n.pixels),
+        "different": numbers.map(|n| n.different),
+        "beyond": numbers.map(|n| n.beyond),
+        "largest": numbers.map(|n| n.largest),
+        "accept": accept,
+    })
 }
 
 /// `12 ok, 1 FAIL`.
@@ -202,21 +246,24 @@ fn summary(outcomes: &[(Case, Outcome)]) -> String {
     parts.collect::<Vec<_>>().join(", ") + "\n"
 }
 
-fn write_report(folder: &Path, outcomes: &[(Case, Outcome)]) -> Result<()> {
-    let entries: Vec<_> = outcomes.iter().map(entry).collect();
+/// Returns the page.
+fn write_report(args: &TestArgs, folder: &Path, outcomes: &[(Case, Outcome)]) -> Result<PathBuf> {
+    let entries: Vec<_> = outcomes.iter().map(|(case, outcome)| entry(args, case, outcome)).collect();
     std::fs::create_dir_all(folder).map_err(|e| Box::new(file::unwritable(folder, &e)))?;
     for (name, bytes) in snapshot::report(&entries)? {
         let path = folder.join(name);
         source::write_whole(&path, &bytes).map_err(|e| Box::new(file::unwritable(&path, &e)))?;
     }
-    Ok(())
+    Ok(folder.join("index.html"))
 }
 
-fn entry((case, outcome): &(Case, Outcome)) -> Entry<'_> {
+fn entry<'o>(args: &TestArgs, case: &Case, outcome: &'o Outcome) -> Entry<'o> {
     Entry {
         name: case.scene.display().to_string(),
         fine: outcome.exit == Exit::Fine,
+        snapshot: case.picture.display().to_string(),
         text: format!("{}\n{}", outcome.text, outcome.messages).trim().to_string(),
+        accept: acceptance(args, case, outcome),
         expected: outcome.expected.as_ref(),
         drawn: outcome.drawn.as_ref(),
     }

@@ -12,9 +12,19 @@ pub struct Case {
     pub picture: PathBuf,
 }
 
+/// What a snapshot's name ends in. No other picture has such a name, so that drawing a scene can't overwrite what it is compared
+/// with.
+pub const ENDING: &str = "snapshot.png";
+
+/// Has the file the name of a snapshot?
+pub fn is_snapshot(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    name.strip_suffix(ENDING).is_some_and(|stem| stem.ends_with('.'))
+}
+
 impl Case {
     fn of(scene: &Path) -> Self {
-        Self { scene: scene.to_path_buf(), picture: scene.with_extension("png") }
+        Self { scene: scene.to_path_buf(), picture: scene.with_extension(ENDING) }
     }
 }
 
@@ -36,9 +46,8 @@ pub fn find(paths: &[PathBuf]) -> io::Result<Vec<Case>> {
 
 /// The scene that a path means: itself, or the one beside a snapshot.
 fn scene_of(path: &Path) -> PathBuf {
-    let beside = ["scene", "pov"].map(|ending| path.with_extension(ending));
-    let is_picture = path.extension().is_some_and(|e| e == "png");
-    beside.into_iter().find(|scene| is_picture && scene.is_file()).unwrap_or(path.to_path_buf())
+    let beside = ["scene", "pov"].map(|ending| path.with_extension("").with_extension(ending));
+    beside.into_iter().find(|scene| is_snapshot(path) && scene.is_file()).unwrap_or(path.to_path_buf())
 }
 
 fn search(folder: &Path, cases: &mut Vec<Case>) -> io::Result<()> {
@@ -74,16 +83,31 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         std::fs::create_dir_all(at("b/.hidden")).unwrap();
-        for name in
-            ["a.scene", "a.png", "new.scene", "alone.png", "b/c.pov", "b/c.png", "b/.hidden/d.scene", "b/.hidden/d.png"]
-        {
+        for name in [
+            "a.scene",
+            "a.snapshot.png",
+            "new.scene",
+            "new.png",
+            "alone.snapshot.png",
+            "b/c.d.pov",
+            "b/c.d.snapshot.png",
+            "b/.hidden/e.scene",
+            "b/.hidden/e.snapshot.png",
+        ] {
             std::fs::write(at(name), "").unwrap();
         }
         let names = |paths: &[PathBuf]| -> Vec<PathBuf> { find(paths).unwrap().into_iter().map(|c| c.scene).collect() };
-        assert_eq!(names(&[folder.path().into()]), [at("a.scene"), at("b/c.pov")]);
+        assert_eq!(names(&[folder.path().into()]), [at("a.scene"), at("b/c.d.pov")]);
         assert_eq!(names(&[at("new.scene")]), [at("new.scene")]);
-        assert_eq!(names(&[at("b/c.png"), at("b")]), [at("b/c.pov")]);
+        assert_eq!(names(&[at("b/c.d.snapshot.png"), at("b")]), [at("b/c.d.pov")]);
         assert!(find(&[at("missing")]).is_err());
+    }
+
+    #[test]
+    fn snapshots_are_told_by_their_names() {
+        assert!(is_snapshot(Path::new("a/b.snapshot.png")) && is_snapshot(Path::new("B.SNAPSHOT.PNG")));
+        assert!(!is_snapshot(Path::new("snapshot.png")) && !is_snapshot(Path::new("a.png")));
+        assert!(!is_snapshot(Path::new("snapshot.png/a.png")));
     }
 
     #[test]

@@ -1,9 +1,9 @@
-//! Snapshots: a scene and the picture that it gave, side by side in a folder (`ball.scene`, `ball.png`).
+//! Snapshots: a scene and the picture that it gave, side by side in a folder (`ball.scene`, `ball.snapshot.png`).
 
 mod compare;
 mod find;
 mod report;
 
 pub use compare::{Comparison, Tolerance, Verdict, compare, difference};
-pub use find::{Case, find, header};
+pub use find::{Case, find, header, is_snapshot};
 pub use report::{Entry, Report, report};

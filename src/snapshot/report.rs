@@ -11,8 +11,12 @@ pub struct Entry<'a> {
     pub name: String,
     /// Nobody has to look at it.
     pub fine: bool,
+    /// The snapshot's path.
+    pub snapshot: String,
     /// What is said about it.
     pub text: String,
+    /// The command that takes what was drawn as the snapshot.
+    pub accept: Option<String>,
     /// The snapshot.
     pub expected: Option<&'a Frame>,
     /// What was drawn now.
@@ -30,7 +34,13 @@ pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
         let pictures = pictures(entry, &mut files)?;
         let (class, list) = if entry.fine { ("ok", &mut good) } else { ("bad", &mut bad) };
         let (name, text) = (escape(&entry.name), escape(&entry.text));
-        *list += &format!("<section class={class}><h2>{name}</h2><p>{text}</p><div>{pictures}</div></section>\n");
+        let snapshot = format!("<small>{}</small>", escape(&entry.snapshot));
+        let accept =
+            entry.accept.as_ref().map(|command| format!("<p>Is it right? <code>{}</code></p>", escape(command)));
+        let accept = accept.unwrap_or_default();
+        *list += &format!(
+            "<section class={class}><h2>{name}</h2>{snapshot}<p>{text}</p>{accept}<div>{pictures}</div></section>\n"
+        );
     }
     let fine = entries.iter().filter(|e| e.fine).count();
     let summary = format!("{fine} of {} pictures are as expected", entries.len());
@@ -73,6 +83,8 @@ h1 { font-size: 1.4rem; font-weight: 600 }
 h2 { font: 600 .95rem ui-monospace, monospace; margin: 0; overflow-wrap: anywhere }
 section { border: 1px solid var(--line); border-left: 5px solid #2a9d5c; border-radius: 6px; padding: .8rem 1rem; margin: .8rem 0 }
 section.bad { border-left-color: #d1403c }
+section small { color: var(--soft); font: .8rem ui-monospace, monospace; overflow-wrap: anywhere }
+code { user-select: all; background: light-dark(#eee, #333); padding: .1rem .3rem; border-radius: 3px }
 section p { margin: .2rem 0 .6rem; color: var(--soft); white-space: pre-wrap }
 section div { display: grid; grid-template-columns: repeat(auto-fit, minmax(200px, 1fr)); gap: 1rem }
 figure { margin: 0 } figcaption { color: var(--soft); font-size: .85rem }
@@ -99,7 +111,9 @@ mod tests {
         let entry = |name: &str, fine| Entry {
             name: name.into(),
             fine,
+            snapshot: name.replace("scene", "snapshot.png"),
             text: "1 < 2".into(),
+            accept: (!fine).then(|| format!("durer test --accept {name}")),
             expected: Some(&frame),
             drawn: Some(&frame),
         };
@@ -109,5 +123,7 @@ mod tests {
         assert_eq!(names, [&bad[0], &bad[1], &bad[2], "c.scene.drawn.png", "index.html"]);
         let page = String::from_utf8(files[4].1.clone()).unwrap();
         assert!(page.contains("a/&lt;b&gt;.scene") && page.contains("1 &lt; 2") && page.contains("1 of 2 pictures"));
+        assert!(page.matches("<code>durer test --accept a/&lt;b&gt;.scene</code>").count() == 1);
+        assert!(page.contains("<small>c.snapshot.png</small>") && !page.contains("--accept c.scene"));
     }
 }

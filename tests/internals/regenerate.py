@@ -2,6 +2,7 @@
 """Asks the real POV-Ray for the functions of functions.inc at random points with random parameters.
 
     regenerate.py [SEED [POINTS]]    writes values.txt beside it, with which tests/function_internals.rs compares
+    regenerate.py --check            compares with values.txt instead; exit code 1 if it differs
 
 Each line of values.txt: the function's name, x, y, z, its parameters, and what POV-Ray prints. Needs `povray` 3.7.
 
@@ -80,8 +81,10 @@ def povray(calls):
 
 
 def main():
-    random.seed(int(sys.argv[1]) if len(sys.argv) > 1 else 1)
-    points = int(sys.argv[2]) if len(sys.argv) > 2 else 12
+    check = "--check" in sys.argv
+    given = [word for word in sys.argv[1:] if word != "--check"]
+    random.seed(int(given[0]) if given else 1)
+    points = int(given[1]) if len(given) > 1 else 12
     calls = [(name, arguments(name, i)) for name in FUNCTIONS for i in range(points)]
     together = [call for call in calls if call[0] not in ALONE]
     answers = dict(zip(map(repr, together), povray(together)))
@@ -89,7 +92,12 @@ def main():
         if repr(call) not in answers:
             answers[repr(call)] = povray([call])[0]
     rows = ["%s %s %s" % (name, " ".join(map(repr, numbers)), answers[repr((name, numbers))]) for name, numbers in calls]
-    (HERE / "values.txt").write_text("\n".join(rows) + "\n")
+    text, file = "\n".join(rows) + "\n", HERE / "values.txt"
+    if check:
+        differences = sum(a != b for a, b in zip(text.splitlines(), file.read_text().splitlines()))
+        print("%d values, %d differences" % (len(rows), differences))
+        sys.exit(text != file.read_text())
+    file.write_text(text)
 
 
 main()

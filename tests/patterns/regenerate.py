@@ -2,6 +2,7 @@
 """Asks the real POV-Ray for its patterns at random points.
 
     regenerate.py [--points N] [--to FOLDER] [SECTION...]    writes SECTION.txt for each (or every) section of settings.txt
+    regenerate.py --check [SECTION...]                       compares with what is there instead; exit code 1 if it differs
 
 settings.txt: a section begins with `== name`; each other line is a setting. `//` begins a comment. A setting is
 - what stands between the braces of `pattern { }`; what stands before a `|` goes into `global_settings { }`,
@@ -20,6 +21,7 @@ import argparse
 import pathlib
 import random
 import subprocess
+import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -101,8 +103,21 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--points", type=int, default=1000)
     parser.add_argument("--to", type=pathlib.Path, default=HERE)
+    parser.add_argument("--check", action="store_true")
     parser.add_argument("sections", nargs="*")
     arguments = parser.parse_args()
+    if arguments.check:
+        with tempfile.TemporaryDirectory() as folder:
+            arguments.to = pathlib.Path(folder)
+            write(arguments)
+            written = sorted(arguments.to.glob("*.txt"))
+            other = [new.name for new in written if new.read_bytes() != (HERE / new.name).read_bytes()]
+        print("%d files, %d differences %s" % (len(written), len(other), " ".join(other)))
+        sys.exit(bool(other))
+    write(arguments)
+
+
+def write(arguments):
     write_voxels()
     write_colors()
     for name, settings in sections().items():

@@ -51,7 +51,7 @@ fn option_row(arg: &Arg) -> [String; 2] {
 /// The words that an option takes, where each says what it means.
 fn words(arg: &Arg) -> String {
     let values = arg.get_possible_values();
-    if !arg.get_action().takes_values() || values.iter().any(|value| value.get_help().is_none()) {
+    if values.is_empty() || values.iter().any(|value| value.get_help().is_none()) {
         return String::new();
     }
     let each =

@@ -32,7 +32,6 @@ impl Interpreter<'_> {
                 return self.expected_no_parenthesis(paren, expected);
             }
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
-            Ok(Token::Sign(sign)) if self.begins_value(sign, span) => "a value".to_string(),
             Ok(Token::Element(span))
                 if let Some(slot @ Slot::Faulty(_)) = self.element.as_ref().and_then(|place| self.scopes.at(place)) =>
             {
@@ -64,15 +63,20 @@ impl Interpreter<'_> {
         })
     }
 
-    /// Does a value begin with this sign, which comes in pieces?
+    /// Does a value begin with this sign, which comes in pieces? (Behind an operand, `<` compares.)
     pub(in crate::interpreter) fn begins_value(&self, sign: Sign, span: Span) -> bool {
+        let Some((file, range)) = self.sources.locate(span) else { return false };
+        let (before, behind) = self.sources.text(file).split_at(range.start);
         let begins = match sign {
             Sign::Not => true,
-            Sign::Operator(op) => op.adds() || op == Operator::Less,
+            Sign::Operator(Operator::Less) => {
+                !before.trim_end().ends_with(|c: char| c.is_alphanumeric() || "_.)]\"".contains(c))
+            }
+            Sign::Operator(op) => op.adds(),
             _ => false,
         };
-        let rest = self.sources.locate(span).map_or("", |(file, range)| &self.sources.text(file)[range.end..]);
-        begins && rest.trim_start().starts_with(|c: char| c.is_alphanumeric() || "_.(<\"-+!".contains(c))
+        let operand = behind[range.len()..].trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
+        begins && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
     }
 
     /// `A(2)` where A is a value: nothing that could be called.
