@@ -54,7 +54,7 @@ pub struct Common {
 /// The commands.
 #[derive(Subcommand, Clone, Debug)]
 pub enum Command {
-    /// Draw a scene into a picture file
+    /// Draw scenes into picture files
     Render(Box<RenderArgs>),
     /// Read and evaluate scenes, draw nothing
     Check(CheckArgs),
@@ -62,7 +62,7 @@ pub enum Command {
     Pick(PickArgs),
     /// Draw each scene that has a snapshot beside it, and compare
     Test(TestArgs),
-    /// Explain the code of a message, such as E0001
+    /// Explain the code of a message, such as E0203
     Explain(ExplainArgs),
     /// Print a script that completes durer's options in your shell
     Completions(CompletionsArgs),
@@ -121,10 +121,10 @@ pub const DEFAULT_STEPS: u64 = 200_000_000;
 /// How a picture is drawn.
 #[derive(Args, Clone, Debug, Default)]
 pub struct LookArgs {
-    /// Threshold of anti-aliasing, or `off` [default: 0.3]
+    /// Smooth edges where neighbours differ by more than this, or `off` [default: 0.3]
     #[arg(help_heading = PICTURE, long, value_name = "THRESHOLD")]
     pub aa: Option<Antialias>,
-    /// From 0 (quick colours) to 11 (everything) [default: 9]
+    /// How much is drawn, from 0 (quick colours) to 11 (everything) [default: 9]
     #[arg(help_heading = PICTURE, long, value_name = "0..11", value_parser = clap::value_parser!(u8).range(0..=11))]
     pub quality: Option<u8>,
     /// Leave the background transparent
@@ -171,7 +171,7 @@ pub struct RenderArgs {
     /// How many threads draw [default: one for each processor]
     #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
-    /// Warn of more
+    /// Warn of options of POV-Ray that mean nothing here, too
     #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<DrawingWarn>,
     /// Show how far the picture is [default: auto]
@@ -204,7 +204,7 @@ pub struct CheckArgs {
     /// Let `warnings` fail as errors do
     #[arg(help_heading = TOLD, long, value_name = "WHAT")]
     pub deny: Option<Deny>,
-    /// Warn of more
+    /// Warn of these too
     #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<Warn>,
 }
@@ -212,7 +212,7 @@ pub struct CheckArgs {
 /// `durer pick`.
 #[derive(Args, Clone, Debug)]
 pub struct PickArgs {
-    /// The scene, or - for standard input
+    /// The scene, an INI file, or - for standard input
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
     /// Column and row, counted from 0 at the top left

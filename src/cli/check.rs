@@ -4,6 +4,7 @@ use super::args::{CheckArgs, CheckFormat, Deny, Warn};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::inputs::Inputs;
+use super::summary::Word;
 use super::{overlay, session, summary};
 use crate::Keep;
 use crate::diagnostic::{Diagnostic, Severity};
@@ -15,10 +16,15 @@ use std::path::Path;
 /// Checks all inputs; the worst decides the exit code.
 pub fn run(console: &Console, args: &CheckArgs) -> Result {
     let inputs = Inputs::of(&args.inputs)?;
-    if !inputs.several {
-        return inputs.all.iter().try_fold(Exit::Fine, |_, input| check(console, args, input));
-    }
     let human = args.format == CheckFormat::Human;
+    if let ([input], false) = (&inputs.all[..], inputs.several) {
+        let exit = check(console, args, input)?;
+        // Programs see the exit code, a person would see nothing at all.
+        if human && console.terminal && exit == Exit::Fine {
+            console.note(&summary::line(Word::Ok, input.display(), &console.take_count().to_string()));
+        }
+        return Ok(exit);
+    }
     let tell = |line: &str| if human && !console.quiet { console.data(line) } else { Ok(()) };
     summary::each(console, &inputs.all, tell, |console, input| Ok((check(console, args, input)?, String::new())))
 }

@@ -13,6 +13,7 @@ use super::values::Stats;
 use super::watch::Watcher;
 use super::{dump, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::image_io::Format;
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{self, Region};
 use crate::source::{FileId, Sources, Span};
@@ -39,6 +40,10 @@ pub fn run(console: &Console, args: &RenderArgs) -> Result {
 
 /// Several pictures need a file each.
 fn check_several(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
+    if let Some(picture) = inputs.iter().find(|input| Format::from_path(input).is_ok()) {
+        let picture = picture.display();
+        return usage(format!("`{picture}` is a picture, not a scene; `-o {picture}` draws into it"));
+    }
     let Some(output) = &args.output else {
         return check_names(args, inputs);
     };
