@@ -171,7 +171,7 @@ pub struct RenderArgs {
     /// How many threads draw [default: one for each processor]
     #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
-    /// Warn of options of POV-Ray that mean nothing here, too
+    /// Warn of these too
     #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<DrawingWarn>,
     /// Show how far the picture is [default: auto]

@@ -72,8 +72,8 @@ fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, boo
     let global = Cli::command();
     let arguments: Vec<_> = command.get_arguments().chain(global.get_arguments()).collect();
     let takes_value = |a: &&clap::Arg| a.get_action().takes_values();
-    let (mut out, mut rest, mut is_value, mut is_over) = (vec![], words.iter(), false, false);
-    while let Some(word) = rest.next() {
+    let (mut out, mut is_value, mut is_over) = (vec![], false, false);
+    for word in words {
         let text = word.to_string_lossy();
         let (dashes, name) = (text.starts_with("--"), text.trim_start_matches('-'));
         let short = || text.strip_prefix('-').and_then(|s| s.chars().next());
@@ -83,7 +83,7 @@ fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, boo
         };
         let theirs = !is_value && !is_over && !dashes && mine.is_none() && is_theirs(&text);
         is_over |= !is_value && text == "--";
-        is_value = !is_value && mine.is_some_and(|a| takes_value(a)) && (dashes || text.chars().count() == 2);
+        is_value = !is_value && mine.is_some_and(takes_value) && (dashes || text.chars().count() == 2);
         out.push((word, theirs));
     }
     out
