@@ -99,6 +99,8 @@ pub struct Built {
     pub diagnostics: Vec<Diagnostic>,
     /// A limit (steps, memory, time) ended the run.
     pub limit_reached: bool,
+    /// If they were to be kept: the macro calls and includes around each of the scene's objects, innermost first.
+    pub origins: Vec<Vec<diagnostic::Label>>,
     /// How long text → Scene took.
     pub parse_time: Duration,
     /// How long Scene → World took.
@@ -129,7 +131,7 @@ pub fn build_with(
     debug: &mut dyn FnMut(&str),
 ) -> Built {
     let start = Instant::now();
-    let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached } =
+    let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
     let parse_time = start.elapsed();
     let start = Instant::now();
@@ -147,7 +149,7 @@ pub fn build_with(
         (true, Keep::World) => scene.take().map(world::lower_away),
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
-    Built { scene, world, diagnostics, limit_reached, parse_time, build_time: start.elapsed() }
+    Built { scene, world, diagnostics, limit_reached, origins, parse_time, build_time: start.elapsed() }
 }
 
 /// Bytes of stack for parser and interpreter, which recurse as deeply as the text is nested. Only what is used costs memory.

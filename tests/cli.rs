@@ -3,61 +3,12 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod place;
+
+use place::{Place, SCENE};
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
-
-const SCENE: &str = "camera { location <0, 0, -5> look_at 0 }\nsphere { 0, 1 }\n";
-
-/// An empty folder with one scene in it.
-struct Place(tempfile::TempDir);
-
-impl Place {
-    fn new() -> Self {
-        let place = Self(tempfile::tempdir().unwrap());
-        place.put("ball.scene", SCENE);
-        place
-    }
-
-    fn path(&self) -> &Path {
-        self.0.path()
-    }
-
-    fn put(&self, name: &str, text: impl AsRef<[u8]>) {
-        std::fs::write(self.path().join(name), text).unwrap();
-    }
-
-    fn read(&self, name: &str) -> Vec<u8> {
-        std::fs::read(self.path().join(name)).unwrap()
-    }
-
-    fn names(&self) -> Vec<String> {
-        let entries = std::fs::read_dir(self.path()).unwrap();
-        let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
-    }
-
-    fn command(&self, line: &str) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_durer"));
-        command.args(line.split_whitespace()).current_dir(self.path()).stdin(Stdio::null());
-        command
-    }
-
-    fn run(&self, line: &str) -> Output {
-        self.command(line).output().unwrap()
-    }
-
-    /// Runs and demands an exit code; returns stdout and stderr.
-    #[track_caller]
-    fn exits(&self, code: i32, line: &str) -> (String, String) {
-        let output = self.run(line);
-        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-        let (out, err) = (text(&output.stdout), text(&output.stderr));
-        assert_eq!(output.status.code(), Some(code), "durer {line}\n{out}{err}");
-        (out, err)
-    }
-}
+use std::process::Stdio;
 
 #[test]
 fn a_scene_becomes_a_picture_beside_us() {
@@ -134,7 +85,7 @@ fn exit_codes() {
         (2, "render ball.scene -o ./ball.scene --format png"),
         (2, "render ball.scene -o a.jpg --alpha"),
         (2, "render ball.scene -o - --stats json"),
-        (2, "render ball.scene --frame 1 --frames 1-2"),
+        (2, "render ball.scene --frame 3 --frames 1-2"),
         (2, "render ball.scene --region 0,0,641,1"),
         (2, "render ball.scene --declare 1=2"),
         (2, "pick ball.scene 640,0"),
@@ -148,7 +99,8 @@ fn exit_codes() {
         (4, "render ball.scene --max-time 0"),
         (5, "render missing.scene"),
         (5, "check missing.scene"),
-        (5, "check ."),
+        (1, "check ."),
+        (5, "check /"),
         (5, "render ball.scene -o nowhere/a.png"),
     ] {
         place.exits(code, line);

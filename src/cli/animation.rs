@@ -45,11 +45,6 @@ impl Animation {
         (self.first..=self.last.max(self.end)).contains(&frame)
     }
 
-    /// How a frame's number is written in file names.
-    pub fn number(&self, frame: u32) -> String {
-        format!("{frame:0digits$}", digits = self.digits)
-    }
-
     /// What the scene is told in a frame. POV-Ray keeps the clock in 32 bits, which shows: it is 0.181818187 in the third of
     /// twelve frames. It hands the others on as text, with six digits. Where there is one frame only, POV-Ray's clock is
     /// not a number; ours is the initial one.
@@ -124,7 +119,7 @@ mod tests {
         let part = all.only("7-9:2".parse().unwrap());
         assert_eq!(part.frames().collect::<Vec<_>>(), [7, 9]);
         assert_eq!(part.timing(7), all.timing(7));
-        assert_eq!(part.number(7), "07");
+        assert_eq!(part.digits, 2);
         assert!(!part.has(31) && !part.has(0) && part.has(30));
     }
 }

@@ -1,9 +1,10 @@
 //! The options of the command line. Every option that is taken is obeyed.
 
 use super::animation::Animation;
+pub use super::choices::{CheckFormat, Deny, DrawingWarn, Dump, Library, MessageFormat, Warn, When};
 use super::values::{Antialias, Bytes, Clock, Declare, Frames, Part, Pixel, Seconds, Size, Stats, Version};
 use crate::image_io::Format;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
 const EXIT_CODES: &str = "\
@@ -11,6 +12,21 @@ Exit codes: 0 fine, 1 the scene is wrong, 2 the command line is wrong, 3 a snaps
 5 a file could not be read or written.
 
 `durer scene.pov` and POV-Ray's own options work too: durer +Iscene.pov +W640 +H480 +A0.3";
+
+/// Under `--help`, options stand below what they are about.
+pub mod heading {
+    /// Of which moment, and of what, the picture is.
+    pub const DRAWN: &str = "What is drawn";
+    /// How large, how good, and where it goes.
+    pub const PICTURE: &str = "Picture";
+    /// What else the scene may touch.
+    pub const FILES: &str = "Files";
+    /// How long, and with how much.
+    pub const LIMITS: &str = "Limits";
+    /// What is told beside the picture.
+    pub const TOLD: &str = "What is told";
+}
+use heading::{DRAWN, FILES, LIMITS, PICTURE, TOLD};
 
 /// Draws scenes written by hand in POV-Ray's scene language.
 #[derive(Parser, Clone, Debug)]
@@ -35,21 +51,10 @@ pub struct Common {
     pub color: When,
 }
 
-/// `auto` is on a terminal only.
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum When {
-    /// On a terminal
-    Auto,
-    /// Everywhere
-    Always,
-    /// Nowhere
-    Never,
-}
-
 /// The commands.
 #[derive(Subcommand, Clone, Debug)]
 pub enum Command {
-    /// Draw a scene into a picture file
+    /// Draw scenes into picture files
     Render(Box<RenderArgs>),
     /// Read and evaluate scenes, draw nothing
     Check(CheckArgs),
@@ -57,66 +62,56 @@ pub enum Command {
     Pick(PickArgs),
     /// Draw each scene that has a snapshot beside it, and compare
     Test(TestArgs),
-    /// Explain the code of a message, such as E0001
+    /// Explain the code of a message, such as E0203
     Explain(ExplainArgs),
     /// Print a script that completes durer's options in your shell
     Completions(CompletionsArgs),
 }
 
-/// Where standard include files come from.
-#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Library {
-    /// An installed POV-Ray's, if there is one, then the built-in ones
-    #[default]
-    Installed,
-    /// The built-in ones
-    Durer,
-}
-
 /// What a scene is given when it is read.
 #[derive(Args, Clone, Debug, Default)]
 pub struct SceneArgs {
-    /// Look for included files here too
-    #[arg(short = 'I', long = "include", value_name = "DIR")]
-    pub include: Vec<PathBuf>,
-    /// Whose include files: an installed POV-Ray's before those built in, or the built-in ones alone
-    #[arg(long, value_name = "WHOSE", default_value = "installed", hide_possible_values = false)]
-    pub library: Library,
-    /// Let the scene read files below this folder too
-    #[arg(long, value_name = "DIR")]
-    pub allow_read: Vec<PathBuf>,
-    /// Let the scene write files below this folder too
-    #[arg(long, value_name = "DIR")]
-    pub allow_write: Vec<PathBuf>,
-    /// Declare an identifier: a number, or text in quotes
-    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
-    pub declare: Vec<Declare>,
-    /// The version of the language, such as 3.1, until the scene's own `#version`
-    #[arg(long, value_name = "VERSION")]
-    pub language: Option<Version>,
-    /// Width and height in pixels [default: 640x480]
-    #[arg(long, value_name = "WxH")]
-    pub size: Option<Size>,
-    /// The frame of an animation
-    #[arg(long, value_name = "N")]
+    /// Only this frame of an animation
+    #[arg(help_heading = DRAWN, long, value_name = "N")]
     pub frame: Option<u32>,
     /// Of an INI file, or of POV-Ray's options.
     #[arg(skip)]
     pub animation: Option<Animation>,
-    /// The value of `clock`; A..B for the first and last of many frames [default: 0..1]
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    /// The value of `clock`; A..B from the first frame to the last [default: 0..1]
+    #[arg(help_heading = DRAWN, long, value_name = "X", allow_hyphen_values = true)]
     pub clock: Option<Clock>,
+    /// Declare a name: 2.5, '"text"', '<1,2,3>' or 'rgb <1,0,0>'
+    #[arg(help_heading = DRAWN, long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub declare: Vec<Declare>,
+    /// The version of the language, such as 3.1, until the scene's own `#version`
+    #[arg(help_heading = DRAWN, long, value_name = "VERSION")]
+    pub language: Option<Version>,
+    /// Width and height in pixels [default: 640x480]
+    #[arg(help_heading = PICTURE, long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Look for included files here too
+    #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
+    pub include: Vec<PathBuf>,
+    /// Whose standard include files
+    #[arg(help_heading = FILES, long, value_name = "WHOSE", default_value = "installed", hide_possible_values = false)]
+    pub library: Library,
+    /// Let the scene read files below this folder too
+    #[arg(help_heading = FILES, long, value_name = "DIR")]
+    pub allow_read: Vec<PathBuf>,
+    /// Let the scene write files below this folder too
+    #[arg(help_heading = FILES, long, value_name = "DIR")]
+    pub allow_write: Vec<PathBuf>,
     /// Take the text apart into single tokens: slow, and for tests, since what comes out is the same
     #[arg(long, hide = true)]
     pub single_tokens: bool,
     /// End with exit code 4 after so many statements
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_STEPS)]
+    #[arg(help_heading = LIMITS, long, value_name = "N", default_value_t = DEFAULT_STEPS)]
     pub max_steps: u64,
     /// End with exit code 4 when so much memory is needed, such as 2G [default: most of what is free]
-    #[arg(long, value_name = "BYTES")]
+    #[arg(help_heading = LIMITS, long, value_name = "BYTES")]
     pub max_memory: Option<Bytes>,
     /// End with exit code 4 after so many seconds
-    #[arg(long, value_name = "SECONDS")]
+    #[arg(help_heading = LIMITS, long, value_name = "SECONDS")]
     pub max_time: Option<Seconds>,
 }
 
@@ -126,64 +121,67 @@ pub const DEFAULT_STEPS: u64 = 200_000_000;
 /// How a picture is drawn.
 #[derive(Args, Clone, Debug, Default)]
 pub struct LookArgs {
-    /// Threshold of anti-aliasing, or `off` [default: 0.3]
-    #[arg(long, value_name = "THRESHOLD")]
+    /// Smooth edges where neighbours differ by more than this, or `off` [default: 0.3]
+    #[arg(help_heading = PICTURE, long, value_name = "THRESHOLD")]
     pub aa: Option<Antialias>,
-    /// From 0 (quick colours) to 11 (everything) [default: 9]
-    #[arg(long, value_name = "0..11", value_parser = clap::value_parser!(u8).range(0..=11))]
+    /// How much is drawn, from 0 (quick colours) to 11 (everything) [default: 9]
+    #[arg(help_heading = PICTURE, long, value_name = "0..11", value_parser = clap::value_parser!(u8).range(0..=11))]
     pub quality: Option<u8>,
     /// Leave the background transparent
-    #[arg(long)]
+    #[arg(help_heading = PICTURE, long)]
     pub alpha: bool,
 }
 
 /// `durer render`.
 #[derive(Args, Clone, Debug, Default)]
 pub struct RenderArgs {
-    /// The scene, an INI file, or - for standard input
-    #[arg(value_name = "INPUT")]
+    /// Scenes, folders of scenes, INI files, or - for standard input
+    #[arg(value_name = "INPUT", required = true)]
+    pub inputs: Vec<PathBuf>,
+    /// The one of them that is drawn now.
+    #[arg(skip)]
     pub input: PathBuf,
-    /// The picture's file, or - for standard output [default: the input's name with .png, here]
-    #[arg(short, long, value_name = "FILE")]
+    /// Draw these frames, numbered with as many digits as B has [default: the INI file's]
+    #[arg(help_heading = DRAWN, long, value_name = "A-B[:STEP]")]
+    pub frames: Option<Frames>,
+    /// Draw only this part of the picture
+    #[arg(help_heading = DRAWN, long, value_name = "X,Y,W,H")]
+    pub region: Option<Part>,
+    /// The picture's file, a folder, or - for standard output [default: the input's name with .png, here]
+    #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// A single frame of an INI file goes to a file of this very name.
     #[arg(skip)]
     pub exact_name: bool,
     /// The picture's format [default: by the output's ending; png for standard output]
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser())]
+    #[arg(help_heading = PICTURE, long, value_name = "FORMAT", value_parser = format_parser())]
     pub format: Option<String>,
     /// Bits for each channel: 8 or 16 [default: 8]
-    #[arg(long, value_name = "8|16", value_parser = clap::builder::PossibleValuesParser::new(["8", "16"]))]
+    #[arg(help_heading = PICTURE, long, value_name = "8|16", value_parser = clap::builder::PossibleValuesParser::new(["8", "16"]))]
     pub bit_depth: Option<String>,
     /// Draw, but write no picture
-    #[arg(long, conflicts_with_all = ["output", "format", "bit_depth"])]
+    #[arg(help_heading = PICTURE, long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,
-    /// Warn of more: `options` of POV-Ray that mean nothing here, such as +D
-    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
-    pub warn: Vec<DrawingWarn>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub look: LookArgs,
-    /// Draw many frames [default: those of the INI file]; the names get as many digits as B is written with
-    #[arg(long, value_name = "A-B[:STEP]", conflicts_with = "frame")]
-    pub frames: Option<Frames>,
-    /// Draw only this part of the picture
-    #[arg(long, value_name = "X,Y,W,H")]
-    pub region: Option<Part>,
     /// How many threads draw [default: one for each processor]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
+    /// Warn of these too
+    #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
+    pub warn: Vec<DrawingWarn>,
     /// Show how far the picture is [default: auto]
-    #[arg(long, value_name = "WHEN")]
+    #[arg(help_heading = TOLD, long, value_name = "WHEN")]
     pub progress: Option<When>,
     /// Times, rays and memory as JSON: `json` for standard output, or a file
-    #[arg(long, value_name = "json|FILE")]
+    #[arg(help_heading = TOLD, long, value_name = "json|FILE")]
     pub stats: Option<Stats>,
     /// Print what was understood as JSON, and draw nothing
-    #[arg(long, value_name = "STAGE")]
+    #[arg(help_heading = TOLD, long, value_name = "STAGE")]
     pub dump: Option<Dump>,
 }
 
@@ -191,84 +189,41 @@ fn format_parser() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(Format::names())
 }
 
-/// What `--dump` prints.
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dump {
-    /// What the author said
-    Scene,
-    /// What a ray needs
-    World,
-}
-
 /// `durer check`.
 #[derive(Args, Clone, Debug)]
 pub struct CheckArgs {
-    /// Scenes, INI files, or - for standard input
+    /// Scenes, folders of scenes, INI files, or - for standard input
     #[arg(value_name = "INPUT", required = true)]
     pub inputs: Vec<PathBuf>,
-    /// For a person, or one JSON object a line on standard output
-    #[arg(long, value_name = "FORMAT", default_value = "human")]
-    pub format: MessageFormat,
-    /// Let `warnings` fail as errors do
-    #[arg(long, value_name = "WHAT")]
-    pub deny: Option<Deny>,
-    /// Warn of more: names that are declared and `unused`, names that `shadow` others, `options` in an INI file that mean nothing
-    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
-    pub warn: Vec<Warn>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
-}
-
-/// How messages are written.
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MessageFormat {
-    /// For a person
-    Human,
-    /// code, severity, message, file, line, column, end, help, labels, trace
-    Json,
-}
-
-/// What `--deny` makes an error of.
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Deny {
-    /// All warnings
-    Warnings,
-}
-
-/// What `--warn` adds.
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Warn {
-    /// Names that are declared and never used
-    Unused,
-    /// Names in macros that hide others
-    Shadow,
-    /// Options of POV-Ray that mean nothing here
-    Options,
-}
-
-/// What `--warn` adds where a picture is drawn.
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DrawingWarn {
-    /// Options of POV-Ray that mean nothing here
-    Options,
+    /// How messages are written; all but `human` go to standard output
+    #[arg(help_heading = TOLD, long, value_name = "FORMAT", default_value = "human")]
+    pub format: CheckFormat,
+    /// Let `warnings` fail as errors do
+    #[arg(help_heading = TOLD, long, value_name = "WHAT")]
+    pub deny: Option<Deny>,
+    /// Warn of these too
+    #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
+    pub warn: Vec<Warn>,
 }
 
 /// `durer pick`.
 #[derive(Args, Clone, Debug)]
 pub struct PickArgs {
-    /// The scene, or - for standard input
+    /// The scene, an INI file, or - for standard input
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
     /// Column and row, counted from 0 at the top left
     #[arg(value_name = "X,Y", allow_hyphen_values = true)]
     pub pixel: Pixel,
-    /// As one JSON object
-    #[arg(long)]
-    pub json: bool,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
+    /// As one JSON object
+    #[arg(help_heading = TOLD, long)]
+    pub json: bool,
 }
 
 /// `durer test`.
@@ -292,10 +247,10 @@ pub struct TestArgs {
     #[arg(long, value_name = "DIR")]
     pub report: Option<PathBuf>,
     /// Look for included files here too
-    #[arg(short = 'I', long = "include", value_name = "DIR")]
+    #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,
     /// How many threads draw [default: one for each processor]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    #[arg(help_heading = LIMITS, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
 }
 

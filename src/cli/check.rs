@@ -1,10 +1,11 @@
 //! `durer check INPUT…`: reads and evaluates, draws nothing.
 
-use super::args::{CheckArgs, Deny, MessageFormat, Warn};
+use super::args::{CheckArgs, CheckFormat, Deny, Warn};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
-use super::overlay;
-use super::session;
+use super::inputs::Inputs;
+use super::summary::Word;
+use super::{overlay, session, summary};
 use crate::Keep;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::ParsedFiles;
@@ -12,26 +13,26 @@ use crate::source::Sources;
 use crate::syntax::lint::{self, Lints};
 use std::path::Path;
 
-/// Checks all inputs; the first that is wrong decides the exit code.
+/// Checks all inputs; the worst decides the exit code.
 pub fn run(console: &Console, args: &CheckArgs) -> Result {
-    let mut worst = Exit::Fine;
-    for input in &args.inputs {
-        let exit = match check(console, args, input) {
-            Ok(exit) => exit,
-            Err(Failure::NobodyListens) => return Err(Failure::NobodyListens),
-            Err(failure) => console.tell(failure),
-        };
-        if worst == Exit::Fine {
-            worst = exit;
+    let inputs = Inputs::of(&args.inputs)?;
+    let human = args.format == CheckFormat::Human;
+    if let ([input], false) = (&inputs.all[..], inputs.several) {
+        let exit = check(console, args, input)?;
+        // Programs see the exit code, a person would see nothing at all.
+        if human && console.terminal && exit == Exit::Fine {
+            console.note(&summary::line(Word::Ok, input.display(), &console.take_count().to_string()));
         }
+        return Ok(exit);
     }
-    Ok(worst)
+    let tell = |line: &str| if human && !console.quiet { console.data(line) } else { Ok(()) };
+    summary::each(console, &inputs.all, tell, |console, input| Ok((check(console, args, input)?, String::new())))
 }
 
 fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
     let sources = Sources::default();
-    let (input, scene) = match overlay::read_ini(&sources, &session::named(input), args.warn.contains(&Warn::Options)) {
-        Ok(None) => (session::named(input), args.scene.clone()),
+    let (input, scene) = match overlay::read_ini(&sources, input, args.warn.contains(&Warn::Options)) {
+        Ok(None) => (input.to_path_buf(), args.scene.clone()),
         Ok(Some((cli, warnings))) => {
             report(console, args, &sources, &warnings)?;
             overlay::scene_over(cli, &args.scene)
@@ -69,8 +70,9 @@ fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagno
 
 fn report(console: &Console, args: &CheckArgs, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
     match args.format {
-        MessageFormat::Human => console.report(sources, diagnostics),
-        MessageFormat::Json => console.report_json(sources, diagnostics)?,
+        CheckFormat::Human => console.report(sources, diagnostics),
+        CheckFormat::Short => console.report_short(sources, diagnostics)?,
+        CheckFormat::Json => console.report_json(sources, diagnostics)?,
     }
     Ok(())
 }

@@ -2,19 +2,26 @@
 
 use super::args::{Common, When};
 use super::exit::{Exit, Failure, Result};
+use super::summary::Count;
 use crate::diagnostic::{Diagnostic, Severity, draw, file};
 use crate::source::Sources;
 use serde_json::json;
+use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
+use std::rc::Rc;
 
 /// Where messages are as wide as no terminal says.
 const WIDTH: usize = 100;
 
 /// How we talk.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Console {
     style: draw::Style,
+    /// What was told so far; its clones share it.
+    told: Rc<Cell<Count>>,
+    /// One of several scenes is being told of: the counts stand on its line.
+    among_several: bool,
     /// Errors only.
     pub quiet: bool,
     /// Is someone watching stderr?
@@ -34,12 +41,27 @@ impl Console {
         };
         let columns = terminal_size::terminal_size_of(io::stderr()).map(|(width, _)| usize::from(width.0));
         let style = draw::Style { fancy, width: columns.unwrap_or(WIDTH).max(40) };
-        Self { style, quiet: common.quiet, terminal }
+        Self { style, told: Rc::default(), among_several: false, quiet: common.quiet, terminal }
     }
 
     /// Before the command line is understood.
     pub fn plain() -> Self {
         Self::new(&Common { quiet: false, color: When::Auto })
+    }
+
+    /// For several scenes, each of which has a line of its own that counts its messages.
+    pub fn among_several(&self) -> Self {
+        Self { among_several: true, ..self.clone() }
+    }
+
+    /// Does another line tell what becomes of a scene?
+    pub fn is_among_several(&self) -> bool {
+        self.among_several
+    }
+
+    /// How many messages were told since this was asked last.
+    pub fn take_count(&self) -> Count {
+        self.told.take()
     }
 
     /// Data, to stdout.
@@ -69,8 +91,10 @@ impl Console {
         let warnings = diagnostics.iter().filter(wanted(Severity::Warning)).filter(|_| !self.quiet);
         let told: Vec<_> = errors.chain(warnings).collect();
         let mut text: String = told.iter().map(|d| draw::render(d, sources, self.style) + "\n").collect();
-        if told.len() > 1 {
-            text += &format!("{}\n", summary(&told));
+        let count = Count::of(told.iter().copied());
+        self.told.set(self.told.get().and(count));
+        if told.len() > 1 && !self.among_several {
+            text += &format!("{count}\n");
         }
         text
     }
@@ -83,6 +107,13 @@ impl Console {
     /// Diagnostics for programs, one JSON object a line, to stdout.
     pub fn report_json(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         diagnostics.iter().try_for_each(|d| self.json(&as_json(sources, d)))
+    }
+
+    /// Diagnostics for editors, one a line, to stdout: `a.scene:3:7: error[E0204]: message`.
+    pub fn report_short(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
+        let wanted = |d: &&Diagnostic| !self.quiet || d.severity == Severity::Error;
+        let lines: String = diagnostics.iter().filter(wanted).map(|d| as_line(sources, d)).collect();
+        self.data(lines)
     }
 
     /// Tells why a command failed.
@@ -124,15 +155,14 @@ pub fn say(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// `2 errors, 1 warning`.
-fn summary(diagnostics: &[&Diagnostic]) -> String {
-    let count = |severity, word: &str| match diagnostics.iter().filter(|d| d.severity == severity).count() {
-        0 => None,
-        1 => Some(format!("1 {word}")),
-        n => Some(format!("{n} {word}s")),
-    };
-    let parts = [count(Severity::Error, "error"), count(Severity::Warning, "warning")];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+fn severity(d: &Diagnostic) -> &'static str {
+    if d.severity == Severity::Error { "error" } else { "warning" }
+}
+
+/// What is wrong with no place of a text has none in front.
+fn as_line(sources: &Sources, d: &Diagnostic) -> String {
+    let place = sources.place(d.span()).map(|p| format!("{p}: ")).unwrap_or_default();
+    format!("{place}{}[{}]: {}\n", severity(d), d.code, d.message.replace('\n', " "))
 }
 
 /// `code severity message file line column end{line column} help labels trace`; the place is null where there is none.
@@ -147,7 +177,7 @@ fn as_json(sources: &Sources, d: &Diagnostic) -> serde_json::Value {
     };
     json!({
         "code": d.code.0,
-        "severity": if d.severity == Severity::Error { "error" } else { "warning" },
+        "severity": severity(d),
         "message": d.message,
         "file": place.map(|p| &p.file),
         "line": place.map(|p| p.line),

@@ -2,8 +2,8 @@
 
 use super::args::ExplainArgs;
 use super::console::Console;
-use super::exit::{Exit, Result};
-use crate::diagnostic::{codes, did_you_mean};
+use super::exit::{Exit, Result, usage};
+use crate::diagnostic::codes::{self, Explanation};
 
 /// Explains one code, or lists all.
 pub fn run(console: &Console, args: &ExplainArgs) -> Result {
@@ -12,15 +12,41 @@ pub fn run(console: &Console, args: &ExplainArgs) -> Result {
         console.data(list)?;
         return Ok(Exit::Fine);
     };
-    match codes::find(wanted) {
-        Some(found) => {
-            console.data(format!("{}: {}\n\n{}\n", found.code, found.title, found.text))?;
-            Ok(Exit::Fine)
-        }
-        None => {
-            let near = did_you_mean(&wanted.to_uppercase(), codes::ALL.iter().map(|e| e.code.0));
-            let help = near.unwrap_or("`durer explain` lists all codes".into());
-            super::exit::usage(format!("there is no code `{wanted}`; {help}"))
-        }
+    let found = codes_of(wanted);
+    if found.is_empty() {
+        let near = nearest_code(wanted).map(|e| format!("the nearest is `{}` ({}); ", e.code, e.title));
+        return usage(format!(
+            "there is no code `{wanted}`; {}`durer explain` lists all codes",
+            near.unwrap_or_default()
+        ));
     }
+    let texts: Vec<_> = found.iter().map(|e| format!("{}: {}\n\n{}\n", e.code, e.title, e.text)).collect();
+    console.data(texts.join("\n"))?;
+    Ok(Exit::Fine)
+}
+
+/// The codes that are meant: `E0203` itself, or the error and the warning where the letter is left out; zeros may be left out
+/// too. What stands around a code in a message is passed over: `error[E0203]`.
+fn codes_of(wanted: &str) -> Vec<&'static Explanation> {
+    let wanted = wanted.trim();
+    let wanted = wanted.split_once('[').map_or(wanted, |(_, code)| code.trim_end_matches([':', ']']));
+    let digits = wanted.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+    let letter = &wanted[..wanted.len() - digits.len()];
+    let Ok(number) = digits.parse::<u32>() else { return vec![] };
+    let letters = if letter.is_empty() { vec!["E", "W"] } else { vec![letter] };
+    letters.into_iter().filter_map(|letter| codes::find(&format!("{letter}{number:04}"))).collect()
+}
+
+/// The one whose number is nearest, of the same letter if there is one.
+fn nearest_code(wanted: &str) -> Option<&'static Explanation> {
+    let number = |code: &str| code.trim_matches(|c: char| !c.is_ascii_digit()).parse::<i64>().ok();
+    let (letter, wanted) = (wanted.chars().next()?.to_ascii_uppercase(), number(wanted)?);
+    codes::ALL
+        .iter()
+        .filter_map(|e| {
+            let apart = number(e.code.0)?.saturating_sub(wanted).abs();
+            Some(((!e.code.0.starts_with(letter), apart), e))
+        })
+        .min_by_key(|(key, _)| *key)
+        .map(|(_, e)| e)
 }

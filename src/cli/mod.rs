@@ -3,10 +3,13 @@
 mod animation;
 mod args;
 mod check;
+mod choices;
 mod completions;
 mod console;
+mod dump;
 mod exit;
 mod explain;
+mod inputs;
 mod interrupt;
 pub mod manual;
 mod memory;
@@ -17,8 +20,10 @@ mod progress;
 mod render;
 mod session;
 mod stats;
+mod summary;
 mod target;
 pub mod test;
+mod unknown;
 mod values;
 mod watch;
 
@@ -46,6 +51,7 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
 
 /// The command line in our own words; POV-Ray's are translated first.
 fn understand(words: Vec<OsString>) -> Result<(Console, Cli)> {
+    unknown::check(&words)?;
     let sources = Sources::default();
     let povray::Translated { words, animation, mut diagnostics, idle } = povray::translate(&sources, words);
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
@@ -53,7 +59,12 @@ fn understand(words: Vec<OsString>) -> Result<(Console, Cli)> {
     }
     let cli = overlay::parse(words, animation).map_err(|e| Failure::Usage(Box::new(e)))?;
     let console = Console::new(&cli.common);
-    if matches!(&cli.command, Command::Render(args) if !args.warn.is_empty()) {
+    let tells_all = match &cli.command {
+        Command::Render(args) => !args.warn.is_empty(),
+        Command::Check(args) => args.warn.contains(&args::Warn::Options),
+        _ => false,
+    };
+    if tells_all {
         diagnostics.extend(idle);
     }
     console.report(&sources, &diagnostics);

@@ -39,8 +39,14 @@ pub fn read_ini(
 /// Our own words, with the animation that they can't say.
 pub fn parse(words: Vec<std::ffi::OsString>, animation: Option<Animation>) -> std::result::Result<Cli, clap::Error> {
     let mut cli = Cli::try_parse_from(words)?;
-    if let Command::Render(args) = &mut cli.command {
-        args.scene.animation = animation;
+    match &mut cli.command {
+        Command::Render(args) => {
+            args.scene.animation = animation;
+            args.input = args.inputs.first().cloned().unwrap_or_default();
+        }
+        Command::Check(args) => args.scene.animation = animation,
+        Command::Pick(args) => args.scene.animation = animation,
+        _ => {}
     }
     Ok(cli)
 }
@@ -49,11 +55,11 @@ pub fn parse(words: Vec<std::ffi::OsString>, animation: Option<Animation>) -> st
 pub fn with_ini(console: &Console, args: &RenderArgs) -> Result<(Console, RenderArgs)> {
     let sources = Sources::default();
     let (cli, diagnostics) = match read_ini(&sources, &args.input, !args.warn.is_empty()) {
-        Ok(None) => return Ok((*console, args.clone())),
+        Ok(None) => return Ok((console.clone(), args.clone())),
         Ok(Some(found)) => found,
         Err(faults) => return Err(tell(console, &sources, &faults)),
     };
-    let mut quieter = *console;
+    let mut quieter = console.clone();
     quieter.quiet |= cli.common.quiet;
     quieter.report(&sources, &diagnostics);
     match cli.command {
@@ -88,6 +94,7 @@ impl RenderArgs {
     /// These, and the INI file's where these say nothing.
     pub fn over(&self, ini: RenderArgs) -> RenderArgs {
         RenderArgs {
+            inputs: ini.inputs,
             input: ini.input,
             exact_name: self.output.is_some(),
             no_output: self.no_output || ini.no_output && self.output.is_none(),

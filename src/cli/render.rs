@@ -4,66 +4,148 @@ use super::animation::Animation;
 use super::args::{Dump, RenderArgs, When};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
+use super::inputs::Inputs;
 use super::interrupt::{self, Orderly};
 use super::progress::Progress;
 use super::stats::{self, Report};
-use super::target::Target;
+use super::target::{Target, is_folder};
 use super::values::Stats;
 use super::watch::Watcher;
-use super::{memory, overlay, session};
+use super::{dump, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::image_io::Format;
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{self, Region};
 use crate::source::{FileId, Sources, Span};
 use crate::{Built, Keep};
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Draws one picture, or one for each frame.
+/// Draws each scene: one picture, or one for each frame.
 pub fn run(console: &Console, args: &RenderArgs) -> Result {
-    let args = RenderArgs { input: session::named(&args.input), ..args.clone() };
-    let (console, args) = overlay::with_ini(console, &args)?;
-    session::check_input(&args.input)?;
-    if args.dump.is_none() {
-        memory::check(args.scene.size(), args.scene.max_memory.map(|b| b.0))?;
-        check_region(&args)?;
+    let inputs = Inputs::of(&args.inputs)?;
+    let mut reports = Vec::new();
+    if !inputs.several {
+        let mut draw = |input| draw_scene(console, args, input, &mut reports).map(|(exit, _)| exit);
+        return inputs.all.iter().try_fold(Exit::Fine, |_, input| draw(input));
     }
-    let target = Target::new(&args)?;
-    if target.is_stdout() && (args.stats == Some(Stats::Json) || args.dump.is_some()) {
-        return usage("standard output can't take the picture and `--stats json` or `--dump` at once");
+    check_several(args, &inputs.all)?;
+    let tell = |line: &str| {
+        console.note(line);
+        Ok(())
+    };
+    summary::each(console, &inputs.all, tell, |console, input| draw_scene(console, args, input, &mut reports))
+}
+
+/// Several pictures need a file each.
+fn check_several(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
+    if let Some(picture) = inputs.iter().find(|input| Format::from_path(input).is_ok()) {
+        let picture = picture.display();
+        return usage(format!("`{picture}` is a picture, not a scene; `-o {picture}` draws into it"));
     }
-    let mut job = Job::new(&console, &args)?;
-    match animation(&args)? {
-        Some(animation) => {
-            for frame in animation.frames() {
-                job.draw(&target.numbered(&animation.number(frame)), animation.timing(frame))?;
-            }
-            Ok(Exit::Fine)
-        }
-        None => {
-            let timing = session::timing(&args.scene)?;
-            // One frame again: it takes the place of the one that was drawn with the others.
-            let numbered = args.scene.animation.as_ref().filter(|_| !args.exact_name);
-            let target = numbered.map_or(target.clone(), |animation| target.numbered(&animation.number(timing.frame)));
-            job.draw(&target, timing)
-        }
+    let Some(output) = &args.output else {
+        return check_names(args, inputs);
+    };
+    if output == Path::new("-") {
+        usage("the pictures of several scenes can't all go to standard output; draw them one by one")
+    } else if is_folder(output) {
+        check_names(args, inputs)
+    } else {
+        let output = output.display();
+        usage(format!("several scenes can't all be drawn into `{output}`; name a folder that is there: `-o pictures/`"))
     }
 }
 
-/// Many frames, if they are asked for.
-fn animation(args: &RenderArgs) -> Result<Option<Animation>> {
-    let scene = &args.scene;
-    match (args.frames, &scene.animation) {
+fn check_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
+    if args.no_output || args.dump.is_some() {
+        return Ok(());
+    }
+    let mut taken = std::collections::HashMap::new();
+    for input in inputs.iter().filter(|input| !povray::is_ini(&input.to_string_lossy())) {
+        let target = Target::new(&RenderArgs { input: input.clone(), ..args.clone() })?;
+        if let Some(other) = target.file().and_then(|file| taken.insert(file.to_path_buf(), input)) {
+            let (a, b) = (other.display(), input.display());
+            let file = target.file().unwrap_or(Path::new("")).display();
+            return usage(format!(
+                "`{a}` and `{b}` would both be drawn into `{file}`; draw one of them with `-o` and another name"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// One scene; also says what became of it, in a few words.
+fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, reports: &mut Vec<Report>) -> Result<(Exit, String)> {
+    let args = RenderArgs { input: input.to_path_buf(), ..args.clone() };
+    let (console, mut args) = overlay::with_ini(console, &args)?;
+    session::check_input(&args.input)?;
+    if args.dump.is_none() {
+        check_region(&args)?;
+        check_memory(&args)?;
+    }
+    settle_frames(&mut args)?;
+    let target = Target::new(&args)?;
+    check_stdout(&args, &target)?;
+    let mut job = Job::new(&console, &args, reports)?;
+    let exit = match &args.scene.animation {
+        Some(animation) if args.scene.frame.is_none() => {
+            for frame in animation.frames() {
+                job.draw(&target.numbered(frame, animation.digits), animation.timing(frame))?;
+            }
+            Exit::Fine
+        }
+        animation => {
+            let timing = session::timing(&args.scene)?;
+            let exact = args.exact_name && !target.has_pattern() || args.scene.frame.is_none() && animation.is_none();
+            // One frame again: it takes the place of the one that was drawn with the others.
+            let digits = animation.as_ref().map_or(1, |animation| animation.digits);
+            job.draw(&if exact { target } else { target.numbered(timing.frame, digits) }, timing)?
+        }
+    };
+    Ok((exit, job.done()))
+}
+
+/// What `--frames` and `--frame` say becomes part of the animation, that of the INI file if there is one.
+fn settle_frames(args: &mut RenderArgs) -> Result<()> {
+    let scene = &mut args.scene;
+    let by_ini = scene.animation.is_some();
+    scene.animation = match (args.frames, scene.animation.take()) {
         (Some(frames), Some(animation)) if !animation.has(frames.first) || !animation.has(frames.last) => {
             let (first, last) = (animation.first, animation.end);
-            usage(format!("`--frames` asks for frames that are not there: the animation goes from {first} to {last}"))
+            return usage(format!(
+                "`--frames` asks for frames that are not there: the animation goes from {first} to {last}"
+            ));
         }
-        (Some(frames), Some(animation)) => Ok(Some(animation.only(frames))),
+        (Some(frames), Some(animation)) => Some(animation.only(frames)),
         (Some(frames), None) => {
             let animation = Animation::new(frames);
-            Ok(Some(Animation { clock: scene.clock.unwrap_or(animation.clock), ..animation }))
+            Some(Animation { clock: scene.clock.unwrap_or(animation.clock), ..animation })
         }
-        (None, animation) => Ok(animation.clone().filter(|_| scene.frame.is_none())),
+        (None, animation) => animation,
+    };
+    args.exact_name |= !by_ini && args.output.is_some();
+    Ok(())
+}
+
+/// What can't go to standard output.
+fn check_stdout(args: &RenderArgs, target: &Target) -> Result<()> {
+    if !target.is_stdout() || args.dump.is_some() && args.output.is_none() {
+        return Ok(());
     }
+    if args.stats == Some(Stats::Json) || args.dump.is_some() {
+        return usage("standard output can't take the picture and `--stats json` or `--dump` at once");
+    }
+    if args.scene.animation.is_some() && args.scene.frame.is_none() {
+        target.check_many()?;
+    }
+    if std::io::stdout().is_terminal() {
+        let input = args.input.display();
+        return usage(format!(
+            "a picture is not written to a terminal; send it to a file or a program: `durer render {input} -o - > picture.png`"
+        ));
+    }
+    Ok(())
 }
 
 fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
@@ -82,6 +164,13 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
     Diagnostic::err(codes::OUTSIDE_PICTURE, Span::NONE, text)
 }
 
+/// Is there room for the picture?
+fn check_memory(args: &RenderArgs) -> crate::diagnostic::Result<()> {
+    let antialias = drawing_options(args, Timing::default()).antialias.is_some_and(|threshold| threshold < 1.0);
+    let limit = args.scene.max_memory.map(|bytes| bytes.0);
+    memory::check_drawing(args.scene.size(), args.region.map(|part| part.0), antialias, limit)
+}
+
 fn drawing_options(args: &RenderArgs, timing: Timing) -> render::Options {
     let threads = args.threads.map_or(0, usize::from);
     let region = args.region.map(|part| part.0);
@@ -95,16 +184,31 @@ struct Job<'a> {
     sources: Sources,
     parsed: ParsedFiles,
     file: FileId,
-    reports: Vec<Report>,
+    /// Of all scenes of the command.
+    reports: &'a mut Vec<Report>,
+    /// The pictures so far.
+    written: Vec<PathBuf>,
+    start: Instant,
     /// Warnings of earlier frames, which are not told again.
     told: Vec<Diagnostic>,
 }
 
 impl<'a> Job<'a> {
-    fn new(console: &'a Console, args: &'a RenderArgs) -> Result<Self> {
-        let sources = Sources::default();
+    fn new(console: &'a Console, args: &'a RenderArgs, reports: &'a mut Vec<Report>) -> Result<Self> {
+        let (sources, start) = (Sources::default(), Instant::now());
         let file = session::open_or_tell(console, &sources, &args.input)?;
-        Ok(Self { console, args, sources, parsed: ParsedFiles::default(), file, reports: vec![], told: vec![] })
+        let parsed = ParsedFiles::default();
+        Ok(Self { console, args, sources, parsed, file, reports, written: vec![], start, told: vec![] })
+    }
+
+    /// What was written, in a few words.
+    fn done(&self) -> String {
+        let time = format!("({:.1} s)", self.start.elapsed().as_secs_f64());
+        match &self.written[..] {
+            [] => String::new(),
+            [one] => format!("{} {time}", one.display()),
+            [first, .., last] => format!("{} to {} {time}", first.display(), last.display()),
+        }
     }
 
     /// Text to Scene to World.
@@ -127,8 +231,8 @@ impl<'a> Job<'a> {
         let mut built = self.build(timing);
         let world = session::settle(console, &self.sources, &mut built)?;
         match args.dump {
-            Some(Dump::Scene) => return console.json(&built.scene).map(|()| Exit::Fine),
-            Some(Dump::World) => return console.json(&world).map(|()| Exit::Fine),
+            Some(Dump::Scene) => return console.data(dump::text(&self.sources, &built.scene)).map(|()| Exit::Fine),
+            Some(Dump::World) => return console.data(dump::text(&self.sources, &world)).map(|()| Exit::Fine),
             None => {}
         }
 
@@ -147,11 +251,12 @@ impl<'a> Job<'a> {
         if let Some(stats) = &args.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
             self.reports.push(Report::new(times, rays, args));
-            stats::give(&self.reports, console, stats)?;
+            stats::give(self.reports, console, stats)?;
         }
-        if let (Some(path), true) = (written, console.terminal) {
+        if let (Some(path), true) = (written, console.terminal && !console.is_among_several()) {
             console.note(&format!("{} ({:.1} s)\n", path.display(), start.elapsed().as_secs_f64()));
         }
+        self.written.extend(written.map(Path::to_path_buf));
         if interrupt::asked() { Err(Failure::Told(Exit::Interrupted)) } else { Ok(Exit::Fine) }
     }
 }

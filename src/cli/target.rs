@@ -7,6 +7,7 @@ use crate::diagnostic::file;
 use crate::image_io::{Encoding, Format, Frame, encode};
 use crate::snapshot;
 use crate::source;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// Where the pictures of one command go.
@@ -58,11 +59,6 @@ impl Target {
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
         }
-        if place == Place::Stdout
-            && (args.frames.is_some() || args.scene.animation.is_some() && args.scene.frame.is_none())
-        {
-            return usage("many frames can't go to standard output; name a file");
-        }
         Ok(Self {
             place,
             encoding: Encoding { format, depth: depth.unwrap_or(8), alpha: keeps_alpha(&args.look, args) },
@@ -74,17 +70,48 @@ impl Target {
         self.place == Place::Stdout
     }
 
-    /// The same for one frame of many: the number stands before the ending.
-    pub fn numbered(&self, number: &str) -> Self {
+    /// The file, if there is one.
+    pub fn file(&self) -> Option<&Path> {
+        match &self.place {
+            Place::File(path) => Some(path),
+            _ => None,
+        }
+    }
+
+    /// Can many pictures go there? On standard output one follows the other, which only ppm was made for.
+    pub fn check_many(&self) -> Result<()> {
+        match (&self.place, self.encoding.format) {
+            (Place::Stdout, format) if format != Format::Ppm => usage(format!(
+                "many frames on standard output can't be {}: add `--format ppm`, or name a file: `-o film.png`",
+                format.name()
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// Does the name say where the number of a frame stands?
+    pub fn has_pattern(&self) -> bool {
+        self.file().and_then(Path::file_name).is_some_and(|name| pattern(&name.to_string_lossy()).is_some())
+    }
+
+    /// The same for one frame of many: `%03d` in the name becomes the number, with so many digits at least; without it, the
+    /// number stands before the ending, with the digits that the animation gives it.
+    pub fn numbered(&self, frame: u32, digits: usize) -> Self {
         let Place::File(path) = &self.place else {
             return self.clone();
         };
-        let mut name = path.file_stem().unwrap_or_default().to_os_string();
-        name.push(number);
-        if let Some(ending) = path.extension() {
-            name.push(".");
-            name.push(ending);
-        }
+        let whole = path.file_name().unwrap_or_default().to_string_lossy();
+        let name = if let Some((place, least)) = pattern(&whole) {
+            format!("{}{frame:0least$}{}", &whole[..place.start], &whole[place.end..]).into()
+        } else {
+            let mut name = path.file_stem().unwrap_or_default().to_os_string();
+            name.push(format!("{frame:0digits$}"));
+            if let Some(ending) = path.extension() {
+                name.push(".");
+                name.push(ending);
+            }
+            name
+        };
         Self { place: Place::File(path.with_file_name(name)), encoding: self.encoding }
     }
 
@@ -128,7 +155,18 @@ fn is_same(a: &Path, b: &Path) -> bool {
     a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }
 
-fn is_folder(path: &Path) -> bool {
+/// `%d` or `%03d` in a name, as C and ffmpeg write it: where it stands, and the number of digits.
+fn pattern(name: &str) -> Option<(Range<usize>, usize)> {
+    name.match_indices('%').find_map(|(at, _)| {
+        let digits = name[at + 1..].bytes().take_while(u8::is_ascii_digit).count();
+        let end = at + 1 + digits;
+        let width = if digits == 0 { Some(1) } else { name[at + 1..end].parse().ok().filter(|width| *width <= 20) };
+        width.filter(|_| name[end..].starts_with('d')).map(|width| (at..end + 1, width))
+    })
+}
+
+/// Is this a folder, there or yet to be made?
+pub fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.as_os_str().to_string_lossy().ends_with(std::path::is_separator)
 }
 
@@ -151,7 +189,8 @@ mod tests {
     fn target(line: &str) -> Result<Target> {
         let cli = Cli::try_parse_from(format!("durer render {line}").split(' ')).unwrap();
         let Command::Render(args) = cli.command else { unreachable!() };
-        Target::new(&args)
+        let input = args.inputs[0].clone();
+        Target::new(&RenderArgs { input, ..*args })
     }
 
     fn file(line: &str) -> String {
@@ -174,8 +213,12 @@ mod tests {
 
     #[test]
     fn frames_are_numbered() {
-        let numbered = target("b.scene -o c/d.png").unwrap().numbered("07");
-        assert_eq!(numbered.place, Place::File("c/d07.png".into()));
+        let numbered = |line: &str, digits| target(line).unwrap().numbered(7, digits).place;
+        assert_eq!(numbered("b.scene -o c/d.png", 2), Place::File("c/d07.png".into()));
+        assert_eq!(numbered("b.scene -o c/d%03d_.png", 2), Place::File("c/d007_.png".into()));
+        assert_eq!(numbered("b.scene -o 100%/%d%%.png", 2), Place::File("100%/7%%.png".into()));
+        assert_eq!(numbered("b.scene -o 5%5.png", 1), Place::File("5%57.png".into()));
+        assert_eq!(pattern("a%9999999999999999999999d"), None);
     }
 
     #[test]
@@ -187,10 +230,11 @@ mod tests {
             "-o a.xyz",
             "-o a",
             "-o a.jpg --size 70000x10",
-            "-o - --frames 1-3",
         ] {
             assert!(target(&format!("b.scene {line}")).is_err(), "{line}");
         }
         assert!(target("b.scene -o - --format ppm --bit-depth 16").is_ok());
+        assert!(target("b.scene -o - --format ppm").unwrap().check_many().is_ok());
+        assert!(target("b.scene -o -").unwrap().check_many().is_err());
     }
 }

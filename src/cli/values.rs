@@ -1,5 +1,6 @@
 //! The values that options take, each with its own way of being written.
 
+use crate::value::given;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -153,7 +154,7 @@ impl FromStr for Clock {
     }
 }
 
-/// `NAME=VALUE`: a number, or text in quotes.
+/// `NAME=VALUE`: a number, text in quotes, a vector or a colour.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declare {
     /// The identifier.
@@ -169,13 +170,15 @@ impl FromStr for Declare {
         let (name, value) = text.split_once('=').ok_or("a name and a value are needed, such as Speed=2.5")?;
         let is_name = name.starts_with(|c: char| c.is_alphabetic() || c == '_')
             && name.chars().all(|c| c.is_alphanumeric() || c == '_');
-        let is_quoted = value.len() >= 2 && value.starts_with('"') && value.ends_with('"');
         if !is_name {
-            Err(format!("`{name}` can't be a name: letters, digits and `_` make one"))
-        } else if is_quoted || value.parse::<f64>().is_ok_and(f64::is_finite) {
-            Ok(Self { name: name.into(), value: value.into() })
-        } else {
-            Err(format!("`{value}` is no number; text has to stand in quotes: '{name}=\"{value}\"'"))
+            return Err(format!("`{name}` can't be a name: letters, digits and `_` make one"));
+        }
+        match given(value) {
+            Ok(_) => Ok(Self { name: name.into(), value: value.into() }),
+            Err(why) if value.starts_with(|c: char| c.is_alphabetic()) => {
+                Err(format!("{why}; text has to stand in quotes: '{name}=\"{value}\"'"))
+            }
+            Err(why) => Err(why),
         }
     }
 }
@@ -263,6 +266,9 @@ mod tests {
         }
         assert!("on".parse::<Antialias>().is_err() && "-1".parse::<Antialias>().is_err());
         assert!("nan".parse::<Antialias>().is_err() && "nan".parse::<Clock>().is_err());
+        for (text, says) in [("A=x", "'A=\"x\"'"), ("P=<1,2", "`>` is missing"), ("C=rgb <1>", "2 to 5 numbers")] {
+            assert!(text.parse::<Declare>().unwrap_err().contains(says), "{text}");
+        }
         assert!("A=x".parse::<Declare>().is_err() && "1=2".parse::<Declare>().is_err());
         assert!("99999999999G".parse::<Bytes>().is_err());
     }

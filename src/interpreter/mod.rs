@@ -54,7 +54,7 @@ pub struct Options {
     pub search: SearchPath,
     /// What the scene may read and write.
     pub sandbox: Sandbox,
-    /// `--declare NAME=VALUE`: numbers, or text in quotes.
+    /// `--declare NAME=VALUE`: see [`crate::value::given`].
     pub declares: Vec<(String, String)>,
     /// `--language`: the version in force until the text's own `#version`.
     pub version: Option<f64>,
@@ -72,6 +72,8 @@ pub struct Options {
     pub max_memory: Option<u64>,
     /// How much of the text the parser keeps whole; tests have it taken apart.
     pub wholes: Wholes,
+    /// Keep through which macros and includes each object came into the scene.
+    pub origins: bool,
 }
 
 /// A picture of one pixel, no files, and a million steps.
@@ -89,6 +91,7 @@ impl Default for Options {
             max_time: None,
             max_memory: None,
             wholes: Wholes::Kept,
+            origins: false,
         }
     }
 }
@@ -102,6 +105,8 @@ pub struct Outcome {
     pub diagnostics: Vec<Diagnostic>,
     /// A limit (steps, memory, time) ended the run: exit code 4.
     pub limit_reached: bool,
+    /// If they were to be kept: the macro calls and includes around each of the scene's objects, innermost first.
+    pub origins: Vec<Vec<Label>>,
 }
 
 /// A run ends after so many errors.
@@ -192,6 +197,8 @@ pub(crate) struct Interpreter<'a> {
     scene: Scene,
     diagnostics: Vec<Diagnostic>,
     limit_reached: bool,
+    /// Kept where [`Options::origins`] asks for it.
+    origins: Vec<Vec<Label>>,
     /// Faults met, also those that were told before.
     faults: usize,
 }
@@ -249,6 +256,7 @@ impl<'a> Interpreter<'a> {
             scene: Scene::default(),
             diagnostics: vec![],
             limit_reached: false,
+            origins: vec![],
             faults: 0,
         }
     }
@@ -319,6 +327,7 @@ impl<'a> Interpreter<'a> {
             scene: (!failed).then_some(self.scene),
             diagnostics: self.diagnostics,
             limit_reached: self.limit_reached,
+            origins: self.origins,
         }
     }
 

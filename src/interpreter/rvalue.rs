@@ -12,7 +12,7 @@ use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Sign};
 use crate::syntax::word;
 use crate::texture::{ColorMap, Finish, Interior, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
-use crate::value::{Next, Reader, Thing, Value};
+use crate::value::{Next, Reader, Thing, Value, given};
 use std::sync::Arc;
 
 /// Blocks that may be declared, and whose kind is not read yet.
@@ -205,13 +205,10 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `--declare NAME=VALUE`: a number, or else text.
+    /// `--declare NAME=VALUE`: a number, vector or colour, or else text.
     pub(super) fn declare_options(&mut self) {
         for (name, value) in &self.options.declares {
-            let value = match value.trim().parse::<f64>() {
-                Ok(x) => Value::Float(x),
-                Err(_) => Value::Text(value.trim_matches('"').into()),
-            };
+            let value = given(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
             let symbol = self.names.intern(name);
             self.scopes.set_global(symbol, Slot::Value(value), vec![]);
         }

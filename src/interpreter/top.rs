@@ -114,6 +114,9 @@ impl Interpreter<'_> {
         // A declared object without a texture gets the default of the place where it is used.
         object.default_texture = self.defaults.texture.clone();
         self.scene.objects.push(*object);
+        if self.options.origins {
+            self.origins.push(self.trace());
+        }
         Ok(())
     }
 

@@ -18,6 +18,13 @@ pub struct Place {
     pub column: usize,
 }
 
+/// `file:line:column`, as editors take it.
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "{}:{}:{}", self.file, self.line, self.column)
+    }
+}
+
 struct File {
     name: String,
     path: Option<PathBuf>,

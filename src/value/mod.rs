@@ -1,6 +1,7 @@
 //! Values of the language, the words a block takes, and the reader through which a family of things
 //! reads its own words.
 
+mod given;
 mod kinds;
 mod raw_item;
 mod reader;
@@ -8,6 +9,7 @@ mod seldom;
 mod spec;
 pub mod words;
 
+pub use given::given;
 pub use kinds::{Thing, Value, VecN, downcast};
 pub use raw_item::RawItem;
 pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};

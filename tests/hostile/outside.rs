@@ -45,7 +45,7 @@ pub fn cases() -> Vec<Case> {
         ball("option_unknown", "render a.scene --sizze 8x6", 2, &["--sizze"]),
         ball("pick_outside", "pick a.scene 100000,0", 2, &["E0010"]),
         ball("scene_missing", "render b.scene -o out.png", 5, &["E0002", "b.scene"]),
-        ball("scene_is_a_folder", "render . -o out.png", 5, &["E0003"]),
+        ball("scene_is_a_folder", "render . -o out.png", 2, &["name a folder"]),
         ball("scene_is_root", "check /", 5, &["E0003"]),
         ball("scene_below_a_file", "check a.scene/b.scene", 5, &["a.scene/b.scene"]),
         ball("scene_is_memory", "check /proc/self/mem", 5, &["E0003"]),

@@ -12,8 +12,18 @@ pub(super) fn options() -> String {
     let mut text = format!("## For every command\n\n{}", table(["option", ""], global));
     for sub in command.get_subcommands().filter(|c| !c.is_hide_set()) {
         let about = sub.get_about().map(ToString::to_string).unwrap_or_default();
-        let rows = sub.get_arguments().filter(|a| !a.is_hide_set() && !a.is_global_set()).map(option_row);
-        text += &format!("## durer {}\n\n{about}.\n\n{}", sub.get_name(), table(["option", ""], rows));
+        text += &format!("## durer {}\n\n{about}.\n\n", sub.get_name());
+        let options: Vec<_> = sub.get_arguments().filter(|a| !a.is_hide_set() && !a.is_global_set()).collect();
+        let mut headings: Vec<_> = options.iter().map(|a| a.get_help_heading()).collect();
+        headings.sort_by_key(|heading| heading.is_some());
+        let mut told = vec![];
+        for heading in headings {
+            if !told.contains(&heading) {
+                let rows = options.iter().filter(|a| a.get_help_heading() == heading).map(|a| option_row(a));
+                text += &table(["option", heading.unwrap_or_default()], rows);
+                told.push(heading);
+            }
+        }
     }
     text + "## POV-Ray's options\n\n\
             They stand on the command line as switches (`+W640`; `-` for `+` switches off) or as in an INI file (`Width=640`), \
@@ -35,7 +45,30 @@ fn option_row(arg: &Arg) -> [String; 2] {
     let default = arg.get_default_values().first().map(|d| format!(" [default: {}]", d.to_string_lossy()));
     let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
     // Angle brackets are Markdown's.
-    [code(shown.trim()), help.replace('<', "&lt;") + &default.unwrap_or_default()]
+    [code(shown.trim()), help.replace('<', "&lt;") + &words(arg) + &default.unwrap_or_default()]
+}
+
+/// The words that an option takes, where each says what it means.
+fn words(arg: &Arg) -> String {
+    let values = arg.get_possible_values();
+    if values.is_empty() || values.iter().any(|value| value.get_help().is_none()) {
+        return String::new();
+    }
+    let each =
+        values.iter().map(|v| format!("{} ({})", code(v.get_name()), lower(v.get_help().map(ToString::to_string))));
+    format!(": {}", each.collect::<Vec<_>>().join(", "))
+}
+
+fn lower(text: Option<String>) -> String {
+    let text = text.unwrap_or_default();
+    let mut letters = text.chars();
+    // `An INI file`, but not `INI files`.
+    match (letters.next(), letters.next()) {
+        (Some(first), Some(second)) if !second.is_uppercase() => {
+            first.to_lowercase().to_string() + &text[first.len_utf8()..]
+        }
+        _ => text,
+    }
 }
 
 fn povray_row(row: &Row) -> [String; 4] {

@@ -4,21 +4,24 @@
 
 mod files;
 mod ini;
+mod mixed;
 mod number;
+mod own;
 mod parts;
 pub(super) mod table;
 #[cfg(test)]
 mod tests;
 
-use super::Cli;
 use super::animation::Animation;
 use crate::diagnostic::{Diagnostic, codes, nearest};
 use crate::source::{Sources, Span};
-use clap::CommandFactory;
 pub use files::is_ini;
 use files::{Files, with_ending};
+pub use mixed::first_word;
+use own::Own;
 use parts::Settings;
 use std::ffi::OsString;
+use std::iter::Peekable;
 use std::path::Path;
 use table::{Effect, ROWS, Row, Takes};
 
@@ -37,20 +40,23 @@ pub struct Translated {
 
 /// Translates a command line; one that is ours already comes back as it is.
 pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
-    if is_ours(&words) {
-        return Translated { words, ..Translated::default() };
-    }
     if let [program, word] = &words[..]
         && ["-?", "+?", "-H", "+H"].iter().any(|help| word.eq_ignore_ascii_case(help))
     {
         return Translated { words: vec![program.clone(), "--help".into()], ..Translated::default() };
     }
-    let mut translation = Translation::new(sources);
-    let mut rest = words.iter().skip(1);
-    while let Some(word) = rest.next() {
-        translation.word(word, &mut rest);
+    match mixed::manner(&words) {
+        mixed::Manner::Ours => Translated { words, ..Translated::default() },
+        mixed::Manner::Mixed(at) => Translation::new(sources).mixed(&words, at),
+        mixed::Manner::Theirs => {
+            let mut translation = Translation::new(sources);
+            let mut rest = words.iter().skip(1).peekable();
+            while let Some(word) = rest.next() {
+                translation.word(word, &mut rest);
+            }
+            translation.finish(words.first().cloned().unwrap_or_default())
+        }
     }
-    translation.finish(words.first().cloned().unwrap_or_default())
 }
 
 /// What an INI file asks for, as a command line.
@@ -65,30 +71,15 @@ pub fn translate_ini(sources: &Sources, name: &Path) -> Translated {
     translation.finish("durer".into())
 }
 
-/// Does a command of ours come first, or nothing but our options?
-fn is_ours(words: &[OsString]) -> bool {
-    let mut first = words
-        .iter()
-        .skip(1)
-        .map(|w| w.to_string_lossy())
-        .skip_while(|w| w.starts_with("--color=") || w == "-q" || w == "--quiet");
-    let Some(mut word) = first.next() else {
-        return true;
-    };
-    if word == "--color" {
-        word = first.nth(1).unwrap_or_default();
-    }
-    let command = Cli::command();
-    let names: Vec<_> = command.get_subcommands().map(clap::Command::get_name).chain(["help"]).collect();
-    let is_option = word.starts_with("--") || word == "-h" || word == "-V";
-    let is_plain = !word.contains(['+', '-', '=', '.', '/', '\\']) && !Path::new(&*word).exists();
-    is_option || names.contains(&&*word) || is_plain && nearest(&word, names).is_some()
-}
-
 struct Translation<'s> {
     parts: Settings,
+    /// Scenes that are named on the command line without a switch: all of them are drawn, unless POV-Ray's words say that this is
+    /// its manner. It draws the last one.
+    scenes: Vec<OsString>,
     /// Ours, as they came.
-    options: Vec<OsString>,
+    options: Vec<Own>,
+    /// The command, where one was named.
+    command: Option<String>,
     /// Was anything said in POV-Ray's way?
     any_switch: bool,
     faults: Vec<Diagnostic>,
@@ -108,7 +99,9 @@ impl<'s> Translation<'s> {
         let files = Files::new(sources);
         Self {
             parts: Settings::new(),
+            scenes: Vec::new(),
             options: Vec::new(),
+            command: None,
             any_switch: false,
             faults: Vec::new(),
             idle: Vec::new(),
@@ -117,12 +110,16 @@ impl<'s> Translation<'s> {
     }
 
     /// A word of the command line, which may be an option of ours that takes the next one.
-    fn word<'a>(&mut self, word: &OsString, rest: &mut impl Iterator<Item = &'a OsString>) {
+    fn word<'a>(&mut self, word: &'a OsString, rest: &mut Peekable<impl Iterator<Item = &'a OsString>>) {
         let text = word.to_string_lossy().into_owned();
-        match own_option(&text) {
-            Some(takes_value) => {
-                self.options.push(word.clone());
-                self.options.extend(rest.take(usize::from(takes_value)).cloned());
+        match own::option(&text, rest.peek().map(|next| next.to_string_lossy()).as_deref()) {
+            Some((name, takes_value)) => {
+                let words = std::iter::once(word).chain(rest.take(usize::from(takes_value))).cloned().collect();
+                self.options.push(Own { name, words });
+            }
+            // `durer +W8 check a.pov`
+            None if self.command.is_none() && self.scenes.is_empty() && mixed::is_command(&text) => {
+                self.command = Some(text);
             }
             None => self.option(&text, Origin::default()),
         }
@@ -146,11 +143,20 @@ impl<'s> Translation<'s> {
             self.any_switch = true;
             self.ini(text, origin);
             Ok(())
+        } else if origin.word.is_none() {
+            self.scenes.push(with_ending(self.files.scene(text)).into());
+            Ok(())
         } else {
-            self.parts.input = Some(self.files.scene(text));
+            self.set_input(text);
             Ok(())
         };
         self.faults.extend(done.err());
+    }
+
+    /// The one scene that is drawn, unless a later word names another.
+    fn set_input(&mut self, name: &str) {
+        self.parts.input = Some(self.files.scene(name));
+        self.scenes.clear();
     }
 
     fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
@@ -181,7 +187,7 @@ impl<'s> Translation<'s> {
         match if on { row.on } else { row.off } {
             Effect::Same => Ok(()),
             Effect::Flag(flag) => {
-                self.options.push(flag.into());
+                self.options.push(Own::of(flag.into()));
                 Ok(())
             }
             Effect::Option(name) => {
@@ -191,13 +197,13 @@ impl<'s> Translation<'s> {
                     "--language" => number::real(value).unwrap_or_default().clamp(1.0, 100.0).to_string(),
                     _ => value.into(),
                 };
-                self.options.push(format!("{name}={value}").into());
+                self.options.push(Own::of(format!("{name}={value}")));
                 Ok(())
             }
             Effect::Whole(name, least, largest) => {
                 let n = number::whole(value).ok_or_else(|| wrong(text, "it needs a whole number", origin))?;
                 let n = n.clamp(f64::from(least), f64::from(largest));
-                self.options.push(format!("{name}={n}").into());
+                self.options.push(Own::of(format!("{name}={n}")));
                 Ok(())
             }
             Effect::Idle(reason) => {
@@ -205,10 +211,11 @@ impl<'s> Translation<'s> {
                 self.idle.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
                 Ok(())
             }
-            Effect::Part(put) => {
-                let value = if row.ini == "Input_File_Name" { self.files.scene(value) } else { value.into() };
-                put(&mut self.parts, &value).map_err(|reason| wrong(text, &reason, origin))
+            Effect::Part(_) if row.ini == "Input_File_Name" => {
+                self.set_input(value);
+                Ok(())
             }
+            Effect::Part(put) => put(&mut self.parts, value).map_err(|reason| wrong(text, &reason, origin)),
             Effect::Lacks(reason) => {
                 let message = format!("`{text}` has no effect: {reason}");
                 self.faults.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
@@ -231,37 +238,39 @@ impl<'s> Translation<'s> {
         }
     }
 
-    fn finish(self, program: OsString) -> Translated {
-        let mut words = vec![program, "render".into()];
-        let parts = self.parts.options(self.any_switch).into_iter().map(OsString::from);
-        let is_named = |part: &OsString| {
-            let name = part.to_string_lossy().split('=').next().unwrap_or_default().to_string();
-            self.options.iter().any(|o| o.to_string_lossy().split('=').next() == Some(&name))
-        };
-        // Where no picture is written, `+FN` and the like say nothing.
-        let unwritten = self.options.iter().any(|o| o == "--no-output");
-        let is_idle = |part: &OsString| {
-            let part = part.to_string_lossy();
-            unwritten && ["--output=", "--format=", "--bit-depth="].iter().any(|name| part.starts_with(name))
-        };
-        // Anti-aliasing is off by default, which an option of ours overrides.
-        words.extend(parts.filter(|part| !is_named(part) && !is_idle(part)));
-        words.extend(last_of_each(self.options));
+    fn finish(mut self, program: OsString) -> Translated {
+        let command = self.command.take().unwrap_or("render".into());
+        let options = self.option_words(self.any_switch);
+        let known = |word: &OsString| mixed::is_taken(&command, &word.to_string_lossy());
+        let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
+        let mut words = vec![program, command.into()];
+        words.extend(options);
         let animation = self.parts.animation();
-        if let Some(input) = self.parts.input {
-            words.extend(["--".into(), with_ending(input).into()]);
+        let input = self.parts.input.map(|input| with_ending(input).into());
+        let skipped = if self.any_switch { self.scenes.len().saturating_sub(1) } else { 0 };
+        let scenes: Vec<_> = match self.scenes.is_empty() {
+            true => input.into_iter().collect(),
+            false => self.scenes.into_iter().skip(skipped).collect(),
+        };
+        if !scenes.is_empty() {
+            words.push("--".into());
+            words.extend(scenes);
         }
         Translated { words, animation, diagnostics: self.faults, idle: self.idle }
     }
-}
 
-/// The later of two contradicting options counts, where POV-Ray's may be given twice: `+Q3` in an INI file, `+Q9` behind it.
-fn last_of_each(options: Vec<OsString>) -> Vec<OsString> {
-    const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--alpha", "--quiet", "--no-output", "--language"];
-    let name = |o: &OsString| ONCE.iter().find(|once| o.to_string_lossy().split('=').next() == Some(once)).copied();
-    let names: Vec<_> = options.iter().map(name).collect();
-    let again = |i: usize| names[i].is_some() && names[i + 1..].contains(&names[i]);
-    options.into_iter().enumerate().filter(|(i, _)| !again(*i)).map(|(_, option)| option).collect()
+    /// All options; `plain` where nothing but POV-Ray's own `+A` asks for anti-aliasing.
+    fn option_words(&mut self, plain: bool) -> Vec<OsString> {
+        let options = own::last_of_each(std::mem::take(&mut self.options));
+        let is_named = |name: &str| options.iter().any(|o| o.name == name);
+        // Where no picture is written, `+FN` and the like say nothing.
+        let is_idle = |name: &str| is_named("--no-output") && ["--output", "--format", "--bit-depth"].contains(&name);
+        let parts = self.parts.options(plain).into_iter().map(Own::of);
+        // Anti-aliasing is off by default, which an option of ours overrides.
+        let parts = parts.filter(|part| !is_named(&part.name) && !is_idle(&part.name));
+        let parts: Vec<_> = parts.flat_map(|part| part.words).collect();
+        parts.into_iter().chain(options.into_iter().flat_map(|o| o.words)).collect()
+    }
 }
 
 /// Tells where the value stands, which our own command line would not.
@@ -270,27 +279,6 @@ fn check_value(option: &str, value: &str) -> Result<(), String> {
         "--declare" => value.parse::<super::values::Declare>().map(drop),
         _ => Ok(()),
     }
-}
-
-/// Is it one of our options for `render`, and does it take the next word? A short one is ours if nothing is attached, where
-/// POV-Ray would need a value.
-fn own_option(text: &str) -> Option<bool> {
-    let command = Cli::command();
-    let render = command.find_subcommand("render")?;
-    let mut arguments = render.get_arguments().chain(command.get_arguments());
-    let takes_value = |a: &clap::Arg| a.get_action().takes_values();
-    if let Some(long) = text.strip_prefix("--").filter(|long| !long.is_empty()) {
-        let found = arguments.find(|a| a.get_long() == Some(long));
-        return Some(found.is_some_and(takes_value));
-    }
-    let mut letters = text.strip_prefix('-')?.chars();
-    let (letter, None) = (letters.next()?, letters.next()) else {
-        return None;
-    };
-    let theirs =
-        find_switch(&letter.to_string()).is_some_and(|(row, _)| !matches!(row.takes, Takes::Number | Takes::Text));
-    let found = arguments.find(|a| a.get_short() == Some(letter)).map(takes_value);
-    if theirs { None } else { found.or((letter == 'h').then_some(false)) }
 }
 
 /// The row with the longest switch that the word begins with and whose value can be what is left of it.

@@ -28,7 +28,7 @@ pub struct Settings {
     pub subset_end: Option<f64>,
     pub frame_step: u32,
     pub cyclic: bool,
-    pub antialias: bool,
+    pub antialias: Option<bool>,
     pub threshold: f64,
 }
 
@@ -66,7 +66,7 @@ impl Settings {
     }
 
     pub fn antialias(&mut self, text: &str, on: bool) -> Checked {
-        self.antialias = on;
+        self.antialias = Some(on);
         if text.is_empty() { Ok(()) } else { self.number(text, |p, x| p.threshold = x) }
     }
 
@@ -109,14 +109,14 @@ impl Settings {
         }
     }
 
-    /// Our options.
-    pub fn options(&self, any_switch: bool) -> Vec<String> {
+    /// Our options; `plain` where there is no anti-aliasing unless it is asked for.
+    pub fn options(&self, plain: bool) -> Vec<String> {
         let mut out = Vec::new();
         let mut put = |name: &str, value: String| out.push(format!("{name}={value}"));
-        if self.antialias {
-            put("--aa", self.threshold.to_string());
-        } else if any_switch {
-            put("--aa", "off".into());
+        match self.antialias {
+            Some(true) => put("--aa", self.threshold.to_string()),
+            None if !plain => {}
+            _ => put("--aa", "off".into()),
         }
         let size = Size::default();
         let (width, height) = (self.width.unwrap_or(size.width), self.height.unwrap_or(size.height));

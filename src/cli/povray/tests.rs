@@ -1,4 +1,6 @@
+use super::mixed::Manner;
 use super::*;
+use crate::cli::Cli;
 use crate::cli::values::Clock;
 use crate::diagnostic::Severity;
 
@@ -219,11 +221,39 @@ fn help_is_given_when_it_is_the_only_word() {
 #[test]
 fn our_own_command_lines_are_left_alone() {
     for line in
-        ["", "--help", "-h", "render a.scene", "-q render a.scene", "--color never check a.scene", "rendr a.scene"]
+        ["", "--help", "-h", "render a.scene", "-q render a.scene", "--color never check a.scene", "test a.scene"]
     {
-        assert!(is_ours(&words(line)), "{line}");
+        assert_eq!(mixed::manner(&words(line)), Manner::Ours, "{line}");
     }
-    for line in ["a.scene", "+Ia.pov", "Width=4", "-D a.pov", "-q a.scene"] {
-        assert!(!is_ours(&words(line)), "{line}");
+    for line in ["a.scene", "+Ia.pov", "Width=4", "-D a.pov", "-q a.scene", "--size 4x3 a.scene", "+W4 render a.scene"]
+    {
+        assert_eq!(mixed::manner(&words(line)), Manner::Theirs, "{line}");
     }
+    for line in ["render a.scene +W4", "render -D a.scene", "-q check a.scene Width=4", "pick a.scene 1,2 -A"] {
+        assert!(matches!(mixed::manner(&words(line)), Manner::Mixed(_)), "{line}");
+    }
+    for line in
+        ["render a.scene -o +W4", "render --declare Width=4 a.scene", "render a.scene -- +W4", "render -o=+W a.scene"]
+    {
+        assert_eq!(mixed::manner(&words(line)), Manner::Ours, "{line}");
+    }
+}
+
+/// What a mixed line becomes.
+#[track_caller]
+fn mixes(line: &str, expected: &str) {
+    let words = translated(words(line)).unwrap().words;
+    let words: Vec<_> = words[1..].iter().map(|w| w.to_str().unwrap()).collect();
+    assert_eq!(words.join(" "), expected, "{line}");
+}
+
+#[test]
+fn pov_rays_words_stand_before_ours() {
+    mixes("render a.scene +W32", "render --size=32x480 a.scene");
+    mixes("render a.scene +W32 --size 8x6 -A +Q3 +WT4 -j 2", "render --aa=off --quality=3 a.scene --size 8x6 -j 2");
+    mixes("render a.scene +Oa.ppm -ob.png +La -Ib", "render --include=a a.scene -ob.png -Ib");
+    mixes("-q check a.scene +W32 +A0.1 -P", "-q check --size=32x480 a.scene");
+    mixes("+W32 check a.scene +A0.1", "check --size=32x480 -- a.scene");
+    mixes("a.scene b.scene --size 8x6", "render --size 8x6 -- a.scene b.scene");
+    mixes("a.scene +Ib.scene", "render --aa=off -- b.scene");
 }

@@ -1,0 +1,78 @@
+//! Options that take one of a few words.
+
+use clap::ValueEnum;
+
+/// `auto` is on a terminal only.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum When {
+    /// On a terminal
+    Auto,
+    /// Everywhere
+    Always,
+    /// Nowhere
+    Never,
+}
+
+/// Where standard include files come from.
+#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Library {
+    /// An installed POV-Ray's, if there is one, then the built-in ones
+    #[default]
+    Installed,
+    /// The built-in ones
+    Durer,
+}
+
+/// What `--dump` prints.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dump {
+    /// What the author said
+    Scene,
+    /// What a ray needs
+    World,
+}
+
+/// How results are written.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MessageFormat {
+    /// For a person
+    Human,
+    /// One object a line
+    Json,
+}
+
+/// How messages are written.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CheckFormat {
+    /// For a person
+    Human,
+    /// file:line:column: error[CODE]: message, one a line
+    Short,
+    /// One object a line: code, severity, message, file, line, column, end, help, labels, trace
+    Json,
+}
+
+/// What `--deny` makes an error of.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deny {
+    /// All warnings
+    Warnings,
+}
+
+/// What `--warn` adds.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Warn {
+    /// Names that are declared and never used
+    Unused,
+    /// Names in macros that hide others
+    Shadow,
+    /// Options of POV-Ray that mean nothing here
+    Options,
+}
+
+/// What `--warn` adds where a picture is drawn.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DrawingWarn {
+    /// Options of POV-Ray that mean nothing here
+    Options,
+}

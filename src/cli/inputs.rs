@@ -1,0 +1,81 @@
+//! The scenes that a command line names: files, and folders of them.
+
+use super::exit::{Failure, Result, usage};
+use super::session;
+use crate::diagnostic::file;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What is to be drawn or checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inputs {
+    /// In the order of the command line, those of a folder by their names; each once.
+    pub all: Vec<PathBuf>,
+    /// Several were named, or a folder, so that each has a line of its own.
+    pub several: bool,
+}
+
+impl Inputs {
+    /// Looks into folders. What isn't there is told when it is its turn.
+    pub fn of(named: &[PathBuf]) -> Result<Self> {
+        let mut all = Vec::new();
+        for input in named {
+            let input = session::named(input);
+            if !input.is_dir() {
+                all.push(input);
+                continue;
+            }
+            if input.canonicalize().is_ok_and(|folder| folder.parent().is_none()) {
+                // All files of the machine are nobody's scenes.
+                session::check_input(&input)?;
+            }
+            let before = all.len();
+            search(&input, &mut all).map_err(|e| Failure::Fault(Box::new(file::unreadable(&input, &e.into()))))?;
+            all[before..].sort();
+            if all.len() == before {
+                return usage(format!("no file in `{}` ends in `.scene` or `.pov`", input.display()));
+            }
+        }
+        let mut seen = std::collections::HashSet::new();
+        all.retain(|input| seen.insert(input.clone()));
+        let several = named.len() > 1 || named.iter().any(|input| input.is_dir());
+        Ok(Self { all, several })
+    }
+}
+
+/// Hidden folders and Cargo's `target` are left out, as by `durer test`.
+fn search(folder: &Path, found: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in std::fs::read_dir(folder)? {
+        let entry = entry?;
+        let (path, name) = (entry.path(), entry.file_name());
+        // A link to a folder may lead in a circle.
+        if entry.file_type()?.is_dir() {
+            if !name.to_string_lossy().starts_with('.') && name != "target" {
+                search(&path, found)?;
+            }
+        } else if path.extension().is_some_and(|e| e == "scene" || e == "pov") {
+            found.push(path.strip_prefix("./").unwrap_or(&path).to_path_buf());
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_give_their_scenes() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir_all(at("b/.hidden")).unwrap();
+        std::fs::create_dir_all(at("empty")).unwrap();
+        for name in ["z.scene", "a.pov", "a.inc", "b/c.scene", "b/.hidden/d.scene"] {
+            std::fs::write(at(name), "").unwrap();
+        }
+        let found = Inputs::of(&[at("z.scene"), folder.path().into()]).unwrap();
+        assert_eq!(found.all, [at("z.scene"), at("a.pov"), at("b/c.scene")]);
+        assert!(found.several && Inputs::of(&[at("b")]).unwrap().several && !Inputs::of(&[at("a")]).unwrap().several);
+        assert!(Inputs::of(&[at("empty")]).is_err());
+    }
+}

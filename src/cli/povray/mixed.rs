@@ -1,0 +1,138 @@
+//! Whose manner a command line is in, and POV-Ray's words behind a command of ours: `durer render a.scene +W32`.
+
+use super::own::Own;
+use super::{Origin, Translated, Translation, find_switch};
+use crate::cli::Cli;
+use clap::{Command, CommandFactory};
+use std::ffi::OsString;
+use std::path::Path;
+
+/// Whose manner a command line is in.
+#[derive(Debug, PartialEq)]
+pub enum Manner {
+    /// Nothing is to be translated.
+    Ours,
+    /// Ours, with words of POV-Ray's behind the command, which is the word with this number.
+    Mixed(usize),
+    /// POV-Ray's.
+    Theirs,
+}
+
+/// Does a command of ours come first, or what every command takes?
+pub fn manner(words: &[OsString]) -> Manner {
+    let Some((at, first)) = first_word(words) else { return Manner::Ours };
+    let command = Cli::command();
+    if ["--help", "-h", "--version", "-V", "help"].contains(&&*first) {
+        return Manner::Ours;
+    }
+    match command.find_subcommand(&first) {
+        Some(command) if is_mixing(command) => {
+            let theirs = split(command, &words[at + 1..]).iter().any(|(_, theirs)| *theirs);
+            if theirs { Manner::Mixed(at) } else { Manner::Ours }
+        }
+        Some(_) => Manner::Ours,
+        None => Manner::Theirs,
+    }
+}
+
+/// The first word behind the options that stand before a command, and its number.
+pub fn first_word(words: &[OsString]) -> Option<(usize, String)> {
+    let mut at = 1;
+    loop {
+        let word = words.get(at)?.to_string_lossy().into_owned();
+        match &*word {
+            "-q" | "--quiet" => at += 1,
+            "--color" => at += 2,
+            _ if word.starts_with("--color=") => at += 1,
+            _ => return Some((at, word)),
+        }
+    }
+}
+
+/// Is it a command that reads a scene, and no file?
+pub fn is_command(word: &str) -> bool {
+    Cli::command().find_subcommand(word).is_some_and(is_mixing) && !Path::new(word).exists()
+}
+
+fn is_mixing(command: &Command) -> bool {
+    ["render", "check", "pick"].contains(&command.get_name())
+}
+
+/// Does the command take this option, which is spelt out? `check` and `pick` draw nothing, so what is about pictures says
+/// nothing to them.
+pub fn is_taken(command: &str, word: &str) -> bool {
+    let all = Cli::command();
+    let name = word.split('=').next().and_then(|word| word.strip_prefix("--"));
+    let own = all.find_subcommand(command).into_iter().flat_map(Command::get_arguments);
+    name.is_none() || own.chain(all.get_arguments()).any(|a| a.get_long() == name)
+}
+
+/// The words behind a command, and which of them are POV-Ray's.
+fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, bool)> {
+    let global = Cli::command();
+    let arguments: Vec<_> = command.get_arguments().chain(global.get_arguments()).collect();
+    let takes_value = |a: &&clap::Arg| a.get_action().takes_values();
+    let (mut out, mut is_value, mut is_over) = (vec![], false, false);
+    for word in words {
+        let text = word.to_string_lossy();
+        let (dashes, name) = (text.starts_with("--"), text.trim_start_matches('-'));
+        let short = || text.strip_prefix('-').and_then(|s| s.chars().next());
+        let mine = match dashes {
+            true => arguments.iter().find(|a| a.get_long() == Some(name)),
+            false => arguments.iter().find(|a| a.get_short().is_some() && a.get_short() == short()),
+        };
+        let theirs = !is_value && !is_over && !dashes && mine.is_none() && is_theirs(&text);
+        is_over |= !is_value && text == "--";
+        is_value = !is_value && mine.is_some_and(takes_value) && (dashes || text.chars().count() == 2);
+        out.push((word, theirs));
+    }
+    out
+}
+
+/// A switch, or `Name=Value`, unless there is a file of this name.
+fn is_theirs(text: &str) -> bool {
+    if Path::new(text).exists() {
+        return false;
+    }
+    if let Some(rest) = text.strip_prefix('+') {
+        return !rest.is_empty();
+    }
+    if let Some(rest) = text.strip_prefix('-') {
+        return !rest.is_empty() && !rest.starts_with(['h', 'V']) && find_switch(rest).is_some();
+    }
+    let is_name = |name: &str| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    text.split_once('=').is_some_and(|(name, _)| is_name(name))
+}
+
+impl Translation<'_> {
+    /// Ours as they are, with POV-Ray's words, translated, before them: anti-aliasing stays ours unless `+A` or `-A` stands there.
+    pub(super) fn mixed(mut self, words: &[OsString], at: usize) -> Translated {
+        let all = Cli::command();
+        let Some(command) = words.get(at).and_then(|word| all.find_subcommand(word)) else {
+            return self.finish("durer".into());
+        };
+        let mut ours = Vec::new();
+        for (word, theirs) in split(command, &words[at + 1..]) {
+            match theirs {
+                true => self.option(&word.to_string_lossy(), Origin::default()),
+                false => ours.push(word.clone()),
+            }
+        }
+        // What was said in our way counts, whatever POV-Ray's words say.
+        let said = |name: &str| {
+            let short =
+                command.get_arguments().find(|a| name.strip_prefix("--") == a.get_long()).and_then(|a| a.get_short());
+            let is_short = |w: &str| short.is_some_and(|c| w.starts_with(&format!("-{c}")));
+            let mut words = ours.iter().map(|w| w.to_string_lossy());
+            name != "--include"
+                && name != "--declare"
+                && words.any(|w| w.split('=').next() == Some(name) || is_short(&w))
+        };
+        let options = self.option_words(false).into_iter().map(|word| Own::of(word.to_string_lossy().into_owned()));
+        let options =
+            options.filter(|own| is_taken(command.get_name(), &own.name) && !said(&own.name)).flat_map(|own| own.words);
+        let named = self.parts.input.take().map(OsString::from);
+        let words = words[..=at].iter().cloned().chain(options).chain(named).chain(ours.iter().cloned()).collect();
+        Translated { words, animation: self.parts.animation(), diagnostics: self.faults, idle: self.idle }
+    }
+}

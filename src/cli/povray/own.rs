@@ -1,0 +1,60 @@
+//! Our own options among POV-Ray's.
+
+use super::find_switch;
+use super::table::Takes;
+use crate::cli::Cli;
+use clap::CommandFactory;
+use std::ffi::OsString;
+
+/// An option of ours, as it came.
+pub struct Own {
+    /// In its long spelling: `--output`.
+    pub name: String,
+    /// The words that say it.
+    pub words: Vec<OsString>,
+}
+
+impl Own {
+    /// `--name` or `--name=value`.
+    pub fn of(word: String) -> Self {
+        let name = word.split('=').next().unwrap_or_default().to_string();
+        Self { name, words: vec![word.into()] }
+    }
+}
+
+/// The later of two contradicting options counts, where POV-Ray's may be given twice: `+Q3` in an INI file, `+Q9` behind it.
+pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
+    const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--alpha", "--quiet", "--no-output", "--language"];
+    let names: Vec<_> = options.iter().map(|o| o.name.clone()).collect();
+    let again = |i: usize| ONCE.contains(&&*names[i]) && names[i + 1..].contains(&names[i]);
+    options.into_iter().enumerate().filter(|(i, _)| !again(*i)).map(|(_, option)| option).collect()
+}
+
+/// Is it one of our options for `render`, and does it take the next word? A short one is ours if nothing is attached, where
+/// POV-Ray would need a value; `-j` if a number follows, since POV-Ray's `-J` takes none.
+pub fn option(text: &str, next: Option<&str>) -> Option<(String, bool)> {
+    let command = Cli::command();
+    let render = command.find_subcommand("render")?;
+    let mut arguments = render.get_arguments().chain(command.get_arguments());
+    let takes_value = |a: &clap::Arg| a.get_action().takes_values();
+    if let Some(long) = text.strip_prefix("--").filter(|long| !long.is_empty()) {
+        let found = arguments.find(|a| a.get_long() == Some(long));
+        let name = text.split('=').next().unwrap_or_default().to_string();
+        return Some((name, found.is_some_and(takes_value)));
+    }
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    match text.strip_prefix("-j") {
+        Some("") if next.is_some_and(is_number) => return Some(("--threads".into(), true)),
+        Some(digits) if is_number(digits) => return Some(("--threads".into(), false)),
+        _ => {}
+    }
+    let mut letters = text.strip_prefix('-')?.chars();
+    let (letter, None) = (letters.next()?, letters.next()) else {
+        return None;
+    };
+    let theirs =
+        find_switch(&letter.to_string()).is_some_and(|(row, _)| !matches!(row.takes, Takes::Number | Takes::Text));
+    let found = arguments.find(|a| a.get_short() == Some(letter)).filter(|_| !theirs);
+    let name = |a: &clap::Arg| format!("--{}", a.get_long().unwrap_or_default());
+    found.map(|a| (name(a), takes_value(a))).or((letter == 'h').then(|| ("--help".into(), false)))
+}

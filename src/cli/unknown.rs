@@ -1,0 +1,55 @@
+//! A command that does not exist.
+
+use super::exit::Failure;
+use super::povray::{first_word, is_ini};
+use super::{Cli, session};
+use crate::diagnostic::nearest;
+use clap::CommandFactory;
+use std::ffi::OsString;
+use std::path::Path;
+
+/// What other programs call what a command of ours does.
+const OTHERS: &[(&str, &str)] = &[
+    ("draw", "render"),
+    ("run", "render"),
+    ("trace", "render"),
+    ("raytrace", "render"),
+    ("build", "render"),
+    ("animate", "render"),
+    ("lint", "check"),
+    ("validate", "check"),
+    ("verify", "check"),
+    ("parse", "check"),
+    ("compare", "test"),
+    ("diff", "test"),
+    ("probe", "pick"),
+    ("inspect", "pick"),
+    ("why", "explain"),
+    ("error", "explain"),
+    ("complete", "completions"),
+];
+
+/// Is the first word meant for a command, and is there none of this name?
+pub fn check(words: &[OsString]) -> Result<(), Failure> {
+    let Some((at, word)) = first_word(words) else { return Ok(()) };
+    let command = Cli::command();
+    let is_plain = word.starts_with(char::is_alphabetic) && !word.contains(['=', '.', '/', '\\', '[']);
+    let is_file = || session::named(Path::new(&word)).exists() || is_ini(&word);
+    if !is_plain || word == "help" || command.find_subcommand(&word).is_some() || is_file() {
+        return Ok(());
+    }
+    let names = || command.get_subcommands().filter(|c| !c.is_hide_set()).map(clap::Command::get_name);
+    let other = OTHERS.iter().find(|(other, _)| other.eq_ignore_ascii_case(&word)).map(|(_, ours)| *ours);
+    let near = names().find(|name| name.eq_ignore_ascii_case(&word)).or(other).or_else(|| nearest(&word, names()));
+    let message = match near {
+        Some(near) => {
+            let rest: String = words[at + 1..].iter().map(|word| format!(" {}", word.to_string_lossy())).collect();
+            format!("there is no command `{word}`; did you mean `durer {near}{rest}`?")
+        }
+        None => {
+            let list: Vec<_> = names().map(|name| format!("`{name}`")).collect();
+            format!("there is no command `{word}`, and no scene of this name; the commands are {}", list.join(", "))
+        }
+    };
+    Err(Failure::Usage(Box::new(Cli::command().error(clap::error::ErrorKind::InvalidSubcommand, message))))
+}
