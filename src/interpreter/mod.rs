@@ -9,6 +9,7 @@ mod eval;
 mod function;
 mod hints;
 mod limits;
+mod mistake;
 mod operators;
 mod parsed;
 mod pieces;
@@ -194,6 +195,8 @@ pub(crate) struct Interpreter<'a> {
     limit_reached: bool,
     /// Faults met, also those that were told before.
     faults: usize,
+    /// What earlier faults have left undone.
+    mistakes: mistake::Mistakes,
 }
 
 impl<'a> Interpreter<'a> {
@@ -250,6 +253,7 @@ impl<'a> Interpreter<'a> {
             diagnostics: vec![],
             limit_reached: false,
             faults: 0,
+            mistakes: mistake::Mistakes::default(),
         }
     }
 
@@ -282,7 +286,8 @@ impl<'a> Interpreter<'a> {
                 let ends = self.limit_reached || fault.code == codes::ENDS_RUN;
                 let fault = self.with_trace(*fault);
                 // What follows a bracket that is not closed makes no sense.
-                if let (Some(d), false) = (self.unclosed_bracket(), ends) {
+                let told = if ends { None } else { self.unclosed_bracket().or_else(|| self.closed_early(&fault)) };
+                if let Some(d) = told {
                     self.report_fault(d);
                     return;
                 }
@@ -295,7 +300,7 @@ impl<'a> Interpreter<'a> {
                 self.report_fault(fault);
                 self.faults += 1;
                 // A fault in a loop's body is told once, but met in every pass.
-                if ends || self.error_count() >= MAX_ERRORS || self.faults >= MAX_FAULTS {
+                if ends || self.faults >= MAX_FAULTS {
                     return;
                 }
             }
@@ -304,16 +309,16 @@ impl<'a> Interpreter<'a> {
     }
 
     fn outcome(mut self) -> Outcome {
-        self.diagnostics.append(&mut self.late);
+        for d in std::mem::take(&mut self.late) {
+            self.report_fault(d);
+        }
         let unused: Vec<Diagnostic> = self.scopes.unused_faults().cloned().collect();
-        for mut fault in unused {
-            let told = |d: &Diagnostic| d.code == fault.code && d.span() == fault.span() && d.message == fault.message;
-            if !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS) && !self.diagnostics.iter().any(told) {
-                fault.severity = Severity::Warning;
-                self.diagnostics.push(fault);
-            }
+        for mut fault in unused.into_iter().filter(|fault| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS)) {
+            fault.severity = Severity::Warning;
+            self.report_fault(fault);
         }
         self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
+        self.settle_messages();
         let failed = self.error_count() > 0;
         Outcome {
             scene: (!failed).then_some(self.scene),
@@ -329,8 +334,15 @@ impl<'a> Interpreter<'a> {
     /// Keeps a message, unless the same was told of the same place.
     fn report_fault(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
+        // (The codes of warnings begin with `W`; those of errors in what nobody uses with `E`.)
+        let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.understood(d) };
+        let Some(d) = d.filter(|_| !silent) else { return };
         let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && k.message == d.message;
-        if silent || self.diagnostics.iter().rev().take(100).any(known) {
+        if self.diagnostics.iter().rev().take(100).any(known) {
+            return;
+        }
+        if d.severity == Severity::Error && self.error_count() >= MAX_ERRORS && !self.limit_reached {
+            self.mistakes.count_untold(d.span());
             return;
         }
         if d.severity == Severity::Warning && self.diagnostics.len() >= MAX_WARNINGS {

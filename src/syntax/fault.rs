@@ -29,6 +29,16 @@ pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
     }
 }
 
+/// Is it a word for `#elseif` in other languages?
+pub fn is_other_elseif(word: &str) -> bool {
+    matches!(word, "elsif" | "elif" | "elsf" | "elseIf" | "ElseIf" | "else_if" | "elsei")
+}
+
+/// Is it a word for `#end` in other languages?
+pub fn is_other_end(word: &str) -> bool {
+    matches!(word, "endif" | "endfor" | "endwhile" | "endmacro" | "endswitch" | "end_if" | "fi" | "done" | "wend" | "next")
+}
+
 /// What stands at `at`, for a message.
 fn found(text: &str, at: usize) -> String {
     match token_at(text, at) {
@@ -124,7 +134,7 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
 }
 
 /// The word, number or character that starts at `at`.
-fn token_at(text: &str, at: usize) -> &str {
+pub fn token_at(text: &str, at: usize) -> &str {
     let rest = &text[at..];
     let word = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
     let end = if word > 0 { word } else { rest.chars().next().map_or(0, char::len_utf8) };

@@ -7,7 +7,9 @@ use super::brackets::{Brackets, MAX_DEPTH, Opener};
 use super::class::{self, Role};
 use super::numbers::{ListScanner, is_blank, scan_number};
 use super::word::{self, Category};
-use crate::diagnostic::{Code, Diagnostic, codes};
+use super::blame;
+use super::fault::is_other_elseif;
+use crate::diagnostic::{Code, Diagnostic, Severity, codes};
 use crate::source::Span;
 
 /// One token.
@@ -361,6 +363,9 @@ impl Lexer<'_> {
         match class::directive(word) {
             None => {
                 let symbol = self.names.intern(word).0;
+                if is_other_elseif(word) {
+                    self.lost_branch(word, at, end);
+                }
                 self.push(class::PLAIN, end - at, symbol);
             }
             Some((class, Role::Declares)) => self.push(class, end - at, u32::from(word == "local")),
@@ -396,8 +401,21 @@ impl Lexer<'_> {
         self.at = end;
     }
 
+    /// `#elsif`, which nobody reads where the branch before it is not run: what follows it is not run either.
+    fn lost_branch(&mut self, word: &str, lo: usize, hi: usize) {
+        let message = format!("there is no directive `#{word}`: what follows it is a part of the branch before");
+        self.fault(codes::UNKNOWN_DIRECTIVE, lo, hi, message, Some("write `#elseif`"));
+        if let Some(fault) = self.out.faults.last_mut() {
+            fault.severity = Severity::Warning;
+        }
+    }
+
     /// At the end of the text: directives without `#end`, of which the innermost three tell enough, and open brackets.
     fn unended(&mut self) {
+        if let Some(fault) = self.blamed_directive() {
+            self.out.faults.push(fault);
+            return;
+        }
         for token in self.brackets.unended().into_iter().rev().take(3) {
             let Token { start, end, .. } = self.out.tokens[token];
             let message = format!("this `{}` is not closed", self.text_of(token));
@@ -411,6 +429,21 @@ impl Lexer<'_> {
         if self.loose_closers == 0 {
             self.out.unclosed = self.brackets.unclosed().map(|token| token as u32).collect();
         }
+    }
+
+    /// The directive without `#end`, where the text tells which one it is.
+    fn blamed_directive(&self) -> Option<Diagnostic> {
+        let token = *self.brackets.unended().first()?;
+        let start = self.out.tokens[token].start as usize;
+        let told = |lo: usize, hi: usize, message: String| Diagnostic::new(codes::UNCLOSED, self.span(lo, hi), message);
+        if let Some((at, word)) = blame::other_end(self.text, start) {
+            let d = told(start, self.out.tokens[token].end as usize, format!("this `{}` is not closed", self.text_of(token)));
+            let end = self.span(at, at + 1 + word.len());
+            return Some(d.also(end, format!("there is no directive `#{word}`")).help(format!("write `#end` for `#{word}`")));
+        }
+        let (lo, hi) = blame::open_directive(self.text)?;
+        let d = told(lo, hi, format!("this `{}` is not closed", &self.text[lo..hi]));
+        Some(d.help("add `#end` where it should end: by the indentation, the next one belongs further out"))
     }
 
     /// A character that stands for nothing in the language: a token, since nobody may ever read it.

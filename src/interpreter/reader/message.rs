@@ -1,13 +1,20 @@
 //! "expected …, found …", and which words a block takes.
 
 use super::super::scope::Slot;
-use super::super::stream::{Opened, Token};
+use super::super::stream::{BlockName, Opened, Token};
 use super::super::{Interpreter, hints};
-use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::camera::words::PERSPECTIVE;
+use crate::diagnostic::{Diagnostic, Remedy, Result, codes, did_you_mean};
+use crate::light::words::LIGHT;
+use crate::scene::words::SETTINGS;
+use crate::shape::SPECS;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::fault;
 use crate::syntax::word::lookup;
+use crate::texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT};
+use crate::value::Kind;
+use crate::value::words::TRANSFORMS;
 
 impl Interpreter<'_> {
     /// "expected …, found …" about what comes next.
@@ -26,6 +33,9 @@ impl Interpreter<'_> {
                     return *fault;
                 }
                 format!("`{}`", self.names.text(*symbol))
+            }
+            Ok(Token::Expr(Expr { kind: ExprKind::Call(symbol, _), span, .. })) if self.scopes.get(*symbol).is_none() => {
+                return self.undeclared(*symbol, *span);
             }
             Ok(Token::Expr(Expr { span, .. })) if self.sources.snippet(*span).starts_with('(') => {
                 let paren = Span { hi: span.lo + 1, ..*span };
@@ -135,6 +145,9 @@ impl Interpreter<'_> {
     }
 
     fn unclosed_at(&self, place: Span, open: &str, close: &str) -> Diagnostic {
+        if let Some(d) = self.blamed_brace(place).filter(|_| open == "{") {
+            return self.with_trace(d);
+        }
         let message = format!("this `{open}` is not closed");
         let d = Diagnostic::new(codes::UNCLOSED, place, message);
         let d = d.help(format!("add `{close}` where it should end"));
@@ -154,11 +167,14 @@ impl Interpreter<'_> {
         let here = self.here();
         let found = match self.peek() {
             Err(fault) => return *fault,
-            Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square))) => {
+            Ok(
+                Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square)) | Token::Word(_) | Token::Block(_),
+            ) => {
                 let found = self.sources.snippet(here);
                 let message = format!("this `<` is not closed: found `{found}` where `>` was expected");
                 let d =
                     Diagnostic::new(codes::UNCLOSED, Span { hi: start.lo + 1, ..start }, message).label("opened here");
+                let d = d.help(format!("add `>` before `{found}`"));
                 return d.also(here, format!("`{found}` found here"));
             }
             Ok(Token::End) => return self.unclosed_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
@@ -189,19 +205,17 @@ impl Interpreter<'_> {
         let span = self.here();
         let word = match self.peek() {
             Err(fault) => return *fault,
+            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form(word, span, false),
+            Ok(Token::Block(BlockName { word: Some(word), span, .. })) if takes.contains(&word) => {
+                return self.wrong_form(word, span, true);
+            }
             Ok(Token::Word(word)) => word.to_string(),
             Ok(Token::Block(name)) => self.sources.snippet(name.span).to_string(),
             Ok(Token::Sign(_)) => return self.unexpected_token(block),
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
                 if self.scopes.get(*symbol).is_none() && !self.is_constant(*symbol) =>
             {
-                let name = self.names.text(*symbol).to_string();
-                let d =
-                    Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{name}` is not something a `{block}` takes"));
-                let declared = self.scopes.names().map(|s| self.names.text(s));
-                let near = did_you_mean(&name, takes.iter().copied().chain(declared));
-                let hint = hints::other_tools(&name).map(String::from);
-                return d.help(format!("it takes {}", list(takes))).maybe_help(near).maybe_help(hint);
+                return self.unknown_name(*symbol, span, block, takes);
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
                 if matches!(self.scopes.get(*symbol), Some(Slot::Faulty(_))) =>
@@ -213,11 +227,87 @@ impl Interpreter<'_> {
                 return if d.code == codes::EXPECTED { d.help(format!("it takes {}", list(takes))) } else { d };
             }
         };
+        let d = refused(&word, span, block, takes);
         let near = did_you_mean(&word, takes.iter().copied());
-        Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` is not something a `{block}` takes"))
-            .help(format!("it takes {}", list(takes)))
-            .maybe_help(near)
+        let home = home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs into `{home} {{ {word} … }}`"));
+        d.maybe_help(home).maybe_help(near).maybe_help(hints::in_block(block, &word).map(String::from))
     }
+
+    /// A name of nothing where a word of the block could stand.
+    fn unknown_name(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
+        let name = self.names.text(symbol);
+        let near = did_you_mean(name, takes.iter().copied());
+        // A name with a capital letter is the author's, or one of an include file.
+        if name.starts_with(char::is_uppercase) || hints::other_tools(name).is_none() && self.is_in_include(name) {
+            let d = self.undeclared(symbol, span);
+            return if d.cause.as_ref().is_some_and(|c| c.remedy == Remedy::Declare) { d.maybe_help(near) } else { d };
+        }
+        let declared = self.scopes.names().map(|s| self.names.text(s));
+        let near = did_you_mean(name, takes.iter().copied().chain(declared));
+        let hint = hints::in_block(block, name).or_else(|| hints::other_tools(name)).map(String::from);
+        refused(name, span, block, takes).maybe_help(near).maybe_help(hint)
+    }
+
+    /// A word that the block does take, with something else behind it than it needs.
+    fn wrong_form(&mut self, word: &'static str, span: Span, brace: bool) -> Diagnostic {
+        let rest = self.sources.locate(span).map_or("", |(file, range)| &self.sources.text(file)[range.end..]);
+        let found = match fault::token_at(rest.trim_start(), 0) {
+            "" => "the end of the text".to_string(),
+            token => format!("`{token}`"),
+        };
+        let (wanted, usage) = match brace {
+            true => value_behind(word),
+            false => ("`{`".to_string(), block_usage(word)),
+        };
+        let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("expected {wanted} behind `{word}`, found {found}"));
+        d.help(format!("it is written `{usage}`"))
+    }
+}
+
+/// `word` is none that the block takes.
+fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
+    let message = match block {
+        "scene" => format!("`{word}` can't stand outside of all braces"),
+        _ => format!("`{word}` is not something a `{block}` takes"),
+    };
+    Diagnostic::new(codes::UNKNOWN_WORD, span, message).help(format!("it takes {}", list(takes)))
+}
+
+/// What a word needs that takes no block, and how it is written.
+fn value_behind(word: &str) -> (String, String) {
+    let vocabularies = [&FINISH, &PIGMENT, &NORMAL, &INTERIOR, &LIGHT, &SETTINGS, &PERSPECTIVE];
+    let known = vocabularies.iter().flat_map(|v| v.words).chain(TRANSFORMS).find(|w| w.name == word);
+    let (what, value) = match known.map(|w| w.kind) {
+        Some(Kind::Float) => ("a number", "0.5"),
+        Some(Kind::Vector2) => ("a vector", "<x, y>"),
+        Some(Kind::Vector) => ("a vector", "<x, y, z>"),
+        Some(Kind::Text) => ("a text", "\"…\""),
+        Some(Kind::Flag | Kind::Nothing) => ("no `{`", ""),
+        _ if super::begins_color(word) => ("a colour", "rgb <r, g, b>"),
+        _ => ("a value", "…"),
+    };
+    let value = if word.starts_with("rgb") || word.starts_with("srgb") { "<r, g, b>" } else { value };
+    (what.into(), format!("{word} {value}").trim_end().to_string())
+}
+
+/// How a block is written.
+fn block_usage(word: &str) -> String {
+    match SPECS.iter().find(|spec| spec.name == word) {
+        Some(spec) => {
+            let names: Vec<&str> = spec.params.iter().map(|p| p.name).collect();
+            format!("{word} {{ {} … }}", names.join(", "))
+        }
+        None if word == "pigment" => "pigment { rgb <r, g, b> }".into(),
+        None => format!("{word} {{ … }}"),
+    }
+}
+
+/// The block that takes a word, if there is only one.
+fn home_of(word: &str) -> Option<&'static str> {
+    let homes = [&FINISH, &PIGMENT, &INTERIOR, &PERSPECTIVE, &SETTINGS, &LIGHT];
+    let mut takers = homes.into_iter().filter(|v| v.obeys(word));
+    let first = takers.next()?;
+    takers.next().is_none().then_some(first.block)
 }
 
 /// Words in backticks, the first twelve of many.

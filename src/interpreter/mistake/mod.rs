@@ -1,0 +1,139 @@
+//! From a fault to its cause: what was meant, which faults only follow from others, and which are one and the same.
+//!
+//! All of this runs only when there is a fault.
+
+mod around;
+mod bracket;
+mod directive;
+mod habit;
+mod missing;
+mod operator;
+mod statement;
+mod undeclared;
+
+use super::Interpreter;
+use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::source::{FileId, Span};
+use around::Around;
+use habit::Habit;
+use rustc_hash::FxHashSet;
+
+/// What the faults so far have left undone: what needs it is no fault of its own.
+#[derive(Default)]
+pub(super) struct Mistakes {
+    /// Names that were to be declared.
+    names: FxHashSet<String>,
+    /// Words of the language that were to be declared.
+    words: FxHashSet<String>,
+    /// Include files that were not read.
+    files: Vec<String>,
+    /// Was a directive with a body written in a way that none is?
+    lost_directive: bool,
+    /// Lines, as a file and the line's start, that can't be read.
+    lines: FxHashSet<(FileId, usize)>,
+    /// Places of errors that are counted only.
+    untold: FxHashSet<Span>,
+}
+
+impl Mistakes {
+    /// An error after all that are told.
+    pub(super) fn count_untold(&mut self, at: Span) {
+        self.untold.insert(at);
+    }
+}
+
+impl Interpreter<'_> {
+    /// A fault as it is to be told; `None` if it follows from another, or is told with another.
+    pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
+        let Some(around) = Around::of(self.sources, d.span()) else { return Some(d) };
+        let line = (around.file, around.line.start);
+        if let Some(habit) = habit::find(&around, &d) {
+            let base = self.sources.base(around.file);
+            self.note_habit(&habit);
+            d = habit.told(d, base);
+        } else if self.follows(&d, &around) {
+            return None;
+        }
+        self.note(&d);
+        // What else is wrong in a line that can't be read is no news.
+        let known = self.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
+        if !known && d.severity == Severity::Error {
+            if self.mistakes.lines.contains(&line) {
+                return None;
+            }
+            if breaks_the_line(&d) {
+                self.mistakes.lines.insert(line);
+            }
+        }
+        self.joined_with_others(d)
+    }
+
+    /// Remembers what was meant, and is not there.
+    fn note_habit(&mut self, habit: &Habit) {
+        self.mistakes.names.extend(habit.names.iter().cloned());
+        self.mistakes.files.extend(habit.file.clone());
+        self.mistakes.lost_directive |= habit.loses_directive;
+    }
+
+    /// Remembers what a fault leaves undone.
+    fn note(&mut self, d: &Diagnostic) {
+        let text = self.sources.snippet(d.span());
+        match d.code {
+            codes::MISSING_INCLUDE | codes::UNREADABLE_INCLUDE => {
+                let meant = d.help.as_deref().and_then(|help| help.strip_prefix("did you mean `")?.strip_suffix("`?"));
+                self.mistakes.files.push(meant.unwrap_or(text.trim_matches('"')).to_string());
+            }
+            codes::RESERVED_NAME => drop(self.mistakes.words.insert(text.to_string())),
+            _ => {}
+        }
+    }
+
+    /// Does a fault follow from an earlier one?
+    fn follows(&self, d: &Diagnostic, around: &Around) -> bool {
+        if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && around.after().starts_with("#end") {
+            return true;
+        }
+        if let Some(cause) = &d.cause {
+            return cause.uses.iter().all(|(name, _)| self.is_left_undone(name));
+        }
+        let is_value = matches!(d.code, codes::EXPECTED | codes::EXPECTED_VALUE | codes::UNKNOWN_WORD);
+        is_value && !self.mistakes.words.is_empty() && around.words().any(|word| self.mistakes.words.contains(word))
+    }
+
+    /// Would the name be declared, had nothing failed before?
+    fn is_left_undone(&self, name: &str) -> bool {
+        use crate::library;
+        let gives = |file: &String| match library::is_standard(file) {
+            true => library::declares(file, name) || self.includes_declarer(file, name),
+            // Nobody knows what a file of the author's would have declared.
+            false => library::declared_in(name).is_none(),
+        };
+        self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
+    }
+
+    /// `stones.inc` only includes `stones1.inc` and `stones2.inc`.
+    fn includes_declarer(&self, file: &str, name: &str) -> bool {
+        let stem = file.trim_end_matches(".inc");
+        crate::library::declared_in(name).is_some_and(|declarer| declarer.starts_with(stem))
+    }
+
+    /// At the end of the run: one message for each cause, and how many errors were only counted.
+    pub(super) fn settle_messages(&mut self) {
+        let all = std::mem::take(&mut self.diagnostics);
+        self.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
+        let untold = self.mistakes.untold.len();
+        if untold > 0 {
+            let more = if untold == 1 { "one more error was found".into() } else { format!("{untold} more errors were found") };
+            let d = Diagnostic::new(codes::MORE_ERRORS, Span::NONE, format!("{more}, and not told"));
+            self.diagnostics.push(d.help("mend the first ones: others often follow from them"));
+        }
+    }
+}
+
+/// Is so much wrong that the rest of the line makes no sense?
+fn breaks_the_line(d: &Diagnostic) -> bool {
+    matches!(
+        d.code,
+        codes::SYNTAX | codes::UNCLOSED | codes::UNKNOWN_DIRECTIVE | codes::EXPECTED | codes::UNKNOWN_WORD
+    )
+}
