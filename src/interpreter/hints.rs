@@ -47,10 +47,7 @@ pub(super) fn in_block(block: &str, word: &str) -> Option<&'static str> {
         ("finish", "color" | "colour" | "rgb") => "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`",
         ("pigment", "transparency" | "alpha" | "opacity") => "`rgbt <r, g, b, t>` has a fourth number for how much passes",
         ("pigment", "texture" | "image" | "map") => "a picture is put on by `image_map { png \"name.png\" }`",
-        ("sphere" | "cylinder" | "cone" | "torus" | "disc", "radius" | "r") => {
-            "a radius is a number behind a comma, without a word before it"
-        }
-        (_, "color" | "colour" | "rgb") => "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`",
+        ("texture" | "interior" | "material", "color" | "colour" | "rgb") => "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`",
         _ => return None,
     })
 }

@@ -337,7 +337,9 @@ impl<'a> Interpreter<'a> {
         // (The codes of warnings begin with `W`; those of errors in what nobody uses with `E`.)
         let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.understood(d) };
         let Some(d) = d.filter(|_| !silent) else { return };
-        let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && k.message == d.message;
+        // (Nobody is warned of what is told as an error.)
+        let told = |k: &Diagnostic| k.message == d.message || k.severity > d.severity;
+        let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && told(k);
         if self.diagnostics.iter().rev().take(100).any(known) {
             return;
         }

@@ -111,7 +111,7 @@ pub fn open_brace(text: &str, base: usize) -> Option<Diagnostic> {
             Found::Open(word, word_at, at) => {
                 let (line, indent, first) = line_of(text, word_at);
                 if let Some(outer) = stack.last().filter(|outer| blamed.is_none() && first && !can_hold(outer.word, word)) {
-                    blamed = Some((outer.word, outer.at, Some((word, word_at))));
+                    blamed = Some((outer.word, outer.at, Sign::Inner(word, word_at)));
                 }
                 stack.push(Opener { word, at, indent, line });
             }
@@ -119,23 +119,34 @@ pub fn open_brace(text: &str, base: usize) -> Option<Diagnostic> {
                 let (line, indent, first) = line_of(text, at);
                 let own = stack.pop();
                 if let Some(own) = own.filter(|own| blamed.is_none() && first && own.line < line && indent < own.indent)
-                    && stack.iter().any(|outer| outer.indent == indent)
+                    && let Some(outer) = stack.iter().rev().find(|outer| outer.indent == indent)
                 {
-                    blamed = Some((own.word, own.at, None));
+                    blamed = Some((own.word, own.at, Sign::Closer(outer.word, at)));
                 }
             }
             Found::Directive(..) => {}
         }
     }
-    let (word, at, found) = blamed.filter(|_| !stack.is_empty())?;
+    let (word, at, sign) = blamed.filter(|_| !stack.is_empty())?;
     let place = Span::new(base + at, base + at + 1);
     let d = Diagnostic::new(codes::UNCLOSED, place, format!("the `{{` of this `{word}` is not closed"));
-    Some(match found {
-        Some((inner, at)) => d
-            .also(Span::new(base + at, base + at + inner.len()), format!("a `{word}` can't hold a `{inner}`"))
+    let span = |at: usize, len: usize| Span::new(base + at, base + at + len);
+    Some(match sign {
+        Sign::Inner(inner, at) => d
+            .also(span(at, inner.len()), format!("a `{word}` can't hold a `{inner}`"))
             .help(format!("add `}}` before `{inner}`")),
-        None => d.help("by the indentation, its `}` is missing"),
+        Sign::Closer(outer, at) => d
+            .also(span(at, 1), format!("by its indentation, this ends the `{outer}`"))
+            .help("add `}` before that line"),
     })
+}
+
+/// What tells that a block should have ended.
+enum Sign<'t> {
+    /// A block that it can't hold.
+    Inner(&'t str, usize),
+    /// A `}` that by its indentation belongs to a block further out.
+    Closer(&'t str, usize),
 }
 
 /// A `}` that ends a block too early, where a later one closes nothing.

@@ -72,7 +72,10 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
     let name = last_word(before)?;
     let directive = directive_at_end(before[..before.len() - name.len()].trim_end())?;
     let d = fault(format!("expected `=` behind `#{directive} {name}`, found {found}"));
-    matches!(directive, "declare" | "local").then(|| d.help(format!("`#{directive} {name} = …;`")))
+    let line = text[at..].lines().next().unwrap_or_default();
+    let value = line.split([';', '/']).next().unwrap_or_default().trim();
+    let value = if value.is_empty() || value.len() > 40 || value.starts_with('=') { "…" } else { value };
+    matches!(directive, "declare" | "local").then(|| d.help(format!("`#{directive} {name} = {value};`")))
 }
 
 /// The directive that a text ends with.

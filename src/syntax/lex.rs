@@ -412,11 +412,10 @@ impl Lexer<'_> {
 
     /// At the end of the text: directives without `#end`, of which the innermost three tell enough, and open brackets.
     fn unended(&mut self) {
-        if let Some(fault) = self.blamed_directive() {
-            self.out.faults.push(fault);
-            return;
-        }
-        for token in self.brackets.unended().into_iter().rev().take(3) {
+        let blamed = self.blamed_directive();
+        let told = if blamed.is_some() { 0 } else { 3 };
+        self.out.faults.extend(blamed);
+        for token in self.brackets.unended().into_iter().rev().take(told) {
             let Token { start, end, .. } = self.out.tokens[token];
             let message = format!("this `{}` is not closed", self.text_of(token));
             let help = "add `#end` where it should end";

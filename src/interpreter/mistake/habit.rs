@@ -85,12 +85,14 @@ const HABITS: &[Recognise] = &[
     statement::assignment,
     statement::behind_object,
     operator::not_equal,
+    operator::doubled,
     operator::word,
     operator::equal_behind_word,
     operator::index_with_comma,
     operator::vector_without_commas,
     operator::list_behind_word,
     operator::square_vector,
+    operator::list_in_parentheses,
 ];
 
 /// Faults that may come of such a habit.

@@ -13,8 +13,9 @@ mod undeclared;
 
 use super::Interpreter;
 use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::library;
 use crate::source::{FileId, Span};
-use around::Around;
+use around::{Around, leading_name};
 use habit::Habit;
 use rustc_hash::FxHashSet;
 
@@ -25,8 +26,8 @@ pub(super) struct Mistakes {
     names: FxHashSet<String>,
     /// Words of the language that were to be declared.
     words: FxHashSet<String>,
-    /// Include files that were not read.
-    files: Vec<String>,
+    /// Include files that were not read, and the files that name them.
+    files: Vec<(String, FileId)>,
     /// Was a directive with a body written in a way that none is?
     lost_directive: bool,
     /// Lines, as a file and the line's start, that can't be read.
@@ -49,12 +50,12 @@ impl Interpreter<'_> {
         let line = (around.file, around.line.start);
         if let Some(habit) = habit::find(&around, &d) {
             let base = self.sources.base(around.file);
-            self.note_habit(&habit);
+            self.note_habit(&habit, around.file);
             d = habit.told(d, base);
         } else if self.follows(&d, &around) {
             return None;
         }
-        self.note(&d);
+        self.note(&d, &around);
         // What else is wrong in a line that can't be read is no news.
         let known = self.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
         if !known && d.severity == Severity::Error {
@@ -69,19 +70,27 @@ impl Interpreter<'_> {
     }
 
     /// Remembers what was meant, and is not there.
-    fn note_habit(&mut self, habit: &Habit) {
+    fn note_habit(&mut self, habit: &Habit, file: FileId) {
         self.mistakes.names.extend(habit.names.iter().cloned());
-        self.mistakes.files.extend(habit.file.clone());
+        self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
         self.mistakes.lost_directive |= habit.loses_directive;
     }
 
     /// Remembers what a fault leaves undone.
-    fn note(&mut self, d: &Diagnostic) {
+    fn note(&mut self, d: &Diagnostic, around: &Around) {
         let text = self.sources.snippet(d.span());
+        let directive = around.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
+        if let Some(("declare" | "local" | "macro", rest)) = directive
+            && let Some((name, _)) = leading_name(rest.trim_start())
+        {
+            self.mistakes.names.insert(name.to_string());
+        }
         match d.code {
-            codes::MISSING_INCLUDE | codes::UNREADABLE_INCLUDE => {
+            codes::MISSING_INCLUDE | codes::UNREADABLE_INCLUDE if matches!(directive, Some(("include", _))) => {
                 let meant = d.help.as_deref().and_then(|help| help.strip_prefix("did you mean `")?.strip_suffix("`?"));
-                self.mistakes.files.push(meant.unwrap_or(text.trim_matches('"')).to_string());
+                for name in [Some(text.trim_matches('"')), meant].into_iter().flatten() {
+                    self.mistakes.files.push((name.to_string(), around.file));
+                }
             }
             codes::RESERVED_NAME => drop(self.mistakes.words.insert(text.to_string())),
             _ => {}
@@ -94,27 +103,20 @@ impl Interpreter<'_> {
             return true;
         }
         if let Some(cause) = &d.cause {
-            return cause.uses.iter().all(|(name, _)| self.is_left_undone(name));
+            return cause.uses.iter().all(|(name, _)| self.is_left_undone(name, around.file));
         }
         let is_value = matches!(d.code, codes::EXPECTED | codes::EXPECTED_VALUE | codes::UNKNOWN_WORD);
         is_value && !self.mistakes.words.is_empty() && around.words().any(|word| self.mistakes.words.contains(word))
     }
 
     /// Would the name be declared, had nothing failed before?
-    fn is_left_undone(&self, name: &str) -> bool {
-        use crate::library;
-        let gives = |file: &String| match library::is_standard(file) {
-            true => library::declares(file, name) || self.includes_declarer(file, name),
-            // Nobody knows what a file of the author's would have declared.
-            false => library::declared_in(name).is_none(),
+    fn is_left_undone(&self, name: &str, user: FileId) -> bool {
+        let gives = |(file, includer): &(String, FileId)| match library::is_standard(file) {
+            true => library::declares(file, name) || includes_declarer(file, name),
+            // Nobody knows what a file of the author's would have declared for the one that includes it.
+            false => *includer == user && library::declared_in(name).is_none(),
         };
         self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
-    }
-
-    /// `stones.inc` only includes `stones1.inc` and `stones2.inc`.
-    fn includes_declarer(&self, file: &str, name: &str) -> bool {
-        let stem = file.trim_end_matches(".inc");
-        crate::library::declared_in(name).is_some_and(|declarer| declarer.starts_with(stem))
     }
 
     /// At the end of the run: one message for each cause, and how many errors were only counted.
@@ -128,6 +130,11 @@ impl Interpreter<'_> {
             self.diagnostics.push(d.help("mend the first ones: others often follow from them"));
         }
     }
+}
+
+/// `stones.inc` only includes `stones1.inc` and `stones2.inc`.
+fn includes_declarer(file: &str, name: &str) -> bool {
+    library::declared_in(name).is_some_and(|declarer| declarer.starts_with(file.trim_end_matches(".inc")))
 }
 
 /// Is so much wrong that the rest of the line makes no sense?

@@ -22,6 +22,20 @@ fn trailing_operand(text: &str) -> &str {
     &text[text.trim_end_matches(|c: char| is_letter(c) || c == '.').len()..]
 }
 
+/// `&&`, `||`, `==`
+pub(super) fn doubled(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    // (The fault is at the second sign.)
+    let at = around.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
+    let typed = around.text.get(at..at + 2)?;
+    let help = match typed {
+        "&&" => "a single `&` is the logical and",
+        "||" => "a single `|` is the logical or",
+        "==" => "a single `=` compares",
+        _ => return None,
+    };
+    Some(Habit::help(help).message(format!("`{typed}` can't stand here")).at(at..at + 2))
+}
+
 /// `A and B`, `not A`, `A mod 2`
 pub(super) fn word(around: &Around, d: &Diagnostic) -> Option<Habit> {
     let (word, right) = leading_name(around.after())?;
@@ -37,7 +51,7 @@ pub(super) fn word(around: &Around, d: &Diagnostic) -> Option<Habit> {
         "then" if left.ends_with(')') => Habit::help("behind the condition comes at once what it is for, and then `#end`"),
         _ => return None,
     };
-    let tells = matches!(d.code, codes::UNDECLARED | codes::EXPECTED | codes::EXPECTED_VALUE | codes::SYNTAX);
+    let tells = matches!(d.code, codes::UNDECLARED | codes::UNKNOWN_WORD | codes::EXPECTED | codes::EXPECTED_VALUE | codes::SYNTAX);
     let habit = habit.message(format!("`{word}` is no operator")).at(around.at..around.at + word.len());
     tells.then(|| habit.code(codes::SYNTAX))
 }
@@ -88,9 +102,8 @@ pub(super) fn vector_without_commas(around: &Around, d: &Diagnostic) -> Option<H
     if !signed || !plain || !(2..=5).contains(&numbers.len()) {
         return None;
     }
-    let habit = Habit::help(format!("put commas between the numbers: `<{}>`", numbers.join(", ")));
-    let message = format!("{}: a sign without a comma before it subtracts", d.message);
-    Some(if d.message.contains("subtracts") { habit } else { habit.message(message) })
+    let commas = numbers.join(", ");
+    Some(Habit::help(format!("put commas between the numbers: `<{commas}>`; a sign without a comma before it subtracts")))
 }
 
 /// `translate 1, 2, 3`
@@ -109,6 +122,17 @@ pub(super) fn list_behind_word(around: &Around, d: &Diagnostic) -> Option<Habit>
     let numbers = format!("{}, {rest}", before[start..].trim());
     let habit = Habit::help(format!("a vector stands in angle brackets: `{word} <{}>`", numbers.trim_end_matches([',', ' '])));
     Some(habit.message(format!("`{word}` takes one value, found a list")))
+}
+
+/// `rgb(1, 0, 0)`
+pub(super) fn list_in_parentheses(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let inside = around.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
+    let (numbers, _) = inside.split_once(')')?;
+    let plain = numbers.contains(',') && !numbers.contains('(');
+    let word = trailing_name(around.before().trim_end()).map_or("", |(_, word)| word);
+    let space = if word.is_empty() { "" } else { " " };
+    let help = format!("vectors stand in angle brackets: `{word}{space}<{}>`", numbers.trim());
+    (plain && (word.is_empty() || lookup(word).is_some())).then(|| Habit::help(help))
 }
 
 /// `sphere { [0, 1, 2], 1 }`

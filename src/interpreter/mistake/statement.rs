@@ -80,6 +80,7 @@ pub(super) fn behind_object(around: &Around, d: &Diagnostic) -> Option<Habit> {
         let habit = Habit::help(format!("write `object {{ {name} {rest} }}`"));
         return Some(habit.message(message(&format!("the object `{name}`"))));
     }
-    let habit = Habit::help(format!("put it before the `}}` of the object that it is for: `… {word} … }}`"));
+    let typed = value_text(around.after());
+    let habit = Habit::help(format!("put it before the `}}` of the object that it is for: `… {typed} }}`"));
     (modifies && before.ends_with('}')).then(|| habit.message(message("an object")))
 }

@@ -229,6 +229,10 @@ impl Interpreter<'_> {
         };
         let d = refused(&word, span, block, takes);
         let near = did_you_mean(&word, takes.iter().copied());
+        if let Some(spec) = SPECS.iter().find(|spec| spec.name == block && spec.params.iter().any(|p| p.name == word)) {
+            let help = format!("it is written `{}`, and takes {}", block_usage(spec.name), list(takes));
+            return d.help(help);
+        }
         let home = home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs into `{home} {{ {word} … }}`"));
         d.maybe_help(home).maybe_help(near).maybe_help(hints::in_block(block, &word).map(String::from))
     }
