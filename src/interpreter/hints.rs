@@ -37,17 +37,27 @@ pub(super) fn other_tools(word: &str) -> Option<&'static str> {
 /// What to say about a word that another block takes, or that this one calls otherwise.
 pub(super) fn in_block(block: &str, word: &str) -> Option<&'static str> {
     Some(match (block, word.to_lowercase().as_str()) {
-        ("camera", "position" | "pos" | "from" | "origin" | "place") => "`location <x, y, z>` says where a camera stands",
-        ("camera", "target" | "lookat" | "at" | "to" | "direction_to") => "`look_at <x, y, z>` says what a camera looks at",
+        ("camera", "position" | "pos" | "from" | "origin" | "place") => {
+            "`location <x, y, z>` says where a camera stands"
+        }
+        ("camera", "target" | "lookat" | "at" | "to" | "direction_to") => {
+            "`look_at <x, y, z>` says what a camera looks at"
+        }
         ("camera", "zoom" | "focal_length") => "`angle` says how wide a camera sees, in degrees",
-        ("light_source", "position" | "location" | "pos") => "a light's place comes first: `light_source { <x, y, z>, color }`",
+        ("light_source", "position" | "location" | "pos") => {
+            "a light's place comes first: `light_source { <x, y, z>, color }`"
+        }
         ("light_source", "intensity" | "power" | "brightness") => "a light is as bright as its colour: `rgb 2`",
         ("finish", "shininess" | "gloss" | "glossiness") => "`phong_size` or `roughness` says how small a highlight is",
         ("finish", "reflective" | "reflectivity" | "mirror") => "`reflection { 0.5 }` says how much a surface mirrors",
         ("finish", "color" | "colour" | "rgb") => "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`",
-        ("pigment", "transparency" | "alpha" | "opacity") => "`rgbt <r, g, b, t>` has a fourth number for how much passes",
+        ("pigment", "transparency" | "alpha" | "opacity") => {
+            "`rgbt <r, g, b, t>` has a fourth number for how much passes"
+        }
         ("pigment", "texture" | "image" | "map") => "a picture is put on by `image_map { png \"name.png\" }`",
-        ("texture" | "interior" | "material", "color" | "colour" | "rgb") => "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`",
+        ("texture" | "interior" | "material", "color" | "colour" | "rgb") => {
+            "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`"
+        }
         _ => return None,
     })
 }

@@ -13,7 +13,7 @@ struct Opener<'t> {
     at: usize,
     /// Columns of blanks before the line's first character.
     indent: usize,
-    /// Number of its line.
+    /// Where its line begins.
     line: usize,
 }
 
@@ -94,12 +94,12 @@ impl<'t> Iterator for Scanner<'t> {
     }
 }
 
-/// The number of an offset's line, its indentation, and whether the offset is its first character that is no blank.
+/// The start of an offset's line, its indentation, and whether the offset is its first character that is no blank.
 fn line_of(text: &str, at: usize) -> (usize, usize, bool) {
     let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
     let blanks = text[start..].len() - text[start..].trim_start_matches([' ', '\t']).len();
     let columns = text[start..start + blanks].chars().map(|c| if c == '\t' { 8 } else { 1 }).sum();
-    (text[..start].matches('\n').count(), columns, start + blanks == at)
+    (start, columns, start + blanks == at)
 }
 
 /// The brace that is most likely the one without an end, if anything tells.
@@ -110,7 +110,9 @@ pub fn open_brace(text: &str, base: usize) -> Option<Diagnostic> {
         match found {
             Found::Open(word, word_at, at) => {
                 let (line, indent, first) = line_of(text, word_at);
-                if let Some(outer) = stack.last().filter(|outer| blamed.is_none() && first && !can_hold(outer.word, word)) {
+                if let Some(outer) =
+                    stack.last().filter(|outer| blamed.is_none() && first && !can_hold(outer.word, word))
+                {
                     blamed = Some((outer.word, outer.at, Sign::Inner(word, word_at)));
                 }
                 stack.push(Opener { word, at, indent, line });
@@ -135,9 +137,9 @@ pub fn open_brace(text: &str, base: usize) -> Option<Diagnostic> {
         Sign::Inner(inner, at) => d
             .also(span(at, inner.len()), format!("a `{word}` can't hold a `{inner}`"))
             .help(format!("add `}}` before `{inner}`")),
-        Sign::Closer(outer, at) => d
-            .also(span(at, 1), format!("by its indentation, this ends the `{outer}`"))
-            .help("add `}` before that line"),
+        Sign::Closer(outer, at) => {
+            d.also(span(at, 1), format!("by its indentation, this ends the `{outer}`")).help("add `}` before that line")
+        }
     })
 }
 
@@ -162,7 +164,9 @@ pub fn early_brace(text: &str, base: usize) -> Option<Diagnostic> {
                 let (line, indent, first) = line_of(text, at);
                 match (stack.pop(), early) {
                     // It stands at the end of a line that is deeper than the block's own.
-                    (Some(own), None) if !first && own.line < line && own.indent < indent => early = Some((at, own.word)),
+                    (Some(own), None) if !first && own.line < line && own.indent < indent => {
+                        early = Some((at, own.word))
+                    }
                     (None, Some((early, word))) => {
                         let span = |at: usize| Span::new(base + at, base + at + 1);
                         let message = format!("this `}}` already ends the `{word}`");
@@ -219,14 +223,19 @@ fn can_hold(outer: &str, inner: &str) -> bool {
         return true;
     }
     let whole = matches!(inner, "camera" | "global_settings" | "background" | "sky_sphere" | "rainbow");
-    let shape = SHAPES.contains(&inner) || matches!(inner, "union" | "difference" | "intersection" | "merge" | "light_source");
+    let shape =
+        SHAPES.contains(&inner) || matches!(inner, "union" | "difference" | "intersection" | "merge" | "light_source");
     let surface = matches!(inner, "texture" | "finish" | "interior" | "material");
     match outer {
         "pigment" | "normal" => !(whole || shape || surface || inner == "pigment" && outer == "normal"),
         "finish" | "interior" => !(whole || shape || surface || matches!(inner, "pigment" | "normal" | "object")),
         "texture" => !(whole || shape || matches!(inner, "interior" | "material")),
         "camera" | "global_settings" | "light_source" | "background" => {
-            !(whole || shape || surface || inner == "object" && outer != "light_source" || inner == "pigment" && outer != "camera")
+            !(whole
+                || shape
+                || surface
+                || inner == "object" && outer != "light_source"
+                || inner == "pigment" && outer != "camera")
         }
         "union" | "difference" | "intersection" | "merge" | "object" => !whole,
         outer if SHAPES.contains(&outer) => !(whole || shape || inner == "object"),

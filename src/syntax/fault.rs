@@ -36,7 +36,10 @@ pub fn is_other_elseif(word: &str) -> bool {
 
 /// Is it a word for `#end` in other languages?
 pub fn is_other_end(word: &str) -> bool {
-    matches!(word, "endif" | "endfor" | "endwhile" | "endmacro" | "endswitch" | "end_if" | "fi" | "done" | "wend" | "next")
+    matches!(
+        word,
+        "endif" | "endfor" | "endwhile" | "endmacro" | "endswitch" | "end_if" | "fi" | "done" | "wend" | "next"
+    )
 }
 
 /// What stands at `at`, for a message.

@@ -3,12 +3,12 @@
 
 use super::Names;
 use super::ast::NumberList;
+use super::blame;
 use super::brackets::{Brackets, MAX_DEPTH, Opener};
 use super::class::{self, Role};
+use super::fault::is_other_elseif;
 use super::numbers::{ListScanner, is_blank, scan_number};
 use super::word::{self, Category};
-use super::blame;
-use super::fault::is_other_elseif;
 use crate::diagnostic::{Code, Diagnostic, Severity, codes};
 use crate::source::Span;
 
@@ -329,7 +329,7 @@ impl Lexer<'_> {
         let (mut depth, mut at) = (1, start + 2);
         while depth > 0 {
             let Some(step) = memchr::memchr(b'*', &self.bytes[at..]) else {
-                let help = "comments nest: each `/*` needs its own `*/`";
+                let help = "add `*/` where it should end; comments nest: each `/*` needs its own `*/`";
                 self.fault(codes::UNCLOSED, start, start + 2, "this comment is not closed".into(), Some(help));
                 self.at = self.bytes.len();
                 return false;
@@ -434,14 +434,16 @@ impl Lexer<'_> {
     fn blamed_directive(&self) -> Option<Diagnostic> {
         let token = *self.brackets.unended().first()?;
         let start = self.out.tokens[token].start as usize;
-        let told = |lo: usize, hi: usize, message: String| Diagnostic::new(codes::UNCLOSED, self.span(lo, hi), message);
         if let Some((at, word)) = blame::other_end(self.text, start) {
-            let d = told(start, self.out.tokens[token].end as usize, format!("this `{}` is not closed", self.text_of(token)));
             let end = self.span(at, at + 1 + word.len());
-            return Some(d.also(end, format!("there is no directive `#{word}`")).help(format!("write `#end` for `#{word}`")));
+            let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, end, format!("there is no directive `#{word}`"));
+            let opened = self.span(start, self.out.tokens[token].end as usize);
+            let open = format!("this `{}` is not closed", self.text_of(token));
+            return Some(d.also(opened, open).help("every directive with a body ends with `#end`"));
         }
         let (lo, hi) = blame::open_directive(self.text)?;
-        let d = told(lo, hi, format!("this `{}` is not closed", &self.text[lo..hi]));
+        let message = format!("this `{}` is not closed", &self.text[lo..hi]);
+        let d = Diagnostic::new(codes::UNCLOSED, self.span(lo, hi), message);
         Some(d.help("add `#end` where it should end: by the indentation, the next one belongs further out"))
     }
 

@@ -130,7 +130,7 @@ impl<'a> Interpreter<'a> {
         let folders = &self.options.search.folders;
         let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
         let there: Vec<String> = folders.iter().flat_map(files_in).collect();
-        if let Some(found) = nearest(name, there.iter().map(String::as_str)) {
+        if let Some(found) = similar_file(name, &there) {
             return d.help(format!("did you mean `{found}`?"));
         }
         if library::is_standard(name) {
@@ -141,6 +141,16 @@ impl<'a> Interpreter<'a> {
         let list: Vec<String> = folders.iter().map(|f| format!("`{}`", f.display())).collect();
         d.help(format!("looked in {}; -I DIR adds a folder", list.join(", ")))
     }
+}
+
+/// The file that was meant: its name without the ending, which most files share, is nearly the same.
+fn similar_file<'a>(name: &str, there: &'a [String]) -> Option<&'a str> {
+    let stem = |file: &'a str| file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+    let typed = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let stems = || there.iter().map(|file| stem(file));
+    let meant = stems().find(|known| *known == typed).or_else(|| nearest(typed, stems()))?;
+    let files = there.iter().map(String::as_str).filter(|file| stem(file) == meant);
+    files.min_by_key(|file| !file.ends_with(".inc"))
 }
 
 fn files_in(folder: &PathBuf) -> Vec<String> {

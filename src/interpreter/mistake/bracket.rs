@@ -14,9 +14,11 @@ impl Interpreter<'_> {
     }
 
     /// A `}` before the fault that ends a block too early, where another further down closes nothing.
-    pub(in crate::interpreter) fn closed_early(&self, fault: &Diagnostic) -> Option<Diagnostic> {
-        let (file, range) = self.sources.locate(fault.span())?;
-        let d = blame::early_brace(self.sources.text(file), self.sources.base(file))?;
+    pub(in crate::interpreter) fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
+        let sources = self.sources;
+        let (file, range) = sources.locate(fault.span())?;
+        let look = || blame::early_brace(sources.text(file), sources.base(file)).map(Box::new);
+        let d = self.mistakes.early.entry(file).or_insert_with(look).as_deref()?.clone();
         let (_, early) = self.sources.locate(d.span())?;
         (early.start <= range.start).then_some(d)
     }

@@ -94,7 +94,7 @@ pub(super) fn else_if(around: &Around, _: &Diagnostic) -> Option<Habit> {
     before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
     let habit = Habit::help(format!("write `#elseif {}`", code_of(rest)));
     let start = around.line.start + before.rfind('#')?;
-    let habit = habit.message("`#else if` is one directive: `#elseif`").at(start..around.at + 2);
+    let habit = habit.message("`#else if` is written as one word: `#elseif`").at(start..around.at + 2);
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
 }
 
@@ -177,15 +177,16 @@ pub(super) fn without_hash(around: &Around, d: &Diagnostic) -> Option<Habit> {
             let head = typed.trim_end_matches([':', '{', ' ']);
             Habit::help(format!("write `#macro {head} … #end`")).message(format!("`{word}` defines nothing here"))
         }
-        "if" | "ifdef" | "ifndef" | "while" | "for" | "macro" | "else" | "elseif" | "switch" | "case" | "range" | "end"
-        | "break" | "local" | "undef" | "debug" | "warning" | "error" => {
+        "if" | "ifdef" | "ifndef" | "while" | "for" | "macro" | "else" | "elseif" | "switch" | "case" | "range"
+        | "end" | "break" | "local" | "undef" | "debug" | "warning" | "error" => {
             let help = format!("write `#{}`", value_text(statement.trim_end_matches('{')));
             Habit::help(help).message(format!("the directive `{word}` stands without its `#`"))
         }
         _ => return None,
     };
     let named = matches!(word, "macro" | "def" | "func" | "fn" | "proc" | "sub" | "local");
-    let names = typed.split(|c: char| !is_letter(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
+    let names =
+        typed.split(|c: char| !is_letter(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
     let loses_directive = !matches!(word, "end" | "break" | "local" | "undef" | "debug" | "warning" | "error");
     Some(Habit { names, loses_directive, ..habit.at(place).code(codes::UNKNOWN_DIRECTIVE) })
 }

@@ -14,9 +14,8 @@ impl Interpreter<'_> {
     pub(super) fn joined_with_others(&mut self, d: Diagnostic) -> Option<Diagnostic> {
         let Some(cause) = d.cause.as_deref() else { return Some(d) };
         // (What nobody uses only warns, and joins whatever there is.)
-        let same = |k: &&mut Diagnostic| {
-            k.severity >= d.severity && k.cause.as_ref().is_some_and(|known| known.is(cause))
-        };
+        let same =
+            |k: &&mut Diagnostic| k.severity >= d.severity && k.cause.as_ref().is_some_and(|known| known.is(cause));
         match self.diagnostics.iter_mut().find(same).and_then(|known| known.cause.as_mut()) {
             Some(known) => {
                 known.join(cause);
@@ -31,15 +30,16 @@ impl Interpreter<'_> {
         let Some(mut cause) = d.cause.take() else { return d };
         cause.uses.sort_by_key(|(_, span)| (self.in_standard_file(*span), span.lo));
         let Some((name, first)) = cause.uses.first().cloned() else { return d };
-        if first != d.span() {
-            d.trace = vec![];
-        }
         if let Remedy::Include(file) = cause.remedy {
             if self.in_standard_file(first) {
                 return self.told_of_include(d, &cause, file);
             }
             d.message = include_message(&name, file);
             d.help = Some(include_help(file));
+        }
+        // (The way to another place is not known any more.)
+        if first != d.span() {
+            d.trace = vec![];
         }
         d.labels = vec![Label { span: first, text: String::new() }];
         self.add_places(&mut d, &cause, &name);
@@ -59,7 +59,8 @@ impl Interpreter<'_> {
             d.labels.push(Label { span: *span, text });
         }
         if let (true, Some(help)) = (more > 0, d.help.as_mut()) {
-            let places = if more == 1 { "one more place needs it".into() } else { format!("{more} more places need it") };
+            let places =
+                if more == 1 { "one more place needs it".into() } else { format!("{more} more places need it") };
             help.push_str(&format!(" ({places})"));
         }
     }
@@ -102,15 +103,24 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Would an include give the name?
+    /// Would an include give the name, perhaps in other letters?
     pub(in crate::interpreter) fn is_in_include(&self, name: &str) -> bool {
         self.include_missing_for(name).is_some()
+            || name.len() > 4 && library::index_names().any(|n| n.eq_ignore_ascii_case(name))
+    }
+
+    /// The help for the name of an include where no name can stand.
+    pub(in crate::interpreter) fn include_hint(&self, name: &str) -> Option<String> {
+        self.include_missing_for(name).map(|file| {
+            format!("`{name}` is declared in `{file}`; it goes inside a block, behind `#include \"{file}\"`")
+        })
     }
 
     /// The standard include file that declares a name, unless it was read and does not.
     pub(super) fn include_missing_for(&self, name: &str) -> Option<&'static str> {
         let file = library::declared_in(name)?;
-        let read = |(id, _): (crate::source::FileId, &_)| Path::new(self.sources.name(id)).file_name() == Some(file.as_ref());
+        let read =
+            |(id, _): (crate::source::FileId, &_)| Path::new(self.sources.name(id)).file_name() == Some(file.as_ref());
         (!self.parsed.all().into_iter().any(read)).then_some(file)
     }
 }

@@ -17,7 +17,7 @@ use crate::library;
 use crate::source::{FileId, Span};
 use around::{Around, leading_name};
 use habit::Habit;
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// What the faults so far have left undone: what needs it is no fault of its own.
 #[derive(Default)]
@@ -34,11 +34,16 @@ pub(super) struct Mistakes {
     lines: FxHashSet<(FileId, usize)>,
     /// Places of errors that are counted only.
     untold: FxHashSet<Span>,
+    /// The first of them.
+    first_untold: Option<Span>,
+    /// What was found out of a file's braces.
+    early: FxHashMap<FileId, Option<Box<Diagnostic>>>,
 }
 
 impl Mistakes {
     /// An error after all that are told.
     pub(super) fn count_untold(&mut self, at: Span) {
+        self.first_untold.get_or_insert(at);
         self.untold.insert(at);
     }
 }
@@ -48,7 +53,9 @@ impl Interpreter<'_> {
     pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
         let Some(around) = Around::of(self.sources, d.span()) else { return Some(d) };
         let line = (around.file, around.line.start);
-        if let Some(habit) = habit::find(&around, &d) {
+        let habit = habit::find(&around, &d);
+        let is_habit = habit.is_some();
+        if let Some(habit) = habit {
             let base = self.sources.base(around.file);
             self.note_habit(&habit, around.file);
             d = habit.told(d, base);
@@ -62,7 +69,7 @@ impl Interpreter<'_> {
             if self.mistakes.lines.contains(&line) {
                 return None;
             }
-            if breaks_the_line(&d) {
+            if is_habit {
                 self.mistakes.lines.insert(line);
             }
         }
@@ -124,9 +131,13 @@ impl Interpreter<'_> {
         let all = std::mem::take(&mut self.diagnostics);
         self.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
         let untold = self.mistakes.untold.len();
-        if untold > 0 {
-            let more = if untold == 1 { "one more error was found".into() } else { format!("{untold} more errors were found") };
-            let d = Diagnostic::new(codes::MORE_ERRORS, Span::NONE, format!("{more}, and not told"));
+        if let Some(first) = self.mistakes.first_untold {
+            let more = if untold == 1 {
+                "one more error was found".into()
+            } else {
+                format!("{untold} more errors were found")
+            };
+            let d = Diagnostic::new(codes::MORE_ERRORS, first, format!("{more}, and not told")).label("the next one");
             self.diagnostics.push(d.help("mend the first ones: others often follow from them"));
         }
     }
@@ -135,12 +146,4 @@ impl Interpreter<'_> {
 /// `stones.inc` only includes `stones1.inc` and `stones2.inc`.
 fn includes_declarer(file: &str, name: &str) -> bool {
     library::declared_in(name).is_some_and(|declarer| declarer.starts_with(file.trim_end_matches(".inc")))
-}
-
-/// Is so much wrong that the rest of the line makes no sense?
-fn breaks_the_line(d: &Diagnostic) -> bool {
-    matches!(
-        d.code,
-        codes::SYNTAX | codes::UNCLOSED | codes::UNKNOWN_DIRECTIVE | codes::EXPECTED | codes::UNKNOWN_WORD
-    )
 }

@@ -6,10 +6,11 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
 /// `A <> B`
-pub(super) fn not_equal(around: &Around, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn not_equal(around: &Around, d: &Diagnostic) -> Option<Habit> {
     // (The fault may be found at either sign.)
     let from = around.at.saturating_sub(1).max(around.line.start);
-    let at = from + around.text.get(from..around.line.end)?.find("<>").filter(|i| *i <= 1)?;
+    let at =
+        from + around.text.get(from..around.line.end)?.find("<>").filter(|i| *i <= 1 && d.code == codes::SYNTAX)?;
     let (left, right) = (trailing_operand(&around.text[around.line.start..at]), &around.text[at + 2..around.line.end]);
     let right = right.trim_start();
     let right = &right[..right.find(|c: char| !is_letter(c) && c != '.').unwrap_or(right.len())];
@@ -33,7 +34,7 @@ pub(super) fn doubled(around: &Around, d: &Diagnostic) -> Option<Habit> {
         "==" => "a single `=` compares",
         _ => return None,
     };
-    Some(Habit::help(help).message(format!("`{typed}` can't stand here")).at(at..at + 2))
+    Some(Habit::help(help).message(format!("`{typed}` can't stand here")))
 }
 
 /// `A and B`, `not A`, `A mod 2`
@@ -48,10 +49,15 @@ pub(super) fn word(around: &Around, d: &Diagnostic) -> Option<Habit> {
         "mod" if !right.trim_start().starts_with('(') => {
             Habit::help(format!("the remainder is `mod({}, {})`", trailing_operand(left), operand(right)))
         }
-        "then" if left.ends_with(')') => Habit::help("behind the condition comes at once what it is for, and then `#end`"),
+        "then" if left.ends_with(')') => {
+            Habit::help("behind the condition comes at once what it is for, and then `#end`")
+        }
         _ => return None,
     };
-    let tells = matches!(d.code, codes::UNDECLARED | codes::UNKNOWN_WORD | codes::EXPECTED | codes::EXPECTED_VALUE | codes::SYNTAX);
+    let tells = matches!(
+        d.code,
+        codes::UNDECLARED | codes::UNKNOWN_WORD | codes::EXPECTED | codes::EXPECTED_VALUE | codes::SYNTAX
+    );
     let habit = habit.message(format!("`{word}` is no operator")).at(around.at..around.at + word.len());
     tells.then(|| habit.code(codes::SYNTAX))
 }
@@ -98,12 +104,15 @@ pub(super) fn vector_without_commas(around: &Around, d: &Diagnostic) -> Option<H
     let inside = text.strip_prefix('<')?.strip_suffix('>')?;
     let numbers: Vec<&str> = inside.split([' ', '\t', ',']).filter(|n| !n.is_empty()).collect();
     let signed = numbers.iter().skip(1).any(|n| n.starts_with(['-', '+']));
-    let plain = numbers.iter().all(|n| n.trim_start_matches(['-', '+']).starts_with(|c: char| is_letter(c) || c == '.'));
+    let plain =
+        numbers.iter().all(|n| n.trim_start_matches(['-', '+']).starts_with(|c: char| is_letter(c) || c == '.'));
     if !signed || !plain || !(2..=5).contains(&numbers.len()) {
         return None;
     }
     let commas = numbers.join(", ");
-    Some(Habit::help(format!("put commas between the numbers: `<{commas}>`; a sign without a comma before it subtracts")))
+    Some(Habit::help(format!(
+        "put commas between the numbers: `<{commas}>`; a sign without a comma before it subtracts"
+    )))
 }
 
 /// `translate 1, 2, 3`
@@ -120,7 +129,8 @@ pub(super) fn list_behind_word(around: &Around, d: &Diagnostic) -> Option<Habit>
     let rest = code_of(around.after());
     let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
     let numbers = format!("{}, {rest}", before[start..].trim());
-    let habit = Habit::help(format!("a vector stands in angle brackets: `{word} <{}>`", numbers.trim_end_matches([',', ' '])));
+    let habit =
+        Habit::help(format!("a vector stands in angle brackets: `{word} <{}>`", numbers.trim_end_matches([',', ' '])));
     Some(habit.message(format!("`{word}` takes one value, found a list")))
 }
 
@@ -137,7 +147,8 @@ pub(super) fn list_in_parentheses(around: &Around, d: &Diagnostic) -> Option<Hab
 
 /// `sphere { [0, 1, 2], 1 }`
 pub(super) fn square_vector(around: &Around, d: &Diagnostic) -> Option<Habit> {
-    let inside = around.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
+    let inside =
+        around.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
     let (numbers, _) = inside.split_once(']')?;
     Some(Habit::help(format!("vectors stand in angle brackets: `<{}>`", numbers.trim())))
 }

@@ -7,7 +7,9 @@ use crate::syntax::word::lookup;
 
 /// The name of the author's own that the line begins with, and what follows it.
 fn own_name<'t>(around: &Around<'t>) -> Option<(&'t str, &'t str)> {
-    leading_name(around.statement()).filter(|(name, _)| lookup(name).is_none()).map(|(name, rest)| (name, rest.trim_start()))
+    leading_name(around.statement())
+        .filter(|(name, _)| lookup(name).is_none())
+        .map(|(name, rest)| (name, rest.trim_start()))
 }
 
 /// `F(x) = x*x`

@@ -21,7 +21,8 @@ impl Interpreter<'_> {
             return d.because(Cause::new(Remedy::Include(file), name, span));
         }
         let d = d.because(Cause::new(Remedy::Declare, name, span));
-        let help = self.meant_name(name).or_else(|| hints::other_tools(name).map(String::from)).or_else(|| meant_word(name));
+        let help =
+            self.meant_name(name).or_else(|| hints::other_tools(name).map(String::from)).or_else(|| meant_word(name));
         let help = help.or_else(|| meant_include(name));
         d.help(help.unwrap_or_else(|| self.declaration_of(name, span)))
     }
@@ -41,7 +42,9 @@ impl Interpreter<'_> {
             self.sources.text(file).get(range.end..).unwrap_or_default().trim_start().starts_with('(')
         });
         match called {
-            true => format!("`#macro {name}(…) … #end` or `#declare {name} = function(…) {{…}};` declares it; is an `#include` missing?"),
+            true => format!(
+                "`#macro {name}(…) … #end` or `#declare {name} = function(…) {{…}};` declares it; is an `#include` missing?"
+            ),
             false => format!("`#declare {name} = …;` gives it a value; is an `#include` missing?"),
         }
     }
@@ -52,13 +55,15 @@ fn meant_word(name: &str) -> Option<String> {
     let words = word::KEYWORDS.iter().chain(word::FUNCTIONS).copied().chain(word::CONSTANTS.iter().map(|c| c.0));
     // Words of the language are in small letters: a name with a capital is a slip of one only if nothing else differs.
     let capital = name.starts_with(char::is_uppercase);
-    nearest(name, words.filter(|w| !capital || w.eq_ignore_ascii_case(name))).map(|found| format!("did you mean `{found}`?"))
+    nearest(name, words.filter(|w| !capital || w.eq_ignore_ascii_case(name)))
+        .map(|found| format!("did you mean `{found}`?"))
 }
 
 /// A name of the standard includes that is nearly the same.
 fn meant_include(name: &str) -> Option<String> {
     // (Short names are near to something always.)
-    let near = nearest(name, library::index_names()).filter(|found| name.len() > 4 || found.eq_ignore_ascii_case(name))?;
+    let near =
+        nearest(name, library::index_names()).filter(|found| name.len() > 4 || found.eq_ignore_ascii_case(name))?;
     let file = library::declared_in(near)?;
     Some(format!("did you mean `{near}`? `#include \"{file}\"` declares it"))
 }

@@ -34,7 +34,9 @@ impl Interpreter<'_> {
                 }
                 format!("`{}`", self.names.text(*symbol))
             }
-            Ok(Token::Expr(Expr { kind: ExprKind::Call(symbol, _), span, .. })) if self.scopes.get(*symbol).is_none() => {
+            Ok(Token::Expr(Expr { kind: ExprKind::Call(symbol, _), span, .. }))
+                if self.scopes.get(*symbol).is_none() =>
+            {
                 return self.undeclared(*symbol, *span);
             }
             Ok(Token::Expr(Expr { span, .. })) if self.sources.snippet(*span).starts_with('(') => {
@@ -82,7 +84,11 @@ impl Interpreter<'_> {
             _ => false,
         };
         let rest = self.sources.locate(span).map_or("", |(file, range)| &self.sources.text(file)[range.end..]);
-        begins && rest.trim_start().starts_with(|c: char| c.is_alphanumeric() || "_.(<\"-+!".contains(c))
+        // (A `<` that nothing closes compares.)
+        let line = rest.split(['\n', '\r', ';']).next().unwrap_or_default();
+        let compares = sign == Sign::Operator(Operator::Less) && !line.contains('>');
+        let rest = rest.trim_start_matches(|c: char| c.is_whitespace() || "-+!".contains(c));
+        begins && !compares && rest.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
     }
 
     /// `A(2)` where A is a value: nothing that could be called.
@@ -167,9 +173,7 @@ impl Interpreter<'_> {
         let here = self.here();
         let found = match self.peek() {
             Err(fault) => return *fault,
-            Ok(
-                Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square)) | Token::Word(_) | Token::Block(_),
-            ) => {
+            Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square)) | Token::Word(_) | Token::Block(_)) => {
                 let found = self.sources.snippet(here);
                 let message = format!("this `<` is not closed: found `{found}` where `>` was expected");
                 let d =
@@ -233,7 +237,8 @@ impl Interpreter<'_> {
             let help = format!("it is written `{}`, and takes {}", block_usage(spec.name), list(takes));
             return d.help(help);
         }
-        let home = home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs into `{home} {{ {word} … }}`"));
+        let home =
+            home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs into `{home} {{ {word} … }}`"));
         d.maybe_help(home).maybe_help(near).maybe_help(hints::in_block(block, &word).map(String::from))
     }
 

@@ -72,6 +72,7 @@ impl Reader for Interpreter<'_> {
                         return d.help(format!("write `{kind} {{ {text} … }}`")).into();
                     }
                     let near = did_you_mean(text, crate::syntax::word::KEYWORDS.iter().copied());
+                    let near = near.or_else(|| self.include_hint(text));
                     return d.maybe_help(near).maybe_help(hints::other_tools(text).map(String::from)).into();
                 }
             },
