@@ -4,6 +4,7 @@
 use super::word;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
+use std::ops::Range;
 
 /// A brace, or a directive with a body.
 struct Opener<'t> {
@@ -183,8 +184,24 @@ pub fn early_brace(text: &str, base: usize) -> Option<Diagnostic> {
     None
 }
 
-/// The directive that is most likely the one without `#end`, by the indentation of the others' `#end`.
-pub(super) fn open_directive(text: &str) -> Option<(usize, usize)> {
+/// The directive that is most likely the one without `#end`, if anything tells; `outer` is the range of one that is open where the
+/// text ends.
+pub(super) fn open_directive(text: &str, base: usize, outer: Range<usize>) -> Option<Diagnostic> {
+    let span = |range: Range<usize>| Span::new(base + range.start, base + range.end);
+    if let Some((at, word)) = other_end(text, outer.start) {
+        let message = format!("there is no directive `#{word}`");
+        let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span(at..at + 1 + word.len()), message);
+        let open = format!("this `{}` is not closed", &text[outer.clone()]);
+        return Some(d.also(span(outer), open).help("every directive with a body ends with `#end`"));
+    }
+    let (lo, hi) = outdented_directive(text)?;
+    let message = format!("this `{}` is not closed", &text[lo..hi]);
+    let help = "add `#end` where it should end: by the indentation, the next one belongs further out";
+    Some(Diagnostic::new(codes::UNCLOSED, span(lo..hi), message).help(help))
+}
+
+/// The same by the indentation of the others' `#end`.
+fn outdented_directive(text: &str) -> Option<(usize, usize)> {
     let mut stack: Vec<Opener> = vec![];
     let mut blamed = None;
     for found in Scanner::new(text) {
@@ -209,7 +226,7 @@ pub(super) fn open_directive(text: &str) -> Option<(usize, usize)> {
 }
 
 /// The first `#endif` or the like behind a place.
-pub(super) fn other_end(text: &str, from: usize) -> Option<(usize, &str)> {
+fn other_end(text: &str, from: usize) -> Option<(usize, &str)> {
     let ends = Scanner::new(text).filter_map(|found| match found {
         Found::Directive(word, at) if at > from && super::fault::is_other_end(word) => Some((at, word)),
         _ => None,
@@ -283,7 +300,7 @@ mod tests {
         let text = "union {\n  Thing {\n    x\n}\n";
         assert_eq!(blamed(text), text.find("{\n    x"));
         let text = "#if (1)\n  #if (2)\n    #declare A = 1;\n#end\n";
-        assert_eq!(open_directive(text), Some((10, 13)));
+        assert_eq!(outdented_directive(text), Some((10, 13)));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Says what is wrong where the grammar stopped.
 
 use super::word;
-use crate::diagnostic::{Diagnostic, codes};
+use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::Span;
 
 /// The message for text that fits no rule from `at` on.
@@ -32,6 +32,13 @@ pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
 /// Is it a word for `#elseif` in other languages?
 pub fn is_other_elseif(word: &str) -> bool {
     matches!(word, "elsif" | "elif" | "elsf" | "elseIf" | "ElseIf" | "else_if" | "elsei")
+}
+
+/// `#elsif`, which nobody reads where the branch before it is not run: what follows it is not run either.
+pub(super) fn lost_branch(word: &str, span: Span) -> Diagnostic {
+    let message = format!("there is no directive `#{word}`: what follows it is a part of the branch before");
+    let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).help("write `#elseif`");
+    Diagnostic { severity: Severity::Warning, ..d }
 }
 
 /// Is it a word for `#end` in other languages?

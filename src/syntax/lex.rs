@@ -6,10 +6,10 @@ use super::ast::NumberList;
 use super::blame;
 use super::brackets::{Brackets, MAX_DEPTH, Opener};
 use super::class::{self, Role};
-use super::fault::is_other_elseif;
+use super::fault::{is_other_elseif, lost_branch};
 use super::numbers::{ListScanner, is_blank, scan_number};
 use super::word::{self, Category};
-use crate::diagnostic::{Code, Diagnostic, Severity, codes};
+use crate::diagnostic::{Code, Diagnostic, codes};
 use crate::source::Span;
 
 /// One token.
@@ -363,8 +363,8 @@ impl Lexer<'_> {
         match class::directive(word) {
             None => {
                 let symbol = self.names.intern(word).0;
-                if is_other_elseif(word) {
-                    self.lost_branch(word, at, end);
+                if is_other_elseif(word) && self.out.faults.is_empty() {
+                    self.out.faults.push(lost_branch(word, self.span(at, end)));
                 }
                 self.push(class::PLAIN, end - at, symbol);
             }
@@ -401,18 +401,11 @@ impl Lexer<'_> {
         self.at = end;
     }
 
-    /// `#elsif`, which nobody reads where the branch before it is not run: what follows it is not run either.
-    fn lost_branch(&mut self, word: &str, lo: usize, hi: usize) {
-        let message = format!("there is no directive `#{word}`: what follows it is a part of the branch before");
-        self.fault(codes::UNKNOWN_DIRECTIVE, lo, hi, message, Some("write `#elseif`"));
-        if let Some(fault) = self.out.faults.last_mut() {
-            fault.severity = Severity::Warning;
-        }
-    }
-
     /// At the end of the text: directives without `#end`, of which the innermost three tell enough, and open brackets.
     fn unended(&mut self) {
-        let blamed = self.blamed_directive();
+        let opener = self.brackets.unended().first().map(|&token| self.out.tokens[token]);
+        let opener = opener.map(|token| token.start as usize..token.end as usize);
+        let blamed = opener.and_then(|opener| blame::open_directive(self.text, self.base, opener));
         let told = if blamed.is_some() { 0 } else { 3 };
         self.out.faults.extend(blamed);
         for token in self.brackets.unended().into_iter().rev().take(told) {
@@ -428,23 +421,6 @@ impl Lexer<'_> {
         if self.loose_closers == 0 {
             self.out.unclosed = self.brackets.unclosed().map(|token| token as u32).collect();
         }
-    }
-
-    /// The directive without `#end`, where the text tells which one it is.
-    fn blamed_directive(&self) -> Option<Diagnostic> {
-        let token = *self.brackets.unended().first()?;
-        let start = self.out.tokens[token].start as usize;
-        if let Some((at, word)) = blame::other_end(self.text, start) {
-            let end = self.span(at, at + 1 + word.len());
-            let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, end, format!("there is no directive `#{word}`"));
-            let opened = self.span(start, self.out.tokens[token].end as usize);
-            let open = format!("this `{}` is not closed", self.text_of(token));
-            return Some(d.also(opened, open).help("every directive with a body ends with `#end`"));
-        }
-        let (lo, hi) = blame::open_directive(self.text)?;
-        let message = format!("this `{}` is not closed", &self.text[lo..hi]);
-        let d = Diagnostic::new(codes::UNCLOSED, self.span(lo, hi), message);
-        Some(d.help("add `#end` where it should end: by the indentation, the next one belongs further out"))
     }
 
     /// A character that stands for nothing in the language: a token, since nobody may ever read it.

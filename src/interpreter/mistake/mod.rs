@@ -8,6 +8,7 @@ mod directive;
 mod habit;
 mod missing;
 mod operator;
+mod report;
 mod statement;
 mod undeclared;
 
