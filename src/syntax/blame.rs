@@ -155,6 +155,8 @@ enum Sign<'t> {
 /// A `}` that ends a block too early, where a later one closes nothing.
 pub fn early_brace(text: &str, base: usize) -> Option<Diagnostic> {
     let (mut stack, mut early): (Vec<Opener>, Option<(usize, &str)>) = (vec![], None);
+    // (What stands in a macro or a branch may end what another opens.)
+    let mut bodies = 0usize;
     for found in Scanner::new(text) {
         match found {
             Found::Open(word, word_at, at) => {
@@ -165,6 +167,7 @@ pub fn early_brace(text: &str, base: usize) -> Option<Diagnostic> {
                 let (line, indent, first) = line_of(text, at);
                 match (stack.pop(), early) {
                     // It stands at the end of a line that is deeper than the block's own.
+                    _ if bodies > 0 => {}
                     (Some(own), None) if !first && own.line < line && own.indent < indent => {
                         early = Some((at, own.word))
                     }
@@ -178,7 +181,8 @@ pub fn early_brace(text: &str, base: usize) -> Option<Diagnostic> {
                     _ => {}
                 }
             }
-            Found::Directive(..) => {}
+            Found::Directive("end", _) => bodies = bodies.saturating_sub(1),
+            Found::Directive(word, _) => bodies += usize::from(BODIES.contains(&word)),
         }
     }
     None
@@ -208,7 +212,7 @@ fn outdented_directive(text: &str) -> Option<(usize, usize)> {
         let Found::Directive(word, at) = found else { continue };
         let (line, indent, first) = line_of(text, at);
         match word {
-            "if" | "ifdef" | "ifndef" | "while" | "for" | "switch" | "macro" => {
+            word if BODIES.contains(&word) => {
                 stack.push(Opener { word, at, indent, line });
             }
             "end" => {
@@ -259,6 +263,9 @@ fn can_hold(outer: &str, inner: &str) -> bool {
         _ => true,
     }
 }
+
+/// Directives that go on to an `#end`.
+const BODIES: &[&str] = &["if", "ifdef", "ifndef", "while", "for", "switch", "macro"];
 
 /// Shapes that are made of no others.
 const SHAPES: &[&str] = &[

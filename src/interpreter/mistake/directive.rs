@@ -138,7 +138,8 @@ pub(super) fn file_without_quotes(around: &Around, _: &Diagnostic) -> Option<Hab
     let typed = typed.split_whitespace().next()?;
     let name = typed.trim_matches(|c: char| matches!(c, '<' | '>' | '\'' | ';' | '‘' | '’' | '“' | '”'));
     // (A name that holds the file's name as a string is another thing.)
-    if !name.contains('.') {
+    let plain = name.chars().all(|c| c.is_alphanumeric() || "._-/\\".contains(c));
+    if !plain || !name.contains('.') {
         return None;
     }
     let habit = Habit::help(format!("write `#include \"{name}\"`"));

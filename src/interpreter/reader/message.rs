@@ -3,16 +3,17 @@
 use super::super::scope::Slot;
 use super::super::stream::{BlockName, Opened, Token};
 use super::super::{Interpreter, hints};
-use crate::camera::words::PERSPECTIVE;
+use crate::camera::words::{LECTURE, PERSPECTIVE};
 use crate::diagnostic::{Diagnostic, Remedy, Result, codes, did_you_mean};
 use crate::light::words::LIGHT;
-use crate::scene::words::SETTINGS;
+use crate::scene::is_object;
+use crate::scene::words::{MODIFIERS, SETTINGS};
 use crate::shape::SPECS;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::fault;
 use crate::syntax::word::lookup;
-use crate::texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT};
+use crate::texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT, TEXTURE};
 use crate::value::Kind;
 use crate::value::words::TRANSFORMS;
 
@@ -209,9 +210,9 @@ impl Interpreter<'_> {
         let span = self.here();
         let word = match self.peek() {
             Err(fault) => return *fault,
-            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form(word, span, false),
+            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form(block, word, span, false),
             Ok(Token::Block(BlockName { word: Some(word), span, .. })) if takes.contains(&word) => {
-                return self.wrong_form(word, span, true);
+                return self.wrong_form(block, word, span, true);
             }
             Ok(Token::Word(word)) => word.to_string(),
             Ok(Token::Block(name)) => self.sources.snippet(name.span).to_string(),
@@ -258,19 +259,39 @@ impl Interpreter<'_> {
     }
 
     /// A word that the block does take, with something else behind it than it needs.
-    fn wrong_form(&mut self, word: &'static str, span: Span, brace: bool) -> Diagnostic {
+    fn wrong_form(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
         let rest = self.sources.locate(span).map_or("", |(file, range)| &self.sources.text(file)[range.end..]);
         let found = match fault::token_at(rest.trim_start(), 0) {
             "" => "the end of the text".to_string(),
             token => format!("`{token}`"),
         };
-        let (wanted, usage) = match brace {
-            true => value_behind(word),
-            false => ("`{`".to_string(), block_usage(word)),
+        let (wanted, usage) = match (brace, opens_block(word)) {
+            (true, false) => value_behind(word),
+            (false, true) => ("`{`".to_string(), block_usage(word)),
+            // It has what it needs, and stands where it may not.
+            _ => {
+                let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` can't stand here in a `{block}`"));
+                return d.help("it belongs to another kind of this block, or to another place in it");
+            }
         };
         let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("expected {wanted} behind `{word}`, found {found}"));
         d.help(format!("it is written `{usage}`"))
     }
+}
+
+/// Every word that some block takes, as far as a table tells what belongs behind it.
+fn kind_of(word: &str) -> Option<Kind> {
+    let tables =
+        [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &PERSPECTIVE, &LECTURE];
+    let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
+    words.into_iter().find(|known| known.name == word).map(|known| known.kind)
+}
+
+/// Does a brace belong behind this word?
+fn opens_block(word: &str) -> bool {
+    is_object(word)
+        || matches!(word, "camera" | "background" | "global_settings")
+        || kind_of(word) == Some(Kind::Block) && word != "matrix"
 }
 
 /// `word` is none that the block takes.
@@ -284,9 +305,8 @@ fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagn
 
 /// What a word needs that takes no block, and how it is written.
 fn value_behind(word: &str) -> (String, String) {
-    let vocabularies = [&FINISH, &PIGMENT, &NORMAL, &INTERIOR, &LIGHT, &SETTINGS, &PERSPECTIVE];
-    let known = vocabularies.iter().flat_map(|v| v.words).chain(TRANSFORMS).find(|w| w.name == word);
-    let (what, value) = match known.map(|w| w.kind) {
+    let (what, value) = match kind_of(word) {
+        _ if word == "matrix" => ("twelve numbers", "<…>"),
         Some(Kind::Float) => ("a number", "0.5"),
         Some(Kind::Vector2) => ("a vector", "<x, y>"),
         Some(Kind::Vector) => ("a vector", "<x, y, z>"),
