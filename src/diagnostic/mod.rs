@@ -44,7 +44,7 @@ pub struct Diagnostic {
     /// What to type instead.
     pub help: Option<String>,
     /// The chain of "in macro `M`, called here", "included from here", innermost first.
-    pub trace: Vec<Label>,
+    pub trace: Box<[Label]>,
     /// What it shares with others: those of one cause become one message.
     pub cause: Option<Box<Cause>>,
 }
@@ -59,7 +59,7 @@ impl Diagnostic {
     /// A message of this code at this place.
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
         let labels = if span.is_none() { vec![] } else { vec![Label { span, text: String::new() }] };
-        let (message, help, trace) = (message.into(), None, vec![]);
+        let (message, help, trace) = (message.into(), None, Box::default());
         Self { code, severity: code.severity(), message, labels, help, trace, cause: None }
     }
 

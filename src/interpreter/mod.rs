@@ -325,7 +325,7 @@ impl<'a> Interpreter<'a> {
 
     fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {
         if d.trace.is_empty() {
-            d.trace = self.trace();
+            d.trace = self.trace().into();
         }
         d
     }

@@ -109,7 +109,8 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let rest = &directive[word.len()..];
     let next = text.len() - rest.trim_start().len();
     if text[next..].starts_with('(') {
-        return None;
+        let d = Diagnostic::new(codes::UNCLOSED, token_span(text, next, base), "this `(` is not closed");
+        return Some(d.help(format!("it is written `#{word} ({form}) …`")));
     }
     let message = format!("expected `(` behind `#{word}`, found {}", found(text, next));
     let span = token_span(text, next, base);

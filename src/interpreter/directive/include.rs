@@ -121,7 +121,7 @@ impl<'a> Interpreter<'a> {
         for fault in faults {
             self.report_fault(fault);
         }
-        last.trace = self.trace();
+        last.trace = self.trace().into();
         self.report_fault(last);
         Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
     }

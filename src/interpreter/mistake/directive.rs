@@ -180,7 +180,9 @@ pub(super) fn without_hash(around: &Around, d: &Diagnostic) -> Option<Habit> {
         }
         "if" | "ifdef" | "ifndef" | "while" | "for" | "macro" | "else" | "elseif" | "switch" | "case" | "range"
         | "end" | "break" | "local" | "undef" | "debug" | "warning" | "error" => {
-            let help = format!("write `#{}`", value_text(statement.trim_end_matches('{')));
+            let head = value_text(statement.split('{').next().unwrap_or_default());
+            let rest = if statement.contains('{') { " … #end" } else { "" };
+            let help = format!("write `#{head}{rest}`");
             Habit::help(help).message(format!("the directive `{word}` stands without its `#`"))
         }
         _ => return None,

@@ -84,6 +84,7 @@ const HABITS: &[Recognise] = &[
     statement::typed_variable,
     statement::assignment,
     statement::behind_object,
+    operator::operator_at_end,
     operator::not_equal,
     operator::doubled,
     operator::word,

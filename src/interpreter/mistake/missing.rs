@@ -39,7 +39,7 @@ impl Interpreter<'_> {
         }
         // (The way to another place is not known any more.)
         if first != d.span() {
-            d.trace = vec![];
+            d.trace = Box::default();
         }
         d.labels = vec![Label { span: first, text: String::new() }];
         self.add_places(&mut d, &cause, &name);
@@ -86,7 +86,7 @@ impl Interpreter<'_> {
             _ => format!("add `#include \"{missing}\"` at the start of the scene"),
         });
         d.labels = vec![Label { span: place.span, text: String::new() }];
-        d.trace = vec![Label { span: *first, text: format!("`{name}` is used") }];
+        d.trace = Box::new([Label { span: *first, text: format!("`{name}` is used") }]);
         d
     }
 

@@ -37,6 +37,14 @@ pub(super) fn doubled(around: &Around, d: &Diagnostic) -> Option<Habit> {
     Some(Habit::help(help).message(format!("`{typed}` can't stand here")))
 }
 
+/// `A + ;`
+pub(super) fn operator_at_end(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let before = around.text[..around.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
+    let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
+    let habit = Habit::help("an operator needs a value on both sides");
+    Some(habit.message(format!("expected a value behind `{sign}`, found `;`")).at(before.len()..before.len() + 1))
+}
+
 /// `A and B`, `not A`, `A mod 2`
 pub(super) fn word(around: &Around, d: &Diagnostic) -> Option<Habit> {
     let (word, right) = leading_name(around.after())?;

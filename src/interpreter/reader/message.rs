@@ -14,8 +14,8 @@ use crate::syntax::ast::*;
 use crate::syntax::fault;
 use crate::syntax::word::lookup;
 use crate::texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT, TEXTURE};
-use crate::value::Kind;
 use crate::value::words::TRANSFORMS;
+use crate::value::{Kind, Next, Reader};
 
 impl Interpreter<'_> {
     /// "expected …, found …" about what comes next.
@@ -228,7 +228,14 @@ impl Interpreter<'_> {
                 return self.unexpected_token(block);
             }
             Ok(_) => {
+                let is_object = Reader::next(self) == Ok(Next::Thing("object"));
                 let d = self.unexpected_token(&format!("a word of `{block}`"));
+                if is_object && matches!(block, "union" | "merge" | "intersection" | "difference") {
+                    let help = format!(
+                        "the words of the `{block}` come behind all its objects; to move one of these, write `object {{ … }}`"
+                    );
+                    return d.help(help);
+                }
                 return if d.code == codes::EXPECTED { d.help(format!("it takes {}", list(takes))) } else { d };
             }
         };
@@ -240,7 +247,7 @@ impl Interpreter<'_> {
         }
         let home =
             home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs into `{home} {{ {word} … }}`"));
-        d.maybe_help(home).maybe_help(near).maybe_help(hints::in_block(block, &word).map(String::from))
+        d.maybe_help(near).maybe_help(home).maybe_help(hints::in_block(block, &word).map(String::from))
     }
 
     /// A name of nothing where a word of the block could stand.
@@ -331,12 +338,10 @@ fn block_usage(word: &str) -> String {
     }
 }
 
-/// The block that takes a word, if there is only one.
+/// The block that a word belongs into, the likeliest first.
 fn home_of(word: &str) -> Option<&'static str> {
-    let homes = [&FINISH, &PIGMENT, &INTERIOR, &PERSPECTIVE, &SETTINGS, &LIGHT];
-    let mut takers = homes.into_iter().filter(|v| v.obeys(word));
-    let first = takers.next()?;
-    takers.next().is_none().then_some(first.block)
+    let homes = [&INTERIOR, &FINISH, &PIGMENT, &PERSPECTIVE, &SETTINGS, &LIGHT];
+    homes.into_iter().find(|table| table.obeys(word)).map(|table| table.block)
 }
 
 /// Words in backticks, the first twelve of many.
