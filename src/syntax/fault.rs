@@ -109,12 +109,27 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let rest = &directive[word.len()..];
     let next = text.len() - rest.trim_start().len();
     if text[next..].starts_with('(') {
-        let d = Diagnostic::new(codes::UNCLOSED, token_span(text, next, base), "this `(` is not closed");
-        return Some(d.help(format!("it is written `#{word} ({form}) …`")));
+        let message = format!("the `(` of this `#{word}` is not closed");
+        let d = Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
+        let d = d.also(Span::new(base + next, base + next + 1), "this one");
+        return (!is_closed(&text[next..])).then(|| d.help(format!("it is written `#{word} ({form}) …`")));
     }
     let message = format!("expected `(` behind `#{word}`, found {}", found(text, next));
     let span = token_span(text, next, base);
     Some(Diagnostic::new(codes::SYNTAX, span, message).help(format!("`#{word} ({form}) …`")))
+}
+
+/// Has the parenthesis that a text begins with its other half?
+fn is_closed(text: &str) -> bool {
+    let mut depth = 0usize;
+    text.chars().any(|c| {
+        depth = match c {
+            '(' => depth + 1,
+            ')' => depth.saturating_sub(1),
+            _ => depth,
+        };
+        depth == 0
+    })
 }
 
 fn help_for(text: &str, at: usize, token: &str) -> Option<String> {

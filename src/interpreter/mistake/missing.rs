@@ -36,6 +36,10 @@ impl Interpreter<'_> {
             }
             d.message = include_message(&name, file);
             d.help = Some(include_help(file));
+            if self.include_missing_for(&name).is_none() {
+                d.message = format!("`{name}` is declared in `{file}`, which is included only further down");
+                d.help = Some(format!("put `#include \"{file}\"` before this line"));
+            }
         }
         // (The way to another place is not known any more.)
         if first != d.span() {
