@@ -1,6 +1,6 @@
 //! The light model against closed forms (POV-Ray's manual, "Finish", "Interior"; details measured on 3.7).
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::disallowed_methods, clippy::unwrap_used)]
 
 mod common;
 

@@ -198,6 +198,8 @@ little. The environment variable DURER_FONTS names other folders in which to loo
 "POV-Ray goes on with such numbers, and so does durer where it can: of a shape that has one, or is moved by one, nothing is
 seen; in a colour, infinity is white light and black paint, and what is not a number is black. Look for a division by zero, or for
 a number that grows in a loop."
+    MORE_ERRORS "W0250" "more errors were found than are told"
+"After twenty errors the others are counted only: many of them follow from the first ones, and go when those are mended."
     NO_DIRECTION "E0300" "a plane has no direction"
 "The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
 vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."

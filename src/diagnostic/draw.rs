@@ -20,16 +20,49 @@ pub struct Style {
 pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> String {
     let theme = if style.fancy { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
     let handler = GraphicalReportHandler::new_themed(theme).with_width(style.width).with_context_lines(1);
-    let mut out = String::new();
-    if handler.render_report(&mut out, &Report::new(diagnostic, sources)).is_err() {
-        out = format!("{}: {}\n", diagnostic.code, diagnostic.message);
-    }
+    let draw = |d: &Diagnostic| {
+        let mut out = String::new();
+        match handler.render_report(&mut out, &Report::new(d, sources)) {
+            Ok(()) => out,
+            Err(_) => format!("{}: {}\n", d.code, d.message),
+        }
+    };
+    let mut out = match primary_apart(diagnostic, sources) {
+        Some([first, rest]) => {
+            let rest = draw(&rest);
+            // The message has been told: from the frame on.
+            let frame = rest.find(FRAME).and_then(|at| rest[..at].rfind('\n')).map_or(0, |at| at + 1);
+            draw(&first) + &rest[frame..]
+        }
+        None => draw(diagnostic),
+    };
     for step in &diagnostic.trace {
         if let Some(place) = sources.place(step.span) {
             out += &format!("  {} at {}:{}:{}\n", step.text, place.file, place.line, place.column);
         }
     }
     out
+}
+
+/// What a frame begins with.
+const FRAME: &str = "╭─";
+
+/// miette draws places in the order of the text. Where others come before the fault's own, and not beside it, they are told
+/// behind it: the message with its own place, and the rest with the help.
+fn primary_apart(d: &Diagnostic, sources: &Sources) -> Option<[Diagnostic; 2]> {
+    let line = |label: &Label| sources.place(label.span).map_or(0, |place| place.line);
+    let primary = d.labels.first()?;
+    let file = |label: &Label| sources.locate(label.span).map(|(id, _)| id);
+    let own = line(primary);
+    let (near, far): (Vec<_>, Vec<_>) =
+        d.labels.iter().cloned().partition(|l| file(l) == file(primary) && line(l).abs_diff(own) <= 1);
+    if !far.iter().any(|l| file(l) == file(primary) && line(l) < own) {
+        return None;
+    }
+    // (The first label of a message gives the file that is shown.)
+    let far = far.into_iter().filter(|l| file(l) == file(primary)).collect();
+    let first = Diagnostic { labels: near, help: None, trace: Box::default(), ..d.clone() };
+    Some([first, Diagnostic { labels: far, trace: Box::default(), ..d.clone() }])
 }
 
 /// miette's view of a diagnostic.

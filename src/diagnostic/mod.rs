@@ -1,10 +1,12 @@
 //! What is told to the user: a code, a place, the reason and the remedy.
 
+mod cause;
 pub mod codes;
 pub mod draw;
 pub mod file;
 mod suggest;
 
+pub use cause::{Cause, Remedy};
 pub use codes::Code;
 pub use suggest::{did_you_mean, nearest};
 
@@ -42,7 +44,9 @@ pub struct Diagnostic {
     /// What to type instead.
     pub help: Option<String>,
     /// The chain of "in macro `M`, called here", "included from here", innermost first.
-    pub trace: Vec<Label>,
+    pub trace: Box<[Label]>,
+    /// What it shares with others: those of one cause become one message.
+    pub cause: Option<Box<Cause>>,
 }
 
 /// An error on its way up; boxed because the way down is the fast one.
@@ -55,8 +59,8 @@ impl Diagnostic {
     /// A message of this code at this place.
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
         let labels = if span.is_none() { vec![] } else { vec![Label { span, text: String::new() }] };
-        let (message, help, trace) = (message.into(), None, vec![]);
-        Self { code, severity: code.severity(), message, labels, help, trace }
+        let (message, help, trace) = (message.into(), None, Box::default());
+        Self { code, severity: code.severity(), message, labels, help, trace, cause: None }
     }
 
     /// As an `Err`, ready for `?`.
@@ -83,6 +87,12 @@ impl Diagnostic {
     /// Adds what to type instead.
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help = Some(text.into());
+        self
+    }
+
+    /// Says what it shares with other messages.
+    pub fn because(mut self, cause: Cause) -> Self {
+        self.cause = Some(Box::new(cause));
         self
     }
 

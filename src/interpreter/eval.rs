@@ -5,11 +5,10 @@ use super::Interpreter;
 use super::operators::{SMALL, apply, apply_prefix, component};
 use super::quick::Quick;
 use super::scope::Slot;
-use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::word;
 use crate::value::{Value, VecN};
 use smallvec::SmallVec;
 
@@ -161,22 +160,7 @@ impl<'a> Interpreter<'a> {
         if let Some(value) = self.constant_value(self.names.text(symbol)) {
             return Ok(value);
         }
-        let name = self.names.text(symbol);
-        let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{name}` is not declared"));
-        if let Some(hint) = super::hints::other_tools(name) {
-            return d.help(hint).into();
-        }
-        let declared: Vec<&str> = self.scopes.names().map(|s| self.names.text(s)).collect();
-        if let Some(include) = super::hints::include_of(name) {
-            return d.help(format!("`#include \"{include}\"` declares it")).into();
-        }
-        let words = word::KEYWORDS.iter().chain(word::FUNCTIONS).copied().chain(word::CONSTANTS.iter().map(|c| c.0));
-        // Words of the language are in small letters: a name with a capital is a slip of one only if nothing else differs.
-        let capital = name.starts_with(char::is_uppercase);
-        let words = words.filter(|w| !capital || w.eq_ignore_ascii_case(name));
-        let near = did_you_mean(name, declared.into_iter().chain(words));
-        d.help(near.unwrap_or_else(|| format!("`#declare {name} = …;` gives it a value; is an `#include` missing?")))
-            .into()
+        self.undeclared(symbol, span).into()
     }
 
     pub(super) fn is_constant(&self, symbol: Symbol) -> bool {

@@ -16,6 +16,9 @@ pub(super) fn other_tools(word: &str) -> Option<&'static str> {
         }
         "func" | "fn" | "proc" => "`#macro Name(A, B) … #end` defines a macro",
         "rotation" | "rotatex" | "rotatey" | "rotatez" => "`rotate <x, y, z>` takes degrees",
+        "and" => "the logical and is `&`",
+        "or" => "the logical or is `|`",
+        "not" => "the logical not is `!`",
         "position" | "pos" | "move" => "`translate <x, y, z>` moves an object",
         "size" | "resize" => "`scale` changes an object's size",
         "light" | "pointlight" | "point_light" => "a light is `light_source { <location>, color }`",
@@ -31,44 +34,30 @@ pub(super) fn other_tools(word: &str) -> Option<&'static str> {
     })
 }
 
-/// The standard include file that declares a name (manual, "Include files"), for the names that are forgotten most.
-pub(super) fn include_of(name: &str) -> Option<&'static str> {
-    INCLUDES.iter().find(|(_, names)| names.contains(&name)).map(|(file, _)| *file)
+/// What to say about a word that another block takes, or that this one calls otherwise.
+pub(super) fn in_block(block: &str, word: &str) -> Option<&'static str> {
+    Some(match (block, word.to_lowercase().as_str()) {
+        ("camera", "position" | "pos" | "from" | "origin" | "place") => {
+            "`location <x, y, z>` says where a camera stands"
+        }
+        ("camera", "target" | "lookat" | "at" | "to" | "direction_to") => {
+            "`look_at <x, y, z>` says what a camera looks at"
+        }
+        ("camera", "zoom" | "focal_length") => "`angle` says how wide a camera sees, in degrees",
+        ("light_source", "position" | "location" | "pos") => {
+            "a light's place comes first: `light_source { <x, y, z>, color }`"
+        }
+        ("light_source", "intensity" | "power" | "brightness") => "a light is as bright as its colour: `rgb 2`",
+        ("finish", "shininess" | "gloss" | "glossiness") => "`phong_size` or `roughness` says how small a highlight is",
+        ("finish", "reflective" | "reflectivity" | "mirror") => "`reflection { 0.5 }` says how much a surface mirrors",
+        ("finish", "color" | "colour" | "rgb") => "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`",
+        ("pigment", "transparency" | "alpha" | "opacity") => {
+            "`rgbt <r, g, b, t>` has a fourth number for how much passes"
+        }
+        ("pigment", "texture" | "image" | "map") => "a picture is put on by `image_map { png \"name.png\" }`",
+        ("texture" | "interior" | "material", "color" | "colour" | "rgb") => {
+            "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`"
+        }
+        _ => return None,
+    })
 }
-
-const INCLUDES: &[(&str, &[&str])] = &[
-    (
-        "colors.inc",
-        &[
-            "Red",
-            "Green",
-            "Blue",
-            "Yellow",
-            "Cyan",
-            "Magenta",
-            "Clear",
-            "White",
-            "Black",
-            "Gray25",
-            "Gray50",
-            "Gray75",
-            "Orange",
-            "Brown",
-            "Pink",
-            "Violet",
-            "Gold",
-            "Silver",
-            "SkyBlue",
-            "Navy",
-            "NavyBlue",
-            "ForestGreen",
-        ],
-    ),
-    ("textures.inc", &["Glass", "Glass3", "Chrome_Metal", "Chrome_Texture", "Cork", "Jade", "DMFWood1", "DMFWood4"]),
-    ("woods.inc", &["T_Wood1", "T_Wood2", "T_Wood3", "T_Wood10"]),
-    ("stones.inc", &["T_Stone1", "T_Stone2", "T_Stone10", "T_Grnt1"]),
-    ("metals.inc", &["T_Brass_1A", "T_Chrome_1A", "T_Copper_1A", "T_Silver_1A"]),
-    ("golds.inc", &["T_Gold_1A", "T_Gold_1B"]),
-    ("skies.inc", &["S_Cloud1", "S_Cloud2"]),
-    ("finish.inc", &["Dull", "Shiny", "Phong_Shiny", "Luminous", "Mirror", "Glossy", "Metal"]),
-];

@@ -9,6 +9,7 @@ mod eval;
 mod function;
 mod hints;
 mod limits;
+mod mistake;
 mod operators;
 mod parsed;
 mod pieces;
@@ -109,11 +110,7 @@ pub struct Outcome {
     pub origins: Vec<Vec<Label>>,
 }
 
-/// A run ends after so many errors.
-const MAX_ERRORS: usize = 20;
-/// So many messages are kept before warnings are left out.
-const MAX_WARNINGS: usize = 500;
-/// And after so many faults, though they be the same again and again.
+/// A run ends after so many faults, though they be the same again and again.
 const MAX_FAULTS: usize = 200;
 
 /// Runs a file that [`Sources`] already holds. `debug` receives what `#debug`, `#render` and `#statistics` print.
@@ -201,6 +198,8 @@ pub(crate) struct Interpreter<'a> {
     origins: Vec<Vec<Label>>,
     /// Faults met, also those that were told before.
     faults: usize,
+    /// What earlier faults have left undone.
+    mistakes: mistake::Mistakes,
 }
 
 impl<'a> Interpreter<'a> {
@@ -258,6 +257,7 @@ impl<'a> Interpreter<'a> {
             limit_reached: false,
             origins: vec![],
             faults: 0,
+            mistakes: mistake::Mistakes::default(),
         }
     }
 
@@ -290,7 +290,8 @@ impl<'a> Interpreter<'a> {
                 let ends = self.limit_reached || fault.code == codes::ENDS_RUN;
                 let fault = self.with_trace(*fault);
                 // What follows a bracket that is not closed makes no sense.
-                if let (Some(d), false) = (self.unclosed_bracket(), ends) {
+                let told = if ends { None } else { self.unclosed_bracket().or_else(|| self.closed_early(&fault)) };
+                if let Some(d) = told {
                     self.report_fault(d);
                     return;
                 }
@@ -303,7 +304,7 @@ impl<'a> Interpreter<'a> {
                 self.report_fault(fault);
                 self.faults += 1;
                 // A fault in a loop's body is told once, but met in every pass.
-                if ends || self.error_count() >= MAX_ERRORS || self.faults >= MAX_FAULTS {
+                if ends || self.faults >= MAX_FAULTS {
                     return;
                 }
             }
@@ -312,16 +313,16 @@ impl<'a> Interpreter<'a> {
     }
 
     fn outcome(mut self) -> Outcome {
-        self.diagnostics.append(&mut self.late);
+        for d in std::mem::take(&mut self.late) {
+            self.report_fault(d);
+        }
         let unused: Vec<Diagnostic> = self.scopes.unused_faults().cloned().collect();
-        for mut fault in unused {
-            let told = |d: &Diagnostic| d.code == fault.code && d.span() == fault.span() && d.message == fault.message;
-            if !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS) && !self.diagnostics.iter().any(told) {
-                fault.severity = Severity::Warning;
-                self.diagnostics.push(fault);
-            }
+        for mut fault in unused.into_iter().filter(|fault| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS)) {
+            fault.severity = Severity::Warning;
+            self.report_fault(fault);
         }
         self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
+        self.settle_messages();
         let failed = self.error_count() > 0;
         Outcome {
             scene: (!failed).then_some(self.scene),
@@ -331,30 +332,9 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn error_count(&self) -> usize {
-        self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
-    }
-
-    /// Keeps a message, unless the same was told of the same place.
-    fn report_fault(&mut self, d: Diagnostic) {
-        let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
-        let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && k.message == d.message;
-        if silent || self.diagnostics.iter().rev().take(100).any(known) {
-            return;
-        }
-        if d.severity == Severity::Warning && self.diagnostics.len() >= MAX_WARNINGS {
-            // A loop that warns in every pass would fill the memory.
-            if let Some(last) = self.diagnostics.last_mut() {
-                last.help = Some("there are more warnings, which are not told".into());
-            }
-            return;
-        }
-        self.diagnostics.push(d);
-    }
-
     fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {
         if d.trace.is_empty() {
-            d.trace = self.trace();
+            d.trace = self.trace().into();
         }
         d
     }

@@ -2,6 +2,10 @@
 //!
 //! Written anew from the manual's section 3.4.9, "Include Files": the same names, parameters and results.
 
+mod index;
+
+pub use index::{declared_in, declares, index_names, is_standard};
+
 /// Before the names of these files in messages.
 pub const FOLDER: &str = "<durer>";
 

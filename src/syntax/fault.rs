@@ -1,7 +1,7 @@
 //! Says what is wrong where the grammar stopped.
 
 use super::word;
-use crate::diagnostic::{Diagnostic, codes};
+use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::Span;
 
 /// The message for text that fits no rule from `at` on.
@@ -27,6 +27,26 @@ pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
             .help("a vector ends with `>`; comparisons need parentheses around them"),
         None => d,
     }
+}
+
+/// Is it a word for `#elseif` in other languages?
+pub fn is_other_elseif(word: &str) -> bool {
+    matches!(word, "elsif" | "elif" | "elsf" | "elseIf" | "ElseIf" | "else_if" | "elsei")
+}
+
+/// `#elsif`, which nobody reads where the branch before it is not run: what follows it is not run either.
+pub(super) fn lost_branch(word: &str, span: Span) -> Diagnostic {
+    let message = format!("there is no directive `#{word}`: what follows it is a part of the branch before");
+    let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).help("write `#elseif`");
+    Diagnostic { severity: Severity::Warning, ..d }
+}
+
+/// Is it a word for `#end` in other languages?
+pub fn is_other_end(word: &str) -> bool {
+    matches!(
+        word,
+        "endif" | "endfor" | "endwhile" | "endmacro" | "endswitch" | "end_if" | "fi" | "done" | "wend" | "next"
+    )
 }
 
 /// What stands at `at`, for a message.
@@ -62,7 +82,10 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
     let name = last_word(before)?;
     let directive = directive_at_end(before[..before.len() - name.len()].trim_end())?;
     let d = fault(format!("expected `=` behind `#{directive} {name}`, found {found}"));
-    matches!(directive, "declare" | "local").then(|| d.help(format!("`#{directive} {name} = …;`")))
+    let line = text[at..].lines().next().unwrap_or_default();
+    let value = line.split([';', '/']).next().unwrap_or_default().trim();
+    let value = if value.is_empty() || value.len() > 40 || value.starts_with('=') { "…" } else { value };
+    matches!(directive, "declare" | "local").then(|| d.help(format!("`#{directive} {name} = {value};`")))
 }
 
 /// The directive that a text ends with.
@@ -86,11 +109,27 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let rest = &directive[word.len()..];
     let next = text.len() - rest.trim_start().len();
     if text[next..].starts_with('(') {
-        return None;
+        let message = format!("the `(` of this `#{word}` is not closed");
+        let d = Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
+        let d = d.also(Span::new(base + next, base + next + 1), "this one");
+        return (!is_closed(&text[next..])).then(|| d.help(format!("it is written `#{word} ({form}) …`")));
     }
     let message = format!("expected `(` behind `#{word}`, found {}", found(text, next));
     let span = token_span(text, next, base);
     Some(Diagnostic::new(codes::SYNTAX, span, message).help(format!("`#{word} ({form}) …`")))
+}
+
+/// Has the parenthesis that a text begins with its other half?
+fn is_closed(text: &str) -> bool {
+    let mut depth = 0usize;
+    text.chars().any(|c| {
+        depth = match c {
+            '(' => depth + 1,
+            ')' => depth.saturating_sub(1),
+            _ => depth,
+        };
+        depth == 0
+    })
 }
 
 fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
@@ -124,7 +163,7 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
 }
 
 /// The word, number or character that starts at `at`.
-fn token_at(text: &str, at: usize) -> &str {
+pub fn token_at(text: &str, at: usize) -> &str {
     let rest = &text[at..];
     let word = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
     let end = if word > 0 { word } else { rest.chars().next().map_or(0, char::len_utf8) };

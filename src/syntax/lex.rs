@@ -3,8 +3,10 @@
 
 use super::Names;
 use super::ast::NumberList;
+use super::blame;
 use super::brackets::{Brackets, MAX_DEPTH, Opener};
 use super::class::{self, Role};
+use super::fault::{is_other_elseif, lost_branch};
 use super::numbers::{ListScanner, is_blank, scan_number};
 use super::word::{self, Category};
 use crate::diagnostic::{Code, Diagnostic, codes};
@@ -327,7 +329,7 @@ impl Lexer<'_> {
         let (mut depth, mut at) = (1, start + 2);
         while depth > 0 {
             let Some(step) = memchr::memchr(b'*', &self.bytes[at..]) else {
-                let help = "comments nest: each `/*` needs its own `*/`";
+                let help = "add `*/` where it should end; comments nest: each `/*` needs its own `*/`";
                 self.fault(codes::UNCLOSED, start, start + 2, "this comment is not closed".into(), Some(help));
                 self.at = self.bytes.len();
                 return false;
@@ -361,6 +363,9 @@ impl Lexer<'_> {
         match class::directive(word) {
             None => {
                 let symbol = self.names.intern(word).0;
+                if is_other_elseif(word) && self.out.faults.is_empty() {
+                    self.out.faults.push(lost_branch(word, self.span(at, end)));
+                }
                 self.push(class::PLAIN, end - at, symbol);
             }
             Some((class, Role::Declares)) => self.push(class, end - at, u32::from(word == "local")),
@@ -398,7 +403,12 @@ impl Lexer<'_> {
 
     /// At the end of the text: directives without `#end`, of which the innermost three tell enough, and open brackets.
     fn unended(&mut self) {
-        for token in self.brackets.unended().into_iter().rev().take(3) {
+        let opener = self.brackets.unended().first().map(|&token| self.out.tokens[token]);
+        let opener = opener.map(|token| token.start as usize..token.end as usize);
+        let blamed = opener.and_then(|opener| blame::open_directive(self.text, self.base, opener));
+        let told = if blamed.is_some() { 0 } else { 3 };
+        self.out.faults.extend(blamed);
+        for token in self.brackets.unended().into_iter().rev().take(told) {
             let Token { start, end, .. } = self.out.tokens[token];
             let message = format!("this `{}` is not closed", self.text_of(token));
             let help = "add `#end` where it should end";

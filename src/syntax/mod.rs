@@ -1,6 +1,7 @@
 //! Text to AST. The only place that knows pest.
 
 pub mod ast;
+pub mod blame;
 mod brackets;
 mod build;
 mod class;

@@ -60,7 +60,7 @@ impl<'a> Interpreter<'a> {
         // Its value is read all the same, so that what follows is no second fault.
         self.rvalue().ok();
         Diagnostic::new(codes::RESERVED_NAME, span, format!("`{word}` is a word of the language"))
-            .help("names with a capital letter can never collide with one")
+            .help(format!("call it `{}`: names with a capital letter can never collide with one", capitalized(word)))
             .into()
     }
 
@@ -317,4 +317,10 @@ impl<'a> Interpreter<'a> {
         self.read_defaults()?;
         self.close("the end of this block")
     }
+}
+
+/// With a capital letter at its start.
+fn capitalized(word: &str) -> String {
+    let mut letters = word.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

@@ -1,6 +1,6 @@
 //! `#include "name"`.
 
-use crate::diagnostic::{Diagnostic, Result, codes, file, nearest};
+use crate::diagnostic::{Diagnostic, Result, Severity, codes, file, nearest};
 use crate::interpreter::Interpreter;
 use crate::interpreter::limits::MAX_INCLUDES;
 use crate::interpreter::pieces::joined;
@@ -109,6 +109,7 @@ impl<'a> Interpreter<'a> {
             return Ok(ast);
         }
         let (ast, mut faults) = parse(self.sources, file, self.names, self.options.wholes);
+        self.late.extend(faults.extract_if(.., |fault| fault.severity == Severity::Warning));
         // An `#end` too many spoils nothing of what stands around it.
         if faults.iter().all(|fault| fault.code == codes::UNMATCHED_CLOSER) {
             self.late.append(&mut faults);
@@ -120,7 +121,7 @@ impl<'a> Interpreter<'a> {
         for fault in faults {
             self.report_fault(fault);
         }
-        last.trace = self.trace();
+        last.trace = self.trace().into();
         self.report_fault(last);
         Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
     }
@@ -129,10 +130,10 @@ impl<'a> Interpreter<'a> {
         let folders = &self.options.search.folders;
         let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
         let there: Vec<String> = folders.iter().flat_map(files_in).collect();
-        if let Some(found) = nearest(name, there.iter().map(String::as_str)) {
+        if let Some(found) = similar_file(name, &there) {
             return d.help(format!("did you mean `{found}`?"));
         }
-        if STANDARD.contains(&name) {
+        if library::is_standard(name) {
             return d.help(format!(
                 "`{name}` comes with POV-Ray: install its include files (Debian: apt-get install povray-includes), or name their folder with -I DIR"
             ));
@@ -142,49 +143,17 @@ impl<'a> Interpreter<'a> {
     }
 }
 
+/// The file that was meant: its name without the ending, which most files share, is nearly the same.
+fn similar_file<'a>(name: &str, there: &'a [String]) -> Option<&'a str> {
+    let stem = |file: &'a str| file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+    let typed = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let stems = || there.iter().map(|file| stem(file));
+    let meant = stems().find(|known| *known == typed).or_else(|| nearest(typed, stems()))?;
+    let files = there.iter().map(String::as_str).filter(|file| stem(file) == meant);
+    files.min_by_key(|file| !file.ends_with(".inc"))
+}
+
 fn files_in(folder: &PathBuf) -> Vec<String> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     entries.filter_map(|e| e.file_name().into_string().ok()).collect()
 }
-
-/// The include files that POV-Ray's manual describes.
-const STANDARD: &[&str] = &[
-    "arrays.inc",
-    "chars.inc",
-    "colors.inc",
-    "consts.inc",
-    "debug.inc",
-    "finish.inc",
-    "functions.inc",
-    "glass.inc",
-    "glass_old.inc",
-    "golds.inc",
-    "ior.inc",
-    "logo.inc",
-    "makegrass.inc",
-    "math.inc",
-    "meshmaker.inc",
-    "metals.inc",
-    "rad_def.inc",
-    "rand.inc",
-    "screen.inc",
-    "shapes.inc",
-    "shapes2.inc",
-    "shapes3.inc",
-    "shapesq.inc",
-    "skies.inc",
-    "stage1.inc",
-    "stars.inc",
-    "stdcam.inc",
-    "stdinc.inc",
-    "stoneold.inc",
-    "stones.inc",
-    "stones1.inc",
-    "stones2.inc",
-    "strings.inc",
-    "sunpos.inc",
-    "textures.inc",
-    "transforms.inc",
-    "woodmaps.inc",
-    "woods.inc",
-];

@@ -268,6 +268,9 @@ impl<'a> Interpreter<'a> {
                 token if token.ends() || matches!(token, Token::Sign(_)) && !self.at_sign() => {
                     return Err(self.open_vector(start).into());
                 }
+                // (A colour has no place in a vector, but is a value.)
+                Token::Word(word) if self.ends_vector(word) => return Err(self.open_vector(start).into()),
+                Token::Block(_) => return Err(self.open_vector(start).into()),
                 _ => {
                     let (value, span) = self.value_here()?;
                     if !self.comma && matches!(value, Value::Vector(_)) && !data.is_empty() {
@@ -277,6 +280,12 @@ impl<'a> Interpreter<'a> {
                 }
             }
         }
+    }
+
+    /// Can a vector not go on with this word?
+    fn ends_vector(&self, word: &str) -> bool {
+        let declared = self.names.find(word).is_some_and(|symbol| self.scopes.get(symbol).is_some());
+        !super::reader::begins_color(word) && !declared
     }
 
     /// Does a sign come next that may stand before an operand?

@@ -1,13 +1,21 @@
 //! "expected …, found …", and which words a block takes.
 
 use super::super::scope::Slot;
-use super::super::stream::{Opened, Token};
+use super::super::stream::{BlockName, Opened, Token};
 use super::super::{Interpreter, hints};
-use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::camera::words::{LECTURE, PERSPECTIVE};
+use crate::diagnostic::{Diagnostic, Remedy, Result, codes, did_you_mean};
+use crate::light::words::LIGHT;
+use crate::scene::is_object;
+use crate::scene::words::{MODIFIERS, SETTINGS};
+use crate::shape::SPECS;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::fault;
 use crate::syntax::word::lookup;
+use crate::texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT, TEXTURE};
+use crate::value::words::TRANSFORMS;
+use crate::value::{Kind, Next, Reader};
 
 impl Interpreter<'_> {
     /// "expected …, found …" about what comes next.
@@ -26,6 +34,11 @@ impl Interpreter<'_> {
                     return *fault;
                 }
                 format!("`{}`", self.names.text(*symbol))
+            }
+            Ok(Token::Expr(Expr { kind: ExprKind::Call(symbol, _), span, .. }))
+                if self.scopes.get(*symbol).is_none() =>
+            {
+                return self.undeclared(*symbol, *span);
             }
             Ok(Token::Expr(Expr { span, .. })) if self.sources.snippet(*span).starts_with('(') => {
                 let paren = Span { hi: span.lo + 1, ..*span };
@@ -75,8 +88,12 @@ impl Interpreter<'_> {
             Sign::Operator(op) => op.adds(),
             _ => false,
         };
-        let operand = behind[range.len()..].trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
-        begins && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
+        let rest = &behind[range.len()..];
+        // (A `<` that nothing closes compares too.)
+        let line = rest.split(['\n', '\r', ';']).next().unwrap_or_default();
+        let compares = sign == Sign::Operator(Operator::Less) && !line.contains('>');
+        let operand = rest.trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
+        begins && !compares && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
     }
 
     /// `A(2)` where A is a value: nothing that could be called.
@@ -139,6 +156,9 @@ impl Interpreter<'_> {
     }
 
     fn unclosed_at(&self, place: Span, open: &str, close: &str) -> Diagnostic {
+        if let Some(d) = self.blamed_brace(place).filter(|_| open == "{") {
+            return self.with_trace(d);
+        }
         let message = format!("this `{open}` is not closed");
         let d = Diagnostic::new(codes::UNCLOSED, place, message);
         let d = d.help(format!("add `{close}` where it should end"));
@@ -158,11 +178,12 @@ impl Interpreter<'_> {
         let here = self.here();
         let found = match self.peek() {
             Err(fault) => return *fault,
-            Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square))) => {
+            Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square)) | Token::Word(_) | Token::Block(_)) => {
                 let found = self.sources.snippet(here);
                 let message = format!("this `<` is not closed: found `{found}` where `>` was expected");
                 let d =
                     Diagnostic::new(codes::UNCLOSED, Span { hi: start.lo + 1, ..start }, message).label("opened here");
+                let d = d.help(format!("add `>` before `{found}`"));
                 return d.also(here, format!("`{found}` found here"));
             }
             Ok(Token::End) => return self.unclosed_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
@@ -193,19 +214,17 @@ impl Interpreter<'_> {
         let span = self.here();
         let word = match self.peek() {
             Err(fault) => return *fault,
+            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form(block, word, span, false),
+            Ok(Token::Block(BlockName { word: Some(word), span, .. })) if takes.contains(&word) => {
+                return self.wrong_form(block, word, span, true);
+            }
             Ok(Token::Word(word)) => word.to_string(),
             Ok(Token::Block(name)) => self.sources.snippet(name.span).to_string(),
             Ok(Token::Sign(_)) => return self.unexpected_token(block),
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
                 if self.scopes.get(*symbol).is_none() && !self.is_constant(*symbol) =>
             {
-                let name = self.names.text(*symbol).to_string();
-                let d =
-                    Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{name}` is not something a `{block}` takes"));
-                let declared = self.scopes.names().map(|s| self.names.text(s));
-                let near = did_you_mean(&name, takes.iter().copied().chain(declared));
-                let hint = hints::other_tools(&name).map(String::from);
-                return d.help(format!("it takes {}", list(takes))).maybe_help(near).maybe_help(hint);
+                return self.unknown_name(*symbol, span, block, takes);
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
                 if matches!(self.scopes.get(*symbol), Some(Slot::Faulty(_))) =>
@@ -213,15 +232,120 @@ impl Interpreter<'_> {
                 return self.unexpected_token(block);
             }
             Ok(_) => {
+                let is_object = Reader::next(self) == Ok(Next::Thing("object"));
                 let d = self.unexpected_token(&format!("a word of `{block}`"));
+                if is_object && matches!(block, "union" | "merge" | "intersection" | "difference") {
+                    let help = format!(
+                        "the words of the `{block}` come behind all its objects; to move one of these, write `object {{ … }}`"
+                    );
+                    return d.help(help);
+                }
                 return if d.code == codes::EXPECTED { d.help(format!("it takes {}", list(takes))) } else { d };
             }
         };
+        let d = refused(&word, span, block, takes);
         let near = did_you_mean(&word, takes.iter().copied());
-        Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` is not something a `{block}` takes"))
-            .help(format!("it takes {}", list(takes)))
-            .maybe_help(near)
+        if let Some(spec) = SPECS.iter().find(|spec| spec.name == block && spec.params.iter().any(|p| p.name == word)) {
+            let help = format!("it is written `{}`, and takes {}", block_usage(spec.name), list(takes));
+            return d.help(help);
+        }
+        let home =
+            home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs into `{home} {{ {word} … }}`"));
+        d.maybe_help(near).maybe_help(home).maybe_help(hints::in_block(block, &word).map(String::from))
     }
+
+    /// A name of nothing where a word of the block could stand.
+    fn unknown_name(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
+        let name = self.names.text(symbol);
+        let near = did_you_mean(name, takes.iter().copied());
+        // A name with a capital letter is the author's, or one of an include file.
+        if name.starts_with(char::is_uppercase) || hints::other_tools(name).is_none() && self.is_in_include(name) {
+            let d = self.undeclared(symbol, span);
+            return if d.cause.as_ref().is_some_and(|c| c.remedy == Remedy::Declare) { d.maybe_help(near) } else { d };
+        }
+        let declared = self.scopes.names().map(|s| self.names.text(s));
+        let near = did_you_mean(name, takes.iter().copied().chain(declared));
+        let hint = hints::in_block(block, name).or_else(|| hints::other_tools(name)).map(String::from);
+        refused(name, span, block, takes).maybe_help(near).maybe_help(hint)
+    }
+
+    /// A word that the block does take, with something else behind it than it needs.
+    fn wrong_form(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
+        let rest = self.sources.locate(span).map_or("", |(file, range)| &self.sources.text(file)[range.end..]);
+        let found = match fault::token_at(rest.trim_start(), 0) {
+            "" => "the end of the text".to_string(),
+            token => format!("`{token}`"),
+        };
+        let (wanted, usage) = match (brace, opens_block(word)) {
+            (true, false) => value_behind(word),
+            (false, true) => ("`{`".to_string(), block_usage(word)),
+            // It has what it needs, and stands where it may not.
+            _ => {
+                let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` can't stand here in a `{block}`"));
+                return d.help("it belongs to another kind of this block, or to another place in it");
+            }
+        };
+        let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("expected {wanted} behind `{word}`, found {found}"));
+        d.help(format!("it is written `{usage}`"))
+    }
+}
+
+/// Every word that some block takes, as far as a table tells what belongs behind it.
+fn kind_of(word: &str) -> Option<Kind> {
+    let tables =
+        [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &PERSPECTIVE, &LECTURE];
+    let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
+    words.into_iter().find(|known| known.name == word).map(|known| known.kind)
+}
+
+/// Does a brace belong behind this word?
+fn opens_block(word: &str) -> bool {
+    is_object(word)
+        || matches!(word, "camera" | "background" | "global_settings")
+        || kind_of(word) == Some(Kind::Block) && word != "matrix"
+}
+
+/// `word` is none that the block takes.
+fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
+    let message = match block {
+        "scene" => format!("`{word}` can't stand outside of all braces"),
+        _ => format!("`{word}` is not something a `{block}` takes"),
+    };
+    Diagnostic::new(codes::UNKNOWN_WORD, span, message).help(format!("it takes {}", list(takes)))
+}
+
+/// What a word needs that takes no block, and how it is written.
+fn value_behind(word: &str) -> (String, String) {
+    let (what, value) = match kind_of(word) {
+        _ if word == "matrix" => ("twelve numbers", "<…>"),
+        Some(Kind::Float) => ("a number", "0.5"),
+        Some(Kind::Vector2) => ("a vector", "<x, y>"),
+        Some(Kind::Vector) => ("a vector", "<x, y, z>"),
+        Some(Kind::Text) => ("a text", "\"…\""),
+        Some(Kind::Flag | Kind::Nothing) => ("no `{`", ""),
+        _ if super::begins_color(word) => ("a colour", "rgb <r, g, b>"),
+        _ => ("a value", "…"),
+    };
+    let value = if word.starts_with("rgb") || word.starts_with("srgb") { "<r, g, b>" } else { value };
+    (what.into(), format!("{word} {value}").trim_end().to_string())
+}
+
+/// How a block is written.
+fn block_usage(word: &str) -> String {
+    match SPECS.iter().find(|spec| spec.name == word) {
+        Some(spec) => {
+            let names: Vec<&str> = spec.params.iter().map(|p| p.name).collect();
+            format!("{word} {{ {} … }}", names.join(", "))
+        }
+        None if word == "pigment" => "pigment { rgb <r, g, b> }".into(),
+        None => format!("{word} {{ … }}"),
+    }
+}
+
+/// The block that a word belongs into, the likeliest first.
+fn home_of(word: &str) -> Option<&'static str> {
+    let homes = [&INTERIOR, &FINISH, &PIGMENT, &PERSPECTIVE, &SETTINGS, &LIGHT];
+    homes.into_iter().find(|table| table.obeys(word)).map(|table| table.block)
 }
 
 /// Words in backticks, the first twelve of many.

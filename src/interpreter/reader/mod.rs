@@ -67,7 +67,12 @@ impl Reader for Interpreter<'_> {
                 None => {
                     let (text, span) = (self.sources.snippet(name.span), name.span);
                     let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("there is no block `{text} {{…}}`"));
+                    let symbol = self.names.find(text);
+                    if let Some(Next::Thing(kind)) = symbol.map(|symbol| self.next_of_name(symbol)) {
+                        return d.help(format!("write `{kind} {{ {text} … }}`")).into();
+                    }
                     let near = did_you_mean(text, crate::syntax::word::KEYWORDS.iter().copied());
+                    let near = near.or_else(|| self.include_hint(text));
                     return d.maybe_help(near).maybe_help(hints::other_tools(text).map(String::from)).into();
                 }
             },

@@ -1,0 +1,195 @@
+//! Directives as other languages have them.
+
+use super::around::{Around, code_of, is_letter, leading_name, value_text};
+use super::habit::Habit;
+use crate::diagnostic::{Diagnostic, codes};
+
+/// The word behind the `#` at the place, and what follows it.
+fn directive_at<'t>(around: &Around<'t>) -> Option<(&'t str, &'t str)> {
+    let rest = around.after().strip_prefix('#')?.trim_start_matches([' ', '\t']);
+    let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
+    Some(rest.split_at(end))
+}
+
+/// The same where there is no directive of this name.
+fn unknown_at<'t>(around: &Around<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
+    if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(around) } else { None }
+}
+
+/// `#ff8800`
+pub(super) fn hex_color(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let (word, _) = unknown_at(around, d)?;
+    let digits = |i: usize, n: usize| u32::from_str_radix(word.get(i..i + n)?, 16).ok();
+    let [red, green, blue] = match word.len() {
+        3 | 4 => [0, 1, 2].map(|i| digits(i, 1).map(|x| x * 17)),
+        6 | 8 => [0, 2, 4].map(|i| digits(i, 2)),
+        _ => return None,
+    };
+    let (red, green, blue) = (red?, green?, blue?);
+    let habit = Habit::help(format!("write `srgb <{red}, {green}, {blue}>/255`"));
+    Some(habit.message(format!("a colour is not written as `#{word}`")))
+}
+
+/// `#define A 2`
+pub(super) fn define(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(around, d)? else { return None };
+    let (name, rest) = leading_name(rest.trim_start())?;
+    let help = match rest.strip_prefix('(') {
+        Some(rest) => format!("`#macro {name}({}) … #end`", rest.split(')').next().unwrap_or_default()),
+        None => format!("write `#declare {name} = {};`", value_text(rest.trim_start().trim_start_matches('='))),
+    };
+    Some(Habit::help(help).declares(name))
+}
+
+/// `#elsif (A)`
+pub(super) fn other_branch(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let (word, rest) = unknown_at(around, d)?;
+    let condition = code_of(rest);
+    crate::syntax::fault::is_other_elseif(word).then(|| Habit::help(format!("write `#elseif {condition}`")))
+}
+
+/// `#endif`
+pub(super) fn other_end(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let (word, _) = unknown_at(around, d)?;
+    crate::syntax::fault::is_other_end(word).then(|| Habit::help("every directive with a body ends with `#end`"))
+}
+
+/// `#Size = 3;`
+pub(super) fn assignment(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let (name, rest) = unknown_at(around, d)?;
+    let value = rest.trim_start().strip_prefix('=')?;
+    Some(Habit::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
+}
+
+/// `# the red ball`
+pub(super) fn comment(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    unknown_at(around, d).filter(|_| d.help.is_none())?;
+    let text = around.after().trim_end();
+    let said = text.trim_start_matches(['#', ' ', '\t']);
+    let help = format!("a comment begins with `//`: `// {}`", value_text(said));
+    Some(Habit::help(help).at(around.range_of(text)))
+}
+
+/// `#declre Size = 2;`: the name has no value now.
+pub(super) fn misspelt(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let (_, rest) = unknown_at(around, d)?;
+    let rest = rest.trim_start();
+    let habit = Habit::help(d.help.clone()?);
+    // An `#inculde "file"` is a file that was not read.
+    if let Some(file) = rest.strip_prefix('"').and_then(|rest| rest.split('"').next()) {
+        return Some(Habit { file: Some(file.to_string()), ..habit });
+    }
+    let loses_directive = matches!(d.help.as_deref(), Some(help) if ["#macro", "#if", "#for", "#while", "#switch"].iter().any(|w| help.contains(w)));
+    let habit = Habit { loses_directive, ..habit };
+    Some(match leading_name(rest) {
+        Some((name, _)) => habit.declares(name),
+        None => habit,
+    })
+}
+
+/// `#else if (A)`
+pub(super) fn else_if(around: &Around, _: &Diagnostic) -> Option<Habit> {
+    let before = around.before().trim_end();
+    let rest = around.after().strip_prefix("if")?.trim_start();
+    before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
+    let habit = Habit::help(format!("write `#elseif {}`", code_of(rest)));
+    let start = around.line.start + before.rfind('#')?;
+    let habit = habit.message("`#else if` is written as one word: `#elseif`").at(start..around.at + 2);
+    Some(habit.code(codes::UNKNOWN_DIRECTIVE))
+}
+
+/// `for (int i = 0; i < 10; i++) {`, also with its `#`.
+pub(super) fn c_for(around: &Around, _: &Diagnostic) -> Option<Habit> {
+    let statement = around.statement();
+    let bare = !statement.starts_with('#');
+    let head = statement.trim_start_matches('#').trim_start().strip_prefix("for")?.trim_start().strip_prefix('(')?;
+    let head = head.split(')').next().unwrap_or_default();
+    let mut parts = head.split(';');
+    let (first, last) = match (parts.next(), parts.next()) {
+        (Some(first), Some(last)) if first.contains('=') => (first, last),
+        _ => return None,
+    };
+    let (counter, first) = first.split_once('=')?;
+    let counter = counter.split_whitespace().last()?;
+    let (sign, limit) = last.split_at(last.find(['<', '>'])?);
+    let below = !limit.starts_with("<=") && !limit.starts_with(">=") && !sign.is_empty();
+    let step = if limit.starts_with('<') { 1 } else { -1 };
+    let limit = limit.trim_start_matches(['<', '>', '=']).trim();
+    let last = match limit.parse::<i64>() {
+        Ok(n) if below => (n - step).to_string(),
+        _ => limit.to_string(),
+    };
+    let by = if step < 0 { ", -1" } else { "" };
+    let habit = Habit::help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
+    let message = if bare { "a loop begins with `#for`" } else { "`#for` takes a name, a first and a last value" };
+    let start = around.statement_start();
+    let end = start + statement.find('(').unwrap_or(0);
+    let habit = habit.message(message).at(start..start + statement[..end - start].trim_end().len());
+    Some(habit.code(codes::SYNTAX).declares(counter))
+}
+
+/// `#include colors.inc`
+pub(super) fn file_without_quotes(around: &Around, _: &Diagnostic) -> Option<Habit> {
+    let rest = around.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
+    let typed = rest.trim_start();
+    if typed.starts_with('"') || !rest.starts_with([' ', '\t', '<', '\'']) || around.at < around.range_of(typed).start {
+        return None;
+    }
+    let typed = typed.split_whitespace().next()?;
+    let name = typed.trim_matches(|c: char| matches!(c, '<' | '>' | '\'' | ';' | '‘' | '’' | '“' | '”'));
+    // (A name that holds the file's name as a string is another thing.)
+    let plain = name.chars().all(|c| c.is_alphanumeric() || "._-/\\".contains(c));
+    if !plain || !name.contains('.') {
+        return None;
+    }
+    let habit = Habit::help(format!("write `#include \"{name}\"`"));
+    let habit = habit.message("the name of a file stands in double quotes").at(around.range_of(typed));
+    Some(Habit { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
+}
+
+/// `#macro Ball(R) {`
+pub(super) fn braces_around_body(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let statement = around.statement();
+    let head = around.before().trim();
+    if d.code != codes::EXPECTED || !around.after().starts_with('{') || !head.starts_with('#') {
+        return None;
+    }
+    let (word, _) = leading_name(head.trim_start_matches('#').trim_start())?;
+    let has_body = matches!(word, "macro" | "if" | "ifdef" | "ifndef" | "elseif" | "else" | "while" | "for");
+    if !has_body || word != "else" && !head.ends_with(')') {
+        return None;
+    }
+    let head = statement.split('{').next().unwrap_or_default().trim_end();
+    let habit = Habit::help(format!("write `{head} … #end`, without `{{` and `}}`"));
+    Some(habit.message(format!("what belongs to a `#{word}` has no braces around it")))
+}
+
+/// `macro Ball(R)`, `if (A = 1)`, `def Ball(r):`
+pub(super) fn without_hash(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let statement = around.statement();
+    let (word, rest) = leading_name(statement)?;
+    if around.at != around.statement_start() || d.code == codes::UNKNOWN_DIRECTIVE {
+        return None;
+    }
+    let typed = rest.trim_start();
+    let place = around.at..around.at + word.len();
+    let habit = match word {
+        "def" | "func" | "fn" | "proc" | "sub" => {
+            let head = typed.trim_end_matches([':', '{', ' ']);
+            Habit::help(format!("write `#macro {head} … #end`")).message(format!("`{word}` defines nothing here"))
+        }
+        "if" | "ifdef" | "ifndef" | "while" | "for" | "macro" | "else" | "elseif" | "switch" | "case" | "range"
+        | "end" | "break" | "local" | "undef" | "debug" | "warning" | "error" => {
+            let head = value_text(statement.split('{').next().unwrap_or_default());
+            let rest = if statement.contains('{') { " … #end" } else { "" };
+            let help = format!("write `#{head}{rest}`");
+            Habit::help(help).message(format!("the directive `{word}` stands without its `#`"))
+        }
+        _ => return None,
+    };
+    let named = matches!(word, "macro" | "def" | "func" | "fn" | "proc" | "sub" | "local");
+    let names =
+        typed.split(|c: char| !is_letter(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
+    let loses_directive = !matches!(word, "end" | "break" | "local" | "undef" | "debug" | "warning" | "error");
+    Some(Habit { names, loses_directive, ..habit.at(place).code(codes::UNKNOWN_DIRECTIVE) })
+}

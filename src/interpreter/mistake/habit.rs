@@ -1,0 +1,118 @@
+//! What people write by mistake, mostly from the habit of another language: a table of what it looks like.
+
+use super::around::Around;
+use super::{directive, operator, statement};
+use crate::diagnostic::{Code, Diagnostic, Label, codes};
+use crate::source::Span;
+use std::ops::Range;
+
+/// A mistake that was recognised.
+#[derive(Default)]
+pub(super) struct Habit {
+    /// Instead of the fault's.
+    pub(super) code: Option<Code>,
+    /// Instead of the fault's.
+    pub(super) message: Option<String>,
+    /// Instead of the fault's, in local offsets.
+    pub(super) place: Option<Range<usize>>,
+    /// What to type.
+    pub(super) help: String,
+    /// Names that were to be declared.
+    pub(super) names: Vec<String>,
+    /// An include file that was to be read.
+    pub(super) file: Option<String>,
+    /// Was a directive meant whose `#end` is now without a partner?
+    pub(super) loses_directive: bool,
+}
+
+impl Habit {
+    /// Only a remedy.
+    pub(super) fn help(text: impl Into<String>) -> Self {
+        Self { help: text.into(), ..Self::default() }
+    }
+
+    pub(super) fn message(mut self, text: impl Into<String>) -> Self {
+        self.message = Some(text.into());
+        self
+    }
+
+    pub(super) fn at(mut self, place: Range<usize>) -> Self {
+        self.place = Some(place);
+        self
+    }
+
+    pub(super) fn code(mut self, code: Code) -> Self {
+        self.code = Some(code);
+        self
+    }
+
+    pub(super) fn declares(mut self, name: &str) -> Self {
+        self.names.push(name.into());
+        self
+    }
+
+    /// The fault as it is told now; `base` is the global offset of the file.
+    pub(super) fn told(self, mut d: Diagnostic, base: usize) -> Diagnostic {
+        if let Some(place) = self.place {
+            d.labels = vec![Label { span: Span::new(base + place.start, base + place.end), text: String::new() }];
+        }
+        d.code = self.code.unwrap_or(d.code);
+        d.message = self.message.unwrap_or(d.message);
+        d.cause = None;
+        d.help(self.help)
+    }
+}
+
+type Recognise = fn(&Around, &Diagnostic) -> Option<Habit>;
+
+/// The first that fits is told.
+const HABITS: &[Recognise] = &[
+    directive::hex_color,
+    directive::define,
+    directive::other_branch,
+    directive::other_end,
+    directive::assignment,
+    directive::comment,
+    directive::misspelt,
+    directive::else_if,
+    directive::c_for,
+    directive::file_without_quotes,
+    directive::braces_around_body,
+    directive::without_hash,
+    statement::function_definition,
+    statement::in_place,
+    statement::typed_variable,
+    statement::assignment,
+    statement::behind_object,
+    operator::operator_at_end,
+    operator::not_equal,
+    operator::doubled,
+    operator::word,
+    operator::equal_behind_word,
+    operator::index_with_comma,
+    operator::vector_without_commas,
+    operator::list_behind_word,
+    operator::square_vector,
+    operator::list_in_parentheses,
+];
+
+/// Faults that may come of such a habit.
+const CODES: &[Code] = &[
+    codes::SYNTAX,
+    codes::UNKNOWN_DIRECTIVE,
+    codes::EXPECTED,
+    codes::EXPECTED_VALUE,
+    codes::UNDECLARED,
+    codes::UNKNOWN_WORD,
+    codes::WRONG_COUNT,
+    codes::WRONG_TYPE,
+    codes::NOT_CALLABLE,
+];
+
+/// What was meant where a fault was met, if it can be told.
+pub(super) fn find(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    if !CODES.contains(&d.code) {
+        return None;
+    }
+    HABITS.iter().find_map(|recognise| recognise(around, d))
+}

@@ -1,0 +1,162 @@
+//! Operators, vectors and indices as other languages have them.
+
+use super::around::{Around, code_of, is_letter, leading_name, trailing_name, value_text};
+use super::habit::Habit;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::syntax::word::lookup;
+
+/// `A <> B`
+pub(super) fn not_equal(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    // (The fault may be found at either sign.)
+    let from = around.at.saturating_sub(1).max(around.line.start);
+    let at =
+        from + around.text.get(from..around.line.end)?.find("<>").filter(|i| *i <= 1 && d.code == codes::SYNTAX)?;
+    let (left, right) = (trailing_operand(&around.text[around.line.start..at]), &around.text[at + 2..around.line.end]);
+    let right = right.trim_start();
+    let right = &right[..right.find(|c: char| !is_letter(c) && c != '.').unwrap_or(right.len())];
+    let habit = Habit::help(format!("write `{left} != {right}`")).message("`<>` does not compare");
+    Some(habit.at(at..at + 2).code(codes::SYNTAX))
+}
+
+fn trailing_operand(text: &str) -> &str {
+    let text = text.trim_end();
+    &text[text.trim_end_matches(|c: char| is_letter(c) || c == '.').len()..]
+}
+
+/// `&&`, `||`, `==`
+pub(super) fn doubled(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    // (The fault is at the second sign.)
+    let at = around.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
+    let typed = around.text.get(at..at + 2)?;
+    let help = match typed {
+        "&&" => "a single `&` is the logical and",
+        "||" => "a single `|` is the logical or",
+        "==" => "a single `=` compares",
+        _ => return None,
+    };
+    Some(Habit::help(help).message(format!("`{typed}` can't stand here")))
+}
+
+/// `A + ;`
+pub(super) fn operator_at_end(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let before = around.text[..around.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
+    let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
+    let habit = Habit::help("an operator needs a value on both sides");
+    Some(habit.message(format!("expected a value behind `{sign}`, found `;`")).at(before.len()..before.len() + 1))
+}
+
+/// `A and B`, `not A`, `A mod 2`
+pub(super) fn word(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let (word, right) = leading_name(around.after())?;
+    let left = around.before().trim_end();
+    let message = |sign: &str, what: &str| format!("{what} is `{sign}`");
+    let habit = match word.to_ascii_lowercase().as_str() {
+        "and" => Habit::help(message("&", "the logical and")),
+        "or" => Habit::help(message("|", "the logical or")),
+        "not" => Habit::help(format!("the logical not is `!`: `!{}`", operand(right))),
+        "mod" if !right.trim_start().starts_with('(') => {
+            Habit::help(format!("the remainder is `mod({}, {})`", trailing_operand(left), operand(right)))
+        }
+        "then" if left.ends_with(')') => {
+            Habit::help("behind the condition comes at once what it is for, and then `#end`")
+        }
+        _ => return None,
+    };
+    let tells = matches!(
+        d.code,
+        codes::UNDECLARED | codes::UNKNOWN_WORD | codes::EXPECTED | codes::EXPECTED_VALUE | codes::SYNTAX
+    );
+    let habit = habit.message(format!("`{word}` is no operator")).at(around.at..around.at + word.len());
+    tells.then(|| habit.code(codes::SYNTAX))
+}
+
+fn operand(text: &str) -> &str {
+    let text = text.trim_start();
+    &text[..text.find(|c: char| !is_letter(c) && c != '.').unwrap_or(text.len())]
+}
+
+/// `phong = 0.5`
+pub(super) fn equal_behind_word(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let value = around.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
+    let (before, word) = trailing_name(around.before().trim_end())?;
+    let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
+    let value = value_text(value.split(['}', ';']).next().unwrap_or_default());
+    let habit = Habit::help(format!("a value stands right behind its word: `{word} {value}`"));
+    plain.then(|| habit.message(format!("`=` can't stand behind `{word}`")))
+}
+
+/// `A[0,1]`
+pub(super) fn index_with_comma(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    if !matches!(d.code, codes::EXPECTED | codes::SYNTAX | codes::WRONG_COUNT) {
+        return None;
+    }
+    let line = &around.text[around.line.clone()];
+    let from = around.at - around.line.start;
+    let open = line[..from].rfind('[')?;
+    let close = open + line[open..].find(']')?;
+    let (_, name) = trailing_name(&line[..open])?;
+    let indices: Vec<&str> = line[open + 1..close].split(',').map(str::trim).collect();
+    if close < from || indices.len() < 2 || indices.iter().any(|index| index.is_empty()) {
+        return None;
+    }
+    let written: String = indices.iter().map(|index| format!("[{index}]")).collect();
+    let start = around.line.start + open - name.len();
+    let habit = Habit::help(format!("write `{name}{written}`"));
+    let habit = habit.message("each index of an array stands in brackets of its own");
+    Some(habit.at(start..around.line.start + close + 1))
+}
+
+/// `<-1 -1 -1>`
+pub(super) fn vector_without_commas(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let text = around.text.get(around.at..around.end).filter(|_| d.code == codes::WRONG_COUNT)?;
+    let inside = text.strip_prefix('<')?.strip_suffix('>')?;
+    let numbers: Vec<&str> = inside.split([' ', '\t', ',']).filter(|n| !n.is_empty()).collect();
+    let signed = numbers.iter().skip(1).any(|n| n.starts_with(['-', '+']));
+    let plain =
+        numbers.iter().all(|n| n.trim_start_matches(['-', '+']).starts_with(|c: char| is_letter(c) || c == '.'));
+    if !signed || !plain || !(2..=5).contains(&numbers.len()) {
+        return None;
+    }
+    let commas = numbers.join(", ");
+    Some(Habit::help(format!(
+        "put commas between the numbers: `<{commas}>`; a sign without a comma before it subtracts"
+    )))
+}
+
+/// `translate 1, 2, 3`
+pub(super) fn list_behind_word(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    if d.code != codes::EXPECTED {
+        return None;
+    }
+    let before = around.before().trim_end().strip_suffix(',')?;
+    let start = before.trim_end_matches(|c: char| c.is_ascii_digit() || " .,-+".contains(c)).len();
+    let (_, word) = trailing_name(&before[..start])?;
+    if !matches!(word, "translate" | "rotate" | "scale" | "location" | "look_at" | "rgb") {
+        return None;
+    }
+    let rest = code_of(around.after());
+    let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
+    let numbers = format!("{}, {rest}", before[start..].trim());
+    let habit =
+        Habit::help(format!("a vector stands in angle brackets: `{word} <{}>`", numbers.trim_end_matches([',', ' '])));
+    Some(habit.message(format!("`{word}` takes one value, found a list")))
+}
+
+/// `rgb(1, 0, 0)`
+pub(super) fn list_in_parentheses(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let inside = around.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
+    let (numbers, _) = inside.split_once(')')?;
+    let plain = numbers.contains(',') && !numbers.contains('(');
+    let word = trailing_name(around.before().trim_end()).map_or("", |(_, word)| word);
+    let space = if word.is_empty() { "" } else { " " };
+    let help = format!("vectors stand in angle brackets: `{word}{space}<{}>`", numbers.trim());
+    (plain && (word.is_empty() || lookup(word).is_some())).then(|| Habit::help(help))
+}
+
+/// `sphere { [0, 1, 2], 1 }`
+pub(super) fn square_vector(around: &Around, d: &Diagnostic) -> Option<Habit> {
+    let inside =
+        around.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
+    let (numbers, _) = inside.split_once(']')?;
+    Some(Habit::help(format!("vectors stand in angle brackets: `<{}>`", numbers.trim())))
+}
