@@ -250,7 +250,7 @@ pub struct TestArgs {
     #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,
     /// How many threads draw [default: one for each processor]
-    #[arg(help_heading = LIMITS, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
 }
 

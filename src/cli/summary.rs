@@ -23,7 +23,8 @@ impl Word {
         if exit == Exit::Fine { Self::Ok } else { Self::Fail }
     }
 
-    fn text(self) -> &'static str {
+    /// As it is printed.
+    pub fn text(self) -> &'static str {
         match self {
             Self::Ok => "ok",
             Self::Fail => "FAIL",

@@ -4,8 +4,10 @@ use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
 use super::interrupt::{self, Orderly};
+use super::memory;
 use super::progress::Progress;
 use super::session;
+use super::summary::{self, Word};
 use super::values::Size;
 use super::watch::Watcher;
 use crate::diagnostic::file;
@@ -94,10 +96,10 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         console.note(&format!("the pictures are side by side in {}\n", page.display()));
     }
     if args.format == MessageFormat::Human {
-        console.data(summary(&outcomes))?;
+        let words: Vec<_> = outcomes.iter().map(|(_, outcome)| word(outcome)).collect();
+        console.data(summary::total(&words, console.take_count()))?;
     }
-    let worst = [Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot].into_iter();
-    Ok(worst.into_iter().find(|exit| outcomes.iter().any(|(_, o)| o.exit == *exit)).unwrap_or(Exit::Fine))
+    Ok(summary::worst(outcomes.iter().map(|(_, outcome)| outcome.exit)))
 }
 
 /// The same for programs, without a terminal.
@@ -138,7 +140,8 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     header.scene.size = header.scene.size.or(expected.as_ref().map(|p| Size { width: p.width, height: p.height }));
     header.look.alpha |= expected.as_ref().is_some_and(|p| p.channels % 2 == 0);
     outcome.encoding.alpha = header.look.alpha;
-    super::memory::check(header.scene.size(), header.scene.max_memory.map(|b| b.0))?;
+    let antialias = header.look.aa.is_none_or(|aa| aa.0.is_some());
+    memory::check_drawing(header.scene.size(), None, antialias, header.scene.max_memory.map(|b| b.0))?;
 
     let timing = session::timing(&header.scene)?;
     let options = session::reading_options(&header.scene, &case.scene, timing);
@@ -190,12 +193,10 @@ fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
     Ok(())
 }
 
-/// `ok`, `FAIL` or `new`.
-fn word(outcome: &Outcome) -> &'static str {
+fn word(outcome: &Outcome) -> Word {
     match (outcome.exit, &outcome.drawn, outcome.comparison) {
-        (Exit::Fine, ..) => "ok",
-        (Exit::Snapshot, Some(_), None) => "new",
-        _ => "FAIL",
+        (Exit::Snapshot, Some(_), None) => Word::New,
+        (exit, ..) => Word::of(exit),
     }
 }
 
@@ -215,9 +216,8 @@ fn quoted(path: &Path) -> String {
 }
 
 fn line(case: &Case, outcome: &Outcome, accept: Option<&str>) -> String {
-    let text = if outcome.text.is_empty() { String::new() } else { format!("  {}", outcome.text) };
     let accept = accept.map_or(String::new(), |command| format!("      if it is as it should be: {command}\n"));
-    format!("{:4}  {}{text}\n{accept}", word(outcome), case.scene.display())
+    summary::line(word(outcome), case.scene.display(), &outcome.text) + &accept
 }
 
 /// One scene for programs; numbers are null where there is nothing to compare.
@@ -226,7 +226,7 @@ fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::
     json!({
         "scene": case.scene.display().to_string(),
         "snapshot": case.picture.display().to_string(),
-        "result": word(outcome).to_lowercase(),
+        "result": word(outcome).text().to_lowercase(),
         "exit": outcome.exit as u8,
         "text": outcome.text,
         "messages": outcome.messages,
@@ -236,14 +236,6 @@ fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::
         "largest": numbers.map(|n| n.largest),
         "accept": accept,
     })
-}
-
-/// `12 ok, 1 FAIL`.
-fn summary(outcomes: &[(Case, Outcome)]) -> String {
-    let count = |wanted: &'static str| (outcomes.iter().filter(|(_, o)| word(o) == wanted).count(), wanted);
-    let parts = [count("ok"), count("FAIL"), count("new")];
-    let parts = parts.iter().filter(|(n, _)| *n > 0).map(|(n, word)| format!("{n} {word}"));
-    parts.collect::<Vec<_>>().join(", ") + "\n"
 }
 
 /// Returns the page.
