@@ -25,6 +25,7 @@
 // What pest_derive writes names it.
 extern crate alloc;
 
+pub mod advice;
 pub mod camera;
 pub mod cli;
 pub mod color;
@@ -132,6 +133,9 @@ pub fn build_with(
     let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
     let parse_time = start.elapsed();
+    if let Some(scene) = &scene {
+        diagnostics.extend(advice::of_scene(scene, sources));
+    }
     let start = Instant::now();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,

@@ -3,6 +3,7 @@
 use super::super::Interpreter;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform};
+use crate::source::Span;
 use crate::value::{Next, Reader, ReaderExt, Thing};
 
 /// A declared transform.
@@ -28,7 +29,11 @@ impl Interpreter<'_> {
         };
         Ok(Box::new(match word {
             "translate" => Transform::translate(self.vector()?),
-            "rotate" => Transform::rotate(self.vector()?),
+            "rotate" => {
+                let angles = self.vector()?;
+                self.tell_all_axes(angles, span);
+                Transform::rotate(angles)
+            }
             "scale" => {
                 let factors = self.vector()?;
                 // POV-Ray takes a factor of 0 for 1, with a warning.
@@ -45,6 +50,20 @@ impl Interpreter<'_> {
                 Transform::from_rows([row(0), row(1), row(2), row(3)]).map_err(singular)?
             }
         }))
+    }
+
+    /// W0407: `rotate 45`. One that is computed, as by `rand`, is mostly meant so; a macro's argument too.
+    fn tell_all_axes(&mut self, angles: DVec3, span: Span) {
+        if angles.x == 0.0 || angles.x != angles.y || angles.y != angles.z {
+            return;
+        }
+        let typed = self.sources.snippet(span);
+        if typed.parse::<f64>().is_ok() {
+            let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
+            let help = format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
+            let d = Diagnostic::new(codes::ALL_AXES, span, message).help(help);
+            self.report_fault(self.with_trace(d));
+        }
     }
 
     /// What stands between the braces of a `transform`.
