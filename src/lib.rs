@@ -136,6 +136,7 @@ pub fn build_with(
     if let Some(scene) = &scene {
         diagnostics.extend(advice::of_scene(scene, sources));
     }
+    advice::keep_own(&mut diagnostics, sources, file);
     let start = Instant::now();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,

@@ -14,19 +14,33 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Frame;
 use crate::render;
 use crate::scene::Scene;
-use crate::source::{Sources, Span};
+use crate::source::{FileId, Sources, Span};
 use crate::world::{Leaf, SolidKind, SolidNode, World};
+use std::path::Path;
 
 /// What is to be said of a scene that is read.
 pub fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
-    let mut out = camera::of_scene(scene);
-    out.extend(csg::of_scene(scene, sources));
-    out
+    camera::of_scene(scene).into_iter().chain(csg::of_scene(scene, sources)).collect()
 }
 
 /// What is mostly meant as it is said, but not always: for those who ask (`--warn doubtful`).
 pub fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
-    csg::doubtful(scene, sources)
+    camera::along_sky(scene).into_iter().chain(csg::doubtful(scene, sources)).collect()
+}
+
+/// What was told while the text was read, without what the author can't help: slips in files that lie elsewhere, such as the standard
+/// includes.
+pub fn keep_own(told: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
+    let doubts = [codes::COLOR_OF_BYTES, codes::ALL_AXES, codes::FALLING_MAP];
+    told.retain(|d| !doubts.contains(&d.code) || is_own(sources, scene, d.span()));
+}
+
+/// Is the place in the scene's own file, or in one beside it or below?
+fn is_own(sources: &Sources, scene: FileId, at: Span) -> bool {
+    let Some((file, _)) = sources.locate(at) else { return true };
+    let folder = |file: FileId| sources.path(file)?.canonicalize().ok()?.parent().map(Path::to_path_buf);
+    file == scene
+        || folder(file).zip(folder(scene)).is_some_and(|(of_file, of_scene)| of_file.starts_with(of_scene))
 }
 
 /// What is known of a picture beside itself.

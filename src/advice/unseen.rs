@@ -26,6 +26,8 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
         // Alone, it is what the picture is of.
         Some(_) if world.geometry.items().iter().all(|item| around.contains(&item.object)) => None,
         Some(found) => Some(from_inside(world, &found)),
+        // (A scene without objects and lights is not made to be looked at.)
+        None if world.geometry.items().is_empty() && world.lights.is_empty() => None,
         None => Some(nothing_seen(world, options)),
     }
 }

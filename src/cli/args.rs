@@ -212,7 +212,8 @@ pub struct CheckArgs {
     /// Let `warnings` fail as errors do
     #[arg(long, value_name = "WHAT")]
     pub deny: Option<Deny>,
-    /// Warn of more: names that are declared and `unused`, names that `shadow` others, `options` in an INI file that mean nothing
+    /// Warn of more: names that are declared and `unused`, names that `shadow` others, `options` in an INI file that mean nothing, what
+    /// is not `portable` to POV-Ray 3.7, what is `doubtful`
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<Warn>,
     #[command(flatten)]
@@ -245,6 +246,10 @@ pub enum Warn {
     Shadow,
     /// Options of POV-Ray that mean nothing here
     Options,
+    /// What POV-Ray 3.7 would refuse
+    Portable,
+    /// What is mostly meant as it is said, but not always
+    Doubtful,
 }
 
 /// What `--warn` adds where a picture is drawn.

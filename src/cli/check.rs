@@ -5,7 +5,7 @@ use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::overlay;
 use super::session;
-use crate::Keep;
+use crate::{Keep, advice};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::ParsedFiles;
 use crate::source::Sources;
@@ -51,7 +51,11 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene)?);
     let parsed = ParsedFiles::default();
-    let mut built = session::build(console, &parsed, &sources, file, &options, Keep::World);
+    let doubtful = args.warn.contains(&Warn::Doubtful);
+    let keep = if doubtful { Keep::Both } else { Keep::World };
+    let mut built = session::build(console, &parsed, &sources, file, &options, keep);
+    let scene = built.scene.as_ref().filter(|_| doubtful);
+    built.diagnostics.extend(scene.map(|scene| advice::doubtful(scene, &sources)).unwrap_or_default());
     built.diagnostics.extend(lint(args, &sources, &parsed));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
@@ -62,7 +66,8 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
 
 /// What `--warn` asks for; the scene's own file is the first that was parsed.
 fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
-    let lints = Lints { unused: args.warn.contains(&Warn::Unused), shadow: args.warn.contains(&Warn::Shadow) };
+    let asked = |what| args.warn.contains(&what);
+    let lints = Lints { unused: asked(Warn::Unused), shadow: asked(Warn::Shadow), portable: asked(Warn::Portable) };
     let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();
     if lints == Lints::default() { vec![] } else { lint::lint(sources, parsed.names(), &files, lints) }
 }

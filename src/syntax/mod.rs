@@ -10,6 +10,7 @@ pub mod lint;
 mod names;
 mod numbers;
 mod parse;
+mod portable;
 mod tokens;
 pub mod word;
 

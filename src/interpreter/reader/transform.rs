@@ -3,6 +3,7 @@
 use super::super::Interpreter;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform};
+use crate::scene::is_object;
 use crate::source::Span;
 use crate::value::{Next, Reader, ReaderExt, Thing};
 
@@ -15,6 +16,9 @@ impl Thing for TransformThing {
         "transform"
     }
 }
+
+/// Degrees: less is meant to move something just a little.
+const A_LITTLE: f64 = 5.0;
 
 impl Interpreter<'_> {
     /// One `translate`, `rotate` … after its word was consumed.
@@ -54,7 +58,12 @@ impl Interpreter<'_> {
 
     /// W0407: `rotate 45`. One that is computed, as by `rand`, is mostly meant so; a macro's argument too.
     fn tell_all_axes(&mut self, angles: DVec3, span: Span) {
-        if angles.x == 0.0 || angles.x != angles.y || angles.y != angles.z {
+        if angles.x.abs() < A_LITTLE || angles.x != angles.y || angles.y != angles.z {
+            return;
+        }
+        // A pattern is turned to look less regular, and then any axis will do.
+        let word = self.opened.last().and_then(|opened| opened.word);
+        if !word.is_some_and(|word| is_object(word) || word == "camera") {
             return;
         }
         let typed = self.sources.snippet(span);
