@@ -47,7 +47,8 @@ pub(super) fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     scene.objects.iter().for_each(|object| groups.gather(object));
     let joins = |object: &Object| matches!(op(object), Some(CsgOp::Union | CsgOp::Merge));
     let copies = groups.in_order();
-    let first = copies.filter_map(|copies| copies.first().copied().filter(|first| joins(first) && parts(first).len() == 1));
+    let first =
+        copies.filter_map(|copies| copies.first().copied().filter(|first| joins(first) && parts(first).len() == 1));
     first.filter_map(|first| few_parts(first, parts(first), sources)).collect()
 }
 
@@ -209,9 +210,9 @@ fn nothing_left(object: &Object, op: CsgOp, parts: &[Object]) -> Diagnostic {
         (Some(plane), _) => d
             .also(plane.source, "this cuts all of it off")
             .help("a plane holds the side that its normal points away from; `inverse` in it turns it around"),
-        (None, [part]) => d
-            .also(part.source, "this has no point in common with the others")
-            .help("move it to where the others are"),
+        (None, [part]) => {
+            d.also(part.source, "this has no point in common with the others").help("move it to where the others are")
+        }
         _ => blamed(d, parts, "one of its parts")
             .help("its parts have no point in common: move them together, or join them with `union`"),
     }

@@ -39,8 +39,7 @@ pub fn keep_own(told: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
 fn is_own(sources: &Sources, scene: FileId, at: Span) -> bool {
     let Some((file, _)) = sources.locate(at) else { return true };
     let folder = |file: FileId| sources.path(file)?.canonicalize().ok()?.parent().map(Path::to_path_buf);
-    file == scene
-        || folder(file).zip(folder(scene)).is_some_and(|(of_file, of_scene)| of_file.starts_with(of_scene))
+    file == scene || folder(file).zip(folder(scene)).is_some_and(|(of_file, of_scene)| of_file.starts_with(of_scene))
 }
 
 /// What is known of a picture beside itself.

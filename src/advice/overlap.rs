@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 
 /// So many rays are asked at most, and no more than one for so many pixels: it must not be noticed.
 const SAMPLES: usize = 1500;
-const PIXELS: usize = 60;
+const PIXELS: usize = 30;
 /// Two surfaces must be seen together at so many places: along an edge they always meet.
 const PLACES: u32 = 3;
 /// As many pairs are told.
@@ -110,9 +110,10 @@ fn told(world: &World, a: u32, b: u32, fight: Fight) -> Option<Diagnostic> {
     // Two passes of a loop, or two copies of one thing: a place by itself tells enough.
     let one = a.source == b.source;
     let (message, help) = match fight {
-        Fight::Looks => {
-            ("two surfaces lie in one another: chance decides which is seen", "move one of them a little, as by `0.001*y`")
-        }
+        Fight::Looks => (
+            "two surfaces lie in one another: chance decides which is seen",
+            "move one of them a little, as by `0.001*y`",
+        ),
         Fight::Skin => (
             "what is taken away ends in the surface of the other: a skin without thickness is left",
             "let it stick out a little, so that it goes all the way through",

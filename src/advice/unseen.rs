@@ -106,8 +106,10 @@ fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
             .label(format!("no ray from the camera meets this `{word}`"))
             .also(world.camera_source, "seen from here")
             .help("turn the camera with `look_at`"),
-        None => Diagnostic::new(codes::NOTHING_SEEN, Span::NONE, "the picture shows nothing: the scene holds no object")
-            .help("a name that is declared is not seen yet: `object { Name }` puts it into the scene"),
+        None => {
+            Diagnostic::new(codes::NOTHING_SEEN, Span::NONE, "the picture shows nothing: the scene holds no object")
+                .help("a name that is declared is not seen yet: `object { Name }` puts it into the scene")
+        }
     }
 }
 

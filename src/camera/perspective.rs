@@ -85,7 +85,9 @@ impl Perspective {
         if self.look_at == Some(self.location) {
             let message = "the camera looks at the place where it stands";
             let d = Diagnostic::new(codes::BAD_CAMERA, source, message);
-            return d.help("`look_at` names what is in the middle of the picture: any other point than `location`").into();
+            return d
+                .help("`look_at` names what is in the middle of the picture: any other point than `location`")
+                .into();
         }
         let vectors = [("direction", self.direction), ("right", self.right), ("up", self.up), ("sky", self.sky)];
         for (name, vector) in vectors {

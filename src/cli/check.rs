@@ -5,11 +5,11 @@ use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::overlay;
 use super::session;
-use crate::{Keep, advice};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::ParsedFiles;
 use crate::source::Sources;
 use crate::syntax::lint::{self, Lints};
+use crate::{Keep, advice};
 use std::path::Path;
 
 /// Checks all inputs; the first that is wrong decides the exit code.

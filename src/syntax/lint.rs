@@ -1,10 +1,10 @@
 //! What `--warn` looks for: names that are declared and never used, and names that hide others. It looks at the text alone, so it
 //! also sees the branches that do not run.
 
-use super::{Names, portable};
 use super::ast::Symbol;
 use super::class;
 use super::lex::{Lexed, lex};
+use super::{Names, portable};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use rustc_hash::{FxHashMap, FxHashSet};

@@ -1,8 +1,8 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
 use super::blend::{self, Blend, Entry, Map};
-use super::words::{PIGMENT, pigment_names};
 use super::doubts::tell_bytes;
+use super::words::{PIGMENT, pigment_names};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -102,7 +102,9 @@ impl Pigment {
             Next::Block("color_map" | "colour_map") => {
                 let at = r.take()?;
                 let map = ColorMap::read(r)?;
-                if let Some((_, color)) = map.entries.iter().max_by(|(_, a), (_, b)| brightness(a).total_cmp(&brightness(b))) {
+                if let Some((_, color)) =
+                    map.entries.iter().max_by(|(_, a), (_, b)| brightness(a).total_cmp(&brightness(b)))
+                {
                     tell_bytes(r, at, color);
                 }
                 self.paint = Paint::Colors(Arc::new(map));

@@ -1,7 +1,7 @@
 //! Questions that scripts ask of objects while the text is still running: `trace` and `inside`.
 
-use super::{Geometry, SolidNode};
 use super::lower::lower_alone;
+use super::{Geometry, SolidNode};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
 use crate::scene::Object;

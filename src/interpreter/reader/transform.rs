@@ -69,7 +69,8 @@ impl Interpreter<'_> {
         let typed = self.sources.snippet(span);
         if typed.parse::<f64>().is_ok() {
             let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
-            let help = format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
+            let help =
+                format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
             let d = Diagnostic::new(codes::ALL_AXES, span, message).help(help);
             self.report_fault(self.with_trace(d));
         }

@@ -15,7 +15,8 @@ const STRICT: &[&str] = &[
 /// Blocks of objects, in which it takes no comma at all.
 const JOINING: &[&str] = &["union", "merge", "intersection", "difference"];
 /// Maps, in which it takes none between the entries.
-const MAPS: &[&str] = &["color_map", "colour_map", "pigment_map", "normal_map", "texture_map", "slope_map", "density_map"];
+const MAPS: &[&str] =
+    &["color_map", "colour_map", "pigment_map", "normal_map", "texture_map", "slope_map", "density_map"];
 /// Words of objects, cameras and lights; behind a comma, nothing else begins with them.
 #[rustfmt::skip]
 const MODIFIERS: &[&str] = &[
@@ -29,8 +30,29 @@ const MODIFIERS: &[&str] = &[
 ];
 /// Blocks in which a thing's name alone means nothing to it.
 const SHAPES: &[&str] = &[
-    "sphere", "box", "cylinder", "cone", "torus", "plane", "disc", "triangle", "smooth_triangle", "polygon", "prism", "lathe",
-    "object", "union", "merge", "intersection", "difference", "blob", "mesh", "mesh2", "height_field", "text", "isosurface",
+    "sphere",
+    "box",
+    "cylinder",
+    "cone",
+    "torus",
+    "plane",
+    "disc",
+    "triangle",
+    "smooth_triangle",
+    "polygon",
+    "prism",
+    "lathe",
+    "object",
+    "union",
+    "merge",
+    "intersection",
+    "difference",
+    "blob",
+    "mesh",
+    "mesh2",
+    "height_field",
+    "text",
+    "isosurface",
 ];
 
 impl Walk<'_> {
@@ -160,7 +182,8 @@ impl Walk<'_> {
         let next = self.text.class(at + 1);
         let calls = matches!(next, class::PAREN | class::BRACKET | class::EQUAL | class::DOT);
         let before = self.text.before(at);
-        let said = matches!(before, class::EQUAL | class::COMMA | class::PLUS | class::MINUS | class::TIMES | class::OVER);
+        let said =
+            matches!(before, class::EQUAL | class::COMMA | class::PLUS | class::MINUS | class::TIMES | class::OVER);
         if calls || said || is_directive(before) {
             return self.addition(at);
         }
@@ -203,5 +226,6 @@ impl Walk<'_> {
 
 /// Does a statement begin with this word? (Others may go on with the value.)
 fn is_statement_word(name: &str) -> bool {
-    SHAPES.contains(&name) || matches!(name, "light_source" | "camera" | "background" | "global_settings" | "sky_sphere" | "fog")
+    SHAPES.contains(&name)
+        || matches!(name, "light_source" | "camera" | "background" | "global_settings" | "sky_sphere" | "fog")
 }
