@@ -42,6 +42,9 @@ fn is_own(sources: &Sources, scene: FileId, at: Span) -> bool {
     file == scene || folder(file).zip(folder(scene)).is_some_and(|(of_file, of_scene)| of_file.starts_with(of_scene))
 }
 
+/// Pixels across: nobody looks at smaller pictures, and their few rays pass by what is there.
+const TINY: usize = 10;
+
 /// What is known of a picture beside itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Circumstances {
@@ -59,6 +62,9 @@ pub fn of_picture(
     circumstances: Circumstances,
 ) -> Vec<Diagnostic> {
     let mut out = vec![];
+    if options.width.min(options.height) < TINY {
+        return out;
+    }
     if !circumstances.incomplete {
         out.extend(camera::stretched(world, options));
     }

@@ -11,12 +11,16 @@ use rustc_hash::FxHashSet;
 
 /// So many rays tell what is seen.
 const SAMPLES: usize = 200;
+/// Of a pixel.
+const CENTRE: f64 = 0.5;
 
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let eye = world.camera.window(options.width, options.height).origin;
     let around = around(world, eye);
     let mut inside = None;
-    for ray in rays(world, options) {
+    // Anti-aliasing sees what lies between the pixels' centres too.
+    let between = options.antialias.map(|_| rays(world, options, 0.0));
+    for ray in rays(world, options, CENTRE).chain(between.into_iter().flatten()) {
         match closest(world, &ray) {
             Some(found) if !around.contains(&found.object) => return None,
             found => inside = inside.or(found),
@@ -34,11 +38,11 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
 
 /// What a few rays meet, all over the picture.
 pub(super) fn sample<'a>(world: &'a World, options: &render::Options) -> impl Iterator<Item = Intersection<'a>> {
-    rays(world, options).take(SAMPLES).filter_map(|ray| closest(world, &ray))
+    rays(world, options, CENTRE).take(SAMPLES).filter_map(|ray| closest(world, &ray))
 }
 
-/// The rays through all pixels' centres, those that come first far from each other.
-fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
+/// The rays through all pixels, `offset` from the top left of each; those that come first are far from each other.
+fn rays(world: &World, options: &render::Options, offset: f64) -> impl Iterator<Item = Ray> + use<> {
     let (width, total) = (options.width.max(1), options.width * options.height);
     let window = world.camera.window(options.width, options.height);
     // A step that has no divisor in common with the number of pixels comes to each of them once.
@@ -46,7 +50,7 @@ fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> +
     let step = (total * 618 / 1000 + 1..).find(coprime).unwrap_or(1);
     (0..total).scan(total / 2, move |at, _| {
         *at = (*at + step) % total;
-        Some(window.ray((*at % width) as f64 + 0.5, (*at / width) as f64 + 0.5))
+        Some(window.ray((*at % width) as f64 + offset, (*at / width) as f64 + offset))
     })
 }
 
