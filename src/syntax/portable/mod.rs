@@ -20,7 +20,7 @@ pub(super) fn portable(sources: &Sources, names: &Names, files: &[FileId]) -> Ve
     let texts: Vec<Text> = files.iter().map(|&file| Text::of(sources, names, file)).collect();
     let Some(own) = texts.first() else { return vec![] };
     let declared = Declared::of(&texts);
-    let mut walk = Walk { text: own, declared: &declared, open: vec![], out: vec![] };
+    let mut walk = Walk { text: own, declared: &declared, open: vec![], macros: vec![], out: vec![] };
     for at in 0..own.len() {
         walk.step(at);
     }
@@ -92,6 +92,8 @@ struct Walk<'a> {
     text: &'a Text<'a>,
     declared: &'a Declared,
     open: Vec<Open<'a>>,
+    /// The directives with bodies that are open; those up to the outermost macro are not kept.
+    macros: Vec<u8>,
     out: Vec<Diagnostic>,
 }
 
@@ -104,7 +106,14 @@ impl<'a> Walk<'a> {
                 self.open.push(Open { class: opener, word, at, directed: false });
             }
             class::BRACE_END | class::PAREN_END | class::BRACKET_END | class::VECTOR_END => drop(self.open.pop()),
-            class if is_directive(class) => self.open.iter_mut().for_each(|open| open.directed = true),
+            class if is_directive(class) => {
+                self.open.iter_mut().for_each(|open| open.directed = true);
+                if class == class::MACRO || class::opens_body(class) && !self.macros.is_empty() {
+                    self.macros.push(class);
+                } else if class == class::END {
+                    self.macros.pop();
+                }
+            }
             _ => {}
         }
     }
@@ -151,6 +160,7 @@ mod tests {
             "camera { location 0, look_at 1 }",
             "sphere { 0, 1 } , box { 0, 1 }",
             "light_source { 0, rgb 1, shadowless }",
+            "mesh { triangle { 0, x, y }, triangle { 0, x, z } }",
         ] {
             assert_eq!(told(text), [","], "{text}");
         }
@@ -173,6 +183,8 @@ mod tests {
     fn semicolons() {
         assert_eq!(told("sphere { 0, 1 };"), [";"]);
         assert_eq!(told("sphere { 0, 1 scale 2; }"), [";"]);
+        assert_eq!(told("#include \"colors.inc\"; #declare A = \"a\";"), [";"]);
+        assert_eq!(told("#macro M() #debug \"a\"; #if (1) #end #debug \"b\"; #end #debug \"c\";"), [";"]);
         assert_eq!(told("sphere { 0, 1 #local R = 2; scale R }"), [""; 0]);
         assert_eq!(told("#declare S = sphere { 0, 1 };"), [""; 0]);
         for text in ["#declare A = 1 sphere { 0, A }", "#declare A = 1", "#declare A = <1, 2, 3>*2 box { 0, A }"] {
@@ -196,6 +208,8 @@ mod tests {
     #[test]
     fn colors_and_textures() {
         assert_eq!(told("sphere { 0, 1 pigment { <1, 0, 0> } }"), ["<"]);
+        assert_eq!(told("sphere { 0, 1 pigment { 0.5 } }"), ["0.5"]);
+        assert_eq!(told("#declare C = <1, 0, 0>; #declare M = color_map { [0 C] [1 rgb 0] }"), ["C"]);
         assert_eq!(told("#declare C = <1, 0, 0>; sphere { 0, 1 pigment { C } }"), ["C"]);
         assert_eq!(told("#declare C = rgb <1, 0, 0>; sphere { 0, 1 pigment { C } }"), [""; 0]);
         assert_eq!(told("sphere { 0, 1 pigment { checker <1, 0, 0>, <0, 1, 0> } }"), [""; 0]);
@@ -212,6 +226,7 @@ mod tests {
         assert_eq!(told("#declare point = y; plane { point, 0 }"), [""; 0]);
         assert_eq!(told("#declare A = array[2, 3];"), [","]);
         assert_eq!(told("#declare A = array[2][3];"), [""; 0]);
+        assert_eq!(told("#declare A = array { 1, 2 };"), ["array"]);
         assert_eq!(told("#declare (A, B) = (1, 2);"), ["("]);
     }
 }

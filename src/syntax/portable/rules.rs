@@ -14,6 +14,8 @@ const STRICT: &[&str] = &[
 ];
 /// Blocks of objects, in which it takes no comma at all.
 const JOINING: &[&str] = &["union", "merge", "intersection", "difference"];
+/// Blocks with rows of blocks in them, in which it takes none between two.
+const ROWS: &[&str] = &["mesh", "blob", "sky_sphere"];
 /// Maps, in which it takes none between the entries.
 const MAPS: &[&str] =
     &["color_map", "colour_map", "pigment_map", "normal_map", "texture_map", "slope_map", "density_map"];
@@ -61,9 +63,10 @@ impl Walk<'_> {
         match self.text.class(at) {
             class::COMMA => self.comma(at),
             class::SEMICOLON => self.semicolon(at),
-            class::VECTOR => self.bare_vector(at),
+            class::VECTOR | class::NUMBER => self.bare_value(at),
             class::DECLARE => self.declaration(at),
             class::NAME => self.name(at),
+            class::KEYWORD | class::HEAD if self.text.word(at) == "array" => self.array_without_size(at),
             class::KEYWORD => self.addition(at),
             _ => {}
         }
@@ -97,7 +100,8 @@ impl Walk<'_> {
             return;
         }
         let modifies = self.text.is_keyword(at + 1) && MODIFIERS.contains(&self.text.word(at + 1));
-        let (what, wrong) = if JOINING.contains(&block) || MAPS.contains(&block) {
+        let in_row = ROWS.contains(&block) && self.text.before(at) == class::BRACE_END;
+        let (what, wrong) = if JOINING.contains(&block) || MAPS.contains(&block) || in_row {
             ("here", true)
         } else if STRICT.contains(&block) && next == class::BRACE_END {
             ("at the end of a block", true)
@@ -113,6 +117,16 @@ impl Walk<'_> {
         match self.open.last() {
             None if self.text.before(at) == class::BRACE_END && self.is_statement(at) => {
                 self.tell(at, "POV-Ray takes no `;` behind an object".into(), "leave it out");
+            }
+            // `#include "a.inc";`
+            None if self.text.before(at) == class::STRING && self.macros.is_empty() && at > 1 => {
+                let directive = self.text.word(at - 2);
+                if matches!(
+                    directive.trim_start_matches('#'),
+                    "include" | "debug" | "warning" | "render" | "statistics"
+                ) {
+                    self.tell(at, format!("POV-Ray takes no `;` behind `{directive}`"), "leave it out");
+                }
             }
             Some(open) if open.class == class::BRACE && !open.directed && STRICT.contains(&open.word) => {
                 let message = format!("in `{} {{ … }}`, POV-Ray takes no `;`", open.word);
@@ -145,15 +159,33 @@ impl Walk<'_> {
     }
 
     /// `pigment { <1, 0, 0> }`, `[0 <1, 0, 0>]`
-    fn bare_vector(&mut self, at: usize) {
-        let Some(open) = self.open.last().copied() else { return };
-        let in_pigment = self.block() == Some("pigment") && open.at + 1 == at;
-        let in_map = open.class == class::BRACKET
-            && self.text.class(open.at + 1) == class::NUMBER
-            && open.at + 2 == at
-            && self.open.iter().rev().nth(1).is_some_and(|map| matches!(map.word, "color_map" | "colour_map"));
-        if in_pigment || in_map {
-            self.tell(at, "POV-Ray takes no vector for a colour here".into(), "write `rgb` before it");
+    fn bare_value(&mut self, at: usize) {
+        let is_vector = self.text.class(at) == class::VECTOR;
+        if self.begins_pigment(at) || is_vector && self.is_map_entry(at) {
+            let what = if is_vector { "vector" } else { "number" };
+            self.tell(at, format!("POV-Ray takes no {what} for a colour here"), "write `rgb` before it");
+        }
+    }
+
+    /// Does the token stand first in a pigment's braces?
+    fn begins_pigment(&self, at: usize) -> bool {
+        self.block() == Some("pigment") && self.open.last().is_some_and(|open| open.at + 1 == at)
+    }
+
+    /// Does it stand behind the number of an entry of a map of colours?
+    fn is_map_entry(&self, at: usize) -> bool {
+        let mut outwards = self.open.iter().rev();
+        let (Some(entry), Some(map)) = (outwards.next(), outwards.next()) else { return false };
+        entry.class == class::BRACKET
+            && entry.at + 2 == at
+            && self.text.class(entry.at + 1) == class::NUMBER
+            && matches!(map.word, "color_map" | "colour_map" | "pigment_map")
+    }
+
+    /// `array { 1, 2 }`
+    fn array_without_size(&mut self, at: usize) {
+        if self.text.class(at + 1) == class::BRACE {
+            self.tell(at, "POV-Ray wants an array's size".into(), "write `array[2] { … }`");
         }
     }
 
@@ -187,7 +219,8 @@ impl Walk<'_> {
         if calls || said || is_directive(before) {
             return self.addition(at);
         }
-        let (Some(block), Some(open)) = (self.block(), self.open.last().copied()) else { return };
+        let is_color = self.begins_pigment(at) || self.is_map_entry(at);
+        let block = self.block().unwrap_or("");
         let kind = self.text.symbol(at).and_then(|symbol| self.declared.kind(symbol));
         let name = self.text.word(at);
         match kind {
@@ -195,7 +228,7 @@ impl Walk<'_> {
                 let message = format!("POV-Ray takes the name of a `{of}` only inside of `{of} {{ … }}`");
                 self.tell(at, message, format!("write `{of} {{ {name} }}`"));
             }
-            Some(Kind::Vector) if block == "pigment" && open.at + 1 == at => {
+            Some(Kind::Vector) if is_color => {
                 let message = format!("`{name}` is a vector, and POV-Ray takes no vector for a colour here");
                 self.tell(at, message, format!("write `rgb {name}`"));
             }
