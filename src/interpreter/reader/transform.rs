@@ -67,13 +67,20 @@ impl Interpreter<'_> {
             return;
         }
         let typed = self.sources.snippet(span);
-        if typed.parse::<f64>().is_ok() {
+        if typed.parse::<f64>().is_ok() && !self.goes_on_behind(span) {
             let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
             let help =
                 format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
             let d = Diagnostic::new(codes::ALL_AXES, span, message).help(help);
             self.report_fault(self.with_trace(d));
         }
+    }
+
+    /// Does an operator stand behind this number? (Taken apart, `360*rand(S)` begins with a token that is a number.)
+    fn goes_on_behind(&self, span: Span) -> bool {
+        let Some((file, range)) = self.sources.locate(span) else { return false };
+        let rest = self.sources.text(file).get(range.end..).unwrap_or("");
+        rest.trim_start().starts_with(['*', '/', '+', '-', '.'])
     }
 
     /// What stands between the braces of a `transform`.
