@@ -25,6 +25,7 @@
 // What pest_derive writes names it.
 extern crate alloc;
 
+pub mod advice;
 pub mod camera;
 pub mod cli;
 pub mod color;
@@ -134,6 +135,10 @@ pub fn build_with(
     let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
     let parse_time = start.elapsed();
+    if let Some(scene) = &scene {
+        diagnostics.extend(advice::of_scene(scene, sources));
+    }
+    advice::keep_own(&mut diagnostics, sources, file);
     let start = Instant::now();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 const SCENE: &str = r#"camera { location <0, 0, -5> look_at 0 }
-sphere { 0, 1 }
+light_source { -9*z rgb 1 } sphere { 0, 1 pigment { rgb 1 } }
 #debug concat("c=", str(clock, 0, 9), " n=", str(frame_number, 0, 0), " of ", str(initial_frame, 0, 0), "-", str(final_frame, 0, 0),
   " in ", str(initial_clock, 0, 5), "-", str(final_clock, 0, 5), " d=", str(clock_delta, 0, 9), " on=", str(clock_on, 0, 0),
   " ", str(image_width, 0, 0), "x", str(image_height, 0, 0), " ", input_file_name, "\n")

@@ -26,6 +26,7 @@ const LAYERS: &[(&str, u32)] = &[
     ("interpreter", 9),
     ("render", 9),
     ("snapshot", 10),
+    ("advice", 10),
     ("cli", 11),
     ("lsp", 11),
     ("format", 11),

@@ -1,5 +1,5 @@
 //! What CSG makes of shapes, against closed forms and against what POV-Ray was seen to do.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::disallowed_methods, clippy::unwrap_used)]
 
 use durer::math::{DVec2, DVec3, Range, Ray, Transform};
 use durer::shape::*;

@@ -1,6 +1,6 @@
 //! What becomes of nested blocks; pictures that do not depend on threads, tiles or regions.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::disallowed_methods, clippy::unwrap_used)]
 
 mod common;
 

@@ -7,6 +7,7 @@
 //! pov                    runs without an error or a warning; `<!-- prints -->` and a block of text behind it: what it prints
 //! pov,error=E0203        gives this error
 //! pov,warns=W0103+W0209  gives these warnings
+//! pov,drawn,warns=W0401  is drawn too, small, and what is to be said of the picture counts
 //! pov,picture=name       is drawn, and looks like `pictures/name.png`, which the chapter shows
 //! pov,file=name.inc      is the file `examples/name.inc`
 //! sh                     lines that begin with `durer` are command lines
@@ -293,7 +294,11 @@ impl Block {
         let sources = Sources::default();
         let (mut printed, path) = (String::new(), source.join("examples/example.pov"));
         let Some(file) = sources.add("example.pov", Some(&path), self.text.clone()) else { return Ok(()) };
-        let built = durer::build(&sources, file, &options, &mut |text| printed.push_str(text));
+        let mut built = durer::build(&sources, file, &options, &mut |text| printed.push_str(text));
+        if let Some(world) = built.world.as_ref().filter(|_| self.is("drawn")) {
+            let told = of_picture(world)?;
+            built.diagnostics.extend(told);
+        }
         let tell = |d: &Diagnostic| {
             let line = sources.place(d.span()).map_or(0, |place| place.line);
             format!("line {line}: {} {}", d.code, d.message)
@@ -348,6 +353,14 @@ fn options(folder: &Path) -> Options {
 fn drawing(width: usize, height: usize) -> render::Options {
     let antialias = Some(0.1);
     render::Options { width, height, antialias, quality: 9, threads: 1, region: None, frame: 0, alpha: false }
+}
+
+/// What there is to say of a scene's picture.
+fn of_picture(world: &durer::world::World) -> Result<Vec<Diagnostic>, Failed> {
+    let drawing = drawing(160, 120);
+    let (frame, _) = render::render(world, &drawing, &render::Unwatched).map_err(|e| format!("{e:?}"))?;
+    let circumstances = durer::advice::Circumstances { one_of_many: false, incomplete: false };
+    Ok(durer::advice::of_picture(world, &drawing, &frame, circumstances))
 }
 
 /// A picture is as it is stored, and stored when the manual is updated.

@@ -1,6 +1,6 @@
 //! Noise against what the real POV-Ray prints: tests/noise/measure.py wrote the tables.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::disallowed_methods, clippy::unwrap_used)]
 
 use durer::math::DVec3;
 use durer::math::noise::{NoiseGenerator, Turbulence, noise, noise_vector, turbulence, vturbulence};

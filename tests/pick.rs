@@ -1,7 +1,7 @@
 //! `durer pick` against calculation by hand, to 1e-9 relative: the text goes the whole way, the expectation comes from
 //! the lecture's formulas written out here.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::disallowed_methods, clippy::unwrap_used)]
 
 use durer::math::DVec3;
 use durer::render::{self, Picked};

@@ -83,7 +83,11 @@ impl Perspective {
         }
         let bad = |message: &str| Diagnostic::err(codes::BAD_CAMERA, source, message);
         if self.look_at == Some(self.location) {
-            return bad("the camera looks at the place where it stands");
+            let message = "the camera looks at the place where it stands";
+            let d = Diagnostic::new(codes::BAD_CAMERA, source, message);
+            return d
+                .help("`look_at` names what is in the middle of the picture: any other point than `location`")
+                .into();
         }
         let vectors = [("direction", self.direction), ("right", self.right), ("up", self.up), ("sky", self.sky)];
         for (name, vector) in vectors {

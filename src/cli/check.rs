@@ -6,11 +6,11 @@ use super::exit::{Exit, Failure, Result};
 use super::inputs::Inputs;
 use super::summary::Word;
 use super::{overlay, session, summary};
-use crate::Keep;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::ParsedFiles;
 use crate::source::Sources;
 use crate::syntax::lint::{self, Lints};
+use crate::{Keep, advice};
 use std::path::Path;
 
 /// Checks all inputs; the worst decides the exit code.
@@ -52,7 +52,11 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene)?);
     let parsed = ParsedFiles::default();
-    let mut built = session::build(console, &parsed, &sources, file, &options, Keep::World);
+    let doubtful = args.warn.contains(&Warn::Doubtful);
+    let keep = if doubtful { Keep::Both } else { Keep::World };
+    let mut built = session::build(console, &parsed, &sources, file, &options, keep);
+    let scene = built.scene.as_ref().filter(|_| doubtful);
+    built.diagnostics.extend(scene.map(|scene| advice::doubtful(scene, &sources)).unwrap_or_default());
     built.diagnostics.extend(lint(args, &sources, &parsed));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
@@ -63,7 +67,8 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
 
 /// What `--warn` asks for; the scene's own file is the first that was parsed.
 fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
-    let lints = Lints { unused: args.warn.contains(&Warn::Unused), shadow: args.warn.contains(&Warn::Shadow) };
+    let asked = |what| args.warn.contains(&what);
+    let lints = Lints { unused: asked(Warn::Unused), shadow: asked(Warn::Shadow), portable: asked(Warn::Portable) };
     let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();
     if lints == Lints::default() { vec![] } else { lint::lint(sources, parsed.names(), &files, lints) }
 }

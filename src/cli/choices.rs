@@ -68,6 +68,10 @@ pub enum Warn {
     Shadow,
     /// Options of POV-Ray that mean nothing here
     Options,
+    /// What POV-Ray 3.7 would refuse
+    Portable,
+    /// What is mostly meant as it is said, but not always
+    Doubtful,
 }
 
 /// What `--warn` adds where a picture is drawn.

@@ -13,13 +13,7 @@ const TWICE: u128 = 57;
 /// A pixel that is not drawn (`--region`) takes room in the file alone.
 const UNDRAWN: u128 = 4;
 
-/// E0006 if a picture of this size, drawn whole and with anti-aliasing, has no room in what `--max-memory` allows, or in what
-/// is free.
-pub fn check(size: Size, limit: Option<u64>) -> Result<()> {
-    check_drawing(size, None, true, limit)
-}
-
-/// The same where only a part is drawn, or without anti-aliasing.
+/// E0006 if a picture of this size, or a part of it, has no room in what `--max-memory` allows, or in what is free.
 pub fn check_drawing(size: Size, part: Option<Region>, antialias: bool, limit: Option<u64>) -> Result<()> {
     let pixels = |width: usize, height: usize| (width as u128).saturating_mul(height as u128);
     let whole = pixels(size.width, size.height);
@@ -93,11 +87,11 @@ mod tests {
 
     #[test]
     fn what_is_too_large_is_refused() {
-        assert!(check(Size { width: 640, height: 480 }, None).is_ok());
-        assert!(check(Size { width: 640, height: 480 }, Some(1000)).is_err());
-        assert!(check(Size { width: 1_000_000, height: 1_000_000 }, None).is_err());
-        assert!(check(Size { width: usize::MAX, height: usize::MAX }, None).is_err());
-        assert!(check(Size { width: usize::MAX, height: usize::MAX }, Some(u64::MAX)).is_err());
+        assert!(check_drawing(Size { width: 640, height: 480 }, None, true, None).is_ok());
+        assert!(check_drawing(Size { width: 640, height: 480 }, None, true, Some(1000)).is_err());
+        assert!(check_drawing(Size { width: 1_000_000, height: 1_000_000 }, None, true, None).is_err());
+        assert!(check_drawing(Size { width: usize::MAX, height: usize::MAX }, None, true, None).is_err());
+        assert!(check_drawing(Size { width: usize::MAX, height: usize::MAX }, None, true, Some(u64::MAX)).is_err());
     }
 
     #[test]

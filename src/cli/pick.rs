@@ -9,6 +9,7 @@ use super::values::Size;
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Label, codes};
 use crate::interpreter::{self, ParsedFiles};
+use crate::math::fp;
 use crate::render::{self, Picked, Region, Unwatched};
 use crate::scene::Scene;
 use crate::source::{Place, Sources, Span};
@@ -191,7 +192,7 @@ fn list(numbers: &[f64], scale: f64) -> String {
     if !largest.is_finite() || largest == 0.0 {
         return numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
     }
-    let places = (5.0 - largest.log10().floor()).clamp(0.0, 300.0) as usize;
+    let places = (5.0 - fp::log10(largest).floor()).clamp(0.0, 300.0) as usize;
     let short = |x: &f64| {
         let text = format!("{x:.places$}");
         let text = if places > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };

@@ -13,11 +13,12 @@ use super::values::Stats;
 use super::watch::Watcher;
 use super::{dump, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
-use crate::image_io::Format;
+use crate::image_io::{Format, Frame};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{self, Region};
 use crate::source::{FileId, Sources, Span};
-use crate::{Built, Keep};
+use crate::world::World;
+use crate::{Built, Keep, advice};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -222,6 +223,16 @@ impl<'a> Job<'a> {
         built
     }
 
+    /// What there is to say of the picture.
+    fn advise(&mut self, world: &World, frame: &Frame, timing: Timing, incomplete: bool) {
+        let one_of_many = self.args.frames.is_some() || self.args.scene.animation.is_some();
+        let circumstances = advice::Circumstances { one_of_many, incomplete };
+        let mut advice = advice::of_picture(world, &drawing_options(self.args, timing), frame, circumstances);
+        advice.retain(|d| !self.told.contains(d));
+        self.console.report(&self.sources, &advice);
+        self.told.extend(advice);
+    }
+
     /// One picture, from text to file.
     fn draw(&mut self, target: &Target, timing: Timing) -> Result {
         let (console, args, start) = (self.console, self.args, Instant::now());
@@ -229,6 +240,7 @@ impl<'a> Job<'a> {
             target.check()?;
         }
         let mut built = self.build(timing);
+        let incomplete = advice::is_incomplete(&built.diagnostics);
         let world = session::settle(console, &self.sources, &mut built)?;
         match args.dump {
             Some(Dump::Scene) => return console.data(dump::text(&self.sources, &built.scene)).map(|()| Exit::Fine),
@@ -248,6 +260,7 @@ impl<'a> Job<'a> {
         let encode_time = encode.elapsed();
         drop(orderly);
 
+        self.advise(&world, &frame, timing, incomplete);
         if let Some(stats) = &args.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
             self.reports.push(Report::new(times, rays, args));

@@ -226,6 +226,56 @@ for you."
     NOT_FLAT "W0304" "the points of a polygon are not in one plane"
 "A `polygon` is flat: all its points lie in one plane, to 1e-10, and not all on one line. One that is not is left out, as
 POV-Ray does. Split it into triangles."
+    BLACK_PICTURE "W0400" "the picture is black all over"
+"Something is seen, but no light comes from it: the scene has no `light_source`, or the light stands inside of an object, or all that
+is seen is black. An object without a `pigment` is black.
+
+    light_source { <10, 20, -10>, rgb 1 }"
+    NOTHING_SEEN "W0401" "the picture shows nothing but the background"
+"No ray from the camera meets an object. The message tells where the nearest one is: behind the camera, beside the picture, or so
+far away that it is smaller than a pixel. Told when a picture is drawn."
+    CAMERA_INSIDE "W0402" "the camera is inside of an object"
+"All that is seen is the inside of the object around the camera, or the back of a floor; other objects are hidden by it. A room or a sky
+around the camera is fine as long as something else is seen too. Told when a picture is drawn."
+    NOTHING_LEFT "W0403" "nothing is left of a CSG object"
+"What is taken away in a `difference` holds all of the first object, or the parts of an `intersection` have no point in common. Where one
+part alone is to blame, the message names it. A `plane` holds the side that its normal points away from.
+
+    difference { sphere { 0, 1 } box { -2, 2 } }   // nothing of the sphere lies outside of the box"
+    SEVERAL_CAMERAS "W0404" "a scene with several cameras"
+"The last one counts; the others are not looked through. An `#if` or `#switch` around them chooses one."
+    STRETCHED "W0405" "the picture's sides do not fit the camera's"
+"The camera's window is `right` wide and `up` high; a picture of another shape shows all of it, stretched, and balls become eggs. Told when a
+picture is drawn. This fits a picture of any size:
+
+    camera { location <0, 1, -5> look_at 0 right x*image_width/image_height }"
+    COLOR_OF_BYTES "W0406" "a colour that counts up to 255"
+"In a scene, colours go from 0 to 1: `rgb <255, 128, 0>` is as bright as two hundred lamps, and looks white. Divide by 255; `srgb` means the
+numbers as painting programs do:
+
+    pigment { srgb <255, 128, 0>/255 }"
+    ALL_AXES "W0407" "`rotate` with a single number"
+"A single number stands for three: `rotate 45` is `rotate <45, 45, 45>`, which turns around the x axis, then y, then z. Around one axis it is
+`rotate y*45`. Write the vector if all three are meant."
+    ALONG_SKY "W0408" "the camera looks along `sky`"
+"`look_at` turns the camera so that `sky` is up in the picture, and straight above or below the camera nothing tells what is up. The `right` vector is
+used instead. Another `sky` says what is meant to be up:
+
+    camera { location y*10 sky z look_at 0 }"
+    FALLING_MAP "W0409" "the numbers of a map fall"
+"The numbers of a map's entries rise from the first to the last; from an entry whose number is smaller than the one before, nothing of what is between them is
+seen. Mostly two entries were exchanged: `[0 …] [1 …]`."
+    FEW_PARTS "W0410" "a CSG object with a single part"
+"An `intersection` or a `difference` takes two objects or more; with one, it does nothing. Is the `}` where it should be? A `union` of one object
+is told with `--warn doubtful` only."
+    SAME_SURFACE "W0411" "two surfaces lie in one another"
+"Where two faces are in the same place, chance decides which one a ray meets first, and the picture shows specks of both. Move one of them by a
+thousandth; let what a `difference` takes away stick out a little. Told when a picture is drawn.
+
+    difference { box { 0, 1 } cylinder { 0.5*(x + z), 0.5*(x + z) + y, 0.3 } }   // from below 0 to above 1"
+    NOT_PORTABLE "W0420" "POV-Ray 3.7 would refuse this"
+"Told with `durer check --warn portable`. durer takes it, POV-Ray 3.7 does not: a comma where it expects none, a vector for a colour, a texture's name without
+its `texture { }`, a missing `;`, or a word that only durer knows."
 }
 
 /// Follows from an error that was told before; never shown.

@@ -189,7 +189,6 @@ pub(crate) struct Interpreter<'a> {
     /// The number of the scene's noise generator, which functions ask for when they run.
     noise_generator: Arc<AtomicU8>,
     version_stated: bool,
-    camera_stated: bool,
     defaults: Defaults,
     scene: Scene,
     diagnostics: Vec<Diagnostic>,
@@ -250,7 +249,6 @@ impl<'a> Interpreter<'a> {
             },
             noise_generator: Arc::new(AtomicU8::new(compat::noise_generator(compat::DEFAULT_VERSION))),
             version_stated: false,
-            camera_stated: false,
             defaults: Defaults::default(),
             scene: Scene::default(),
             diagnostics: vec![],

@@ -8,6 +8,7 @@ use crate::math::noise::NoiseGenerator;
 use crate::scene::{Object, is_object};
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Sign};
+use crate::texture::tell_bytes;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Vocabulary};
 use std::sync::atomic::Ordering;
@@ -91,9 +92,14 @@ impl Interpreter<'_> {
         match word {
             "camera" => {
                 self.scene.camera = Camera::read(self, at)?;
-                self.camera_stated = true;
+                self.scene.cameras.push(at);
             }
-            "background" => self.scene.background = Some(self.color()?),
+            "background" => {
+                let at = self.span();
+                let color = self.color()?;
+                tell_bytes(self, at, &color);
+                self.scene.background = Some(color);
+            }
             "default" => self.read_defaults()?,
             _ => {
                 let mut settings = self.scene.settings.clone();
@@ -208,7 +214,7 @@ impl Interpreter<'_> {
         self.scene.settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
         self.scene.settings.opacity_by_color = compat::has_opacity_by_color(version);
         self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
-        if !self.camera_stated && self.error_count() == 0 {
+        if self.scene.cameras.is_empty() && self.error_count() == 0 {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
             self.report_fault(
                 Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)

@@ -18,6 +18,7 @@ pub use weight::Weight;
 
 use crate::camera::Camera;
 use crate::color::Color;
+use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::RawItem;
 use serde::Serialize;
@@ -33,6 +34,9 @@ pub struct Scene {
     pub settings: Settings,
     /// The last camera; without one, POV-Ray's default.
     pub camera: Camera,
+    /// The text of each camera, the one that counts last.
+    #[serde(skip)]
+    pub cameras: Vec<Span>,
     /// What rays see that hit nothing.
     pub background: Option<Color>,
     /// Objects and lights in the order they were written.

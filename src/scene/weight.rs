@@ -27,6 +27,11 @@ impl Weight {
     /// Of one shape.
     pub const SHAPE: Self = Self { depth: 0, shapes: 1 };
 
+    /// How many shapes are in it.
+    pub fn shapes(self) -> u32 {
+        self.shapes
+    }
+
     /// With these inside.
     pub fn around(self, parts: &[Object]) -> Self {
         parts.iter().map(|part| part.weight()).fold(self, |sum, part| Self {

@@ -1,10 +1,10 @@
 //! What `--warn` looks for: names that are declared and never used, and names that hide others. It looks at the text alone, so it
 //! also sees the branches that do not run.
 
-use super::Names;
 use super::ast::Symbol;
 use super::class;
 use super::lex::{Lexed, lex};
+use super::{Names, portable};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -16,6 +16,8 @@ pub struct Lints {
     pub unused: bool,
     /// W0210: a `#local` or a parameter in a macro of the scene's own file hides a name declared outside of macros.
     pub shadow: bool,
+    /// W0420: what POV-Ray 3.7 would refuse, in the scene's own file.
+    pub portable: bool,
 }
 
 /// A name where it is declared.
@@ -45,6 +47,9 @@ pub fn lint(sources: &Sources, names: &Names, files: &[FileId], lints: Lints) ->
     }
     if lints.shadow {
         out.extend(shadows(names, own, &scans));
+    }
+    if lints.portable {
+        out.extend(portable::portable(sources, names, files));
     }
     out
 }
@@ -188,7 +193,7 @@ mod tests {
     fn told(text: &str, include: &str) -> Vec<String> {
         let (sources, names) = (Sources::default(), Names::default());
         let files = [text, include].map(|text| sources.add("a", None, text.into()).unwrap());
-        let lints = Lints { unused: true, shadow: true };
+        let lints = Lints { unused: true, shadow: true, portable: false };
         let line = |d: &Diagnostic| format!("{} {}", d.code, sources.snippet(d.span()));
         lint(&sources, &names, &files, lints).iter().map(line).collect()
     }

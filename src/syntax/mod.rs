@@ -11,6 +11,7 @@ pub mod lint;
 mod names;
 mod numbers;
 mod parse;
+mod portable;
 mod tokens;
 pub mod word;
 

@@ -2,6 +2,7 @@
 //! "Normal Maps", "Texture Maps").
 
 use super::Texture;
+use super::doubts::tell_falling;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::pattern::{CellPattern, Cells, Kind, Pattern};
 use crate::value::{Next, Reader, ReaderExt, Thing};
@@ -97,7 +98,11 @@ where
                 .into();
         }
         entries.shrink_to_fit();
-        Ok(Self { entries })
+        let map = Self { entries };
+        if !average {
+            tell_falling(r, span, &map);
+        }
+        Ok(map)
     }
 }
 

@@ -1,6 +1,7 @@
 //! `color_map`: colours along a line of numbers (manual, "Color Maps").
 
 use super::blend::Map;
+use super::doubts::tell_falling;
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::value::{FloatOrColor, Next, Reader, ReaderExt};
@@ -46,6 +47,8 @@ impl ColorMap {
                 .into();
         }
         entries.shrink_to_fit();
-        Ok(Self { entries })
+        let map = Self { entries };
+        tell_falling(r, span, &map);
+        Ok(map)
     }
 }

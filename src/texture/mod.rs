@@ -2,6 +2,7 @@
 
 mod blend;
 mod color_map;
+mod doubts;
 mod finish;
 mod image_map;
 mod interior;
@@ -12,6 +13,7 @@ pub mod words;
 
 pub use blend::{Blend, Map, Shares};
 pub use color_map::ColorMap;
+pub use doubts::tell_bytes;
 pub use finish::{Finish, Irid, Rare, Reflection};
 pub use image_map::ImageMap;
 pub use interior::Interior;

@@ -1,6 +1,7 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
 use super::blend::{self, Blend, Entry, Map};
+use super::doubts::tell_bytes;
 use super::words::{PIGMENT, pigment_names};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
@@ -99,8 +100,14 @@ impl Pigment {
                 r.flag().map(drop)
             }
             Next::Block("color_map" | "colour_map") => {
-                r.take()?;
-                self.paint = Paint::Colors(Arc::new(ColorMap::read(r)?));
+                let at = r.take()?;
+                let map = ColorMap::read(r)?;
+                if let Some((_, color)) =
+                    map.entries.iter().max_by(|(_, a), (_, b)| brightness(a).total_cmp(&brightness(b)))
+                {
+                    tell_bytes(r, at, color);
+                }
+                self.paint = Paint::Colors(Arc::new(map));
                 r.leave()
             }
             Next::Block("image_map") => {
@@ -123,7 +130,10 @@ impl Pigment {
             }
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {
-                self.paint = Paint::Solid(r.color()?.as_paint());
+                let at = r.span();
+                let color = r.color()?.as_paint();
+                tell_bytes(r, at, &color);
+                self.paint = Paint::Solid(color);
                 self.forget_pattern();
                 Ok(())
             }
@@ -211,6 +221,11 @@ impl Pigment {
             Paint::Image(image) => image.is_opaque(),
         }
     }
+}
+
+/// The largest of a colour's three numbers.
+fn brightness(color: &Color) -> f64 {
+    color.rgb.max_element()
 }
 
 /// `uv_mapping`, which may stand before a declared pigment, normal or texture too, once or more: is it said, and on?

@@ -121,6 +121,15 @@ impl Geometry {
         flow
     }
 
+    /// Hands every shape that the ray meets in the range to `visit` with the object that it is a part of, whether or not the object
+    /// keeps its surface there.
+    pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(&'a SolidNode, Intersection<'a>)) {
+        self.meet(ray, range, |item, range| {
+            item.shapes_at(ray, range, &mut |found| visit(item, found));
+            ControlFlow::Continue(range.max)
+        });
+    }
+
     /// Tells `visit` every object that the point is inside of, in no particular order.
     pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a SolidNode)) {
         let mut ask = |item: &'a SolidNode| {

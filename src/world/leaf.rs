@@ -27,7 +27,7 @@ pub struct Intersection<'a> {
     pub hit: Hit,
     /// The shape that was hit.
     pub leaf: &'a Leaf,
-    /// [`super::Node::object`] of the outermost node that was asked.
+    /// [`super::SolidNode::object`] of the outermost node that was asked.
     pub object: u32,
 }
 

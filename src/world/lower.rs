@@ -47,6 +47,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let Lowering { parts, objects, cuts, materials, interiors, lights, .. } = lowering;
     Ok(World {
         camera: scene.camera.clone(),
+        camera_source: scene.cameras.last().copied().unwrap_or(Span::NONE),
         geometry: heap.into(),
         see_through: objects.iter().any(|o| !o.opaque),
         bends: interiors.iter().any(|interior| interior.ior != 1.0 || interior.dispersion != 1.0),

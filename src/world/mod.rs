@@ -35,6 +35,9 @@ use std::sync::Arc;
 pub struct World {
     /// Where rays begin.
     pub camera: Camera,
+    /// The text of the camera; none of the one that stands for a missing one.
+    #[serde(skip)]
+    pub camera_source: Span,
     /// All objects.
     pub geometry: Geometry,
     /// By [`Leaf::id`].

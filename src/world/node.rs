@@ -217,6 +217,21 @@ impl SolidNode {
         }
     }
 
+    /// Every hit on each of the shapes it is made of, kept or not.
+    pub(super) fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Intersection<'a>)) {
+        match &self.kind {
+            SolidKind::Leaf(leaf) => {
+                let mut hits = Hits::new();
+                leaf.hits(ray, range, &mut hits);
+                hits.into_iter().for_each(|hit| visit(Intersection { hit, leaf, object: self.object }));
+            }
+            _ => self.each_child(ray, range, |_, child, range| {
+                child.shapes_at(ray, range, visit);
+                range
+            }),
+        }
+    }
+
     /// The nearest hit in the range.
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {

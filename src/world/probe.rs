@@ -1,9 +1,9 @@
 //! Questions that scripts ask of objects while the text is still running: `trace` and `inside`.
 
-use super::Geometry;
 use super::lower::lower_alone;
+use super::{Geometry, SolidNode};
 use crate::diagnostic::Result;
-use crate::math::{DVec3, Range, Ray, tolerance};
+use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
 use crate::scene::Object;
 use crate::value::Solid;
 
@@ -33,6 +33,11 @@ impl Probe {
         let found = self.0.closest(&ray, Range { min: tolerance::SURFACE, max: f64::INFINITY }, |_| true)?;
         let surface = found.surface(&ray);
         Some((surface.point, surface.normal))
+    }
+
+    /// The box around all of its surfaces; empty where there is none.
+    pub fn bounds(&self) -> Aabb {
+        self.0.items().iter().map(SolidNode::bounds).fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// Is the point in the object?

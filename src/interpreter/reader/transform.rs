@@ -3,6 +3,8 @@
 use super::super::Interpreter;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform};
+use crate::scene::is_object;
+use crate::source::Span;
 use crate::value::{Next, Reader, ReaderExt, Thing};
 
 /// A declared transform.
@@ -14,6 +16,9 @@ impl Thing for TransformThing {
         "transform"
     }
 }
+
+/// Degrees: less is meant to move something just a little.
+const A_LITTLE: f64 = 5.0;
 
 impl Interpreter<'_> {
     /// One `translate`, `rotate` … after its word was consumed.
@@ -28,7 +33,11 @@ impl Interpreter<'_> {
         };
         Ok(Box::new(match word {
             "translate" => Transform::translate(self.vector()?),
-            "rotate" => Transform::rotate(self.vector()?),
+            "rotate" => {
+                let angles = self.vector()?;
+                self.tell_all_axes(angles, span);
+                Transform::rotate(angles)
+            }
             "scale" => {
                 let factors = self.vector()?;
                 // POV-Ray takes a factor of 0 for 1, with a warning.
@@ -45,6 +54,33 @@ impl Interpreter<'_> {
                 Transform::from_rows([row(0), row(1), row(2), row(3)]).map_err(singular)?
             }
         }))
+    }
+
+    /// W0407: `rotate 45`. One that is computed, as by `rand`, is mostly meant so; a macro's argument too.
+    fn tell_all_axes(&mut self, angles: DVec3, span: Span) {
+        if angles.x.abs() < A_LITTLE || angles.x != angles.y || angles.y != angles.z {
+            return;
+        }
+        // A pattern is turned to look less regular, and then any axis will do.
+        let word = self.opened.last().and_then(|opened| opened.word);
+        if !word.is_some_and(|word| is_object(word) || word == "camera") {
+            return;
+        }
+        let typed = self.sources.snippet(span);
+        if typed.parse::<f64>().is_ok() && !self.goes_on_behind(span) {
+            let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
+            let help =
+                format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
+            let d = Diagnostic::new(codes::ALL_AXES, span, message).help(help);
+            self.report_fault(self.with_trace(d));
+        }
+    }
+
+    /// Does an operator stand behind this number? (Taken apart, `360*rand(S)` begins with a token that is a number.)
+    fn goes_on_behind(&self, span: Span) -> bool {
+        let Some((file, range)) = self.sources.locate(span) else { return false };
+        let rest = self.sources.text(file).get(range.end..).unwrap_or("");
+        rest.trim_start().starts_with(['*', '/', '+', '-', '.'])
     }
 
     /// What stands between the braces of a `transform`.

@@ -1,0 +1,81 @@
+//! A picture that is black all over, though something is seen.
+
+use super::{named, unseen};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::image_io::Frame;
+use crate::math::DVec3;
+use crate::render;
+use crate::source::Span;
+use crate::world::{LayerColor, World};
+
+/// Linear light that an 8-bit file stores as 0.
+const BLACK: f32 = 1.5e-4;
+
+pub(super) fn of_picture(world: &World, options: &render::Options, frame: &Frame) -> Option<Diagnostic> {
+    let is_black = |pixel: &[f32; 4]| pixel[..3].iter().all(|c| *c <= BLACK);
+    if world.geometry.items().is_empty() || !frame.pixels.iter().all(is_black) {
+        return None;
+    }
+    let (at, reason, help) = reason(world, options);
+    let d = Diagnostic::new(codes::BLACK_PICTURE, at, format!("the picture is black: {reason}"));
+    Some(d.help(help))
+}
+
+/// Why no light comes from what is seen, and what to type.
+fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
+    let lamp = || "`light_source { <10, 20, -10>, rgb 1 }`".to_string();
+    if world.lights.is_empty() {
+        return (Span::NONE, "the scene has no light, and nothing in it shines by itself".into(), lamp());
+    }
+    if world.lights.iter().all(|light| light.color.max_element() <= 0.0) {
+        return (Span::NONE, "all of its lights are black".into(), lamp());
+    }
+    if let Some(found) = in_the_dark(world) {
+        return found;
+    }
+    if let Some(found) = all_black(world, options) {
+        return found;
+    }
+    let help = "move a `light_source` to where it shines on what the camera sees".to_string();
+    (Span::NONE, "no light reaches what is seen".into(), help)
+}
+
+/// All lights stand inside of objects that let nothing through.
+fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
+    let mut first = None;
+    for light in &world.lights {
+        let around = holder(world, light.location)?;
+        first.get_or_insert(around);
+    }
+    let (word, source) = first?;
+    let help = "move the light out of it, or write `no_shadow` in the object".to_string();
+    Some((source, format!("the light stands inside of this `{word}`"), help))
+}
+
+fn holder(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
+    let mut found = None;
+    world.geometry.containing(p, &mut |node| {
+        let casts = world.objects.get(node.object as usize).is_some_and(|o| o.opaque && o.shadow);
+        if casts && found.is_none() {
+            found = super::first_leaf(node).map(|leaf| named(world, leaf));
+        }
+    });
+    found
+}
+
+/// What is seen has no colour.
+fn all_black(world: &World, options: &render::Options) -> Option<(Span, String, String)> {
+    let mut first = None;
+    for found in unseen::sample(world, options) {
+        let material = world.parts.get(found.leaf.id as usize)?.outside.material;
+        let mut layers = world.materials.get(material as usize)?.layers.iter();
+        let black = |color: &LayerColor| matches!(color, LayerColor::Solid(c) if c.rgb.max_element() <= 0.0);
+        if !layers.all(|layer| layer.choice.is_none() && black(&layer.pigment)) {
+            return None;
+        }
+        first.get_or_insert(named(world, found.leaf));
+    }
+    let (word, source) = first?;
+    let help = "`pigment { rgb <1, 0.5, 0> }`; an object without a pigment is black".to_string();
+    Some((source, format!("all that is seen is black, as this `{word}`"), help))
+}

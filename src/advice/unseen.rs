@@ -1,0 +1,177 @@
+//! A picture that shows nothing but the background, or nothing but the inside of what is around the camera.
+
+use super::{first_leaf, is_somewhere, named, typed};
+use crate::camera::Camera;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::math::{Aabb, DMat3, DVec3, Range, Ray, tolerance};
+use crate::render;
+use crate::source::Span;
+use crate::world::{Intersection, SolidNode, World};
+use rustc_hash::FxHashSet;
+
+/// So many rays tell what is seen.
+const SAMPLES: usize = 200;
+/// Of a pixel.
+const CENTRE: f64 = 0.5;
+
+pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
+    let eye = world.camera.window(options.width, options.height).origin;
+    let around = around(world, eye);
+    let mut inside = None;
+    // Anti-aliasing sees what lies between the pixels' centres too.
+    let between = options.antialias.map(|_| rays(world, options, 0.0));
+    for ray in rays(world, options, CENTRE).chain(between.into_iter().flatten()) {
+        match closest(world, &ray) {
+            Some(found) if !around.contains(&found.object) => return None,
+            found => inside = inside.or(found),
+        }
+    }
+    match inside {
+        // Alone, it is what the picture is of.
+        Some(_) if world.geometry.items().iter().all(|item| around.contains(&item.object)) => None,
+        Some(found) => Some(from_inside(world, &found)),
+        // (A scene without objects and lights is not made to be looked at.)
+        None if world.geometry.items().is_empty() && world.lights.is_empty() => None,
+        None => Some(nothing_seen(world, options)),
+    }
+}
+
+/// What a few rays meet, all over the picture.
+pub(super) fn sample<'a>(world: &'a World, options: &render::Options) -> impl Iterator<Item = Intersection<'a>> {
+    rays(world, options, CENTRE).take(SAMPLES).filter_map(|ray| closest(world, &ray))
+}
+
+/// The rays through all pixels, `offset` from the top left of each; those that come first are far from each other.
+fn rays(world: &World, options: &render::Options, offset: f64) -> impl Iterator<Item = Ray> + use<> {
+    let (width, total) = (options.width.max(1), options.width * options.height);
+    let window = world.camera.window(options.width, options.height);
+    // A step that has no divisor in common with the number of pixels comes to each of them once.
+    let coprime = |step: &usize| gcd(*step, total) == 1;
+    let step = (total * 618 / 1000 + 1..).find(coprime).unwrap_or(1);
+    (0..total).scan(total / 2, move |at, _| {
+        *at = (*at + step) % total;
+        Some(window.ray((*at % width) as f64 + offset, (*at / width) as f64 + offset))
+    })
+}
+
+fn gcd(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
+    let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
+    world.geometry.closest(ray, range, |id| shows(world, id))
+}
+
+fn shows(world: &World, object: u32) -> bool {
+    world.objects.get(object as usize).is_some_and(|o| o.image)
+}
+
+/// The objects that hold the eye and let no light through.
+fn around(world: &World, eye: DVec3) -> FxHashSet<u32> {
+    let mut out = FxHashSet::default();
+    world.geometry.containing(eye, &mut |node| {
+        if world.objects.get(node.object as usize).is_some_and(|o| o.image && o.opaque) {
+            out.insert(node.object);
+        }
+    });
+    out
+}
+
+fn from_inside(world: &World, found: &Intersection) -> Diagnostic {
+    let (word, source) = named(world, found.leaf);
+    let (message, help) = if word == "plane" {
+        let message = "the camera is behind this `plane`, and sees nothing but its back";
+        (message.to_string(), "move `location` to the side that the plane's normal points to".to_string())
+    } else {
+        let message = format!("the camera is inside of this `{word}`, and sees nothing but its inside");
+        (message, "move `location` out of it, or make the object smaller".to_string())
+    };
+    Diagnostic::new(codes::CAMERA_INSIDE, source, message).also(world.camera_source, "the camera").help(help)
+}
+
+fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
+    let message = "the picture shows nothing but the background";
+    let items: Vec<&SolidNode> = world.geometry.items().iter().filter(|item| shows(world, item.object)).collect();
+    let eye = world.camera.window(options.width, options.height).origin;
+    let distance = |item: &SolidNode| item.bounds().min.max(eye).min(item.bounds().max).distance(eye);
+    let finite = items.iter().filter(|item| is_somewhere(item));
+    let nearest = finite.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    if let Some(item) = nearest
+        && let Some((word, source)) = first_leaf(item).map(|leaf| named(world, leaf))
+    {
+        let seen = Seen::of(world, options, &item.bounds());
+        let label = format!("the nearest object, this `{word}`, is {}", seen.told());
+        let d = Diagnostic::new(codes::NOTHING_SEEN, source, message).label(label);
+        return d.also(world.camera_source, "seen from here").help(seen.help(world, &item.bounds()));
+    }
+    match items.iter().find_map(|item| first_leaf(item)).map(|leaf| named(world, leaf)) {
+        Some((word, source)) => Diagnostic::new(codes::NOTHING_SEEN, source, message)
+            .label(format!("no ray from the camera meets this `{word}`"))
+            .also(world.camera_source, "seen from here")
+            .help("turn the camera with `look_at`"),
+        None => {
+            Diagnostic::new(codes::NOTHING_SEEN, Span::NONE, "the picture shows nothing: the scene holds no object")
+                .help("a name that is declared is not seen yet: `object { Name }` puts it into the scene")
+        }
+    }
+}
+
+/// Where an object lies that is not seen.
+enum Seen {
+    Behind,
+    Beside(&'static str),
+    /// So many pixels large.
+    Small(f64),
+    /// In the picture, and yet no ray meets it.
+    Missed,
+}
+
+impl Seen {
+    fn of(world: &World, options: &render::Options, bounds: &Aabb) -> Self {
+        let (width, height) = (options.width as f64, options.height as f64);
+        let window = world.camera.window(options.width, options.height);
+        let (right, down) = (window.across * width, window.down * height);
+        let ahead = window.corner + (right + down) * 0.5;
+        // p = origin + depth · (ahead + x·right + y·down)
+        let into = DMat3::from_cols(right, down, ahead).inverse();
+        let corners = (0..8).map(|i| {
+            let pick = |axis: usize| if i >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
+            into * (DVec3::new(pick(0), pick(1), pick(2)) - window.origin)
+        });
+        let ahead: Vec<DVec3> = corners.filter(|p| p.z > 0.0).map(|p| p / p.z).collect();
+        let seen = Aabb::from_points(ahead.iter().copied());
+        match ahead.len() {
+            0 => Seen::Behind,
+            // It reaches behind the camera, so that its corners tell nothing.
+            1..8 => Seen::Missed,
+            _ if seen.min.x > 0.5 => Seen::Beside("beside the picture, to the right"),
+            _ if seen.max.x < -0.5 => Seen::Beside("beside the picture, to the left"),
+            _ if seen.min.y > 0.5 => Seen::Beside("below the picture"),
+            _ if seen.max.y < -0.5 => Seen::Beside("above the picture"),
+            _ => {
+                let size = seen.size();
+                let pixels = (size.x * width).max(size.y * height);
+                if pixels < 2.0 { Seen::Small(pixels) } else { Seen::Missed }
+            }
+        }
+    }
+
+    fn told(&self) -> String {
+        match self {
+            Seen::Behind => "behind the camera".into(),
+            Seen::Beside(place) => (*place).into(),
+            Seen::Small(pixels) if *pixels >= 0.01 => format!("too small to be seen: {pixels:.2} pixels"),
+            Seen::Small(_) => "too small to be seen: less than a hundredth of a pixel".into(),
+            Seen::Missed => "not met by any ray: it lies beside the picture or is thinner than a pixel".into(),
+        }
+    }
+
+    fn help(&self, world: &World, bounds: &Aabb) -> String {
+        match (self, &world.camera) {
+            (Seen::Small(_), _) => "bring the camera nearer, or make the object larger with `scale`".into(),
+            (_, Camera::Perspective(_)) => format!("`look_at {}` in the camera turns it there", typed(bounds.center())),
+            (_, Camera::Lecture(_)) => format!("`center {}` in the camera turns it there", typed(bounds.center())),
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What kind of thing each name stands for, as far as the text tells.
+
+use super::{Text, is_directive};
+use crate::syntax::ast::Symbol;
+use crate::syntax::class;
+use rustc_hash::FxHashMap;
+
+/// The kind of what a name was declared as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// `texture { … }`, `pigment { … }` …: the block's word.
+    Block(&'static str),
+    /// A vector without a word before it.
+    Vector,
+    /// Something else, or now this and now that.
+    Unknown,
+}
+
+/// Blocks whose names POV-Ray takes in a block of the same word only.
+const BLOCKS: &[&str] = &["texture", "pigment", "normal", "finish", "interior", "material", "transform"];
+
+/// All names of all files.
+pub(super) struct Declared {
+    kinds: FxHashMap<Symbol, Kind>,
+    /// Does the scene's own file ask for a language that needs no `;` behind a value?
+    pub is_old: bool,
+}
+
+impl Declared {
+    pub(super) fn of(texts: &[Text]) -> Self {
+        let mut out = Self { kinds: FxHashMap::default(), is_old: texts.first().is_some_and(is_old) };
+        texts.iter().for_each(|text| out.gather(text));
+        out
+    }
+
+    pub(super) fn kind(&self, symbol: Symbol) -> Option<Kind> {
+        self.kinds.get(&symbol).copied()
+    }
+
+    fn gather(&mut self, text: &Text) {
+        for at in 0..text.len() {
+            match text.class(at) {
+                class::DECLARE => {
+                    if let Some(symbol) = text.symbol(at + 1) {
+                        self.add(symbol, kind_of(text, at + 2));
+                    }
+                }
+                // Parameters of macros and the variables of loops are this and that.
+                class::MACRO | class::FOR => {
+                    let list = (at + 1..text.len()).take_while(|&at| !matches!(text.class(at), class::PAREN_END));
+                    list.filter_map(|at| text.symbol(at)).for_each(|symbol| self.add(symbol, Kind::Unknown));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn add(&mut self, symbol: Symbol, kind: Kind) {
+        let known = self.kinds.entry(symbol).or_insert(kind);
+        if *known != kind {
+            *known = Kind::Unknown;
+        }
+    }
+}
+
+/// The kind of `= value`, from the equal sign on.
+fn kind_of(text: &Text, at: usize) -> Kind {
+    if text.class(at) != class::EQUAL {
+        return Kind::Unknown;
+    }
+    let block = BLOCKS.iter().find(|block| **block == text.word(at + 1));
+    match text.class(at + 1) {
+        class::VECTOR => match behind(text, at + 1) {
+            class::SEMICOLON => Kind::Vector,
+            _ => Kind::Unknown,
+        },
+        _ if text.class(at + 2) == class::BRACE => block.map_or(Kind::Unknown, |block| Kind::Block(block)),
+        _ => Kind::Unknown,
+    }
+}
+
+/// What stands behind a vector's end.
+fn behind(text: &Text, open: usize) -> u8 {
+    let mut depth = 0;
+    for at in open..text.len() {
+        match text.class(at) {
+            class::VECTOR => depth += 1,
+            class::VECTOR_END if depth == 1 => return text.class(at + 1),
+            class::VECTOR_END => depth -= 1,
+            class if is_directive(class) => return 0,
+            _ => {}
+        }
+    }
+    0
+}
+
+/// `#version 3.1` anywhere.
+fn is_old(text: &Text) -> bool {
+    (0..text.len()).any(|at| {
+        text.class(at) == class::PLAIN
+            && text.word(at).ends_with("version")
+            && text.word(at + 1).parse::<f64>().map_or(true, |version| version < 3.5)
+    })
+}

@@ -1,0 +1,232 @@
+//! `--warn portable`: what durer takes and POV-Ray 3.7 refuses. Each rule was asked of POV-Ray 3.7; where the text alone does not tell
+//! what POV-Ray would see, as in a macro's body, nothing is told.
+//!
+//! It looks at the tokens of the scene's own file, with the brackets that are open around each.
+
+mod declared;
+mod rules;
+mod value;
+
+use super::Names;
+use super::ast::Symbol;
+use super::class;
+use super::lex::{Lexed, lex};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::source::{FileId, Sources, Span};
+use declared::Declared;
+
+/// Tells what is not portable in the first file, which is the scene's own; the others are those that it includes.
+pub(super) fn portable(sources: &Sources, names: &Names, files: &[FileId]) -> Vec<Diagnostic> {
+    let texts: Vec<Text> = files.iter().map(|&file| Text::of(sources, names, file)).collect();
+    let Some(own) = texts.first() else { return vec![] };
+    let declared = Declared::of(&texts);
+    let mut walk = Walk { text: own, declared: &declared, open: vec![], macros: vec![], out: vec![] };
+    for at in 0..own.len() {
+        walk.step(at);
+    }
+    walk.out
+}
+
+/// The tokens of a file.
+struct Text<'t> {
+    text: &'t str,
+    base: usize,
+    lexed: Lexed,
+}
+
+impl<'t> Text<'t> {
+    fn of(sources: &'t Sources, names: &Names, file: FileId) -> Self {
+        let (text, base) = (sources.text(file), sources.base(file));
+        Self { text, base, lexed: lex(text, base, names, false) }
+    }
+
+    fn len(&self) -> usize {
+        self.lexed.classes.len()
+    }
+
+    /// 0 behind the last token.
+    fn class(&self, at: usize) -> u8 {
+        self.lexed.classes.get(at).copied().unwrap_or(0)
+    }
+
+    /// The class of the token before.
+    fn before(&self, at: usize) -> u8 {
+        at.checked_sub(1).map_or(0, |at| self.class(at))
+    }
+
+    fn word(&self, at: usize) -> &'t str {
+        let token = self.lexed.tokens.get(at);
+        token.and_then(|t| self.text.get(t.start as usize..t.end as usize)).unwrap_or("")
+    }
+
+    fn symbol(&self, at: usize) -> Option<Symbol> {
+        let token = self.lexed.tokens.get(at)?;
+        (self.class(at) == class::NAME).then_some(Symbol(token.data))
+    }
+
+    fn span(&self, at: usize) -> Span {
+        let token = self.lexed.tokens.get(at);
+        token.map_or(Span::NONE, |t| Span::new(self.base + t.start as usize, self.base + t.end as usize))
+    }
+
+    /// A word of the language, whatever stands behind it.
+    fn is_keyword(&self, at: usize) -> bool {
+        matches!(self.class(at), class::KEYWORD | class::HEAD | class::FUNCTION)
+    }
+}
+
+/// A bracket that is open.
+#[derive(Clone, Copy)]
+struct Open<'t> {
+    /// Its class: `BRACE`, `PAREN`, `BRACKET`, `VECTOR`.
+    class: u8,
+    /// The word in front of it.
+    word: &'t str,
+    /// The number of its token.
+    at: usize,
+    /// Has a directive been met in it?
+    directed: bool,
+}
+
+struct Walk<'a> {
+    text: &'a Text<'a>,
+    declared: &'a Declared,
+    open: Vec<Open<'a>>,
+    /// The directives with bodies that are open; those up to the outermost macro are not kept.
+    macros: Vec<u8>,
+    out: Vec<Diagnostic>,
+}
+
+impl<'a> Walk<'a> {
+    fn step(&mut self, at: usize) {
+        self.judge(at);
+        match self.text.class(at) {
+            opener @ (class::BRACE | class::PAREN | class::BRACKET | class::VECTOR) => {
+                let word = if at > 0 && self.text.is_keyword(at - 1) { self.text.word(at - 1) } else { "" };
+                self.open.push(Open { class: opener, word, at, directed: false });
+            }
+            class::BRACE_END | class::PAREN_END | class::BRACKET_END | class::VECTOR_END => drop(self.open.pop()),
+            class if is_directive(class) => {
+                self.open.iter_mut().for_each(|open| open.directed = true);
+                if class == class::MACRO || class::opens_body(class) && !self.macros.is_empty() {
+                    self.macros.push(class);
+                } else if class == class::END {
+                    self.macros.pop();
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The word of the block that a token stands in directly.
+    fn block(&self) -> Option<&'a str> {
+        self.open.last().filter(|open| open.class == class::BRACE).map(|open| open.word)
+    }
+
+    fn tell(&mut self, at: usize, message: String, help: impl Into<String>) {
+        self.out.push(Diagnostic::new(codes::NOT_PORTABLE, self.text.span(at), message).help(help));
+    }
+}
+
+/// Does a token of this class begin with `#`?
+fn is_directive(class: u8) -> bool {
+    use class::*;
+    matches!(
+        class,
+        DECLARE | IF | IFDEF | IFNDEF | ELSEIF | ELSE | WHILE | FOR | SWITCH | CASE | RANGE | MACRO | END | PLAIN
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(text: &str) -> Vec<String> {
+        let (sources, names) = (Sources::default(), Names::default());
+        let file = sources.add("a", None, text.into()).unwrap();
+        portable(&sources, &names, &[file]).iter().map(|d| sources.snippet(d.span()).to_string()).collect()
+    }
+
+    // What POV-Ray 3.7 says of each of these was asked of it.
+
+    #[test]
+    fn commas() {
+        for text in [
+            "sphere { 0, 1, pigment { rgb 1 } }",
+            "sphere { 0, 1, }",
+            "union { sphere { 0, 1 }, sphere { 1, 1 } }",
+            "sphere { 0, 1 finish { ambient 1, diffuse 1 } }",
+            "sphere { 0, 1 pigment { gradient x color_map { [0 rgb 0], [1 rgb 1] } } }",
+            "camera { location 0, look_at 1 }",
+            "sphere { 0, 1 } , box { 0, 1 }",
+            "light_source { 0, rgb 1, shadowless }",
+            "mesh { triangle { 0, x, y }, triangle { 0, x, z } }",
+        ] {
+            assert_eq!(told(text), [","], "{text}");
+        }
+        for text in [
+            "sphere { <0, 0, 0,>, 1 }",
+            "#declare A = array[2] { 1, 2, };",
+            "mesh2 { vertex_vectors { 3, 0, x, y, } face_indices { 1, <0, 1, 2>, } }",
+            "sphere { 0, 1 pigment { checker rgb 1, rgb 0, scale 2 } }",
+            "sphere { 0, 1 pigment { checker pigment { rgb 1 }, pigment { rgb 0 } } }",
+            "object { M(sphere { 0, 1 }, 2) }",
+            "disc { 0, y, 1, }",
+            "light_source { 0, rgb 1 area_light x, y, 2, 2 }",
+            "#macro M(A, B) A, B #end",
+        ] {
+            assert_eq!(told(text), [""; 0], "{text}");
+        }
+    }
+
+    #[test]
+    fn semicolons() {
+        assert_eq!(told("sphere { 0, 1 };"), [";"]);
+        assert_eq!(told("sphere { 0, 1 scale 2; }"), [";"]);
+        assert_eq!(told("#include \"colors.inc\"; #declare A = \"a\";"), [";"]);
+        assert_eq!(told("#macro M() #debug \"a\"; #if (1) #end #debug \"b\"; #end #debug \"c\";"), [";"]);
+        assert_eq!(told("sphere { 0, 1 #local R = 2; scale R }"), [""; 0]);
+        assert_eq!(told("#declare S = sphere { 0, 1 };"), [""; 0]);
+        for text in ["#declare A = 1 sphere { 0, A }", "#declare A = 1", "#declare A = <1, 2, 3>*2 box { 0, A }"] {
+            assert_eq!(told(text), ["A"], "{text}");
+        }
+        for text in [
+            "#declare A = 1;",
+            "#declare A = M(1) sphere { 0, 1 }",
+            "#declare A = \"x\" sphere { 0, 1 }",
+            "#declare A = concat(\"a\", \"b\") sphere { 0, 1 }",
+            "#version 3.1; #declare A = 1 sphere { 0, A }",
+            "#declare A = #if (1) 1; #else 2; #end",
+            "#declare A = 1 + // one\n 2;",
+            "#declare A[0][1] = -x.y;",
+            "#declare A = (1 = 2 ? 3 : 4);",
+        ] {
+            assert_eq!(told(text), [""; 0], "{text}");
+        }
+    }
+
+    #[test]
+    fn colors_and_textures() {
+        assert_eq!(told("sphere { 0, 1 pigment { <1, 0, 0> } }"), ["<"]);
+        assert_eq!(told("sphere { 0, 1 pigment { 0.5 } }"), ["0.5"]);
+        assert_eq!(told("#declare C = <1, 0, 0>; #declare M = color_map { [0 C] [1 rgb 0] }"), ["C"]);
+        assert_eq!(told("#declare C = <1, 0, 0>; sphere { 0, 1 pigment { C } }"), ["C"]);
+        assert_eq!(told("#declare C = rgb <1, 0, 0>; sphere { 0, 1 pigment { C } }"), [""; 0]);
+        assert_eq!(told("sphere { 0, 1 pigment { checker <1, 0, 0>, <0, 1, 0> } }"), [""; 0]);
+        assert_eq!(told("#declare T = texture { pigment { rgb 1 } } sphere { 0, 1 T }"), ["T"]);
+        assert_eq!(told("#declare T = texture { pigment { rgb 1 } } sphere { 0, 1 texture { T } }"), [""; 0]);
+        assert_eq!(told("#declare T = transform { scale 2 } sphere { 0, 1 transform T }"), [""; 0]);
+        assert_eq!(told("#declare T = texture { } #declare T = 2; sphere { 0, T }"), [""; 0]);
+    }
+
+    #[test]
+    fn additions() {
+        assert_eq!(told("camera { eye <0, 0, 5> center 0 }"), ["eye"]);
+        assert_eq!(told("plane { implicit <1, 2, 3, 4> }"), ["implicit"]);
+        assert_eq!(told("#declare point = y; plane { point, 0 }"), [""; 0]);
+        assert_eq!(told("#declare A = array[2, 3];"), [","]);
+        assert_eq!(told("#declare A = array[2][3];"), [""; 0]);
+        assert_eq!(told("#declare A = array { 1, 2 };"), ["array"]);
+        assert_eq!(told("#declare (A, B) = (1, 2);"), ["("]);
+    }
+}

@@ -1,0 +1,264 @@
+//! The rules, each as POV-Ray 3.7 was seen to follow it.
+
+use super::declared::Kind;
+use super::{Walk, is_directive, value};
+use crate::syntax::class;
+use crate::syntax::word;
+
+/// Blocks with numbers and words, in which POV-Ray takes no comma before a word and none at the end.
+#[rustfmt::skip]
+const STRICT: &[&str] = &[
+    "sphere", "box", "cylinder", "cone", "torus", "plane", "triangle", "smooth_triangle", "polygon", "prism", "lathe",
+    "superellipsoid", "quadric", "text", "isosurface", "sphere_sweep", "blob", "mesh", "object", "finish", "camera",
+    "global_settings", "light_source", "interior",
+];
+/// Blocks of objects, in which it takes no comma at all.
+const JOINING: &[&str] = &["union", "merge", "intersection", "difference"];
+/// Blocks with rows of blocks in them, in which it takes none between two.
+const ROWS: &[&str] = &["mesh", "blob", "sky_sphere"];
+/// Maps, in which it takes none between the entries.
+const MAPS: &[&str] =
+    &["color_map", "colour_map", "pigment_map", "normal_map", "texture_map", "slope_map", "density_map"];
+/// Words of objects, cameras and lights; behind a comma, nothing else begins with them.
+#[rustfmt::skip]
+const MODIFIERS: &[&str] = &[
+    "pigment", "texture", "normal", "finish", "interior", "material", "interior_texture", "scale", "rotate",
+    "translate", "matrix", "transform", "no_shadow", "no_image", "no_reflection", "hollow", "open", "sturm", "inverse",
+    "clipped_by", "bounded_by", "double_illuminate", "photons", "uv_mapping", "location", "look_at", "right", "up",
+    "sky", "angle", "direction", "shadowless", "spotlight", "point_at", "radius", "falloff", "tightness", "area_light",
+    "adaptive", "jitter", "fade_distance", "fade_power", "looks_like", "parallel", "max_trace_level", "assumed_gamma",
+    "ambient_light", "adc_bailout", "ior", "ambient", "diffuse", "phong", "phong_size", "specular", "roughness",
+    "reflection", "emission", "brilliance", "crand", "metallic", "max_gradient", "contained_by", "accuracy",
+];
+/// Blocks in which a thing's name alone means nothing to it.
+const SHAPES: &[&str] = &[
+    "sphere",
+    "box",
+    "cylinder",
+    "cone",
+    "torus",
+    "plane",
+    "disc",
+    "triangle",
+    "smooth_triangle",
+    "polygon",
+    "prism",
+    "lathe",
+    "object",
+    "union",
+    "merge",
+    "intersection",
+    "difference",
+    "blob",
+    "mesh",
+    "mesh2",
+    "height_field",
+    "text",
+    "isosurface",
+];
+
+impl Walk<'_> {
+    /// Looks at a token in its place.
+    pub(super) fn judge(&mut self, at: usize) {
+        match self.text.class(at) {
+            class::COMMA => self.comma(at),
+            class::SEMICOLON => self.semicolon(at),
+            class::VECTOR | class::NUMBER => self.bare_value(at),
+            class::DECLARE => self.declaration(at),
+            class::NAME => self.name(at),
+            class::KEYWORD | class::HEAD if self.text.word(at) == "array" => self.array_without_size(at),
+            class::KEYWORD => self.addition(at),
+            _ => {}
+        }
+    }
+
+    fn comma(&mut self, at: usize) {
+        let Some(open) = self.open.last().copied() else {
+            // Between statements; what a macro's body is a part of, nobody knows.
+            if self.text.before(at) == class::BRACE_END && self.is_statement(at) {
+                self.tell(at, "POV-Ray takes no comma between objects".into(), "leave it out");
+            }
+            return;
+        };
+        if open.class == class::BRACKET {
+            // `array[2, 3]`, `A[1, 2]`; a map's entry stands in brackets too.
+            if open.at > 0 && (self.text.word(open.at - 1) == "array" || self.text.class(open.at - 1) == class::NAME) {
+                let message = "POV-Ray wants each index in brackets of its own";
+                self.tell(at, message.into(), "write `[2][3]` for `[2, 3]`");
+            }
+            return;
+        }
+        let Some(block) = self.block() else { return };
+        let next = self.text.class(at + 1);
+        // What a directive puts there may need it.
+        if is_directive(next) || is_directive(self.text.before(at)) {
+            return;
+        }
+        // `pigment { object { … } }` is a list of pigments.
+        let outer = self.open.iter().rev().nth(1).map_or("", |outer| outer.word);
+        if block == "object" && matches!(outer, "pigment" | "normal" | "texture" | "density") {
+            return;
+        }
+        let modifies = self.text.is_keyword(at + 1) && MODIFIERS.contains(&self.text.word(at + 1));
+        let in_row = ROWS.contains(&block) && self.text.before(at) == class::BRACE_END;
+        let (what, wrong) = if JOINING.contains(&block) || MAPS.contains(&block) || in_row {
+            ("here", true)
+        } else if STRICT.contains(&block) && next == class::BRACE_END {
+            ("at the end of a block", true)
+        } else {
+            ("here", STRICT.contains(&block) && modifies)
+        };
+        if wrong {
+            self.tell(at, format!("in `{block} {{ … }}`, POV-Ray takes no comma {what}"), "leave it out");
+        }
+    }
+
+    fn semicolon(&mut self, at: usize) {
+        match self.open.last() {
+            None if self.text.before(at) == class::BRACE_END && self.is_statement(at) => {
+                self.tell(at, "POV-Ray takes no `;` behind an object".into(), "leave it out");
+            }
+            // `#include "a.inc";`
+            None if self.text.before(at) == class::STRING && self.macros.is_empty() && at > 1 => {
+                let directive = self.text.word(at - 2);
+                if matches!(
+                    directive.trim_start_matches('#'),
+                    "include" | "debug" | "warning" | "render" | "statistics"
+                ) {
+                    self.tell(at, format!("POV-Ray takes no `;` behind `{directive}`"), "leave it out");
+                }
+            }
+            Some(open) if open.class == class::BRACE && !open.directed && STRICT.contains(&open.word) => {
+                let message = format!("in `{} {{ … }}`, POV-Ray takes no `;`", open.word);
+                self.tell(at, message, "leave it out");
+            }
+            _ => {}
+        }
+    }
+
+    /// Does the block that ends before this token stand by itself: neither a value, nor a part of a macro or a branch?
+    fn is_statement(&self, at: usize) -> bool {
+        let mut depth = 0;
+        for back in (0..at).rev() {
+            match self.text.class(back) {
+                class::BRACE_END => depth += 1,
+                class::BRACE => {
+                    depth -= 1;
+                    if depth == 0 {
+                        let word = back.checked_sub(1).map_or("", |head| self.text.word(head));
+                        let before = back.checked_sub(2).map_or(0, |before| self.text.class(before));
+                        let known = SHAPES.contains(&word) || word == "light_source" || word == "camera";
+                        // (Behind `=` it is a value, behind a comma or `(` an argument.)
+                        return known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON);
+                    }
+                }
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// `pigment { <1, 0, 0> }`, `[0 <1, 0, 0>]`
+    fn bare_value(&mut self, at: usize) {
+        let is_vector = self.text.class(at) == class::VECTOR;
+        if self.begins_pigment(at) || is_vector && self.is_map_entry(at) {
+            let what = if is_vector { "vector" } else { "number" };
+            self.tell(at, format!("POV-Ray takes no {what} for a colour here"), "write `rgb` before it");
+        }
+    }
+
+    /// Does the token stand first in a pigment's braces?
+    fn begins_pigment(&self, at: usize) -> bool {
+        self.block() == Some("pigment") && self.open.last().is_some_and(|open| open.at + 1 == at)
+    }
+
+    /// Does it stand behind the number of an entry of a map of colours?
+    fn is_map_entry(&self, at: usize) -> bool {
+        let mut outwards = self.open.iter().rev();
+        let (Some(entry), Some(map)) = (outwards.next(), outwards.next()) else { return false };
+        entry.class == class::BRACKET
+            && entry.at + 2 == at
+            && self.text.class(entry.at + 1) == class::NUMBER
+            && matches!(map.word, "color_map" | "colour_map" | "pigment_map")
+    }
+
+    /// `array { 1, 2 }`
+    fn array_without_size(&mut self, at: usize) {
+        if self.text.class(at + 1) == class::BRACE {
+            self.tell(at, "POV-Ray wants an array's size".into(), "write `array[2] { … }`");
+        }
+    }
+
+    fn declaration(&mut self, at: usize) {
+        if self.text.class(at + 1) == class::PAREN {
+            let message = "POV-Ray 3.7 declares one name at a time";
+            return self.tell(at + 1, message.into(), "write a `#declare` for each name");
+        }
+        if self.declared.is_old || self.text.class(at + 1) != class::NAME {
+            return;
+        }
+        let Some(equal) = (at + 2..self.text.len()).find(|&i| self.text.class(i) == class::EQUAL) else { return };
+        // Between the name and the equal sign stand but indices.
+        let indices = (at + 2..equal).all(|i| !is_directive(self.text.class(i)) && self.text.class(i) != class::BRACE);
+        let Some(end) = value::end(self.text, equal + 1).filter(|_| indices) else { return };
+        let next = self.text.class(end);
+        let goes_on = self.text.is_keyword(end) && !self.text.word(end).is_empty() && next != class::FUNCTION;
+        if matches!(next, 0 | class::DECLARE | class::PLAIN) || goes_on && is_statement_word(self.text.word(end)) {
+            let name = self.text.word(at + 1);
+            let message = format!("POV-Ray wants a `;` behind the value of `{name}`");
+            self.tell(at + 1, message, format!("`#declare {name} = …;`"));
+        }
+    }
+
+    fn name(&mut self, at: usize) {
+        let next = self.text.class(at + 1);
+        let calls = matches!(next, class::PAREN | class::BRACKET | class::EQUAL | class::DOT);
+        let before = self.text.before(at);
+        let said =
+            matches!(before, class::EQUAL | class::COMMA | class::PLUS | class::MINUS | class::TIMES | class::OVER);
+        if calls || said || is_directive(before) {
+            return self.addition(at);
+        }
+        let is_color = self.begins_pigment(at) || self.is_map_entry(at);
+        let block = self.block().unwrap_or("");
+        let kind = self.text.symbol(at).and_then(|symbol| self.declared.kind(symbol));
+        let name = self.text.word(at);
+        match kind {
+            Some(Kind::Block(of)) if SHAPES.contains(&block) && self.text.word(at.saturating_sub(1)) != "transform" => {
+                let message = format!("POV-Ray takes the name of a `{of}` only inside of `{of} {{ … }}`");
+                self.tell(at, message, format!("write `{of} {{ {name} }}`"));
+            }
+            Some(Kind::Vector) if is_color => {
+                let message = format!("`{name}` is a vector, and POV-Ray takes no vector for a colour here");
+                self.tell(at, message, format!("write `rgb {name}`"));
+            }
+            _ => self.addition(at),
+        }
+    }
+
+    /// A word that only durer knows.
+    fn addition(&mut self, at: usize) {
+        let Some(block) = self.block() else { return };
+        let name = self.text.word(at);
+        let own = word::contextual(block).contains(&name);
+        let is_named = self.text.symbol(at).is_some_and(|symbol| self.declared.kind(symbol).is_some());
+        // One message for each block will do.
+        let told = self.out.last().is_some_and(|d| {
+            let start = self.open.last().map_or(0, |open| self.text.span(open.at).lo);
+            d.message.contains("only durer knows") && d.span().lo > start
+        });
+        if own && !is_named && !told {
+            let help = match block {
+                "camera" => "`camera { location … look_at … angle … }` is what both know",
+                _ => "`plane { <A, B, C>, distance }` is what both know",
+            };
+            self.tell(at, format!("`{name}` of `{block}` is a word that only durer knows"), help);
+        }
+    }
+}
+
+/// Does a statement begin with this word? (Others may go on with the value.)
+fn is_statement_word(name: &str) -> bool {
+    SHAPES.contains(&name)
+        || matches!(name, "light_source" | "camera" | "background" | "global_settings" | "sky_sphere" | "fog")
+}

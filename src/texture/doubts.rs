@@ -1,0 +1,36 @@
+//! What a texture says that is taken and hardly meant: told, and drawn as it is said.
+
+use super::blend::Map;
+use crate::color::Color;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::source::Span;
+use crate::value::Reader;
+
+/// Brighter paint is hardly meant as such.
+const BRIGHT: f64 = 20.0;
+/// What painting programs count up to.
+const BYTE: f64 = 255.0;
+
+/// W0406: paint in numbers of 0 to 255. Lamps that are painted brightly are told apart by their numbers, which are not whole, or are one
+/// and the same, or larger.
+pub fn tell_bytes(r: &mut dyn Reader, at: Span, color: &Color) {
+    let c = color.rgb;
+    let whole = [c.x, c.y, c.z].iter().all(|x| (0.0..=BYTE).contains(x) && x.fract() == 0.0);
+    let gray = c.x == c.y && c.y == c.z && c.x != BYTE;
+    if !whole || gray || c.max_element() <= BRIGHT {
+        return;
+    }
+    let typed = format!("<{}, {}, {}>", c.x, c.y, c.z);
+    let message = format!("the colour `rgb {typed}` is far brighter than white: colours go from 0 to 1");
+    let help = format!("write `srgb {typed}/255` for what painting programs call so, or `rgb {typed}/255`");
+    r.report(Diagnostic::new(codes::COLOR_OF_BYTES, at, message).help(help));
+}
+
+/// W0409: a map whose numbers fall.
+pub fn tell_falling<T>(r: &mut dyn Reader, at: Span, map: &Map<T>) {
+    let falls = map.entries.windows(2).find(|pair| pair[1].0 < pair[0].0 - 1e-6 * pair[0].0.abs().max(1e-3));
+    let Some([(before, _), (number, _)]) = falls else { return };
+    let message = format!("the numbers of this map fall: {number} comes behind {before}");
+    let help = "the entries go from the smallest number to the largest, as in `[0 …] [1 …]`";
+    r.report(Diagnostic::new(codes::FALLING_MAP, at, message).help(help));
+}
