@@ -1,23 +1,23 @@
 //! Directives as other languages have them.
 
-use super::around::{Around, code_of, is_letter, leading_name, value_text};
 use super::habit::Habit;
+use super::source_line::{SourceLine, code_of, is_letter, leading_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 
 /// The word behind the `#` at the place, and what follows it.
-fn directive_at<'t>(around: &Around<'t>) -> Option<(&'t str, &'t str)> {
+fn directive_at<'t>(around: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
     let rest = around.after().strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
     Some(rest.split_at(end))
 }
 
 /// The same where there is no directive of this name.
-fn unknown_at<'t>(around: &Around<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
+fn unknown_at<'t>(around: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
     if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(around) } else { None }
 }
 
 /// `#ff8800`
-pub(super) fn hex_color(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn hex_color(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = unknown_at(around, d)?;
     let digits = |i: usize, n: usize| u32::from_str_radix(word.get(i..i + n)?, 16).ok();
     let [red, green, blue] = match word.len() {
@@ -31,7 +31,7 @@ pub(super) fn hex_color(around: &Around, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `#define A 2`
-pub(super) fn define(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn define(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(around, d)? else { return None };
     let (name, rest) = leading_name(rest.trim_start())?;
     let help = match rest.strip_prefix('(') {
@@ -42,27 +42,27 @@ pub(super) fn define(around: &Around, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `#elsif (A)`
-pub(super) fn other_branch(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn other_branch(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, rest) = unknown_at(around, d)?;
     let condition = code_of(rest);
     crate::syntax::fault::is_other_elseif(word).then(|| Habit::help(format!("write `#elseif {condition}`")))
 }
 
 /// `#endif`
-pub(super) fn other_end(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn other_end(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = unknown_at(around, d)?;
     crate::syntax::fault::is_other_end(word).then(|| Habit::help("every directive with a body ends with `#end`"))
 }
 
 /// `#Size = 3;`
-pub(super) fn assignment(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn assignment(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (name, rest) = unknown_at(around, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
     Some(Habit::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
 }
 
 /// `# the red ball`
-pub(super) fn comment(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn comment(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     unknown_at(around, d).filter(|_| d.help.is_none())?;
     let text = around.after().trim_end();
     let said = text.trim_start_matches(['#', ' ', '\t']);
@@ -71,7 +71,7 @@ pub(super) fn comment(around: &Around, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `#declre Size = 2;`: the name has no value now.
-pub(super) fn misspelt(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn misspelt(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (_, rest) = unknown_at(around, d)?;
     let rest = rest.trim_start();
     let habit = Habit::help(d.help.clone()?);
@@ -88,7 +88,7 @@ pub(super) fn misspelt(around: &Around, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `#else if (A)`
-pub(super) fn else_if(around: &Around, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn else_if(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let before = around.before().trim_end();
     let rest = around.after().strip_prefix("if")?.trim_start();
     before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
@@ -99,7 +99,7 @@ pub(super) fn else_if(around: &Around, _: &Diagnostic) -> Option<Habit> {
 }
 
 /// `for (int i = 0; i < 10; i++) {`, also with its `#`.
-pub(super) fn c_for(around: &Around, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn c_for(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let statement = around.statement();
     let bare = !statement.starts_with('#');
     let head = statement.trim_start_matches('#').trim_start().strip_prefix("for")?.trim_start().strip_prefix('(')?;
@@ -129,7 +129,7 @@ pub(super) fn c_for(around: &Around, _: &Diagnostic) -> Option<Habit> {
 }
 
 /// `#include colors.inc`
-pub(super) fn file_without_quotes(around: &Around, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn file_without_quotes(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let rest = around.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
     let typed = rest.trim_start();
     if typed.starts_with('"') || !rest.starts_with([' ', '\t', '<', '\'']) || around.at < around.range_of(typed).start {
@@ -148,7 +148,7 @@ pub(super) fn file_without_quotes(around: &Around, _: &Diagnostic) -> Option<Hab
 }
 
 /// `#macro Ball(R) {`
-pub(super) fn braces_around_body(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn braces_around_body(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let statement = around.statement();
     let head = around.before().trim();
     if d.code != codes::EXPECTED || !around.after().starts_with('{') || !head.starts_with('#') {
@@ -165,7 +165,7 @@ pub(super) fn braces_around_body(around: &Around, d: &Diagnostic) -> Option<Habi
 }
 
 /// `macro Ball(R)`, `if (A = 1)`, `def Ball(r):`
-pub(super) fn without_hash(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn without_hash(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let statement = around.statement();
     let (word, rest) = leading_name(statement)?;
     if around.at != around.statement_start() || d.code == codes::UNKNOWN_DIRECTIVE {

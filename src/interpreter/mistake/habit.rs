@@ -1,6 +1,6 @@
 //! What people write by mistake, mostly from the habit of another language: a table of what it looks like.
 
-use super::around::Around;
+use super::source_line::SourceLine;
 use super::{directive, operator, statement};
 use crate::diagnostic::{Code, Diagnostic, Label, codes};
 use crate::source::Span;
@@ -63,7 +63,7 @@ impl Habit {
     }
 }
 
-type Recognise = fn(&Around, &Diagnostic) -> Option<Habit>;
+type Recognise = fn(&SourceLine, &Diagnostic) -> Option<Habit>;
 
 /// The first that fits is told.
 const HABITS: &[Recognise] = &[
@@ -110,7 +110,7 @@ const CODES: &[Code] = &[
 ];
 
 /// What was meant where a fault was met, if it can be told.
-pub(super) fn find(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn find(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !CODES.contains(&d.code) {
         return None;
     }

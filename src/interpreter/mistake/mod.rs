@@ -2,13 +2,13 @@
 //!
 //! All of this runs only when there is a fault.
 
-mod around;
 mod bracket;
 mod directive;
 mod habit;
 mod missing;
 mod operator;
 mod report;
+mod source_line;
 mod statement;
 mod undeclared;
 
@@ -16,9 +16,9 @@ use super::Interpreter;
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::library;
 use crate::source::{FileId, Span};
-use around::{Around, leading_name};
 use habit::Habit;
 use rustc_hash::{FxHashMap, FxHashSet};
+use source_line::{SourceLine, leading_name};
 
 /// What the faults so far have left undone: what needs it is no fault of its own.
 #[derive(Default)]
@@ -52,7 +52,7 @@ impl Mistakes {
 impl Interpreter<'_> {
     /// A fault as it is to be told; `None` if it follows from another, or is told with another.
     pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
-        let Some(around) = Around::of(self.sources, d.span()) else { return Some(d) };
+        let Some(around) = SourceLine::of(self.sources, d.span()) else { return Some(d) };
         let line = (around.file, around.line.start);
         let habit = habit::find(&around, &d);
         let is_habit = habit.is_some();
@@ -85,7 +85,7 @@ impl Interpreter<'_> {
     }
 
     /// Remembers what a fault leaves undone.
-    fn note(&mut self, d: &Diagnostic, around: &Around) {
+    fn note(&mut self, d: &Diagnostic, around: &SourceLine) {
         let text = self.sources.snippet(d.span());
         let directive = around.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
         if let Some(("declare" | "local" | "macro", rest)) = directive
@@ -106,7 +106,7 @@ impl Interpreter<'_> {
     }
 
     /// Does a fault follow from an earlier one?
-    fn follows(&self, d: &Diagnostic, around: &Around) -> bool {
+    fn follows(&self, d: &Diagnostic, around: &SourceLine) -> bool {
         if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && around.after().starts_with("#end") {
             return true;
         }

@@ -1,12 +1,12 @@
 //! Operators, vectors and indices as other languages have them.
 
-use super::around::{Around, code_of, is_letter, leading_name, trailing_name, value_text};
 use super::habit::Habit;
+use super::source_line::{SourceLine, code_of, is_letter, leading_name, trailing_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
 /// `A <> B`
-pub(super) fn not_equal(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn not_equal(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // (The fault may be found at either sign.)
     let from = around.at.saturating_sub(1).max(around.line.start);
     let at =
@@ -24,7 +24,7 @@ fn trailing_operand(text: &str) -> &str {
 }
 
 /// `&&`, `||`, `==`
-pub(super) fn doubled(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn doubled(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // (The fault is at the second sign.)
     let at = around.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
     let typed = around.text.get(at..at + 2)?;
@@ -38,7 +38,7 @@ pub(super) fn doubled(around: &Around, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `A + ;`
-pub(super) fn operator_at_end(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn operator_at_end(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let before = around.text[..around.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
     let habit = Habit::help("an operator needs a value on both sides");
@@ -46,7 +46,7 @@ pub(super) fn operator_at_end(around: &Around, d: &Diagnostic) -> Option<Habit> 
 }
 
 /// `A and B`, `not A`, `A mod 2`
-pub(super) fn word(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn word(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, right) = leading_name(around.after())?;
     let left = around.before().trim_end();
     let message = |sign: &str, what: &str| format!("{what} is `{sign}`");
@@ -76,7 +76,7 @@ fn operand(text: &str) -> &str {
 }
 
 /// `phong = 0.5`
-pub(super) fn equal_behind_word(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn equal_behind_word(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let value = around.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
     let (before, word) = trailing_name(around.before().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
@@ -86,7 +86,7 @@ pub(super) fn equal_behind_word(around: &Around, d: &Diagnostic) -> Option<Habit
 }
 
 /// `A[0,1]`
-pub(super) fn index_with_comma(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn index_with_comma(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !matches!(d.code, codes::EXPECTED | codes::SYNTAX | codes::WRONG_COUNT) {
         return None;
     }
@@ -107,7 +107,7 @@ pub(super) fn index_with_comma(around: &Around, d: &Diagnostic) -> Option<Habit>
 }
 
 /// `<-1 -1 -1>`
-pub(super) fn vector_without_commas(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn vector_without_commas(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let text = around.text.get(around.at..around.end).filter(|_| d.code == codes::WRONG_COUNT)?;
     let inside = text.strip_prefix('<')?.strip_suffix('>')?;
     let numbers: Vec<&str> = inside.split([' ', '\t', ',']).filter(|n| !n.is_empty()).collect();
@@ -124,7 +124,7 @@ pub(super) fn vector_without_commas(around: &Around, d: &Diagnostic) -> Option<H
 }
 
 /// `translate 1, 2, 3`
-pub(super) fn list_behind_word(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn list_behind_word(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if d.code != codes::EXPECTED {
         return None;
     }
@@ -143,7 +143,7 @@ pub(super) fn list_behind_word(around: &Around, d: &Diagnostic) -> Option<Habit>
 }
 
 /// `rgb(1, 0, 0)`
-pub(super) fn list_in_parentheses(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn list_in_parentheses(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside = around.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
     let (numbers, _) = inside.split_once(')')?;
     let plain = numbers.contains(',') && !numbers.contains('(');
@@ -154,7 +154,7 @@ pub(super) fn list_in_parentheses(around: &Around, d: &Diagnostic) -> Option<Hab
 }
 
 /// `sphere { [0, 1, 2], 1 }`
-pub(super) fn square_vector(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn square_vector(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside =
         around.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
     let (numbers, _) = inside.split_once(']')?;

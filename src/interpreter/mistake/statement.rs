@@ -1,19 +1,19 @@
 //! Statements as other languages have them.
 
-use super::around::{Around, is_letter, leading_name, trailing_name, value_text};
 use super::habit::Habit;
+use super::source_line::{SourceLine, is_letter, leading_name, trailing_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
 /// The name of the author's own that the line begins with, and what follows it.
-fn own_name<'t>(around: &Around<'t>) -> Option<(&'t str, &'t str)> {
+fn own_name<'t>(around: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
     leading_name(around.statement())
         .filter(|(name, _)| lookup(name).is_none())
         .map(|(name, rest)| (name, rest.trim_start()))
 }
 
 /// `F(x) = x*x`
-pub(super) fn function_definition(around: &Around, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn function_definition(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(around)?;
     let (parameters, rest) = rest.strip_prefix('(')?.split_once(')')?;
     let value = rest.trim_start().strip_prefix('=').filter(|value| !value.starts_with('='))?;
@@ -26,7 +26,7 @@ pub(super) fn function_definition(around: &Around, _: &Diagnostic) -> Option<Hab
 }
 
 /// `I++` and `N += 2`
-pub(super) fn in_place(around: &Around, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn in_place(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(around)?;
     let start = around.statement_start();
     let typed = rest.trim_end_matches(';').trim_end();
@@ -45,7 +45,7 @@ pub(super) fn in_place(around: &Around, _: &Diagnostic) -> Option<Habit> {
 }
 
 /// `float A = 2;`, `let A = 2;`
-pub(super) fn typed_variable(around: &Around, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn typed_variable(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (kind, rest) = leading_name(around.statement())?;
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
     let (name, rest) = leading_name(rest.trim_start()).filter(|_| known.contains(&kind))?;
@@ -57,7 +57,7 @@ pub(super) fn typed_variable(around: &Around, _: &Diagnostic) -> Option<Habit> {
 }
 
 /// `Size = 3;`
-pub(super) fn assignment(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn assignment(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(around)?;
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let sign = around.range_of(value).start - 1;
@@ -68,7 +68,7 @@ pub(super) fn assignment(around: &Around, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `Ball translate 2*x`, `sphere { … } rotate y`: outside of all braces.
-pub(super) fn behind_object(around: &Around, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn behind_object(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = leading_name(around.after())?;
     if d.code != codes::UNKNOWN_WORD || !d.message.ends_with("outside of all braces") {
         return None;

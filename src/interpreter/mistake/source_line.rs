@@ -3,8 +3,11 @@
 use crate::source::{FileId, Sources, Span};
 use std::ops::Range;
 
+/// So much of a line is looked at on each side of a place: a file of a million bytes may be one line.
+const LONG: usize = 500;
+
 /// A place in a text, and its line.
-pub(super) struct Around<'t> {
+pub(super) struct SourceLine<'t> {
     pub(super) file: FileId,
     pub(super) text: &'t str,
     /// Local offset of the place.
@@ -15,12 +18,14 @@ pub(super) struct Around<'t> {
     pub(super) line: Range<usize>,
 }
 
-impl<'t> Around<'t> {
+impl<'t> SourceLine<'t> {
     pub(super) fn of(sources: &'t Sources, span: Span) -> Option<Self> {
         let (file, range) = sources.locate(span)?;
         let text = sources.text(file);
-        let start = text.get(..range.start)?.rfind(['\n', '\r']).map_or(0, |i| i + 1);
-        let end = text.get(range.start..)?.find(['\n', '\r']).map_or(text.len(), |i| range.start + i);
+        let (from, to) = (range.start.saturating_sub(LONG), range.start.saturating_add(LONG));
+        let (from, to) = (text.floor_char_boundary(from), text.floor_char_boundary(to));
+        let start = text.get(from..range.start)?.rfind(['\n', '\r']).map_or(from, |i| from + i + 1);
+        let end = text.get(range.start..to)?.find(['\n', '\r']).map_or(to, |i| range.start + i);
         Some(Self { file, text, at: range.start, end: range.end, line: start..end })
     }
 
