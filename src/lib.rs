@@ -53,6 +53,9 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// Reads a scene's text (E0001, E0002, E0003). A file that is not text gets a place all the same: its first byte.
+///
+/// # Errors
+/// E0001, E0002 or E0003: too long, not there, or not readable.
 pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
     let name = path.display().to_string();
     match source::read_text(path) {
@@ -62,6 +65,9 @@ pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
 }
 
 /// Takes bytes from elsewhere, such as standard input, for a scene's text.
+///
+/// # Errors
+/// E0001 or E0003: too long, or no text.
 pub fn load_bytes(sources: &Sources, name: &str, bytes: Vec<u8>) -> Result<FileId> {
     match source::text_of(bytes) {
         Ok(text) => add(sources, name, None, text),

@@ -163,6 +163,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
 fn sources() -> Vec<(String, String)> {
     let (root, mut found) = (Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), Vec::new());
     files(&root, &mut found);
+    assert!(found.len() > 300);
     let name = |path: &Path| path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/");
     found.iter().map(|path| (name(path), std::fs::read_to_string(path).unwrap())).collect()
 }

@@ -34,6 +34,7 @@ fn values_are_pov_rays() {
             wrong.push(format!("{name} {arguments:?}: {ours} instead of {value}"));
         }
     }
+    assert!(rows().count() > 900);
     println!("largest error {worst:.1e}");
     assert!(wrong.is_empty(), "{} differ:\n{}", wrong.len(), wrong.join("\n"));
 }

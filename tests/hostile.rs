@@ -30,7 +30,9 @@ mod runaway;
 #[path = "hostile/text.rs"]
 mod text;
 
-use libtest_mimic::{Arguments, Trial};
+mod trials;
+
+use libtest_mimic::Trial;
 
 fn main() {
     let tables =
@@ -41,5 +43,5 @@ fn main() {
     trials.extend(files::trials());
     trials.extend(fuzz::trials());
     trials.extend(povray::trials());
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    trials::run(trials, 460);
 }

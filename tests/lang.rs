@@ -12,10 +12,12 @@
 //!
 //! Each section runs twice: as it is written, and taken apart into single tokens, which has to come to the same.
 
+mod trials;
+
 use durer::interpreter::Options;
 use durer::source::{Sandbox, SearchPath, Sources, text_of};
 use durer::syntax::Wholes;
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
@@ -28,7 +30,7 @@ fn main() {
         entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "scene")).collect();
     files.sort();
     let trials = files.iter().flat_map(|path| trials(path)).collect();
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    trials::run(trials, 1500);
 }
 
 /// Two tests for each section of a file.

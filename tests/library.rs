@@ -6,12 +6,14 @@
 //!
 //! The scenes of `tests/library/pictures` are drawn with them, and compared with what POV-Ray drew with its own.
 
+mod trials;
+
 use durer::color::{Rgb, transfer::srgb_encode_rgb};
 use durer::image_io::{Frame, decode_file};
 use durer::interpreter::{Options, interpret};
 use durer::render::{self, Unwatched};
 use durer::source::{Sandbox, SearchPath, Sources};
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 
 /// Of the pictures, in pixels.
@@ -45,7 +47,7 @@ fn main() {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         trials.push(Trial::test(format!("pictures::{name}"), move || looks_alike(&path)));
     }
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    trials::run(trials, 240);
 }
 
 /// As on a machine without POV-Ray.

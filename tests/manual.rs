@@ -13,6 +13,8 @@
 //! sh                     lines that begin with `durer` are command lines
 //! ```
 
+mod trials;
+
 use clap::Parser;
 use durer::diagnostic::{Diagnostic, Severity};
 use durer::image_io::{self, Encoding, Format, Frame};
@@ -21,7 +23,7 @@ use durer::render;
 use durer::snapshot::{Tolerance, Verdict, compare};
 use durer::source::{Sandbox, SearchPath, Sources};
 use durer::world::World;
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 
 #[path = "manual/illustrate.rs"]
@@ -60,7 +62,7 @@ fn main() {
     trials.push(Trial::test("README.md: every shape", || readme(&std::fs::read_to_string(README)?)));
     trials.push(Trial::test("reference: every word of a table", every_tabled_word));
     trials.push(Trial::test("reference: every word that is read", every_read_word));
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    trials::run(trials, 320);
 }
 
 /// A page of the reference is what the tables give, with an example and its picture for each entry.

@@ -1,9 +1,11 @@
 //! Patterns against what the real POV-Ray prints and draws: the tables of `tests/patterns/`, which `regenerate.py` there writes.
 
+mod trials;
+
 use durer::interpreter::{Options, interpret};
 use durer::render::{self, Unwatched, render};
 use durer::source::{Sandbox, SearchPath, Sources};
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 
 /// How far numbers may be from POV-Ray's, in units of the larger of the number and 1: doubles, and colours in single precision.
@@ -28,7 +30,7 @@ fn main() {
         trials.push(Trial::test(format!("{name}::points"), move || enough(&text)));
         trials.push(Trial::test(format!("{name}::extremes"), move || settings.iter().try_for_each(|s| extremes(s))));
     }
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    trials::run(trials, 360);
 }
 
 fn folder() -> PathBuf {

@@ -1,8 +1,10 @@
 //! Every scene below `scenes/` that has a snapshot still looks like it. `durer test scenes --report DIR` shows what differs,
 //! `durer test scenes --accept` takes it.
 
+mod trials;
+
 use durer::cli::{Exit, test};
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Failed, Trial};
 use std::path::PathBuf;
 
 fn main() {
@@ -17,5 +19,5 @@ fn main() {
             Err(Failed::from(format!("{}\n{}", outcome.text, outcome.messages)))
         })
     };
-    libtest_mimic::run(&Arguments::from_args(), cases.into_iter().map(trial).collect()).exit();
+    trials::run(cases.into_iter().map(trial).collect(), 100);
 }

@@ -2,7 +2,9 @@
 //! stderr, followed by the exit code, is compared with `NAME.stderr`. Another command stands in the file's first line, with `{}`
 //! for its name: `// $ durer pick {} 1000,0`. `UPDATE_UI=1 cargo test --test ui` writes the `.stderr` files anew.
 
-use libtest_mimic::{Arguments, Failed, Trial};
+mod trials;
+
+use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -18,7 +20,7 @@ fn main() {
     let mut trials: Vec<_> =
         scenes.into_iter().map(|path| Trial::test(format!("ui::{}", name(&path)), move || run(&path))).collect();
     trials.push(Trial::test("every_code_has_a_case", move || every_code(&folder)).with_ignored_flag(!EVERY_CODE));
-    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+    trials::run(trials, 190);
 }
 
 fn is_scene(path: &Path) -> bool {

@@ -60,6 +60,9 @@ impl Window {
 
 impl Camera {
     /// Reads what stands between the braces; `source` is the block's place.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let mut povray = Perspective::default();
         if let Some(declared) = r.thing::<Camera>()? {

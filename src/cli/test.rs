@@ -58,6 +58,9 @@ pub struct Outcome {
 }
 
 /// Draws, compares, tells and accepts.
+///
+/// # Errors
+/// What `durer test` can exit with otherwise than by its outcomes: paths that are not there, a report that can't be written.
 pub fn run(console: &Console, args: &TestArgs) -> Result {
     let here = vec![PathBuf::from(".")];
     let paths = if args.paths.is_empty() { &here } else { &args.paths };

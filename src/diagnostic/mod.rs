@@ -64,6 +64,9 @@ impl Diagnostic {
     }
 
     /// As an `Err`, ready for `?`.
+    ///
+    /// # Errors
+    /// Always.
     pub fn err<T>(code: Code, span: Span, message: impl Into<String>) -> Result<T> {
         Err(Box::new(Self::new(code, span, message)))
     }

@@ -46,6 +46,9 @@ impl From<Pixels> for Decoded {
 }
 
 /// Decodes a file (E0002, E0003, E0007).
+///
+/// # Errors
+/// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.
 pub fn decode_file(path: &Path) -> Result<Pixels> {
     let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
     decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
@@ -72,6 +75,9 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
 
 /// Decodes png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes tell which; the ending of the file's name counts only for
 /// tga, which has no mark. The error is the reason in words.
+///
+/// # Errors
+/// Why it is no picture, in words.
 pub fn decode(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
     decode_any(bytes, ending).map(|decoded| decoded.pixels)
 }

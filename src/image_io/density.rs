@@ -21,6 +21,9 @@ enum Numbers {
 
 impl Voxels {
     /// Reads a df3 file (E0002, E0003, E0007).
+    ///
+    /// # Errors
+    /// E0002 where it is not there, E0003 where it can't be read, E0007 where its length does not fit.
     pub fn read(path: &Path) -> Result<Self> {
         let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
         Self::decode(&bytes).map_err(|reason| {
@@ -31,6 +34,9 @@ impl Voxels {
 
     /// Three sizes of two bytes, then all numbers, x fastest, of one, two or four bytes, which the file's length tells; all with
     /// the high byte first. The error is the reason in words.
+    ///
+    /// # Errors
+    /// Why it is no df3 file, in words.
     pub fn decode(bytes: &[u8]) -> std::result::Result<Self, String> {
         let Some((&header, body)) = bytes.split_first_chunk::<6>() else { return Err("it is too short".into()) };
         let [a, b, c, d, e, f] = header;

@@ -37,6 +37,9 @@ const EXR_STORAGE: ExrEncoding =
     ExrEncoding { compression: Compression::RLE, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
 
 /// The bytes of the file: integers follow the sRGB curve, floating-point formats hold linear light.
+///
+/// # Errors
+/// E0008 if the format can't hold the picture.
 pub fn encode(frame: &Frame, encoding: &Encoding) -> Result<Vec<u8>> {
     let alpha = encoding.alpha && encoding.format.has_alpha();
     let wide = encoding.depth == 16;

@@ -88,6 +88,9 @@ impl Format {
     }
 
     /// By the ending of a file's name (E0005).
+    ///
+    /// # Errors
+    /// E0005 where the ending is none of a format.
     pub fn from_path(path: &Path) -> Result<Format> {
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
         if let Some(format) = Self::from_name(ending) {
@@ -104,6 +107,9 @@ impl Format {
     }
 
     /// Can it hold a picture of this size with so many bits a channel (E0008)?
+    ///
+    /// # Errors
+    /// E0008 if it can't.
     pub fn check(self, width: usize, height: usize, depth: Option<u8>) -> Result<()> {
         let (row, name) = (self.row(), self.name());
         let fault = |text: String, help: &str| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help(help).into();

@@ -34,6 +34,9 @@ pub struct Picture {
 
 impl Picture {
     /// Decodes a file (E0002, E0003, E0007).
+    ///
+    /// # Errors
+    /// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.
     pub fn read(path: &Path) -> Result<Self> {
         let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
         let Decoded { mut pixels, mut indices } = decode_bytes(&bytes, path)?;

@@ -39,6 +39,9 @@ impl Thing for Light {
 
 impl Light {
     /// Reads what stands between the braces; `source` is the block's place.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let location = r.vector()?;
         let color = r.color()?.rgb;

@@ -33,6 +33,9 @@ impl Transform {
     }
 
     /// Stretches along the axes; a factor of zero flattens space.
+    ///
+    /// # Errors
+    /// If a factor is zero, or so small that nothing turns it back.
     pub fn scale(v: DVec3) -> Result<Self, Singular> {
         if v.cmpeq(DVec3::ZERO).any() || !v.is_finite() || !v.recip().is_finite() {
             return Err(Singular);
@@ -67,12 +70,18 @@ impl Transform {
 
     /// The three images of the axes and the translation: `matrix <v00 … v32>` lists them in this
     /// order (manual, "matrix": row vectors).
+    ///
+    /// # Errors
+    /// If the matrix can't be inverted.
     pub fn from_rows(rows: [DVec3; 4]) -> Result<Self, Singular> {
         let m = DAffine3::from_cols(rows[0], rows[1], rows[2], rows[3]);
         Self::from_affine(m)
     }
 
     /// A map given as a matrix alone.
+    ///
+    /// # Errors
+    /// If the matrix can't be inverted.
     pub fn from_affine(m: DAffine3) -> Result<Self, Singular> {
         let inv = m.inverse();
         let fine = m.is_finite() && inv.is_finite() && m.matrix3.determinant() != 0.0;

@@ -149,15 +149,24 @@ pub trait Readable: Sized {
     const SPEC: Spec;
 
     /// Reads what follows its name.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     fn read(_r: &mut dyn Reader) -> Result<Self>;
 
     /// Reads what stands in the braces behind its name, of a pattern that can be written with and without them; and leaves
     /// them.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     fn read_block(r: &mut dyn Reader) -> Result<Self> {
         Self::read(r)
     }
 
     /// Reads what follows one of `SPEC.words`; the word itself is consumed.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     fn read_word(&mut self, _word: &'static str, _r: &mut dyn Reader) -> Result<()> {
         Ok(())
     }
@@ -187,6 +196,9 @@ macro_rules! family {
             pub fn spec(&self) -> &'static Spec { match self { $($enum::$name(_) => &$name::SPEC),* } }
 
             /// Reads one of the words of its own table; the word itself is consumed.
+            ///
+            /// # Errors
+            /// With the place of what is not understood, and what was expected there.
             pub fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
                 match self { $($enum::$name(p) => p.read_word(word, r)),* }
             }

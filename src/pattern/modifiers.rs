@@ -56,6 +56,9 @@ impl Modifiers {
     ];
 
     /// Reads what follows one of [`Self::WORDS`]; the word itself is consumed.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read_word(&mut self, word: &str, r: &mut dyn Reader) -> Result<()> {
         match word {
             "frequency" => self.frequency = Some(single(r.float()?)),

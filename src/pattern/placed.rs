@@ -56,6 +56,9 @@ impl Usual for Pattern {
 
 impl Pattern {
     /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; else false.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read_element(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             next if next.moves() => {
@@ -190,6 +193,9 @@ impl Pattern {
 }
 
 /// `noise_generator N`, after the word; 0, which is less than `least` where it can't be said, is the scene's.
+///
+/// # Errors
+/// With the place of what is not understood, and what was expected there.
 pub fn read_noise_generator(r: &mut dyn Reader, least: f64) -> Result<Option<NoiseGenerator>> {
     let (at, n) = (r.span(), r.float()?);
     if (least..4.0).contains(&n) {

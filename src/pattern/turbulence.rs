@@ -43,6 +43,9 @@ impl Turbulent {
     ];
 
     /// Reads what follows one of [`Self::WORDS`]; the word itself is consumed.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read_word(&mut self, word: &str, r: &mut dyn Reader) -> Result<()> {
         match word {
             "turbulence" => self.amount = r.vector()?,

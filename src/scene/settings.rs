@@ -50,6 +50,9 @@ impl Default for Settings {
 
 impl Settings {
     /// Reads what stands between the braces.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
         loop {
             match r.next()? {
@@ -104,6 +107,9 @@ impl Settings {
 
 impl Settings {
     /// `max_trace_level N`; in old scenes also outside of the braces.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read_max_trace_level(&mut self, r: &mut dyn Reader) -> Result<()> {
         r.take()?;
         self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;

@@ -37,6 +37,9 @@ impl Painted {
 }
 
 /// One or more `texture` blocks in a row: layers, the first is the lowest.
+///
+/// # Errors
+/// With the place of what is not understood, and what was expected there.
 pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     let mut layers = vec![];
     let mut next = r.next()?;
@@ -62,6 +65,9 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
 }
 
 /// Reads what stands between the braces of a `material`.
+///
+/// # Errors
+/// With the place of what is not understood, and what was expected there.
 pub fn read_material(r: &mut dyn Reader, defaults: &Defaults) -> Result<Material> {
     let mut out = Material::default();
     loop {

@@ -41,6 +41,9 @@ impl Weight {
     }
 
     /// E0104 if it is deeper than anybody can walk.
+    ///
+    /// # Errors
+    /// E0104, if so.
     pub fn check(self, source: Span) -> Result<()> {
         if self.depth <= MAX_DEPTH {
             return Ok(());
@@ -52,6 +55,9 @@ impl Weight {
     }
 
     /// E0242 if these are too many to clip with.
+    ///
+    /// # Errors
+    /// E0242, if so.
     pub fn check_clipping(parts: &[Object], source: Span) -> Result<()> {
         if Self::default().around(parts).shapes <= MAX_CLIPPING {
             return Ok(());
@@ -63,6 +69,9 @@ impl Weight {
 
 impl Scene {
     /// E0242 if the world of this scene would not go into so many bytes.
+    ///
+    /// # Errors
+    /// E0242, if so.
     pub fn check_weight(&self, memory: Option<u64>) -> Result<()> {
         let limit = memory.map_or(MAX_SHAPES, |bytes| (bytes / PER_SHAPE).min(MAX_SHAPES.into()) as u32);
         let mut shapes: u32 = 0;

@@ -180,10 +180,16 @@ macro_rules! shapes {
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }
             /// Reads one of the words of its own table; the word itself is already consumed.
+            ///
+            /// # Errors
+            /// With the place of what is not understood, and what was expected there.
             pub fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
                 match self { $(Shape::$name(s) => Arc::make_mut(s).read_word(word, r)),* }
             }
             /// Checks what only the whole block shows, after its last word; `span` is the block's name.
+            ///
+            /// # Errors
+            /// With the place of what is not understood, and what was expected there.
             pub fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
                 match self { $(Shape::$name(s) => Arc::make_mut(s).finish(span, r)),* }
             }
@@ -219,14 +225,23 @@ pub trait Readable: Sized {
     const SPEC: Spec;
 
     /// Reads the positional arguments, after the opening brace.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     fn read(r: &mut dyn Reader) -> Result<Self>;
 
     /// Reads what follows one of `SPEC.words`; the word itself is already consumed.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     fn read_word(&mut self, _word: &'static str, _r: &mut dyn Reader) -> Result<()> {
         Ok(())
     }
 
     /// Checks what only the whole block shows.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     fn finish(&mut self, _span: Span, _r: &mut dyn Reader) -> Result<()> {
         Ok(())
     }

@@ -30,6 +30,9 @@ impl Case {
 
 /// The scenes among `paths`, and those in the folders among them that have a snapshot, in the order of their names. Hidden
 /// folders and Cargo's `target` are left out.
+///
+/// # Errors
+/// If a path is not there or a folder can't be read.
 pub fn find(paths: &[PathBuf]) -> io::Result<Vec<Case>> {
     let mut cases = Vec::new();
     for path in paths {

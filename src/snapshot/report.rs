@@ -27,6 +27,9 @@ pub struct Entry<'a> {
 pub type Report = Vec<(String, Vec<u8>)>;
 
 /// The page `index.html`, and the pictures beside it. What needs a look comes first.
+///
+/// # Errors
+/// E0008 for pictures that PNG can't hold.
 pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
     let mut files = Report::new();
     let (mut good, mut bad) = (String::new(), String::new());

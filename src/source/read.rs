@@ -22,6 +22,9 @@ impl From<io::Error> for ReadError {
 }
 
 /// The text of a file: UTF-8, or else Latin-1 (see [`decode_text`]).
+///
+/// # Errors
+/// If it can't be read, is too long, or is no text.
 pub fn read_text(path: &Path) -> Result<String, ReadError> {
     if path.is_dir() {
         return Err(ReadError::Folder);
@@ -30,6 +33,9 @@ pub fn read_text(path: &Path) -> Result<String, ReadError> {
 }
 
 /// The text that these bytes are.
+///
+/// # Errors
+/// If there are too many, or they are no text.
 pub fn text_of(bytes: Vec<u8>) -> Result<String, ReadError> {
     match binary_kind(&bytes) {
         Some(kind) => Err(ReadError::NotText(kind)),

@@ -6,6 +6,9 @@ use tempfile::NamedTempFile;
 
 /// Writes a file whole or not at all: into a temporary file in the same folder, which then takes
 /// the place of the old one. Devices and pipes are written to directly; a symbolic link stays one.
+///
+/// # Errors
+/// If the folder or the file can't be written to; then nothing has changed.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let path = resolve(path)?;
     if is_special(&path) {
@@ -18,6 +21,9 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// Would [`write_whole`] be allowed to? To be asked before hours of work.
+///
+/// # Errors
+/// The one that [`write_whole`] would give.
 pub fn check_writable(path: &Path) -> io::Result<()> {
     let path = resolve(path)?;
     if is_special(&path) {

@@ -73,6 +73,9 @@ where
 {
     /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map. Behind `average` the numbers are weights, and one that is
     /// left out is 1, but not before a colour (measured on POV-Ray 3.7).
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, average: bool) -> Result<Self> {
         if let Some(map) = r.thing::<Self>()? {
             return Ok((*map).clone());

@@ -20,6 +20,9 @@ impl ColorMap {
 
     /// Reads `{ [0.0 color …] [1.0 color …] }`, after the brace; also the old entries of two numbers and two colours, and a
     /// declared map.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         if let Some(map) = r.thing::<ColorMap>()? {
             return Ok((*map).clone());

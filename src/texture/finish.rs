@@ -136,6 +136,9 @@ impl Default for Reflection {
 
 impl Finish {
     /// Reads what stands between the braces, on top of `base` (the default finish).
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, base: &Finish) -> Result<Self> {
         let mut f = base.clone();
         loop {

@@ -25,6 +25,9 @@ pub struct ImageMap {
 
 impl ImageMap {
     /// Reads what stands between the braces.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut bitmap = Bitmap::read(r)?;
         let (mut filter, mut transmit, mut palette) = (None, None, vec![]);

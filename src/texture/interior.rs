@@ -46,6 +46,9 @@ impl Default for Interior {
 
 impl Interior {
     /// Reads what stands between the braces.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut out = Self::default();
         loop {

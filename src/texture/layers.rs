@@ -73,6 +73,9 @@ struct Draft {
 
 impl Texture {
     /// Reads what stands between the braces, on top of `base` (the default texture).
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut draft = Draft { uv: read_uv_mapping(r)?.unwrap_or(false), ..Draft::default() };
         let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
@@ -157,6 +160,9 @@ impl Texture {
     }
 
     /// Reads a `pigment`, `normal` or `finish`, in braces or declared; false if something else comes next.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read_part(&mut self, r: &mut dyn Reader, next: Next, base: &Texture) -> Result<bool> {
         let layer = self.top();
         match next {

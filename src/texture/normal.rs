@@ -88,6 +88,9 @@ impl Default for Normal {
 
 impl Normal {
     /// Reads what stands between the braces, on top of `base`; normals inside of it begin with the default one.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, base: Option<&Normal>, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
         let mut out = match r.thing::<Normal>()? {

@@ -49,6 +49,9 @@ impl Pigment {
     }
 
     /// Reads what stands between the braces, on top of `base`; pigments inside of it begin with the default one.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, base: &Pigment, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
         let declared = r.thing::<Pigment>()?;

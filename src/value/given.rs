@@ -16,6 +16,9 @@ const COLORS: &[(&str, &[usize])] = &[
 ];
 
 /// Reads such a value, or says what is wrong with it.
+///
+/// # Errors
+/// What is wrong, in words.
 pub fn given(text: &str) -> Result<Value, String> {
     let text = text.trim();
     if let Some(x) = number(text) {

@@ -51,6 +51,9 @@ impl RawItem {
     }
 
     /// Prints a block's contents: numbers and vectors stand one by one among the rest.
+    ///
+    /// # Errors
+    /// The serializer's.
     pub fn print_row<S: Serializer>(row: &[RawItem], s: S) -> Result<S::Ok, S::Error> {
         s.collect_seq(items(row))
     }

@@ -77,6 +77,10 @@ pub trait Solid: std::fmt::Debug + Send + Sync {
 pub type SizedFunction = ([usize; 2], Arc<dyn Thing>);
 
 /// A family's view of the text.
+///
+/// # Errors
+/// Each method that reads fails with the place of what is not understood, and what was expected there; faults of directives and macros on
+/// the way are among them.
 pub trait Reader {
     /// What comes next; nothing is consumed. Commas and semicolons are passed over.
     fn next(&mut self) -> Result<Next>;

@@ -42,6 +42,9 @@ impl<T> Seldom<T> {
 
 impl<T: Usual> Seldom<T> {
     /// Lets `change` change it, which says whether it did: what stays the usual one takes no room.
+    ///
+    /// # Errors
+    /// That of `change`.
     pub fn change_if<E>(&mut self, change: impl FnOnce(&mut T) -> Result<bool, E>) -> Result<bool, E> {
         if self.0.is_some() {
             return change(self);

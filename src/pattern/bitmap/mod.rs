@@ -60,6 +60,9 @@ pub struct Bitmap {
 
 impl Bitmap {
     /// Reads the file's name, or a function with a size, after the brace.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         while let Next::Word(word) = r.next()?
             && FORMATS.contains(&word)
@@ -79,6 +82,9 @@ impl Bitmap {
     }
 
     /// Reads one of [`WORDS`], which comes next; false if it is none.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read_word(&mut self, r: &mut dyn Reader, next: Next) -> Result<bool> {
         let Next::Word(word) = next else { return Ok(false) };
         if !word_names().any(|name| name == word) {

@@ -61,6 +61,9 @@ impl Readable for ImagePattern {
 
 impl ImagePattern {
     /// Reads what stands between the braces of `block`, which takes other words too.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read_words(
         r: &mut dyn Reader,
         block: &str,

@@ -63,6 +63,9 @@ warps! {
 
 impl Warp {
     /// Reads what stands between the braces of `warp { … }`.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let names: Vec<&'static str> = Self::SPECS.iter().map(|s| s.name).collect();
         let Next::Word(name) = r.next()? else { return Err(r.unknown_word("warp", &names).into()) };

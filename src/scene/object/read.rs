@@ -61,6 +61,9 @@ impl Object {
     /// Reads the object that comes next: a block, whose name is still to be consumed, or a declared one.
     ///
     /// Boxed, because an object is large and handed on from block to block.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         match r.next()? {
             Next::Block(word) if NOT_DRAWN.contains(&word) => Self::read_undrawn(word, r, defaults),
