@@ -7,15 +7,13 @@ mod common;
 use common::*;
 use durer::color::{Color, Rgb};
 use durer::diagnostic::codes;
-use durer::interpreter::{self, interpret};
-use durer::math::noise::NoiseGenerator;
-use durer::math::{DVec3, Transform, rng};
-use durer::pattern::{CellPattern, Checker, Kind, Pattern, TextureContext};
+use durer::math::{DVec3, Transform};
+use durer::pattern::{CellPattern, Checker, Kind, Pattern};
 use durer::render::{Cancelled, Options, Region, Watch, pick, render};
 use durer::scene::{CsgOp, Object, ObjectKind, Scene};
-use durer::source::{Sources, Span};
+use durer::source::Span;
 use durer::texture::{Blend, Finish, Paint, Pigment};
-use durer::world::{PigmentProgram, lower};
+use durer::world::lower;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn scaled(x: f64, y: f64, z: f64) -> Transform {
@@ -280,44 +278,4 @@ fn many_see_through_surfaces_do_not_overflow_the_stack() {
     let (_, rays) = draw(&hall, &Options::new(1, 1));
     assert_eq!(rays.reflected, 255);
     assert!(matches!(hall.objects[0].kind, ObjectKind::Shape(_)));
-}
-
-/// Of all kinds that are lowered in ways of their own.
-const PIGMENTS: &[&str] = &[
-    "rgb <1, 2, 3>",
-    "bozo",
-    "wood turbulence <0.1, 0.2, 0> octaves 3 scale 0.3 rotate 20*x",
-    "marble turbulence 0.5 warp { turbulence 0.3 } scale <1, 2, 3> translate x noise_generator 1",
-    "checker rgb x, rgb y rotate 30 warp { repeat x flip x } scale 0.4 warp { black_hole 0, 0.5 } translate y",
-    "gradient x pigment_map { [0.2 bozo scale 0.1] [0.2 rgb 1] [0.7 brick scale 0.05 rotate y*20] } turbulence 0.2 uv_mapping",
-    "average pigment_map { [1 bozo scale 0.2] [2 gradient y noise_generator 3] [0.5 checker pigment { granite }, rgb 0.5] }",
-    "hexagon pigment { leopard scale 0.1 } rgb 0 pigment { uv_mapping gradient x } frequency 1.5",
-    "granite scale 3 translate 1 rotate 1 scale 0.4 color_map { [0 rgbt <1, 0, 0, 0.5>] [1 rgb z] } sine_wave phase 0.3",
-];
-
-#[test]
-fn ink_shows_what_the_pigment_does() {
-    let spheres = PIGMENTS.iter().map(|p| format!("sphere {{ 0, 1 pigment {{ {p} }} }}\n"));
-    let text = format!("#version 3.7;\n{}", spheres.collect::<String>());
-    durer::on_big_stack(|| {
-        let sources = Sources::default();
-        let file = sources.add("scene", None, text.clone()).unwrap();
-        let scene = interpret(&sources, file, &interpreter::Options::default(), &mut |_| {}).scene.unwrap();
-        assert_eq!(scene.objects.len(), PIGMENTS.len());
-        for (object, source) in scene.objects.iter().zip(PIGMENTS) {
-            let pigment = &object.texture.as_ref().unwrap().texture.layers[0].pigment;
-            let ink = PigmentProgram::new(pigment);
-            for i in 0..300 {
-                let random = |axis| rng::unit(&[i, axis]) * 8.0 - 4.0;
-                let p = DVec3::new(random(0), random(1), random(2));
-                let ctx = TextureContext {
-                    uv: p.truncate() * 0.1,
-                    ..TextureContext::free(p, NoiseGenerator::RangeCorrected)
-                };
-                let (ours, theirs) = (ink.at(&ctx), pigment.at(&ctx));
-                let far = (ours.rgb - theirs.rgb).abs().max_element() + (ours.transmit - theirs.transmit).abs();
-                assert!(far < 1e-9, "{source} at {p}: {ours:?}, not {theirs:?}");
-            }
-        }
-    });
 }

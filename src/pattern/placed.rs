@@ -1,12 +1,9 @@
 //! A pattern where it lies: what pigments, normals and textures have in common.
 
-use super::{
-    CellPattern, Cells, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, TextureContext, Turbulent,
-    Warp, Words,
-};
+use super::{CellPattern, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Turbulent, Warp};
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
-use crate::math::{DVec3, Transform};
 use crate::value::{Next, Reader, Seldom, Usual};
 use serde::Serialize;
 
@@ -145,50 +142,6 @@ impl Pattern {
     /// Moves it after all it has been moved before.
     pub fn transform(&mut self, by: &Transform) {
         self.space.then(by);
-    }
-
-    /// The number that the map sees, or that of the cell; and the point as the pattern's own entries see it.
-    pub fn see(&self, ctx: &TextureContext) -> (f64, TextureContext) {
-        let inner = self.enter(ctx);
-        (self.number(&inner), inner)
-    }
-
-    /// The point as the pattern itself and its entries see it.
-    pub fn enter(&self, ctx: &TextureContext) -> TextureContext {
-        let p = if self.uv { DVec3::new(ctx.uv.x, ctx.uv.y, 0.0) } else { ctx.p };
-        let mut p = self.space.unwarped(p);
-        if let Some(turbulence) = &self.space.turbulence
-            && !matches!(&self.kind, Kind::Field(field) if field.stirs())
-        {
-            p = turbulence.displace(p);
-        }
-        ctx.at(p)
-    }
-
-    /// The number that the map sees, or that of the cell, at a point in the pattern's space.
-    pub fn number(&self, inner: &TextureContext) -> f64 {
-        match &self.kind {
-            Kind::Field(field) => self.modifiers.apply(field.value_as(&self.own(inner), &self.words())),
-            Kind::Cells(cells) => self.modifiers.apply_to_cell(cells.cell(inner.p)),
-            Kind::Plain | Kind::Average => 0.0,
-        }
-    }
-
-    /// The normal `n` with bumps of the pattern's own making, at a point in its space.
-    pub fn bumped(&self, inner: &TextureContext, n: DVec3, amount: f64) -> Option<DVec3> {
-        match &self.kind {
-            Kind::Field(field) => field.bumped(&self.own(inner), &self.words(), n, amount),
-            _ => None,
-        }
-    }
-
-    fn words(&self) -> Words<'_> {
-        Words { modifiers: &self.modifiers, turbulence: self.space.turbulence.as_deref().unwrap_or(&Turbulent::STILL) }
-    }
-
-    /// The point with the pattern's own noise.
-    fn own(&self, inner: &TextureContext) -> TextureContext {
-        TextureContext { noise: self.noise.unwrap_or(inner.noise), ..*inner }
     }
 }
 

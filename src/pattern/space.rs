@@ -48,21 +48,6 @@ impl Space {
         self.turbulence.get_or_insert_default()
     }
 
-    /// Where the point lies before `turbulence`.
-    pub fn unwarped(&self, p: DVec3) -> DVec3 {
-        let p = self.transform.inverse_point(p);
-        self.inner.iter().rev().fold(p, |p, step| match step {
-            Step::Moved(transform) => transform.inverse_point(p),
-            Step::Warped(warp) => warp.apply(p),
-        })
-    }
-
-    /// Where the point lies in the pattern's own space.
-    pub fn inside(&self, p: DVec3) -> DVec3 {
-        let p = self.unwarped(p);
-        self.turbulence.as_ref().map_or(p, |t| t.displace(p))
-    }
-
     /// A normal of the space around, in the pattern's own: transposed matrices turn it, warps do not.
     pub fn normal_inside(&self, n: DVec3) -> DVec3 {
         self.inner.iter().rev().fold(self.transform.inverse_normal(n), |n, step| match step {
@@ -83,22 +68,5 @@ impl Space {
     /// Does it leave all points where they are?
     pub fn is_plain(&self) -> bool {
         self.inner.is_empty() && self.turbulence.is_none() && self.transform.is_identity()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::pattern::TurbulenceWarp;
-
-    #[test]
-    fn steps_are_undone_from_the_last_to_the_first() {
-        let mut space = Space::default();
-        space.then(&Transform::translate(DVec3::X));
-        space.warp(Warp::Turbulence(TurbulenceWarp(Turbulent::default())));
-        space.then(&Transform::rotate(DVec3::Z * 90.0));
-        assert_eq!(space.inner.len(), 2);
-        // (0, 3, 0) comes from (3, 0, 0), which comes from (2, 0, 0)
-        assert!(space.inside(DVec3::Y * 3.0).distance(DVec3::X * 2.0) < 1e-12);
     }
 }

@@ -6,7 +6,7 @@ use super::trace::Quality;
 use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray};
 use crate::pattern::{Space, TextureContext};
-use crate::texture::Normal;
+use crate::texture::NormalProgram;
 use crate::world::{Intersection, Layer, Material, Part, PlacedMaterial, SolidNode, Surface, World};
 use smallvec::SmallVec;
 
@@ -102,7 +102,7 @@ impl<'w> Painter<'w, '_> {
                 Some(choice) => {
                     let (number, inner) = choice.pattern.see(ctx);
                     let mut passed = Rgb::ZERO;
-                    let within = PatternSpaces { space: &choice.pattern.space, outer: frame };
+                    let within = PatternSpaces { space: &choice.space, outer: frame };
                     for (part, s) in choice.parts.shares(number, choice.averages()) {
                         passed += s * self.paint(part, &inner, weight * pass * s, share * s, Some(&within));
                     }
@@ -133,7 +133,7 @@ impl<'w> Painter<'w, '_> {
     }
 
     /// The normal that light sees: into the space of its texture by Mᵀ, back by M⁻ᵀ.
-    fn bumped(&self, bumps: &Normal, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> DVec3 {
+    fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> DVec3 {
         let place = self.placed.place.as_deref().filter(|_| !bumps.stays);
         let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
         let local = frame.map_or(local, |frame| frame.inside(local));

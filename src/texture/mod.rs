@@ -8,7 +8,9 @@ mod image_map;
 mod interior;
 mod layers;
 mod normal;
+mod normal_program;
 mod pigment;
+mod pigment_program;
 pub mod words;
 
 pub use blend::{Blend, Map, Shares};
@@ -19,7 +21,9 @@ pub use image_map::ImageMap;
 pub use interior::Interior;
 pub use layers::{Choice, Layer, Material, Texture};
 pub use normal::{Normal, Relief, Slope, SlopeMap};
+pub use normal_program::NormalProgram;
 pub use pigment::{Paint, Pigment};
+pub use pigment_program::PigmentProgram;
 
 use crate::value::Thing;
 

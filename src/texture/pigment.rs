@@ -6,7 +6,7 @@ use super::words::{PIGMENT, pigment_names};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern, TextureContext};
+use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern};
 use crate::value::{Next, Reader, ReaderExt, Seldom};
 use serde::Serialize;
 use std::sync::Arc;
@@ -157,20 +157,6 @@ impl Pigment {
         }
     }
 
-    /// The colour at a point of the space around it.
-    pub fn at(&self, ctx: &TextureContext) -> Color {
-        match &self.paint {
-            Paint::Solid(color) => *color,
-            Paint::Colors(map) => map.at(self.pattern.see(ctx).0),
-            Paint::Image(image) => image.at(self.pattern.see(ctx).1.p),
-            Paint::Pigments(parts) => {
-                let (number, inner) = self.pattern.see(ctx);
-                let shares = parts.shares(number, self.pattern.averages());
-                shares.iter().fold(Color::BLACK, |sum, (pigment, share)| sum.plus(pigment.at(&inner), *share))
-            }
-        }
-    }
-
     /// As it is drawn at low quality, if that is another: `quick_color` stands for it and for the pigments inside of it.
     pub fn quick(&self) -> Option<Pigment> {
         if let Some(color) = &self.quick_color {
@@ -182,11 +168,6 @@ impl Pigment {
         }
         let parts = parts.map(|part| part.quick().unwrap_or_else(|| part.clone()));
         Some(Self { paint: Paint::Pigments(parts), ..self.clone() })
-    }
-
-    /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
-    pub fn number_at(&self, ctx: &TextureContext) -> f64 {
-        self.pattern.see(ctx).0
     }
 
     /// Is it the same everywhere?

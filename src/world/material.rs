@@ -1,10 +1,9 @@
 //! Textures as a ray needs them: layers with all constants worked out.
 
-use super::PigmentProgram;
 use crate::color::{Color, Rgb};
 use crate::math::fp;
-use crate::pattern::{Pattern, TextureContext};
-use crate::texture::{self, Blend, Finish, Irid, Normal, Pigment, Reflection, Texture};
+use crate::pattern::{PatternProgram, Space, TextureContext};
+use crate::texture::{self, Blend, Finish, Irid, NormalProgram, Pigment, PigmentProgram, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -27,7 +26,9 @@ pub struct Material {
 #[derive(Clone, Debug, Serialize)]
 pub struct Choice {
     /// What tells points apart.
-    pub pattern: Pattern,
+    pub pattern: PatternProgram,
+    /// Where it lies: normals go another way than points.
+    pub space: Space,
     /// The materials.
     pub parts: Blend<Material>,
 }
@@ -45,7 +46,7 @@ pub struct Layer {
     /// Other materials in its place.
     pub choice: Option<Box<Choice>>,
     /// Its bumps.
-    pub normal: Option<Arc<Normal>>,
+    pub normal: Option<Arc<NormalProgram>>,
     /// Its colour.
     pub pigment: LayerColor,
     /// Its colour where quality is low (`quick_color`), if that is another.
@@ -136,7 +137,8 @@ fn asks_uv(layer: &texture::Layer) -> bool {
 
 fn lower_choice(choice: &texture::Choice, lower_finish: &mut dyn FnMut(&Arc<Finish>) -> Arc<LoweredFinish>) -> Choice {
     let parts = choice.parts.map(|texture| Material::new(texture, lower_finish));
-    Choice { pattern: choice.pattern.clone(), parts }
+    let (pattern, space) = (PatternProgram::new(&choice.pattern), choice.pattern.space.clone());
+    Choice { pattern, space, parts }
 }
 
 impl Layer {
@@ -144,7 +146,10 @@ impl Layer {
         let texture::Layer { pigment, normal, finish, choice } = layer;
         Self {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, lower_finish))),
-            normal: normal.clone().filter(|normal| !normal.is_flat()),
+            normal: normal
+                .as_ref()
+                .filter(|normal| !normal.is_flat())
+                .map(|normal| Arc::new(NormalProgram::new(normal))),
             pigment: LayerColor::new(pigment),
             quick: pigment.quick().map(|quick| Box::new(LayerColor::new(&quick))),
             finish: lower_finish(finish),

@@ -9,7 +9,6 @@ mod leaf;
 mod lower;
 mod material;
 mod node;
-mod pigment_program;
 mod probe;
 
 pub use geometry::Geometry;
@@ -17,7 +16,6 @@ pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
 pub use node::{SolidKind, SolidNode};
-pub use pigment_program::PigmentProgram;
 pub use probe::Probe;
 
 use crate::camera::Camera;

@@ -14,7 +14,7 @@ use crate::function::{
 };
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Name, Operator, Prefix, Symbol};
-use crate::texture::Pigment;
+use crate::texture::{Pigment, PigmentProgram};
 use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN, downcast};
 use sampler::{PatternSampler, PigmentSampler, TransformSampler};
 use std::sync::Arc;
@@ -43,14 +43,14 @@ impl<'a> Interpreter<'a> {
                 let defaults = self.defaults.texture.clone();
                 let pigment = Pigment::read(self, &defaults.layers[0].pigment, &defaults)?;
                 self.leave()?;
-                Arc::new(PigmentSampler(pigment, self.noise_generator.clone()))
+                Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.noise_generator.clone()))
             }
             "pattern" => {
                 self.take()?;
                 let defaults = self.defaults.texture.clone();
                 let pattern = Pigment::read(self, &Pigment::default(), &defaults)?;
                 self.leave()?;
-                Arc::new(PatternSampler(pattern, self.noise_generator.clone()))
+                Arc::new(PatternSampler(PigmentProgram::new(&pattern), self.noise_generator.clone()))
             }
             "transform" => {
                 self.take()?;
@@ -75,7 +75,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn pigment_function(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.defaults.texture.clone();
         let pigment = Pigment::read(self, &defaults.layers[0].pigment, &defaults)?;
-        let body = Body::Sampled(Arc::new(PigmentSampler(pigment, self.noise_generator.clone())));
+        let body = Body::Sampled(Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.noise_generator.clone())));
         Ok(Arc::new(Function { parameters: default_names(), body }))
     }
 

@@ -4,7 +4,7 @@ use crate::function::{Gives, Sampler};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::pattern::TextureContext;
-use crate::texture::Pigment;
+use crate::texture::PigmentProgram;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
@@ -18,7 +18,7 @@ fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
 
 /// `function { pigment { … } }`
 #[derive(Debug)]
-pub(super) struct PigmentSampler(pub(super) Pigment, pub(super) SceneNoise);
+pub(super) struct PigmentSampler(pub(super) PigmentProgram, pub(super) SceneNoise);
 
 impl Sampler for PigmentSampler {
     fn arity(&self) -> usize {
@@ -36,7 +36,7 @@ impl Sampler for PigmentSampler {
 
 /// `function { pattern { … } }`: a pigment without colours.
 #[derive(Debug)]
-pub(super) struct PatternSampler(pub(super) Pigment, pub(super) SceneNoise);
+pub(super) struct PatternSampler(pub(super) PigmentProgram, pub(super) SceneNoise);
 
 impl Sampler for PatternSampler {
     fn arity(&self) -> usize {

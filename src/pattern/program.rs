@@ -1,0 +1,167 @@
+//! Patterns as a ray needs them: the way from the space around to the pattern's own is worked out.
+
+use super::{
+    CellPattern, Cells, Field, FieldPattern, Kind, Modifiers, Pattern, Step, TextureContext, Turbulent, Warp, Words,
+};
+use crate::math::DVec3;
+use crate::math::noise::{self, NoiseGenerator, Turbulence};
+use glam::DAffine3;
+use serde::Serialize;
+
+/// A lowered pattern: the one way in which pigments, normals, texture maps and functions see what an author's [`Pattern`] shows.
+#[derive(Clone, Debug, Serialize)]
+pub struct PatternProgram {
+    /// `uv_mapping`: the way begins with the place on the surface.
+    uv: bool,
+    /// From the space around it to its own, in the order in which a point goes it.
+    way: Box<[Move]>,
+    value: Value,
+}
+
+/// A piece of the way.
+#[derive(Clone, Debug, Serialize)]
+enum Move {
+    /// M⁻¹ of all transforms in a row.
+    Affine(DAffine3),
+    Warp(Warp),
+    /// `turbulence`: how far, and its octaves.
+    Turbulence(DVec3, #[serde(skip)] Turbulence),
+}
+
+/// What gives a point its number.
+#[derive(Clone, Debug, Serialize)]
+enum Value {
+    Plain,
+    /// All entries are seen at once.
+    Average,
+    Field(Box<Number>),
+    Cells(Box<(CellPattern, Modifiers)>),
+}
+
+/// A pattern of numbers with what it takes. (Apart, because most pigments are colours.)
+#[derive(Clone, Debug, Serialize)]
+struct Number {
+    field: FieldPattern,
+    modifiers: Modifiers,
+    turbulence: Turbulent,
+    noise: Option<NoiseGenerator>,
+}
+
+impl PatternProgram {
+    /// Lowers a pattern.
+    pub fn new(pattern: &Pattern) -> Self {
+        Self { uv: pattern.uv, way: way(pattern), value: value(pattern) }
+    }
+
+    /// Is there no pattern, and everything the same?
+    pub fn is_plain(&self) -> bool {
+        matches!(self.value, Value::Plain)
+    }
+
+    /// Does it show all of its map's entries at once?
+    pub fn averages(&self) -> bool {
+        matches!(self.value, Value::Average)
+    }
+
+    /// The number that the map sees, or that of the cell; and the point as the pattern's own entries see it.
+    pub fn see(&self, ctx: &TextureContext) -> (f64, TextureContext) {
+        let inner = self.enter(ctx);
+        (self.number(&inner), inner)
+    }
+
+    /// The point as the pattern itself and its entries see it.
+    pub fn enter(&self, ctx: &TextureContext) -> TextureContext {
+        let p = if self.uv { ctx.uv.extend(0.0) } else { ctx.p };
+        ctx.at(self.way.iter().fold(p, |p, step| match step {
+            Move::Affine(inverse) => inverse.transform_point3(p),
+            Move::Warp(warp) => warp.apply(p),
+            Move::Turbulence(amount, series) => p + *amount * noise::vturbulence(p, *series),
+        }))
+    }
+
+    /// The number that the map sees, or that of the cell, at a point in the pattern's space.
+    pub fn number(&self, inner: &TextureContext) -> f64 {
+        match &self.value {
+            Value::Plain | Value::Average => 0.0,
+            Value::Cells(pattern) => pattern.1.apply_to_cell(pattern.0.cell(inner.p)),
+            Value::Field(number) => {
+                number.modifiers.apply(number.field.value_as(&number.context(inner), &number.words()))
+            }
+        }
+    }
+
+    /// The normal `n` with bumps of the pattern's own making, at a point in its space.
+    pub fn bumped(&self, inner: &TextureContext, n: DVec3, amount: f64) -> Option<DVec3> {
+        match &self.value {
+            Value::Field(number) => number.field.bumped(&number.context(inner), &number.words(), n, amount),
+            _ => None,
+        }
+    }
+}
+
+impl Number {
+    fn words(&self) -> Words<'_> {
+        Words { modifiers: &self.modifiers, turbulence: &self.turbulence }
+    }
+
+    /// The point with the pattern's own noise.
+    fn context(&self, inner: &TextureContext) -> TextureContext {
+        TextureContext { noise: self.noise.unwrap_or(inner.noise), ..*inner }
+    }
+}
+
+fn value(pattern: &Pattern) -> Value {
+    let modifiers = pattern.modifiers;
+    match &pattern.kind {
+        Kind::Plain => Value::Plain,
+        Kind::Average => Value::Average,
+        Kind::Cells(cells) => Value::Cells(Box::new((cells.clone(), modifiers))),
+        Kind::Field(field) => {
+            let turbulence = pattern.space.turbulence.as_deref().copied().unwrap_or_default();
+            Value::Field(Box::new(Number { field: field.clone(), modifiers, turbulence, noise: pattern.noise }))
+        }
+    }
+}
+
+/// What was written last is undone first.
+fn way(pattern: &Pattern) -> Box<[Move]> {
+    let space = &pattern.space;
+    let mut way = vec![];
+    let mut affine = space.transform.inv;
+    for step in space.inner.iter().rev() {
+        match step {
+            Step::Moved(transform) => affine = transform.inv * affine,
+            Step::Warped(warp) => {
+                way.push(Move::Affine(std::mem::take(&mut affine)));
+                way.push(Move::Warp(warp.clone()));
+            }
+        }
+    }
+    way.push(Move::Affine(affine));
+    let stirs = matches!(&pattern.kind, Kind::Field(field) if field.stirs());
+    if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !stirs && t.amount != DVec3::ZERO) {
+        way.push(Move::Turbulence(turbulence.amount, turbulence.series()));
+    }
+    way.retain(|step| !matches!(step, Move::Affine(inverse) if *inverse == DAffine3::IDENTITY));
+    way.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Transform;
+    use crate::pattern::{Space, TurbulenceWarp};
+
+    #[test]
+    fn steps_are_undone_from_the_last_to_the_first() {
+        let mut space = Space::default();
+        space.then(&Transform::translate(DVec3::X));
+        space.warp(Warp::Turbulence(TurbulenceWarp(Turbulent::default())));
+        space.then(&Transform::rotate(DVec3::Z * 90.0));
+        assert_eq!(space.inner.len(), 2);
+        let program = PatternProgram::new(&Pattern { space, ..Pattern::default() });
+        // (0, 3, 0) comes from (3, 0, 0), which comes from (2, 0, 0)
+        let inner = program.enter(&TextureContext::free(DVec3::Y * 3.0, NoiseGenerator::Perlin));
+        assert!(inner.p.distance(DVec3::X * 2.0) < 1e-12);
+    }
+}

@@ -1,0 +1,124 @@
+//! Normals as a ray needs them: what turns the normal of a surface into that which light sees.
+
+use super::blend::Blend;
+use super::normal::{Normal, Relief, Slope, SlopeMap};
+use crate::math::DVec3;
+use crate::pattern::{PatternProgram, Space, TextureContext};
+use serde::Serialize;
+use std::f64::consts::SQRT_2;
+use std::sync::Arc;
+
+/// A lowered normal.
+#[derive(Clone, Debug, Serialize)]
+pub struct NormalProgram {
+    pattern: PatternProgram,
+    /// Where the pattern lies: normals go another way than points.
+    space: Space,
+    relief: ReliefProgram,
+    /// How deep the bumps seem.
+    amount: f64,
+    /// Half the distance of the points that are compared.
+    accuracy: f64,
+    /// Bumps do not turn with the object.
+    pub stays: bool,
+    /// Bumps that are scaled get deeper too.
+    bump_scale: bool,
+}
+
+/// What makes the bumps; see [`Relief`].
+#[derive(Clone, Debug, Serialize)]
+enum ReliefProgram {
+    Own,
+    Slopes(Arc<SlopeMap>),
+    Normals(Blend<NormalProgram>),
+}
+
+impl Slope {
+    /// The curve to another height, by both slopes (cubic Hermite spline).
+    fn curve_to(&self, other: &Slope, t: f64) -> f64 {
+        let (t2, t3) = (t * t, t * t * t);
+        (2.0 * t3 - 3.0 * t2 + 1.0) * self.height
+            + (t3 - 2.0 * t2 + t) * self.slope
+            + (3.0 * t2 - 2.0 * t3) * other.height
+            + (t3 - t2) * other.slope
+    }
+}
+
+/// The corners of a regular tetrahedron, of length 1.
+const TETRAHEDRON: [DVec3; 4] = [
+    DVec3::new(2.0 * SQRT_2 / 3.0, -1.0 / 3.0, 0.0),
+    DVec3::new(0.0, 1.0, 0.0),
+    DVec3::new(-SQRT_2 / 3.0, -1.0 / 3.0, 0.816_496_580_927_726),
+    DVec3::new(-SQRT_2 / 3.0, -1.0 / 3.0, -0.816_496_580_927_726),
+];
+
+impl NormalProgram {
+    /// Lowers a normal.
+    pub fn new(normal: &Normal) -> Self {
+        let relief = match &normal.relief {
+            Relief::Own => ReliefProgram::Own,
+            Relief::Slopes(map) => ReliefProgram::Slopes(map.clone()),
+            Relief::Normals(parts) => ReliefProgram::Normals(parts.map(Self::new)),
+        };
+        let &Normal { amount, accuracy, stays, bump_scale, .. } = normal;
+        let (pattern, space) = (PatternProgram::new(&normal.pattern), normal.pattern.space.clone());
+        Self { pattern, space, relief, amount, accuracy, stays, bump_scale }
+    }
+
+    /// The normal with its bumps, at a point in the space around; `n` in the same space, of any length. Each space turns it by
+    /// the transpose of its matrix, so that what is stretched gets flatter bumps (all measured on POV-Ray 3.7).
+    pub fn perturb(&self, ctx: &TextureContext, n: DVec3) -> DVec3 {
+        self.perturb_as(ctx, n, !self.bump_scale)
+    }
+
+    /// `keep_length` is `no_bump_scale`, of this normal or of one around it.
+    fn perturb_as(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
+        let space = &self.space;
+        let inside = space.normal_inside(n);
+        let n = if keep_length { inside } else { inside.normalize_or(inside) };
+        let inner = self.pattern.enter(ctx);
+        let bumped = match &self.relief {
+            ReliefProgram::Normals(parts) => self.blended(parts, &inner, n, keep_length),
+            _ => match self.pattern.bumped(&inner, n, self.amount) {
+                Some(bumped) => bumped,
+                None => n + self.slant(&inner),
+            },
+        };
+        space.normal_outside(bumped)
+    }
+
+    /// What the entries make of it together.
+    fn blended(&self, parts: &Blend<NormalProgram>, inner: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
+        let average = self.pattern.averages();
+        let number = if average { 0.0 } else { self.pattern.number(inner) };
+        let mut sum = DVec3::ZERO;
+        for (entry, share) in parts.shares(number, average) {
+            let keep = keep_length || !entry.bump_scale;
+            let one = entry.perturb_as(inner, n, keep);
+            sum += share * if keep { one } else { one.normalize_or(one) };
+        }
+        sum
+    }
+
+    /// How heights slant around a point: they are compared at the corners of a tetrahedron around it.
+    fn slant(&self, inner: &TextureContext) -> DVec3 {
+        if self.pattern.is_plain() || self.pattern.averages() {
+            return DVec3::ZERO;
+        }
+        let h = self.accuracy;
+        let sum: DVec3 = TETRAHEDRON.iter().map(|&d| self.height(&inner.at(inner.p + h * d)) * d).sum();
+        sum * (-self.amount * 0.1 / h)
+    }
+
+    /// The height of the surface as it seems.
+    fn height(&self, inner: &TextureContext) -> f64 {
+        let number = self.pattern.number(inner);
+        match &self.relief {
+            ReliefProgram::Slopes(map) => match map.around(number) {
+                (only, None) => only.height,
+                (below, Some((above, t))) => below.curve_to(above, t),
+            },
+            _ => number,
+        }
+    }
+}

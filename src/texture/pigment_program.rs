@@ -1,0 +1,86 @@
+//! Pigments as a ray needs them: a row of nodes in place of a tree.
+
+use super::{Blend, ColorMap, ImageMap, Map, Paint, Pigment};
+use crate::color::Color;
+use crate::pattern::{PatternProgram, TextureContext};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// A lowered pigment: the one way in which colours of an author's [`Pigment`] are seen.
+#[derive(Clone, Debug, Serialize)]
+pub struct PigmentProgram {
+    /// That of the whole pigment is the last: each stands behind those it is made of.
+    nodes: Box<[PigmentNode]>,
+}
+
+/// A pigment within a pigment.
+#[derive(Clone, Debug, Serialize)]
+struct PigmentNode {
+    pattern: PatternProgram,
+    shows: Shows,
+}
+
+/// What is seen.
+#[derive(Clone, Debug, Serialize)]
+enum Shows {
+    Solid(Color),
+    Colors(Arc<ColorMap>),
+    /// Nodes.
+    Pigments(Blend<u32>),
+    Image(Arc<ImageMap>),
+}
+
+impl PigmentProgram {
+    /// Lowers a pigment.
+    pub fn new(pigment: &Pigment) -> Self {
+        let mut nodes = vec![];
+        push(pigment, &mut nodes);
+        Self { nodes: nodes.into() }
+    }
+
+    /// The colour at a point of the space around it.
+    pub fn at(&self, ctx: &TextureContext) -> Color {
+        self.node(self.nodes.len() - 1, ctx)
+    }
+
+    /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
+    pub fn number_at(&self, ctx: &TextureContext) -> f64 {
+        self.nodes.last().map_or(0.0, |node| node.pattern.see(ctx).0)
+    }
+
+    fn node(&self, i: usize, ctx: &TextureContext) -> Color {
+        let PigmentNode { pattern, shows } = &self.nodes[i];
+        match shows {
+            Shows::Solid(color) => *color,
+            Shows::Colors(map) => map.at(pattern.see(ctx).0),
+            Shows::Image(image) => image.at(pattern.enter(ctx).p),
+            Shows::Pigments(parts) => {
+                let (number, inner) = pattern.see(ctx);
+                match parts.shares(number, pattern.averages())[..] {
+                    [(i, 1.0)] => self.node(*i as usize, &inner),
+                    ref shares => shares
+                        .iter()
+                        .fold(Color::BLACK, |sum, (i, share)| sum.plus(self.node(**i as usize, &inner), *share)),
+                }
+            }
+        }
+    }
+}
+
+/// Appends the nodes of a pigment; the number of its own.
+fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
+    let shows = match &pigment.paint {
+        Paint::Solid(color) => Shows::Solid(*color),
+        Paint::Colors(map) => Shows::Colors(map.clone()),
+        Paint::Image(image) => Shows::Image(image.clone()),
+        Paint::Pigments(parts) => Shows::Pigments(match parts {
+            Blend::Map(map) => {
+                let entries = map.entries.iter().map(|(number, entry)| (*number, push(entry, nodes)));
+                Blend::Map(Arc::new(Map { entries: entries.collect() }))
+            }
+            Blend::List(list) => Blend::List(list.iter().map(|entry| push(entry, nodes)).collect()),
+        }),
+    };
+    nodes.push(PigmentNode { pattern: PatternProgram::new(&pigment.pattern), shows });
+    nodes.len() as u32 - 1
+}
