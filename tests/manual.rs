@@ -22,6 +22,7 @@ use durer::interpreter::Options;
 use durer::render;
 use durer::snapshot::{Tolerance, Verdict, compare};
 use durer::source::{Sandbox, SearchPath, Sources};
+use durer::syntax::word;
 use durer::world::World;
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
@@ -61,6 +62,7 @@ fn main() {
     trials.push(Trial::test("SUMMARY.md: every page", move || in_summary(&source)));
     trials.push(Trial::test("README.md: every shape", || readme(&std::fs::read_to_string(README)?)));
     trials.push(Trial::test("reference: every word of a table", every_tabled_word));
+    trials.push(Trial::test("tables: every word is known to the lexer", every_tabled_word_is_known));
     trials.push(Trial::test("reference: every word that is read", every_read_word));
     trials::run(trials, 320);
 }
@@ -119,6 +121,17 @@ fn every_tabled_word() -> Result<(), Failed> {
         let row = format!("| `{word}`");
         pages.iter().any(|page| page.file != "words.md" && page.text.contains(&row))
     };
+    all_found(tabled_words(), 150, &printed)
+}
+
+/// What stands in tables of words can be written: the lexer knows it, or it is a word in its block.
+fn every_tabled_word_is_known() -> Result<(), Failed> {
+    let in_block = |word: &str| word::CONTEXTUAL.iter().any(|(_, words)| words.contains(&word));
+    all_found(tabled_words(), 150, &|word| word::lookup(word).is_some() || in_block(word))
+}
+
+/// The words of all rows of all tables, as they stand in the source.
+fn tabled_words() -> Vec<String> {
     let mut words = vec![];
     for text in sources() {
         for head in [" word(", "[word(", "WordSpec {"] {
@@ -129,7 +142,7 @@ fn every_tabled_word() -> Result<(), Failed> {
             words.extend(rows.filter_map(|row| row.split('"').next()).map(str::to_string));
         }
     }
-    all_found(words, 150, &printed)
+    words
 }
 
 /// Words that a reader asks for by name, and the index does not know where.
