@@ -1,7 +1,7 @@
 //! Which of several openers has no end. The text's last closers have found partners that were not meant: what a block can
 //! hold tells, and how the lines are indented.
 
-use super::word;
+use super::word::{self, SHAPES};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use std::ops::Range;
@@ -259,6 +259,7 @@ fn can_hold(outer: &str, inner: &str) -> bool {
                 || inner == "pigment" && outer != "camera")
         }
         "union" | "difference" | "intersection" | "merge" | "object" => !whole,
+        "blob" | "mesh" => !whole,
         outer if SHAPES.contains(&outer) => !(whole || shape || inner == "object"),
         _ => true,
     }
@@ -266,26 +267,6 @@ fn can_hold(outer: &str, inner: &str) -> bool {
 
 /// Directives that go on to an `#end`.
 const BODIES: &[&str] = &["if", "ifdef", "ifndef", "while", "for", "switch", "macro"];
-
-/// Shapes that are made of no others.
-const SHAPES: &[&str] = &[
-    "sphere",
-    "box",
-    "cylinder",
-    "cone",
-    "torus",
-    "disc",
-    "plane",
-    "triangle",
-    "polygon",
-    "prism",
-    "lathe",
-    "sor",
-    "height_field",
-    "superellipsoid",
-    "quadric",
-    "text",
-];
 
 #[cfg(test)]
 mod tests {

@@ -77,6 +77,17 @@ pub fn contextual(block: &str) -> &'static [&'static str] {
 pub const CONTEXTUAL: &[(&str, &[&str])] =
     &[("camera", &["eye", "center", "fov_x", "fov_y"]), ("plane", &["implicit", "point", "span"])];
 
+/// Words of shapes that are made of no others. (For advice about a text alone; what a shape takes, `shape` knows.)
+#[rustfmt::skip]
+pub const SHAPES: &[&str] = &[
+    "bicubic_patch", "blob", "box", "cone", "cubic", "cylinder", "disc", "height_field", "isosurface", "julia_fractal", "lathe",
+    "mesh", "mesh2", "ovus", "parametric", "plane", "poly", "polygon", "polynomial", "prism", "quadric", "quartic", "smooth_triangle",
+    "sor", "sphere", "sphere_sweep", "superellipsoid", "text", "torus", "triangle",
+];
+
+/// Words of objects that are made of others.
+pub const GROUPS: &[&str] = &["object", "union", "merge", "intersection", "difference"];
+
 /// Words that name blocks or stand inside them.
 #[rustfmt::skip]
 pub const KEYWORDS: &[&str] = &[

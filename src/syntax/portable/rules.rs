@@ -3,7 +3,7 @@
 use super::declared::Kind;
 use super::{Walk, is_directive, value};
 use crate::syntax::class;
-use crate::syntax::word;
+use crate::syntax::word::{self, GROUPS, SHAPES};
 
 /// Blocks with numbers and words, in which POV-Ray takes no comma before a word and none at the end.
 #[rustfmt::skip]
@@ -29,32 +29,6 @@ const MODIFIERS: &[&str] = &[
     "adaptive", "jitter", "fade_distance", "fade_power", "looks_like", "parallel", "max_trace_level", "assumed_gamma",
     "ambient_light", "adc_bailout", "ior", "ambient", "diffuse", "phong", "phong_size", "specular", "roughness",
     "reflection", "emission", "brilliance", "crand", "metallic", "max_gradient", "contained_by", "accuracy",
-];
-/// Blocks in which a thing's name alone means nothing to it.
-const SHAPES: &[&str] = &[
-    "sphere",
-    "box",
-    "cylinder",
-    "cone",
-    "torus",
-    "plane",
-    "disc",
-    "triangle",
-    "smooth_triangle",
-    "polygon",
-    "prism",
-    "lathe",
-    "object",
-    "union",
-    "merge",
-    "intersection",
-    "difference",
-    "blob",
-    "mesh",
-    "mesh2",
-    "height_field",
-    "text",
-    "isosurface",
 ];
 
 impl Walk<'_> {
@@ -147,7 +121,7 @@ impl Walk<'_> {
                     if depth == 0 {
                         let word = back.checked_sub(1).map_or("", |head| self.text.word(head));
                         let before = back.checked_sub(2).map_or(0, |before| self.text.class(before));
-                        let known = SHAPES.contains(&word) || word == "light_source" || word == "camera";
+                        let known = is_object(word) || word == "light_source" || word == "camera";
                         // (Behind `=` it is a value, behind a comma or `(` an argument.)
                         return known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON);
                     }
@@ -224,7 +198,7 @@ impl Walk<'_> {
         let kind = self.text.symbol(at).and_then(|symbol| self.declared.kind(symbol));
         let name = self.text.word(at);
         match kind {
-            Some(Kind::Block(of)) if SHAPES.contains(&block) && self.text.word(at.saturating_sub(1)) != "transform" => {
+            Some(Kind::Block(of)) if is_object(block) && self.text.word(at.saturating_sub(1)) != "transform" => {
                 let message = format!("POV-Ray takes the name of a `{of}` only inside of `{of} {{ … }}`");
                 self.tell(at, message, format!("write `{of} {{ {name} }}`"));
             }
@@ -259,6 +233,10 @@ impl Walk<'_> {
 
 /// Does a statement begin with this word? (Others may go on with the value.)
 fn is_statement_word(name: &str) -> bool {
-    SHAPES.contains(&name)
+    is_object(name)
         || matches!(name, "light_source" | "camera" | "background" | "global_settings" | "sky_sphere" | "fog")
+}
+
+fn is_object(name: &str) -> bool {
+    SHAPES.contains(&name) || GROUPS.contains(&name)
 }
