@@ -52,7 +52,7 @@ use source::{FileId, Sources, Span};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Reads a scene's text (E0001, E0002, E0003). A file that is not text gets a place all the same: its first byte.
+/// Reads a scene's text. A file that is not text gets a place all the same: its first byte.
 ///
 /// # Errors
 /// E0001, E0002 or E0003: too long, not there, or not readable.

@@ -15,6 +15,7 @@ use crate::image_io::Frame;
 use crate::render;
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
+use crate::value::decimal;
 use crate::world::{Leaf, SolidKind, SolidNode, World};
 use std::path::Path;
 
@@ -94,6 +95,11 @@ fn first_leaf(node: &SolidNode) -> Option<&Leaf> {
     }
 }
 
+/// Does the camera see the object of this number?
+fn shows(world: &World, object: u32) -> bool {
+    world.objects.get(object as usize).is_some_and(|o| o.image)
+}
+
 /// The word of a shape, and its place in the text.
 fn named(world: &World, leaf: &Leaf) -> (&'static str, Span) {
     let source = world.parts.get(leaf.id as usize).map_or(Span::NONE, |part| part.source);
@@ -102,12 +108,7 @@ fn named(world: &World, leaf: &Leaf) -> (&'static str, Span) {
 
 /// A vector as one types it, with as many digits as help.
 fn typed(p: crate::math::DVec3) -> String {
-    let short = |x: f64| {
-        let digits = if x.abs() >= 100.0 { 0 } else { 2 };
-        let text = format!("{x:.digits$}");
-        let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-        if text == "-0" { "0".to_string() } else { text.to_string() }
-    };
+    let short = |x: f64| decimal(x, if x.abs() >= 100.0 { 0 } else { 2 });
     format!("<{}, {}, {}>", short(p.x), short(p.y), short(p.z))
 }
 

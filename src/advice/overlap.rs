@@ -2,6 +2,7 @@
 //!
 //! Only what is seen counts: a box that stands on a floor touches it, and nobody sees where.
 
+use super::shows;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{DVec3, Range, Ray, tolerance};
 use crate::render;
@@ -62,16 +63,15 @@ fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> +
 
 /// The surfaces that share the place that this ray sees, by their numbers, the smaller first.
 fn meetings(world: &World, ray: &Ray) -> Vec<(u32, u32, Fight)> {
-    let shows = |id: u32| world.objects.get(id as usize).is_some_and(|o| o.image);
     let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
-    let Some(seen) = world.geometry.closest(ray, range, shows) else { return vec![] };
+    let Some(seen) = world.geometry.closest(ray, range, |id| shows(world, id)) else { return vec![] };
     let near = NEAR * (1.0 + seen.t());
     let around = Range { min: seen.t() - near, max: seen.t() + near };
     let normal = seen.surface(ray).normal;
     let mut out = vec![];
     world.geometry.shapes_at(ray, around, &mut |item, other| {
         if other.leaf.id != seen.leaf.id
-            && shows(item.object)
+            && shows(world, item.object)
             && let Some(fight) = fight(world, ray, item, &seen, &other, normal)
         {
             let (a, b) = (seen.leaf.id.min(other.leaf.id), seen.leaf.id.max(other.leaf.id));

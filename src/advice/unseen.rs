@@ -1,6 +1,6 @@
 //! A picture that shows nothing but the background, or nothing but the inside of what is around the camera.
 
-use super::{first_leaf, is_somewhere, named, typed};
+use super::{first_leaf, is_somewhere, named, shows, typed};
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{Aabb, DMat3, DVec3, Range, Ray, tolerance};
@@ -61,10 +61,6 @@ fn gcd(a: usize, b: usize) -> usize {
 fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
     let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
     world.geometry.closest(ray, range, |id| shows(world, id))
-}
-
-fn shows(world: &World, object: u32) -> bool {
-    world.objects.get(object as usize).is_some_and(|o| o.image)
 }
 
 /// The objects that hold the eye and let no light through.

@@ -1,10 +1,10 @@
 //! The scenes that a command line names: files, and folders of them.
 
-use super::exit::{Failure, Result, usage};
+use super::exit::{Result, usage};
 use super::session;
 use crate::diagnostic::file;
-use std::io;
-use std::path::{Path, PathBuf};
+use crate::source::scenes_below;
+use std::path::PathBuf;
 
 /// What is to be drawn or checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,35 +29,17 @@ impl Inputs {
                 // All files of the machine are nobody's scenes.
                 session::check_input(&input)?;
             }
-            let before = all.len();
-            search(&input, &mut all).map_err(|e| Failure::Fault(Box::new(file::unreadable(&input, &e.into()))))?;
-            all[before..].sort();
-            if all.len() == before {
+            let scenes = scenes_below(&input).map_err(|e| Box::new(file::unreadable(&input, &e.into())))?;
+            if scenes.is_empty() {
                 return usage(format!("no file in `{}` ends in `.scene` or `.pov`", input.display()));
             }
+            all.extend(scenes);
         }
         let mut seen = std::collections::HashSet::new();
         all.retain(|input| seen.insert(input.clone()));
         let several = named.len() > 1 || named.iter().any(|input| input.is_dir());
         Ok(Self { all, several })
     }
-}
-
-/// Hidden folders and Cargo's `target` are left out, as by `durer test`.
-fn search(folder: &Path, found: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in std::fs::read_dir(folder)? {
-        let entry = entry?;
-        let (path, name) = (entry.path(), entry.file_name());
-        // A link to a folder may lead in a circle.
-        if entry.file_type()?.is_dir() {
-            if !name.to_string_lossy().starts_with('.') && name != "target" {
-                search(&path, found)?;
-            }
-        } else if path.extension().is_some_and(|e| e == "scene" || e == "pov") {
-            found.push(path.strip_prefix("./").unwrap_or(&path).to_path_buf());
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -31,10 +31,18 @@ use crate::diagnostic::Severity;
 use crate::source::Sources;
 use args::Command;
 pub use args::{Cli, Common};
+use clap::CommandFactory;
 use console::Console;
 pub use exit::{Exit, Failure, Result};
 use std::ffi::OsString;
 use std::process::ExitCode;
+use std::sync::LazyLock;
+
+/// What clap knows of the command line, put together once.
+fn commands() -> &'static clap::Command {
+    static COMMAND: LazyLock<clap::Command> = LazyLock::new(Cli::command);
+    &COMMAND
+}
 
 /// Runs the program with these words, the first being its own name.
 pub fn main(words: Vec<OsString>) -> ExitCode {

@@ -13,6 +13,7 @@ use crate::math::fp;
 use crate::render::{self, Picked, Region, Unwatched};
 use crate::scene::Scene;
 use crate::source::{Place, Sources, Span};
+use crate::value::decimal;
 use crate::world::World;
 use crate::{Built, Keep};
 use serde::Serialize;
@@ -193,12 +194,7 @@ fn list(numbers: &[f64], scale: f64) -> String {
         return numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
     }
     let places = (5.0 - fp::log10(largest).floor()).clamp(0.0, 300.0) as usize;
-    let short = |x: &f64| {
-        let text = format!("{x:.places$}");
-        let text = if places > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-        if text == "-0" { "0".into() } else { text.to_string() }
-    };
-    numbers.iter().map(short).collect::<Vec<_>>().join(", ")
+    numbers.iter().map(|x| decimal(*x, places)).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

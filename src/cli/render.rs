@@ -225,6 +225,9 @@ impl<'a> Job<'a> {
 
     /// What there is to say of the picture.
     fn advise(&mut self, world: &World, frame: &Frame, timing: Timing, incomplete: bool) {
+        if self.console.quiet {
+            return;
+        }
         let one_of_many = self.args.frames.is_some() || self.args.scene.animation.is_some();
         let circumstances = advice::Circumstances { one_of_many, incomplete };
         let mut advice = advice::of_picture(world, &drawing_options(self.args, timing), frame, circumstances);

@@ -2,7 +2,7 @@
 
 use super::exit::Failure;
 use super::povray::{first_word, is_ini};
-use super::{Cli, session};
+use super::{Cli, commands, session};
 use crate::diagnostic::nearest;
 use clap::CommandFactory;
 use std::ffi::OsString;
@@ -32,7 +32,7 @@ const OTHERS: &[(&str, &str)] = &[
 /// Is the first word meant for a command, and is there none of this name?
 pub fn check(words: &[OsString]) -> Result<(), Failure> {
     let Some((at, word)) = first_word(words) else { return Ok(()) };
-    let command = Cli::command();
+    let command = commands();
     let is_plain = word.starts_with(char::is_alphabetic) && !word.contains(['=', '.', '/', '\\', '[']);
     let is_file = || session::named(Path::new(&word)).exists() || is_ini(&word);
     if !is_plain || word == "help" || command.find_subcommand(&word).is_some() || is_file() {

@@ -45,7 +45,7 @@ impl From<Pixels> for Decoded {
     }
 }
 
-/// Decodes a file (E0002, E0003, E0007).
+/// Decodes a file.
 ///
 /// # Errors
 /// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.
@@ -74,7 +74,7 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
 }
 
 /// Decodes png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes tell which; the ending of the file's name counts only for
-/// tga, which has no mark. The error is the reason in words.
+/// tga, which has no mark.
 ///
 /// # Errors
 /// Why it is no picture, in words.

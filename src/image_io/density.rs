@@ -20,7 +20,7 @@ enum Numbers {
 }
 
 impl Voxels {
-    /// Reads a df3 file (E0002, E0003, E0007).
+    /// Reads a df3 file.
     ///
     /// # Errors
     /// E0002 where it is not there, E0003 where it can't be read, E0007 where its length does not fit.
@@ -33,7 +33,7 @@ impl Voxels {
     }
 
     /// Three sizes of two bytes, then all numbers, x fastest, of one, two or four bytes, which the file's length tells; all with
-    /// the high byte first. The error is the reason in words.
+    /// the high byte first.
     ///
     /// # Errors
     /// Why it is no df3 file, in words.

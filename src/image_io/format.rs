@@ -87,7 +87,7 @@ impl Format {
         ROWS.iter().find(|row| row.endings.iter().any(|e| e.eq_ignore_ascii_case(name))).map(|row| row.format)
     }
 
-    /// By the ending of a file's name (E0005).
+    /// By the ending of a file's name.
     ///
     /// # Errors
     /// E0005 where the ending is none of a format.
@@ -106,7 +106,7 @@ impl Format {
         Diagnostic::new(codes::UNKNOWN_FORMAT, Span::NONE, message).help(help).into()
     }
 
-    /// Can it hold a picture of this size with so many bits a channel (E0008)?
+    /// Can it hold a picture of this size with so many bits a channel?
     ///
     /// # Errors
     /// E0008 if it can't.

@@ -33,7 +33,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Decodes a file (E0002, E0003, E0007).
+    /// Decodes a file.
     ///
     /// # Errors
     /// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.

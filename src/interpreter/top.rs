@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{Object, is_object};
 use crate::source::Span;
-use crate::syntax::ast::{Element, ElementKind, Sign};
+use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
 use crate::texture::tell_bytes;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Vocabulary};
@@ -188,6 +188,26 @@ impl Interpreter<'_> {
         }
         Diagnostic::new(codes::EXPECTED, at, "expected an object or a directive, found a value")
             .help("to give it a name, write `#declare Name = …;`")
+    }
+
+    /// Does a value begin with this sign, which comes in pieces? (Behind an operand, `<` compares.)
+    fn begins_value(&self, sign: Sign, span: Span) -> bool {
+        let Some((file, range)) = self.sources.locate(span) else { return false };
+        let (before, behind) = self.sources.text(file).split_at(range.start);
+        let begins = match sign {
+            Sign::Not => true,
+            Sign::Operator(Operator::Less) => {
+                !before.trim_end().ends_with(|c: char| c.is_alphanumeric() || "_.)]\"".contains(c))
+            }
+            Sign::Operator(op) => op.adds(),
+            _ => false,
+        };
+        let rest = &behind[range.len()..];
+        // (A `<` that nothing closes compares too.)
+        let line = rest.split(['\n', '\r', ';']).next().unwrap_or_default();
+        let compares = sign == Sign::Operator(Operator::Less) && !line.contains('>');
+        let operand = rest.trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
+        begins && !compares && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
     }
 
     /// `Size = 3`: a sign that compares, in the row of operands that comes next.

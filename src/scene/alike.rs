@@ -1,6 +1,6 @@
 //! Things that are alike are one: a loop reads the same finish a hundred thousand times.
 
-use crate::texture::{Finish, Texture};
+use crate::texture::{Finish, Normal, Texture};
 use smallvec::SmallVec;
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -12,6 +12,7 @@ const ROOM: usize = 4;
 #[derive(Debug, Default)]
 pub struct Alike {
     finishes: Recent<Finish>,
+    normals: Recent<Normal>,
     textures: Recent<Texture>,
 }
 
@@ -19,12 +20,15 @@ pub struct Alike {
 type Recent<T> = RefCell<SmallVec<[Arc<T>; ROOM]>>;
 
 impl Alike {
-    /// Makes a texture one with those that it is like, and its finishes too.
+    /// Makes a texture one with those that it is like, and its finishes and normals too.
     pub fn join(&self, texture: &mut Arc<Texture>) {
         // Nobody else may have it: what is shared already stays so.
         let Some(own) = Arc::get_mut(texture) else { return };
         for layer in &mut own.layers {
             join(&self.finishes, &mut layer.finish, Finish::eq);
+            if let Some(normal) = &mut layer.normal {
+                join(&self.normals, normal, Normal::is_plainly);
+            }
         }
         join(&self.textures, texture, Texture::is_plainly);
     }

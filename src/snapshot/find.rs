@@ -1,5 +1,6 @@
 //! Finds scenes with snapshots.
 
+use crate::source::scenes_below;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -37,7 +38,8 @@ pub fn find(paths: &[PathBuf]) -> io::Result<Vec<Case>> {
     let mut cases = Vec::new();
     for path in paths {
         if path.metadata()?.is_dir() {
-            search(path, &mut cases)?;
+            let all = scenes_below(path)?.into_iter().map(|scene| Case::of(&scene));
+            cases.extend(all.filter(|case| case.picture.is_file()));
         } else {
             cases.push(Case::of(&scene_of(path)));
         }
@@ -51,23 +53,6 @@ pub fn find(paths: &[PathBuf]) -> io::Result<Vec<Case>> {
 fn scene_of(path: &Path) -> PathBuf {
     let beside = ["scene", "pov"].map(|ending| path.with_extension("").with_extension(ending));
     beside.into_iter().find(|scene| is_snapshot(path) && scene.is_file()).unwrap_or(path.to_path_buf())
-}
-
-fn search(folder: &Path, cases: &mut Vec<Case>) -> io::Result<()> {
-    for entry in std::fs::read_dir(folder)? {
-        let entry = entry?;
-        let (path, name) = (entry.path(), entry.file_name());
-        // A link to a folder may lead in a circle.
-        if entry.file_type()?.is_dir() {
-            if !name.to_string_lossy().starts_with('.') && name != "target" {
-                search(&path, cases)?;
-            }
-        } else if path.extension().is_some_and(|e| e == "scene" || e == "pov") {
-            let path = path.strip_prefix("./").unwrap_or(&path);
-            cases.extend(Some(Case::of(path)).filter(|case| case.picture.is_file()));
-        }
-    }
-    Ok(())
 }
 
 /// The options of a snapshot, where a comment at the start of the scene gives them: `//! test: --size 128x96 --aa off`.

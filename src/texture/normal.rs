@@ -161,6 +161,13 @@ impl Normal {
         self.pattern.uv || inner
     }
 
+    /// As [`Texture::is_plainly`].
+    pub fn is_plainly(&self, other: &Self) -> bool {
+        let large = matches!(&self.relief, Relief::Normals(_))
+            || matches!(&self.pattern.kind, Kind::Field(FieldPattern::ImagePattern(_) | FieldPattern::DensityFile(_)));
+        !large && self == other
+    }
+
     /// Does it change no normal at all?
     pub fn is_flat(&self) -> bool {
         match &self.relief {

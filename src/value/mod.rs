@@ -1,6 +1,7 @@
 //! Values of the language, the words a block takes, and the reader through which a family of things
 //! reads its own words.
 
+mod decimal;
 mod given;
 mod kinds;
 mod raw_item;
@@ -9,6 +10,7 @@ mod seldom;
 mod spec;
 pub mod words;
 
+pub use decimal::{decimal, without_zeros};
 pub use given::given;
 pub use kinds::{Thing, Value, VecN, downcast};
 pub use raw_item::RawItem;

@@ -3,6 +3,7 @@
 
 use super::geometry::Heap;
 use super::leaf::place;
+use super::material::SharedParts;
 use super::{Geometry, Leaf, LoweredFinish, Material, ObjectInfo, Part, PlacedMaterial, PointLight, SolidNode, World};
 use crate::color::Gamma;
 use crate::color::{Color, Rgb};
@@ -12,7 +13,7 @@ use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Cuboid, Kernel, Shape};
 use crate::source::Span;
-use crate::texture::{Finish, Interior, Rare, Texture};
+use crate::texture::{Finish, Interior, Normal, NormalProgram, Rare, Texture};
 use crate::value::Seldom;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -36,7 +37,7 @@ pub fn lower_away(mut scene: Scene) -> Result<World> {
 }
 
 fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result<World> {
-    let mut lowering = Lowering { ambient_light: scene.settings.ambient_light, ..Lowering::default() };
+    let mut lowering = Lowering::under(scene.settings.ambient_light);
     let mut heap = Heap::default();
     for object in objects {
         lowering.default_texture = object.default_texture.clone();
@@ -127,7 +128,6 @@ struct Solid {
 struct Lowering {
     /// Are rays of scripts all that will meet this?
     asked: bool,
-    ambient_light: Rgb,
     /// For shapes of the outermost object at hand that say nothing.
     default_texture: Arc<Texture>,
     parts: Vec<Part>,
@@ -136,18 +136,42 @@ struct Lowering {
     materials: Vec<Material>,
     /// Textures that may come again, and their materials.
     textures: Lowered<Texture, u32>,
-    finishes: Lowered<Finish, Arc<LoweredFinish>>,
+    shared: Shared,
     interiors: Vec<Arc<Interior>>,
     /// That of all shapes that say nothing.
     air: Arc<Interior>,
     lights: Vec<PointLight>,
 }
 
+/// What textures have in common, as it was lowered.
+#[derive(Default)]
+struct Shared {
+    ambient_light: Rgb,
+    finishes: Lowered<Finish, Arc<LoweredFinish>>,
+    normals: Lowered<Normal, Arc<NormalProgram>>,
+}
+
+impl SharedParts for Shared {
+    fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish> {
+        self.finishes.of(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light))).clone()
+    }
+
+    fn normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram> {
+        self.normals.of(normal, |normal| Arc::new(NormalProgram::new(normal))).clone()
+    }
+}
+
 impl Lowering {
+    /// Under the scene's `ambient_light`.
+    fn under(ambient_light: Rgb) -> Self {
+        Self { shared: Shared { ambient_light, ..Shared::default() }, ..Self::default() }
+    }
+
     /// What only this still holds will not come again.
     fn forget_spent(&mut self) {
         self.textures.forget_spent();
-        self.finishes.forget_spent();
+        self.shared.finishes.forget_spent();
+        self.shared.normals.forget_spent();
     }
 
     /// `None` for what can't be hit: lights, empty groups.
@@ -274,12 +298,9 @@ impl Lowering {
     }
 
     fn lower_look(&mut self, look: &Look) -> PlacedMaterial {
-        let Self { textures, finishes, materials, ambient_light, .. } = self;
-        let mut lower_finish = |finish: &Arc<Finish>| {
-            finishes.of(finish, |finish| Arc::new(LoweredFinish::new(finish, *ambient_light))).clone()
-        };
+        let Self { textures, shared, materials, .. } = self;
         let material = *textures.of(&look.texture, |texture| {
-            materials.push(Material::new(texture, &mut lower_finish));
+            materials.push(Material::new(texture, shared));
             materials.len() as u32 - 1
         });
         let place = if self.materials[material as usize].solid { None } else { place(&look.transform) };

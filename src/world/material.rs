@@ -3,7 +3,7 @@
 use crate::color::{Color, Rgb};
 use crate::math::fp;
 use crate::pattern::{PatternProgram, Space, TextureContext};
-use crate::texture::{self, Blend, Finish, Irid, NormalProgram, Pigment, PigmentProgram, Reflection, Texture};
+use crate::texture::{self, Blend, Finish, Irid, Normal, NormalProgram, Pigment, PigmentProgram, Reflection, Texture};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -104,10 +104,18 @@ pub struct Lobe {
     pub exponent: f64,
 }
 
+/// Lowers what several textures have in common.
+pub trait SharedParts {
+    /// A finish.
+    fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish>;
+    /// A normal.
+    fn normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram>;
+}
+
 impl Material {
-    /// Lowers a texture; `lower_finish` lowers its finishes.
-    pub fn new(texture: &Texture, lower_finish: &mut dyn FnMut(&Arc<Finish>) -> Arc<LoweredFinish>) -> Self {
-        let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, lower_finish)).collect();
+    /// Lowers a texture; what it has in common with others is lowered once.
+    pub fn new(texture: &Texture, shared: &mut dyn SharedParts) -> Self {
+        let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, shared)).collect();
         Self {
             // One layer that lets nothing pass is enough.
             opaque: texture.layers.iter().any(is_opaque),
@@ -135,24 +143,21 @@ fn asks_uv(layer: &texture::Layer) -> bool {
         || choice.is_some_and(|c| c.pattern.uv || c.parts.iter().any(|part| part.layers.iter().any(asks_uv)))
 }
 
-fn lower_choice(choice: &texture::Choice, lower_finish: &mut dyn FnMut(&Arc<Finish>) -> Arc<LoweredFinish>) -> Choice {
-    let parts = choice.parts.map(|texture| Material::new(texture, lower_finish));
+fn lower_choice(choice: &texture::Choice, shared: &mut dyn SharedParts) -> Choice {
+    let parts = choice.parts.map(|texture| Material::new(texture, shared));
     let (pattern, space) = (PatternProgram::new(&choice.pattern), choice.pattern.space.clone());
     Choice { pattern, space, parts }
 }
 
 impl Layer {
-    fn new(layer: &texture::Layer, lower_finish: &mut dyn FnMut(&Arc<Finish>) -> Arc<LoweredFinish>) -> Self {
+    fn new(layer: &texture::Layer, shared: &mut dyn SharedParts) -> Self {
         let texture::Layer { pigment, normal, finish, choice } = layer;
         Self {
-            choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, lower_finish))),
-            normal: normal
-                .as_ref()
-                .filter(|normal| !normal.is_flat())
-                .map(|normal| Arc::new(NormalProgram::new(normal))),
+            choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, shared))),
+            normal: normal.as_ref().filter(|normal| !normal.is_flat()).map(|normal| shared.normal(normal)),
             pigment: LayerColor::new(pigment),
             quick: pigment.quick().map(|quick| Box::new(LayerColor::new(&quick))),
-            finish: lower_finish(finish),
+            finish: shared.finish(finish),
         }
     }
 

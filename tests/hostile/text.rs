@@ -23,6 +23,7 @@ fn bytes() -> Vec<Case> {
         case("random_bytes", noise(5000), 1, &["E0001", "a.scene:1:1"]),
         case("latin_noise", noise(5000).iter().map(|b| b | 0x80).collect::<Vec<_>>(), 1, &["E0100", "a.scene:1:1"]),
         case("elf", elf, 1, &["E0001", "a program", "a.scene:1:1"]),
+        case("c_loop_to_the_last_number", "for (i = 0; i > 9223372036854775807; i--)", 1, &["E0100", "#for"]),
         case("utf16_le", utf16("sphere { 0, 1 }", 0xfeff, u16::to_le_bytes), 1, &["E0001", "UTF-16", "a.scene:1:1"]),
         case("utf16_be", utf16("sphere { 0, 1 }", 0xfeff, u16::to_be_bytes), 1, &["E0001", "UTF-16", "a.scene:1:1"]),
         case("nul_bytes", vec![0; 1000], 1, &["E0001", "a.scene:1:1"]),

@@ -1,13 +1,13 @@
 //! The command line and the codes of messages.
 
 use super::{code, table};
-use crate::cli::Cli;
+use crate::cli::commands;
 use crate::cli::povray::table::{Effect, ROWS, Row, Takes};
 use crate::diagnostic::codes::ALL;
-use clap::{Arg, CommandFactory};
+use clap::Arg;
 
 pub(super) fn options() -> String {
-    let command = Cli::command();
+    let command = commands();
     let global = command.get_arguments().filter(|a| a.is_global_set()).map(option_row);
     let mut text = format!("## For every command\n\n{}", table(["option", ""], global));
     for sub in command.get_subcommands().filter(|c| !c.is_hide_set()) {

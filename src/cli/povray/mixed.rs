@@ -2,8 +2,8 @@
 
 use super::own::Own;
 use super::{Origin, Translated, Translation, find_switch};
-use crate::cli::Cli;
-use clap::{Command, CommandFactory};
+use crate::cli::commands;
+use clap::Command;
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -21,7 +21,7 @@ pub enum Manner {
 /// Does a command of ours come first, or what every command takes?
 pub fn manner(words: &[OsString]) -> Manner {
     let Some((at, first)) = first_word(words) else { return Manner::Ours };
-    let command = Cli::command();
+    let command = commands();
     if ["--help", "-h", "--version", "-V", "help"].contains(&&*first) {
         return Manner::Ours;
     }
@@ -51,7 +51,7 @@ pub fn first_word(words: &[OsString]) -> Option<(usize, String)> {
 
 /// Is it a command that reads a scene, and no file?
 pub fn is_command(word: &str) -> bool {
-    Cli::command().find_subcommand(word).is_some_and(is_mixing) && !Path::new(word).exists()
+    commands().find_subcommand(word).is_some_and(is_mixing) && !Path::new(word).exists()
 }
 
 fn is_mixing(command: &Command) -> bool {
@@ -61,7 +61,7 @@ fn is_mixing(command: &Command) -> bool {
 /// Does the command take this option, which is spelt out? `check` and `pick` draw nothing, so what is about pictures says
 /// nothing to them.
 pub fn is_taken(command: &str, word: &str) -> bool {
-    let all = Cli::command();
+    let all = commands();
     let name = word.split('=').next().and_then(|word| word.strip_prefix("--"));
     let own = all.find_subcommand(command).into_iter().flat_map(Command::get_arguments);
     name.is_none() || own.chain(all.get_arguments()).any(|a| a.get_long() == name)
@@ -69,7 +69,7 @@ pub fn is_taken(command: &str, word: &str) -> bool {
 
 /// The words behind a command, and which of them are POV-Ray's.
 fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, bool)> {
-    let global = Cli::command();
+    let global = commands();
     let arguments: Vec<_> = command.get_arguments().chain(global.get_arguments()).collect();
     let takes_value = |a: &&clap::Arg| a.get_action().takes_values();
     let (mut out, mut is_value, mut is_over) = (vec![], false, false);
@@ -107,7 +107,7 @@ fn is_theirs(text: &str) -> bool {
 impl Translation<'_> {
     /// Ours as they are, with POV-Ray's words, translated, before them: anti-aliasing stays ours unless `+A` or `-A` stands there.
     pub(super) fn mixed(mut self, words: &[OsString], at: usize) -> Translated {
-        let all = Cli::command();
+        let all = commands();
         let Some(command) = words.get(at).and_then(|word| all.find_subcommand(word)) else {
             return self.finish("durer".into());
         };

@@ -2,8 +2,7 @@
 
 use super::find_switch;
 use super::table::Takes;
-use crate::cli::Cli;
-use clap::CommandFactory;
+use crate::cli::commands;
 use std::ffi::OsString;
 
 /// An option of ours, as it came.
@@ -33,7 +32,7 @@ pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
 /// Is it one of our options for `render`, and does it take the next word? A short one is ours if nothing is attached, where
 /// POV-Ray would need a value; `-j` if a number follows, since POV-Ray's `-J` takes none.
 pub fn option(text: &str, next: Option<&str>) -> Option<(String, bool)> {
-    let command = Cli::command();
+    let command = commands();
     let render = command.find_subcommand("render")?;
     let mut arguments = render.get_arguments().chain(command.get_arguments());
     let takes_value = |a: &clap::Arg| a.get_action().takes_values();

@@ -2,7 +2,7 @@
 
 use crate::interpreter::builtin::leading_number;
 use crate::interpreter::operators::numbers_of;
-use crate::value::{Value, VecN};
+use crate::value::{Value, VecN, decimal, without_zeros};
 
 /// Over blanks, commas and comments.
 pub(super) fn skip_blanks(text: &str, at: usize) -> usize {
@@ -92,14 +92,11 @@ fn general(x: f64) -> String {
     let scientific = format!("{x:.5e}");
     let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    let trimmed = |s: &str| {
-        if s.contains('.') { s.trim_end_matches('0').trim_end_matches('.').to_string() } else { s.to_string() }
-    };
     if (-4..6).contains(&exponent) {
-        return trimmed(&format!("{x:.*}", (5 - exponent) as usize));
+        return decimal(x, (5 - exponent) as usize);
     }
     let sign = if exponent < 0 { '-' } else { '+' };
-    format!("{}e{sign}{:02}", trimmed(digits), exponent.abs())
+    format!("{}e{sign}{:02}", without_zeros(digits), exponent.abs())
 }
 
 /// `uint16be` and its kin: whole numbers as bytes.

@@ -5,20 +5,20 @@ use super::source_line::{SourceLine, code_of, is_letter, leading_name, value_tex
 use crate::diagnostic::{Diagnostic, codes};
 
 /// The word behind the `#` at the place, and what follows it.
-fn directive_at<'t>(around: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
-    let rest = around.after().strip_prefix('#')?.trim_start_matches([' ', '\t']);
+fn directive_at<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
+    let rest = source.after().strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
     Some(rest.split_at(end))
 }
 
 /// The same where there is no directive of this name.
-fn unknown_at<'t>(around: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
-    if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(around) } else { None }
+fn unknown_at<'t>(source: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
+    if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(source) } else { None }
 }
 
 /// `#ff8800`
-pub(super) fn hex_color(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let (word, _) = unknown_at(around, d)?;
+pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let (word, _) = unknown_at(source, d)?;
     let digits = |i: usize, n: usize| u32::from_str_radix(word.get(i..i + n)?, 16).ok();
     let [red, green, blue] = match word.len() {
         3 | 4 => [0, 1, 2].map(|i| digits(i, 1).map(|x| x * 17)),
@@ -31,8 +31,8 @@ pub(super) fn hex_color(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `#define A 2`
-pub(super) fn define(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(around, d)? else { return None };
+pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(source, d)? else { return None };
     let (name, rest) = leading_name(rest.trim_start())?;
     let help = match rest.strip_prefix('(') {
         Some(rest) => format!("`#macro {name}({}) … #end`", rest.split(')').next().unwrap_or_default()),
@@ -42,37 +42,37 @@ pub(super) fn define(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `#elsif (A)`
-pub(super) fn other_branch(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let (word, rest) = unknown_at(around, d)?;
+pub(super) fn other_branch(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let (word, rest) = unknown_at(source, d)?;
     let condition = code_of(rest);
     crate::syntax::fault::is_other_elseif(word).then(|| Habit::help(format!("write `#elseif {condition}`")))
 }
 
 /// `#endif`
-pub(super) fn other_end(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let (word, _) = unknown_at(around, d)?;
+pub(super) fn other_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let (word, _) = unknown_at(source, d)?;
     crate::syntax::fault::is_other_end(word).then(|| Habit::help("every directive with a body ends with `#end`"))
 }
 
 /// `#Size = 3;`
-pub(super) fn assignment(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let (name, rest) = unknown_at(around, d)?;
+pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let (name, rest) = unknown_at(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
     Some(Habit::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
 }
 
 /// `# the red ball`
-pub(super) fn comment(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    unknown_at(around, d).filter(|_| d.help.is_none())?;
-    let text = around.after().trim_end();
+pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    unknown_at(source, d).filter(|_| d.help.is_none())?;
+    let text = source.after().trim_end();
     let said = text.trim_start_matches(['#', ' ', '\t']);
     let help = format!("a comment begins with `//`: `// {}`", value_text(said));
-    Some(Habit::help(help).at(around.range_of(text)))
+    Some(Habit::help(help).at(source.range_of(text)))
 }
 
 /// `#declre Size = 2;`: the name has no value now.
-pub(super) fn misspelt(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let (_, rest) = unknown_at(around, d)?;
+pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let (_, rest) = unknown_at(source, d)?;
     let rest = rest.trim_start();
     let habit = Habit::help(d.help.clone()?);
     // An `#inculde "file"` is a file that was not read.
@@ -88,19 +88,19 @@ pub(super) fn misspelt(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `#else if (A)`
-pub(super) fn else_if(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
-    let before = around.before().trim_end();
-    let rest = around.after().strip_prefix("if")?.trim_start();
+pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+    let before = source.before().trim_end();
+    let rest = source.after().strip_prefix("if")?.trim_start();
     before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
     let habit = Habit::help(format!("write `#elseif {}`", code_of(rest)));
-    let start = around.line.start + before.rfind('#')?;
-    let habit = habit.message("`#else if` is written as one word: `#elseif`").at(start..around.at + 2);
+    let start = source.line.start + before.rfind('#')?;
+    let habit = habit.message("`#else if` is written as one word: `#elseif`").at(start..source.at + 2);
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
 }
 
 /// `for (int i = 0; i < 10; i++) {`, also with its `#`.
-pub(super) fn c_for(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
-    let statement = around.statement();
+pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+    let statement = source.statement();
     let bare = !statement.starts_with('#');
     let head = statement.trim_start_matches('#').trim_start().strip_prefix("for")?.trim_start().strip_prefix('(')?;
     let head = head.split(')').next().unwrap_or_default();
@@ -116,23 +116,23 @@ pub(super) fn c_for(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let step = if limit.starts_with('<') { 1 } else { -1 };
     let limit = limit.trim_start_matches(['<', '>', '=']).trim();
     let last = match limit.parse::<i64>() {
-        Ok(n) if below => (n - step).to_string(),
+        Ok(n) if below => n.saturating_sub(step).to_string(),
         _ => limit.to_string(),
     };
     let by = if step < 0 { ", -1" } else { "" };
     let habit = Habit::help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
     let message = if bare { "a loop begins with `#for`" } else { "`#for` takes a name, a first and a last value" };
-    let start = around.statement_start();
+    let start = source.statement_start();
     let end = start + statement.find('(').unwrap_or(0);
     let habit = habit.message(message).at(start..start + statement[..end - start].trim_end().len());
     Some(habit.code(codes::SYNTAX).declares(counter))
 }
 
 /// `#include colors.inc`
-pub(super) fn file_without_quotes(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
-    let rest = around.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
+pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+    let rest = source.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
     let typed = rest.trim_start();
-    if typed.starts_with('"') || !rest.starts_with([' ', '\t', '<', '\'']) || around.at < around.range_of(typed).start {
+    if typed.starts_with('"') || !rest.starts_with([' ', '\t', '<', '\'']) || source.at < source.range_of(typed).start {
         return None;
     }
     let typed = typed.split_whitespace().next()?;
@@ -143,15 +143,15 @@ pub(super) fn file_without_quotes(around: &SourceLine, _: &Diagnostic) -> Option
         return None;
     }
     let habit = Habit::help(format!("write `#include \"{name}\"`"));
-    let habit = habit.message("the name of a file stands in double quotes").at(around.range_of(typed));
+    let habit = habit.message("the name of a file stands in double quotes").at(source.range_of(typed));
     Some(Habit { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
 
 /// `#macro Ball(R) {`
-pub(super) fn braces_around_body(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let statement = around.statement();
-    let head = around.before().trim();
-    if d.code != codes::EXPECTED || !around.after().starts_with('{') || !head.starts_with('#') {
+pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let statement = source.statement();
+    let head = source.before().trim();
+    if d.code != codes::EXPECTED || !source.after().starts_with('{') || !head.starts_with('#') {
         return None;
     }
     let (word, _) = leading_name(head.trim_start_matches('#').trim_start())?;
@@ -165,14 +165,14 @@ pub(super) fn braces_around_body(around: &SourceLine, d: &Diagnostic) -> Option<
 }
 
 /// `macro Ball(R)`, `if (A = 1)`, `def Ball(r):`
-pub(super) fn without_hash(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let statement = around.statement();
+pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let statement = source.statement();
     let (word, rest) = leading_name(statement)?;
-    if around.at != around.statement_start() || d.code == codes::UNKNOWN_DIRECTIVE {
+    if source.at != source.statement_start() || d.code == codes::UNKNOWN_DIRECTIVE {
         return None;
     }
     let typed = rest.trim_start();
-    let place = around.at..around.at + word.len();
+    let place = source.at..source.at + word.len();
     let habit = match word {
         "def" | "func" | "fn" | "proc" | "sub" => {
             let head = typed.trim_end_matches([':', '{', ' ']);

@@ -110,9 +110,9 @@ const CODES: &[Code] = &[
 ];
 
 /// What was meant where a fault was met, if it can be told.
-pub(super) fn find(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn find(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !CODES.contains(&d.code) {
         return None;
     }
-    HABITS.iter().find_map(|recognise| recognise(around, d))
+    HABITS.iter().find_map(|recognise| recognise(source, d))
 }

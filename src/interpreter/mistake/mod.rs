@@ -52,18 +52,18 @@ impl Mistakes {
 impl Interpreter<'_> {
     /// A fault as it is to be told; `None` if it follows from another, or is told with another.
     pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
-        let Some(around) = SourceLine::of(self.sources, d.span()) else { return Some(d) };
-        let line = (around.file, around.line.start);
-        let habit = habit::find(&around, &d);
+        let Some(source) = SourceLine::of(self.sources, d.span()) else { return Some(d) };
+        let line = (source.file, source.line.start);
+        let habit = habit::find(&source, &d);
         let is_habit = habit.is_some();
         if let Some(habit) = habit {
-            let base = self.sources.base(around.file);
-            self.note_habit(&habit, around.file);
+            let base = self.sources.base(source.file);
+            self.note_habit(&habit, source.file);
             d = habit.told(d, base);
-        } else if self.follows(&d, &around) {
+        } else if self.follows(&d, &source) {
             return None;
         }
-        self.note(&d, &around);
+        self.note(&d, &source);
         // What else is wrong in a line that can't be read is no news.
         let known = self.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
         if !known && d.severity == Severity::Error {
@@ -85,9 +85,9 @@ impl Interpreter<'_> {
     }
 
     /// Remembers what a fault leaves undone.
-    fn note(&mut self, d: &Diagnostic, around: &SourceLine) {
+    fn note(&mut self, d: &Diagnostic, source: &SourceLine) {
         let text = self.sources.snippet(d.span());
-        let directive = around.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
+        let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
         if let Some(("declare" | "local" | "macro", rest)) = directive
             && let Some((name, _)) = leading_name(rest.trim_start())
         {
@@ -97,7 +97,7 @@ impl Interpreter<'_> {
             codes::MISSING_INCLUDE | codes::UNREADABLE_INCLUDE if matches!(directive, Some(("include", _))) => {
                 let meant = d.help.as_deref().and_then(|help| help.strip_prefix("did you mean `")?.strip_suffix("`?"));
                 for name in [Some(text.trim_matches('"')), meant].into_iter().flatten() {
-                    self.mistakes.files.push((name.to_string(), around.file));
+                    self.mistakes.files.push((name.to_string(), source.file));
                 }
             }
             codes::RESERVED_NAME => drop(self.mistakes.words.insert(text.to_string())),
@@ -106,15 +106,15 @@ impl Interpreter<'_> {
     }
 
     /// Does a fault follow from an earlier one?
-    fn follows(&self, d: &Diagnostic, around: &SourceLine) -> bool {
-        if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && around.after().starts_with("#end") {
+    fn follows(&self, d: &Diagnostic, source: &SourceLine) -> bool {
+        if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && source.after().starts_with("#end") {
             return true;
         }
         if let Some(cause) = &d.cause {
-            return cause.uses.iter().all(|(name, _)| self.is_left_undone(name, around.file));
+            return cause.uses.iter().all(|(name, _)| self.is_left_undone(name, source.file));
         }
         let is_value = matches!(d.code, codes::EXPECTED | codes::EXPECTED_VALUE | codes::UNKNOWN_WORD);
-        is_value && !self.mistakes.words.is_empty() && around.words().any(|word| self.mistakes.words.contains(word))
+        is_value && !self.mistakes.words.is_empty() && source.words().any(|word| self.mistakes.words.contains(word))
     }
 
     /// Would the name be declared, had nothing failed before?

@@ -6,12 +6,12 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
 /// `A <> B`
-pub(super) fn not_equal(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // (The fault may be found at either sign.)
-    let from = around.at.saturating_sub(1).max(around.line.start);
+    let from = source.at.saturating_sub(1).max(source.line.start);
     let at =
-        from + around.text.get(from..around.line.end)?.find("<>").filter(|i| *i <= 1 && d.code == codes::SYNTAX)?;
-    let (left, right) = (trailing_operand(&around.text[around.line.start..at]), &around.text[at + 2..around.line.end]);
+        from + source.text.get(from..source.line.end)?.find("<>").filter(|i| *i <= 1 && d.code == codes::SYNTAX)?;
+    let (left, right) = (trailing_operand(&source.text[source.line.start..at]), &source.text[at + 2..source.line.end]);
     let right = right.trim_start();
     let right = &right[..right.find(|c: char| !is_letter(c) && c != '.').unwrap_or(right.len())];
     let habit = Habit::help(format!("write `{left} != {right}`")).message("`<>` does not compare");
@@ -24,10 +24,10 @@ fn trailing_operand(text: &str) -> &str {
 }
 
 /// `&&`, `||`, `==`
-pub(super) fn doubled(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // (The fault is at the second sign.)
-    let at = around.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
-    let typed = around.text.get(at..at + 2)?;
+    let at = source.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
+    let typed = source.text.get(at..at + 2)?;
     let help = match typed {
         "&&" => "a single `&` is the logical and",
         "||" => "a single `|` is the logical or",
@@ -38,17 +38,17 @@ pub(super) fn doubled(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// `A + ;`
-pub(super) fn operator_at_end(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let before = around.text[..around.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
+pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let before = source.text[..source.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
     let habit = Habit::help("an operator needs a value on both sides");
     Some(habit.message(format!("expected a value behind `{sign}`, found `;`")).at(before.len()..before.len() + 1))
 }
 
 /// `A and B`, `not A`, `A mod 2`
-pub(super) fn word(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let (word, right) = leading_name(around.after())?;
-    let left = around.before().trim_end();
+pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let (word, right) = leading_name(source.after())?;
+    let left = source.before().trim_end();
     let message = |sign: &str, what: &str| format!("{what} is `{sign}`");
     let habit = match word.to_ascii_lowercase().as_str() {
         "and" => Habit::help(message("&", "the logical and")),
@@ -66,7 +66,7 @@ pub(super) fn word(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
         d.code,
         codes::UNDECLARED | codes::UNKNOWN_WORD | codes::EXPECTED | codes::EXPECTED_VALUE | codes::SYNTAX
     );
-    let habit = habit.message(format!("`{word}` is no operator")).at(around.at..around.at + word.len());
+    let habit = habit.message(format!("`{word}` is no operator")).at(source.at..source.at + word.len());
     tells.then(|| habit.code(codes::SYNTAX))
 }
 
@@ -76,9 +76,9 @@ fn operand(text: &str) -> &str {
 }
 
 /// `phong = 0.5`
-pub(super) fn equal_behind_word(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let value = around.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
-    let (before, word) = trailing_name(around.before().trim_end())?;
+pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let value = source.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
+    let (before, word) = trailing_name(source.before().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
     let value = value_text(value.split(['}', ';']).next().unwrap_or_default());
     let habit = Habit::help(format!("a value stands right behind its word: `{word} {value}`"));
@@ -86,12 +86,12 @@ pub(super) fn equal_behind_word(around: &SourceLine, d: &Diagnostic) -> Option<H
 }
 
 /// `A[0,1]`
-pub(super) fn index_with_comma(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !matches!(d.code, codes::EXPECTED | codes::SYNTAX | codes::WRONG_COUNT) {
         return None;
     }
-    let line = &around.text[around.line.clone()];
-    let from = around.at - around.line.start;
+    let line = &source.text[source.line.clone()];
+    let from = source.at - source.line.start;
     let open = line[..from].rfind('[')?;
     let close = open + line[open..].find(']')?;
     let (_, name) = trailing_name(&line[..open])?;
@@ -100,15 +100,15 @@ pub(super) fn index_with_comma(around: &SourceLine, d: &Diagnostic) -> Option<Ha
         return None;
     }
     let written: String = indices.iter().map(|index| format!("[{index}]")).collect();
-    let start = around.line.start + open - name.len();
+    let start = source.line.start + open - name.len();
     let habit = Habit::help(format!("write `{name}{written}`"));
     let habit = habit.message("each index of an array stands in brackets of its own");
-    Some(habit.at(start..around.line.start + close + 1))
+    Some(habit.at(start..source.line.start + close + 1))
 }
 
 /// `<-1 -1 -1>`
-pub(super) fn vector_without_commas(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let text = around.text.get(around.at..around.end).filter(|_| d.code == codes::WRONG_COUNT)?;
+pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let text = source.text.get(source.at..source.end).filter(|_| d.code == codes::WRONG_COUNT)?;
     let inside = text.strip_prefix('<')?.strip_suffix('>')?;
     let numbers: Vec<&str> = inside.split([' ', '\t', ',']).filter(|n| !n.is_empty()).collect();
     let signed = numbers.iter().skip(1).any(|n| n.starts_with(['-', '+']));
@@ -124,17 +124,17 @@ pub(super) fn vector_without_commas(around: &SourceLine, d: &Diagnostic) -> Opti
 }
 
 /// `translate 1, 2, 3`
-pub(super) fn list_behind_word(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if d.code != codes::EXPECTED {
         return None;
     }
-    let before = around.before().trim_end().strip_suffix(',')?;
+    let before = source.before().trim_end().strip_suffix(',')?;
     let start = before.trim_end_matches(|c: char| c.is_ascii_digit() || " .,-+".contains(c)).len();
     let (_, word) = trailing_name(&before[..start])?;
     if !matches!(word, "translate" | "rotate" | "scale" | "location" | "look_at" | "rgb") {
         return None;
     }
-    let rest = code_of(around.after());
+    let rest = code_of(source.after());
     let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
     let numbers = format!("{}, {rest}", before[start..].trim());
     let habit =
@@ -143,20 +143,20 @@ pub(super) fn list_behind_word(around: &SourceLine, d: &Diagnostic) -> Option<Ha
 }
 
 /// `rgb(1, 0, 0)`
-pub(super) fn list_in_parentheses(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let inside = around.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
+pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let inside = source.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
     let (numbers, _) = inside.split_once(')')?;
     let plain = numbers.contains(',') && !numbers.contains('(');
-    let word = trailing_name(around.before().trim_end()).map_or("", |(_, word)| word);
+    let word = trailing_name(source.before().trim_end()).map_or("", |(_, word)| word);
     let space = if word.is_empty() { "" } else { " " };
     let help = format!("vectors stand in angle brackets: `{word}{space}<{}>`", numbers.trim());
     (plain && (word.is_empty() || lookup(word).is_some())).then(|| Habit::help(help))
 }
 
 /// `sphere { [0, 1, 2], 1 }`
-pub(super) fn square_vector(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside =
-        around.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
+        source.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
     let (numbers, _) = inside.split_once(']')?;
     Some(Habit::help(format!("vectors stand in angle brackets: `<{}>`", numbers.trim())))
 }

@@ -6,19 +6,19 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
 /// The name of the author's own that the line begins with, and what follows it.
-fn own_name<'t>(around: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
-    leading_name(around.statement())
+fn own_name<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
+    leading_name(source.statement())
         .filter(|(name, _)| lookup(name).is_none())
         .map(|(name, rest)| (name, rest.trim_start()))
 }
 
 /// `F(x) = x*x`
-pub(super) fn function_definition(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
-    let (name, rest) = own_name(around)?;
+pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+    let (name, rest) = own_name(source)?;
     let (parameters, rest) = rest.strip_prefix('(')?.split_once(')')?;
     let value = rest.trim_start().strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let is_list = parameters.split(',').all(|p| !p.trim().is_empty() && p.trim().chars().all(is_letter));
-    let sign = around.range_of(value).start - 1;
+    let sign = source.range_of(value).start - 1;
     let body = value_text(value);
     let habit = Habit::help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));
     let habit = habit.message(format!("`{name}(…) = …` defines no function")).at(sign..sign + 1);
@@ -26,9 +26,9 @@ pub(super) fn function_definition(around: &SourceLine, _: &Diagnostic) -> Option
 }
 
 /// `I++` and `N += 2`
-pub(super) fn in_place(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
-    let (name, rest) = own_name(around)?;
-    let start = around.statement_start();
+pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+    let (name, rest) = own_name(source)?;
+    let start = source.statement_start();
     let typed = rest.trim_end_matches(';').trim_end();
     let (sign, value, length) = match typed {
         "++" => ("+", "1".to_string(), 2),
@@ -38,51 +38,51 @@ pub(super) fn in_place(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
             (sign, value_text(rest[1..].strip_prefix('=')?), 2)
         }
     };
-    let end = around.range_of(rest).start + length;
-    let shown = &around.text[start..end];
+    let end = source.range_of(rest).start + length;
+    let shown = &source.text[start..end];
     let habit = Habit::help(format!("write `#declare {name} = {name} {sign} {value};`"));
     Some(habit.message(format!("`{shown}` does not change `{name}`")).at(start..end).code(codes::SYNTAX))
 }
 
 /// `float A = 2;`, `let A = 2;`
-pub(super) fn typed_variable(around: &SourceLine, _: &Diagnostic) -> Option<Habit> {
-    let (kind, rest) = leading_name(around.statement())?;
+pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+    let (kind, rest) = leading_name(source.statement())?;
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
     let (name, rest) = leading_name(rest.trim_start()).filter(|_| known.contains(&kind))?;
     let value = rest.trim_start().strip_prefix('=')?;
-    let start = around.statement_start();
+    let start = source.statement_start();
     let habit = Habit::help(format!("write `#declare {name} = {};`", value_text(value)));
     let habit = habit.message(format!("`{kind}` declares nothing")).at(start..start + kind.len());
     Some(habit.code(codes::SYNTAX).declares(name))
 }
 
 /// `Size = 3;`
-pub(super) fn assignment(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let (name, rest) = own_name(around)?;
+pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let (name, rest) = own_name(source)?;
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
-    let sign = around.range_of(value).start - 1;
-    let inside = around.at <= sign + 1 && d.code != codes::UNKNOWN_DIRECTIVE;
+    let sign = source.range_of(value).start - 1;
+    let inside = source.at <= sign + 1 && d.code != codes::UNKNOWN_DIRECTIVE;
     let habit = Habit::help(format!("to give `{name}` a value, write `#declare {name} = {};`", value_text(value)));
     let habit = habit.message("`=` can't stand here").at(sign..sign + 1);
     inside.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
 /// `Ball translate 2*x`, `sphere { … } rotate y`: outside of all braces.
-pub(super) fn behind_object(around: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    let (word, _) = leading_name(around.after())?;
+pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+    let (word, _) = leading_name(source.after())?;
     if d.code != codes::UNKNOWN_WORD || !d.message.ends_with("outside of all braces") {
         return None;
     }
     let known = crate::scene::words::MODIFIERS;
     let modifies = known.obeys(word) || crate::value::words::TRANSFORMS.iter().any(|w| w.name == word);
-    let before = around.text[..around.at].trim_end();
+    let before = source.text[..source.at].trim_end();
     let message = |what: &str| format!("`{word}` stands behind {what}, which is finished there");
     if let Some((_, name)) = trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
-        let rest = value_text(around.after());
+        let rest = value_text(source.after());
         let habit = Habit::help(format!("write `object {{ {name} {rest} }}`"));
         return Some(habit.message(message(&format!("the object `{name}`"))));
     }
-    let typed = value_text(around.after());
+    let typed = value_text(source.after());
     let habit = Habit::help(format!("put it before the `}}` of the object that it is for: `… {typed} }}`"));
     (modifies && before.ends_with('}')).then(|| habit.message(message("an object")))
 }

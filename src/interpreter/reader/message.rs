@@ -76,26 +76,6 @@ impl Interpreter<'_> {
         })
     }
 
-    /// Does a value begin with this sign, which comes in pieces? (Behind an operand, `<` compares.)
-    pub(in crate::interpreter) fn begins_value(&self, sign: Sign, span: Span) -> bool {
-        let Some((file, range)) = self.sources.locate(span) else { return false };
-        let (before, behind) = self.sources.text(file).split_at(range.start);
-        let begins = match sign {
-            Sign::Not => true,
-            Sign::Operator(Operator::Less) => {
-                !before.trim_end().ends_with(|c: char| c.is_alphanumeric() || "_.)]\"".contains(c))
-            }
-            Sign::Operator(op) => op.adds(),
-            _ => false,
-        };
-        let rest = &behind[range.len()..];
-        // (A `<` that nothing closes compares too.)
-        let line = rest.split(['\n', '\r', ';']).next().unwrap_or_default();
-        let compares = sign == Sign::Operator(Operator::Less) && !line.contains('>');
-        let operand = rest.trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
-        begins && !compares && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
-    }
-
     /// `A(2)` where A is a value: nothing that could be called.
     pub(in crate::interpreter) fn called_value(&mut self) -> Option<Diagnostic> {
         let opens = matches!(

@@ -86,6 +86,8 @@ struct Open<'t> {
     at: usize,
     /// Has a directive been met in it?
     directed: bool,
+    /// Has a word of durer's own been told in it? One message for each block will do.
+    told: bool,
 }
 
 struct Walk<'a> {
@@ -103,7 +105,7 @@ impl<'a> Walk<'a> {
         match self.text.class(at) {
             opener @ (class::BRACE | class::PAREN | class::BRACKET | class::VECTOR) => {
                 let word = if at > 0 && self.text.is_keyword(at - 1) { self.text.word(at - 1) } else { "" };
-                self.open.push(Open { class: opener, word, at, directed: false });
+                self.open.push(Open { class: opener, word, at, directed: false, told: false });
             }
             class::BRACE_END | class::PAREN_END | class::BRACKET_END | class::VECTOR_END => drop(self.open.pop()),
             class if is_directive(class) => {

@@ -216,12 +216,8 @@ impl Walk<'_> {
         let name = self.text.word(at);
         let own = word::contextual(block).contains(&name);
         let is_named = self.text.symbol(at).is_some_and(|symbol| self.declared.kind(symbol).is_some());
-        // One message for each block will do.
-        let told = self.out.last().is_some_and(|d| {
-            let start = self.open.last().map_or(0, |open| self.text.span(open.at).lo);
-            d.message.contains("only durer knows") && d.span().lo > start
-        });
-        if own && !is_named && !told {
+        if own && !is_named && !self.open.last().is_some_and(|open| open.told) {
+            self.open.iter_mut().for_each(|open| open.told = true);
             let help = match block {
                 "camera" => "`camera { location … look_at … angle … }` is what both know",
                 _ => "`plane { <A, B, C>, distance }` is what both know",

@@ -1,0 +1,28 @@
+//! Numbers as a person writes them.
+
+/// With at most so many digits behind the point: no zeros at the end, and no sign of a zero.
+pub fn decimal(x: f64, digits: usize) -> String {
+    let text = format!("{x:.digits$}");
+    match without_zeros(&text) {
+        "-0" => "0".into(),
+        short => short.into(),
+    }
+}
+
+/// The digits of a number without the zeros at the end of its fraction.
+pub fn without_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_written_that_says_nothing() {
+        let cases = [(1.5, 3, "1.5"), (100.0, 0, "100"), (-0.0001, 2, "0"), (-2.0, 2, "-2"), (0.127, 2, "0.13")];
+        for (x, digits, text) in cases {
+            assert_eq!(decimal(x, digits), text);
+        }
+    }
+}
