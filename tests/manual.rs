@@ -159,7 +159,7 @@ fn every_read_word() -> Result<(), Failed> {
     }
     // It belongs to what is not drawn yet.
     words.retain(|word| word != "ttf");
-    all_found(words, 60, &told)
+    all_found(words, 45, &told)
 }
 
 /// Are there as many words as there must be, and is each of them found?

@@ -43,24 +43,6 @@ impl Default for LectureCamera {
 }
 
 impl LectureCamera {
-    pub(super) fn read_word(&mut self, word: &str, at: Span, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "eye" => self.eye = r.vector()?,
-            "center" => self.center = r.vector()?,
-            "up" => self.up = r.vector()?,
-            _ => {
-                let angle = r.float()?;
-                if !(angle > 0.0 && angle < 180.0) {
-                    let message = format!("`{word}` lies between 0 and 180 degrees, this is {angle}");
-                    return Diagnostic::err(codes::BAD_CAMERA, at, message);
-                }
-                let field = if word == "fov_x" { &mut self.fov_x } else { &mut self.fov_y };
-                *field = Some(angle);
-            }
-        }
-        Ok(())
-    }
-
     pub(super) fn check(&self, source: Span) -> Result<()> {
         let bad = |message: &str| Diagnostic::err(codes::BAD_CAMERA, source, message);
         if self.eye == self.center {
@@ -94,6 +76,16 @@ impl LectureCamera {
             down: v * (-2.0 * tan_y / height as f64),
         }
     }
+}
+
+/// An angle of view.
+pub(super) fn read_field_of_view(word: &str, r: &mut dyn Reader) -> Result<Option<f64>> {
+    let (at, angle) = (r.span(), r.float()?);
+    if angle > 0.0 && angle < 180.0 {
+        return Ok(Some(angle));
+    }
+    let message = format!("`{word}` lies between 0 and 180 degrees, this is {angle}");
+    Diagnostic::err(codes::BAD_CAMERA, at, message)
 }
 
 #[cfg(test)]

@@ -10,9 +10,10 @@ pub use perspective::Perspective;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, Ray, Transform};
 use crate::source::Span;
+use crate::value::words::read_row;
 use crate::value::{Next, RawItem, Reader, ReaderExt, Thing};
 use serde::Serialize;
-use words::{LECTURE, PERSPECTIVE};
+use words::{LECTURE, LECTURE_ROWS, PERSPECTIVE, PERSPECTIVE_ROWS};
 
 /// Any camera.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -80,23 +81,15 @@ impl Camera {
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word) if word != "up" && LECTURE.obeys(word) => {
-                    let at = r.take()?;
-                    lecture.get_or_insert_with(LectureCamera::default).read_word(word, at, r)?;
-                }
-                Next::Word("up") if lecture.is_some() => {
-                    let at = r.take()?;
-                    lecture.get_or_insert_with(LectureCamera::default).read_word("up", at, r)?;
+                Next::Word(word) if LECTURE.obeys(word) && (word != "up" || lecture.is_some()) => {
+                    read_row(LECTURE_ROWS, lecture.get_or_insert_default(), Next::Word(word), r)?;
                 }
                 next if next.moves() => {
                     if let Some(step) = r.transform()? {
                         transform = transform.then(&step);
                     }
                 }
-                Next::Word(word) if PERSPECTIVE.obeys(word) => {
-                    let at = r.take()?;
-                    povray.read_word(word, at, r)?;
-                }
+                next if read_row(PERSPECTIVE_ROWS, &mut povray, next, r)? => {}
                 Next::Word(word) | Next::Block(word) if PERSPECTIVE.leaves_out(word) => {
                     undrawn.push(r.keep_undrawn(word)?);
                 }

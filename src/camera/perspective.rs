@@ -53,25 +53,15 @@ impl Default for Perspective {
 }
 
 impl Perspective {
-    pub(super) fn read_word(&mut self, word: &str, at: Span, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "location" => self.location = r.vector()?,
-            "direction" => self.direction = r.vector()?,
-            "right" => self.right = r.vector()?,
-            "up" => self.up = r.vector()?,
-            "sky" => self.sky = r.vector()?,
-            "look_at" => self.look_at = Some(r.vector()?),
-            "angle" => {
-                let angle = r.float()?;
-                self.angle = (angle != 0.0).then_some(angle);
-                self.angle_span = at;
-                // The vertical angle of other kinds of cameras, which are not drawn yet.
-                if let Some(vertical) = r.optional_float()? {
-                    let all = vec![angle, vertical];
-                    self.undrawn.push(RawItem::Block("angle", Box::new([RawItem::Numbers { width: 1, all }])));
-                }
-            }
-            _ => {}
+    /// `angle horizontal [vertical]`
+    pub(super) fn read_angle(&mut self, r: &mut dyn Reader) -> Result<()> {
+        self.angle_span = r.span();
+        let angle = r.float()?;
+        self.angle = (angle != 0.0).then_some(angle);
+        // The vertical angle of other kinds of cameras, which are not drawn yet.
+        if let Some(vertical) = r.optional_float()? {
+            let all = vec![angle, vertical];
+            self.undrawn.push(RawItem::Block("angle", Box::new([RawItem::Numbers { width: 1, all }])));
         }
         Ok(())
     }

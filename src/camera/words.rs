@@ -1,28 +1,37 @@
 //! The words of the cameras: what the readers obey and the manual lists.
 
+use super::lecture::{LectureCamera, read_field_of_view};
+use super::perspective::Perspective;
 use crate::value::Kind::{Float, Nothing, Vector};
 use crate::value::Vocabulary;
-use crate::value::words::word;
+use crate::value::words::{Row, set, specs, word};
+
+/// How [`PERSPECTIVE`]'s words are read.
+pub(super) const PERSPECTIVE_ROWS: &[Row<Perspective>] = &[
+    word("location", Vector, "<0, 0, 0>", "the eye").sets(|s, r| set(&mut s.location, r.vector())),
+    word("direction", Vector, "<0, 0, 1>", "from the eye to the middle of the picture; its length zooms")
+        .sets(|s, r| set(&mut s.direction, r.vector())),
+    word(
+        "right",
+        Vector,
+        "<1.33, 0, 0>",
+        "across the picture; its length over that of `up` is the shape of the picture",
+    )
+    .sets(|s, r| set(&mut s.right, r.vector())),
+    word("up", Vector, "<0, 1, 0>", "up the picture").sets(|s, r| set(&mut s.up, r.vector())),
+    word("sky", Vector, "<0, 1, 0>", "which way `look_at` keeps upright").sets(|s, r| set(&mut s.sky, r.vector())),
+    word("look_at", Vector, "", "the point in the middle of the picture")
+        .sets(|s, r| set(&mut s.look_at, r.vector().map(Some))),
+    word("angle", Float, "", "how much is seen from left to right, in degrees, below 180")
+        .sets(Perspective::read_angle),
+    word("perspective", Nothing, "", "this kind of camera, which it is anyway").sets(|_, _| Ok(())),
+];
 
 /// POV-Ray's camera.
 pub const PERSPECTIVE: Vocabulary = Vocabulary {
     block: "camera",
     summary: "where the picture is taken from; x to the right, y up, z away from you",
-    words: &[
-        word("location", Vector, "<0, 0, 0>", "the eye"),
-        word("direction", Vector, "<0, 0, 1>", "from the eye to the middle of the picture; its length zooms"),
-        word(
-            "right",
-            Vector,
-            "<1.33, 0, 0>",
-            "across the picture; its length over that of `up` is the shape of the picture",
-        ),
-        word("up", Vector, "<0, 1, 0>", "up the picture"),
-        word("sky", Vector, "<0, 1, 0>", "which way `look_at` keeps upright"),
-        word("look_at", Vector, "", "the point in the middle of the picture"),
-        word("angle", Float, "", "how much is seen from left to right, in degrees, below 180"),
-        word("perspective", Nothing, "", "this kind of camera, which it is anyway"),
-    ],
+    words: specs!(PERSPECTIVE_ROWS),
     moves: true,
     idle: &[],
     not_drawn: &[
@@ -45,17 +54,23 @@ pub const PERSPECTIVE: Vocabulary = Vocabulary {
     ],
 };
 
+/// How [`LECTURE`]'s words are read.
+pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
+    word("eye", Vector, "<0, 0, 0>", "where it is").sets(|s, r| set(&mut s.eye, r.vector())),
+    word("center", Vector, "<0, 0, -1>", "the point in the middle of the picture")
+        .sets(|s, r| set(&mut s.center, r.vector())),
+    word("up", Vector, "<0, 1, 0>", "which way is up").sets(|s, r| set(&mut s.up, r.vector())),
+    word("fov_x", Float, "60", "how much is seen from left to right, in degrees; or by `fov_y` and square pixels")
+        .sets(|s, r| set(&mut s.fov_x, read_field_of_view("fov_x", r))),
+    word("fov_y", Float, "", "how much is seen from bottom to top, in degrees; or by `fov_x` and square pixels")
+        .sets(|s, r| set(&mut s.fov_y, read_field_of_view("fov_y", r))),
+];
+
 /// durer's own, right-handed.
 pub const LECTURE: Vocabulary = Vocabulary {
     block: "camera",
     summary: "durer's own camera, right-handed: x to the right, y up, z towards you; the word `eye` makes it this one",
-    words: &[
-        word("eye", Vector, "<0, 0, 0>", "where it is"),
-        word("center", Vector, "<0, 0, -1>", "the point in the middle of the picture"),
-        word("up", Vector, "<0, 1, 0>", "which way is up"),
-        word("fov_x", Float, "60", "how much is seen from left to right, in degrees; or by `fov_y` and square pixels"),
-        word("fov_y", Float, "", "how much is seen from bottom to top, in degrees; or by `fov_x` and square pixels"),
-    ],
+    words: specs!(LECTURE_ROWS),
     moves: true,
     idle: &[],
     not_drawn: &[],

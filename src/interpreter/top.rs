@@ -146,6 +146,7 @@ impl Interpreter<'_> {
     fn stray_trace_level(&mut self) -> Result<()> {
         let at = self.here();
         let mut settings = std::mem::take(&mut self.scene.settings);
+        self.take()?;
         let read = settings.read_max_trace_level(self);
         self.scene.settings = settings;
         read?;

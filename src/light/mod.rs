@@ -7,9 +7,10 @@ use crate::diagnostic::Diagnostic;
 use crate::diagnostic::{Result, codes};
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
+use crate::value::words::read_row;
 use crate::value::{Next, RawItem, Reader, Thing};
 use serde::Serialize;
-use words::LIGHT;
+use words::{LIGHT, LIGHT_ROWS};
 
 /// A point of light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -50,12 +51,7 @@ impl Light {
         loop {
             match r.next()? {
                 Next::End => return Ok(light),
-                Next::Word("shadowless") => {
-                    r.take()?;
-                    light.shadowless = true;
-                }
-                Next::Word("fade_distance") => light.fade_distance = number(r)?,
-                Next::Word("fade_power") => light.fade_power = number(r)?,
+                next if read_row(LIGHT_ROWS, &mut light, next, r)? => {}
                 next if next.moves() => {
                     if let Some(step) = r.transform()? {
                         light.transform(&step);
@@ -75,8 +71,7 @@ impl Light {
     }
 }
 
-fn number(r: &mut dyn Reader) -> Result<f64> {
-    r.take()?;
+fn finite(r: &mut dyn Reader) -> Result<f64> {
     let span = r.span();
     let value = r.float()?;
     if value.is_finite() {

@@ -8,7 +8,8 @@ use super::{Field, Readable, TextureContext, Words};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{fp, noise};
-use crate::value::{Kind, Reader, Spec, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -24,21 +25,15 @@ impl Readable for Agate {
         name: "agate",
         summary: "twisted bands; `octaves`, `lambda` and `omega` shape them too",
         params: &[],
-        words: &[WordSpec {
-            name: "agate_turb",
-            kind: Kind::Float,
-            default: "1",
-            summary: "how much they are twisted; `turbulence` comes on top of it",
-        }],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] =
+        &[word("agate_turb", Kind::Float, "1", "how much they are twisted; `turbulence` comes on top of it")
+            .sets(|s, r| set(&mut s.turbulence, r.float().map(|x| f64::from(x as f32))))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self { turbulence: 1.0 })
-    }
-
-    fn read_word(&mut self, _: &'static str, r: &mut dyn Reader) -> Result<()> {
-        self.turbulence = f64::from(r.float()? as f32);
-        Ok(())
     }
 }
 

@@ -8,7 +8,8 @@ use super::{Cells, EDGE, Readable};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Kind, Reader, Spec, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 
 /// Rows of bricks, each moved by half a brick against the one below.
@@ -25,27 +26,17 @@ impl Readable for Brick {
         name: "brick",
         summary: "bricks in mortar; the first colour is the mortar's",
         params: &[],
-        words: &[
-            WordSpec {
-                name: "brick_size",
-                kind: Kind::Vector,
-                default: "<8, 3, 4.5>",
-                summary: "a brick with its mortar",
-            },
-            WordSpec { name: "mortar", kind: Kind::Float, default: "0.5", summary: "thickness of the mortar" },
-        ],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word("brick_size", Kind::Vector, "<8, 3, 4.5>", "a brick with its mortar")
+            .sets(|s, r| set(&mut s.size, r.vector())),
+        word("mortar", Kind::Float, "0.5", "thickness of the mortar").sets(|s, r| set(&mut s.mortar, r.float())),
+    ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self { size: DVec3::new(8.0, 3.0, 4.5), mortar: 0.5 })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "brick_size" => self.size = r.vector()?,
-            _ => self.mortar = r.float()?,
-        }
-        Ok(())
     }
 }
 

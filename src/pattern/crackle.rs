@@ -8,7 +8,8 @@ use super::{Field, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise::{self, Cell};
 use crate::math::{DVec3, fp};
-use crate::value::{Kind, Reader, Spec, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 
 /// Distances to the nearest of random points, of which each unit cube holds one.
@@ -25,40 +26,20 @@ pub struct Crackle {
 }
 
 impl Readable for Crackle {
-    const SPEC: Spec = Spec {
-        name: "crackle",
-        summary: "cells of random shape",
-        params: &[],
-        words: &[
-            WordSpec {
-                name: "form",
-                kind: Kind::Vector,
-                default: "<-1, 1, 0>",
-                summary: "what the distances to the nearest, second and third point count",
-            },
-            WordSpec {
-                name: "metric",
-                kind: Kind::Float,
-                default: "2",
-                summary: "the power that makes a distance; 1 counts along the axes, 2 is the usual",
-            },
-            WordSpec { name: "offset", kind: Kind::Float, default: "0", summary: "distance in a fourth dimension" },
-            WordSpec { name: "solid", kind: Kind::Nothing, default: "", summary: "one number for each cell" },
-        ],
-    };
+    const SPEC: Spec =
+        Spec { name: "crackle", summary: "cells of random shape", params: &[], words: specs!(Self::WORDS) };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word("form", Kind::Vector, "<-1, 1, 0>", "what the distances to the nearest, second and third point count")
+            .sets(|s, r| set(&mut s.form, r.vector())),
+        word("metric", Kind::Float, "2", "the power that makes a distance; 1 counts along the axes, 2 is the usual")
+            .sets(|s, r| set(&mut s.metric, r.float())),
+        word("offset", Kind::Float, "0", "distance in a fourth dimension").sets(|s, r| set(&mut s.offset, r.float())),
+        word("solid", Kind::Nothing, "", "one number for each cell").sets(|s, _| set(&mut s.solid, Ok(true))),
+    ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self { form: DVec3::new(-1.0, 1.0, 0.0), metric: 2.0, offset: 0.0, solid: false })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "form" => self.form = r.vector()?,
-            "metric" => self.metric = r.float()?,
-            "offset" => self.offset = r.float()?,
-            _ => self.solid = true,
-        }
-        Ok(())
     }
 }
 

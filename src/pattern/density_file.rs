@@ -4,7 +4,8 @@ use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Voxels;
 use crate::math::DVec3;
-use crate::value::{Kind, Param, Reader, ReaderExt, Spec, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, Param, Reader, ReaderExt, Spec};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -34,6 +35,16 @@ fn print_size<S: Serializer>(voxels: &Arc<Voxels>, s: S) -> std::result::Result<
     voxels.size.serialize(s)
 }
 
+impl Voxel {
+    fn from_number(n: f64) -> Self {
+        match n as i64 {
+            i64::MIN..=0 => Voxel::Nearest,
+            1 => Voxel::Linear,
+            _ => Voxel::Cubic,
+        }
+    }
+}
+
 impl Readable for DensityFile {
     const SPEC: Spec = Spec {
         name: "density_file",
@@ -42,13 +53,12 @@ impl Readable for DensityFile {
             Param { name: "df3", kind: Kind::Nothing, summary: "the word `df3`, the only format" },
             Param { name: "file", kind: Kind::Text, summary: "the file's name" },
         ],
-        words: &[WordSpec {
-            name: "interpolate",
-            kind: Kind::Float,
-            default: "0",
-            summary: "between the numbers: 0 nothing, 1 straight lines, 2 curves",
-        }],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] =
+        &[word("interpolate", Kind::Float, "0", "between the numbers: 0 nothing, 1 straight lines, 2 curves")
+            .sets(|s, r| set(&mut s.between, r.float().map(Voxel::from_number)))];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         if !r.accept("df3")? {
@@ -61,15 +71,6 @@ impl Readable for DensityFile {
         };
         let voxels = Arc::new(Voxels::read(&path).map_err(|fault| fault.at(at))?);
         Ok(Self { voxels, between: Voxel::Nearest })
-    }
-
-    fn read_word(&mut self, _: &'static str, r: &mut dyn Reader) -> Result<()> {
-        self.between = match r.float()? as i64 {
-            i64::MIN..=0 => Voxel::Nearest,
-            1 => Voxel::Linear,
-            _ => Voxel::Cubic,
-        };
-        Ok(())
     }
 }
 

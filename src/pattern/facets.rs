@@ -8,7 +8,8 @@ use super::crackle::{lowest, nearest};
 use super::{Field, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
-use crate::value::{Kind, Reader, Spec, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 
 /// How large the facets are.
@@ -35,35 +36,19 @@ impl Readable for Facets {
         name: "facets",
         summary: "surfaces that are cut like a gem; for normals only",
         params: &[],
-        words: &[
-            WordSpec {
-                name: "coords",
-                kind: Kind::Float,
-                default: "",
-                summary: "cells of space: how far normals turn",
-            },
-            WordSpec {
-                name: "size",
-                kind: Kind::Float,
-                default: "0.1",
-                summary: "for curved shapes: how large they are",
-            },
-            WordSpec { name: "metric", kind: Kind::Float, default: "2", summary: "how distances are counted" },
-        ],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word("coords", Kind::Float, "", "cells of space: how far normals turn")
+            .sets(|s, r| set(&mut s.cut, r.float().map(Cut::Coords))),
+        word("size", Kind::Float, "0.1", "for curved shapes: how large they are")
+            .sets(|s, r| set(&mut s.cut, r.float().map(Cut::Size))),
+        word("metric", Kind::Float, "2", "how distances are counted").sets(|s, r| set(&mut s.metric, r.float())),
+    ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self { cut: Cut::Size(0.1), metric: 2.0 })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        let number = r.float()?;
-        match word {
-            "coords" => self.cut = Cut::Coords(number),
-            "size" => self.cut = Cut::Size(number),
-            _ => self.metric = number,
-        }
-        Ok(())
     }
 }
 

@@ -9,6 +9,7 @@ use super::{Field, GRAYS, Readable, SIX_COLORS, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Complex, DVec2};
+use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
 
@@ -40,22 +41,21 @@ enum End {
     Stays(Complex, f64),
 }
 
-const EXTERIOR: WordSpec = WordSpec {
-    name: "exterior",
-    kind: Kind::Block,
-    default: "1, 1",
-    summary: "of points that leave: 0 the factor, 1 after how many of the iterations, 2 to 6 something of the last point times the factor",
-};
+const EXTERIOR: WordSpec = word(
+    "exterior",
+    Kind::Block,
+    "1, 1",
+    "of points that leave: 0 the factor, 1 after how many of the iterations, 2 to 6 something of the last point times the factor",
+);
 
-const INTERIOR: WordSpec = WordSpec {
-    name: "interior",
-    kind: Kind::Block,
-    default: "0, 1",
-    summary: "of points that stay: 0 the factor, 1 the orbit's least distance, 2 to 6 something of the last point",
-};
+const INTERIOR: WordSpec = word(
+    "interior",
+    Kind::Block,
+    "0, 1",
+    "of points that stay: 0 the factor, 1 the orbit's least distance, 2 to 6 something of the last point",
+);
 
-const EXPONENT: WordSpec =
-    WordSpec { name: "exponent", kind: Kind::Float, default: "2", summary: "to which power z goes, 2 to 33" };
+const EXPONENT: WordSpec = word("exponent", Kind::Float, "2", "to which power z goes, 2 to 33");
 
 const ITERATIONS: Param =
     Param { name: "iterations", kind: Kind::Float, summary: "how often the formula is applied at most" };
@@ -63,25 +63,22 @@ const ITERATIONS: Param =
 const JULIA: Param =
     Param { name: "complex", kind: Kind::Vector2, summary: "the number that is the same for all points" };
 
-impl Orbits {
-    fn read(r: &mut dyn Reader) -> Result<Self> {
-        let iterations = r.float()? as u32;
-        let (exterior, interior) = (OrbitValue { kind: 1, factor: 1.0 }, OrbitValue { kind: 0, factor: 1.0 });
-        Ok(Self { iterations, exterior, interior })
-    }
-
-    fn read_word(&mut self, word: &str, r: &mut dyn Reader) -> Result<()> {
+impl OrbitValue {
+    fn read(word: &str, r: &mut dyn Reader) -> Result<Self> {
         let (span, kind) = (r.span(), r.float()?);
         if !(0.0..7.0).contains(&kind) {
             let message = format!("`{word}` is one of 0 to 6, found {kind}");
             return Diagnostic::err(codes::BAD_ARGUMENT, span, message);
         }
-        let shown = OrbitValue { kind: kind as u8, factor: r.float()? };
-        match word {
-            "exterior" => self.exterior = shown,
-            _ => self.interior = shown,
-        }
-        Ok(())
+        Ok(Self { kind: kind as u8, factor: r.float()? })
+    }
+}
+
+impl Orbits {
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let iterations = r.float()? as u32;
+        let (exterior, interior) = (OrbitValue { kind: 1, factor: 1.0 }, OrbitValue { kind: 0, factor: 1.0 });
+        Ok(Self { iterations, exterior, interior })
     }
 
     /// The number of an orbit that begins at `z`, which `step` continues until it has `left`. Is `z` a part of the orbit?
@@ -215,19 +212,17 @@ impl Readable for Mandel {
         name: "mandel",
         summary: "the Mandelbrot set in the xy plane",
         params: &[ITERATIONS],
-        words: &[EXPONENT, EXTERIOR, INTERIOR],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        EXPONENT.sets(|s, r| set(&mut s.exponent, read_exponent(r))),
+        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", r))),
+        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", r))),
+    ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         Ok(Self { orbits: Orbits::read(r)?, exponent: 2 })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "exponent" => self.exponent = read_exponent(r)?,
-            _ => self.orbits.read_word(word, r)?,
-        }
-        Ok(())
     }
 }
 
@@ -277,19 +272,17 @@ impl Readable for Julia {
         name: "julia",
         summary: "a Julia set in the xy plane",
         params: &[JULIA, ITERATIONS],
-        words: &[EXPONENT, EXTERIOR, INTERIOR],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        EXPONENT.sets(|s, r| set(&mut s.exponent, read_exponent(r))),
+        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", r))),
+        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", r))),
+    ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         Ok(Self { constant: r.vector2()?, orbits: Orbits::read(r)?, exponent: 2 })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "exponent" => self.exponent = read_exponent(r)?,
-            _ => self.orbits.read_word(word, r)?,
-        }
-        Ok(())
     }
 }
 
@@ -329,8 +322,13 @@ impl Readable for Magnet {
             },
             ITERATIONS,
         ],
-        words: &[EXTERIOR, INTERIOR],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", r))),
+        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", r))),
+    ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let (span, kind) = (r.span(), r.float()?.trunc());
@@ -350,10 +348,6 @@ impl Readable for Magnet {
             _ => return Err(r.unexpected("`mandel` or `julia`").into()),
         };
         Ok(Self { second: kind == 2.0, constant, orbits: Orbits::read(r)? })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        self.orbits.read_word(word, r)
     }
 }
 

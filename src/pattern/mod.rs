@@ -106,7 +106,8 @@ pub use wrinkles::Wrinkles;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Reader, Spec};
+use crate::value::words::{Row, read_row};
+use crate::value::{Next, Reader, Spec};
 use serde::Serialize;
 
 /// Where arithmetic goes wrong, for tests: far away, next to zero, and nowhere, in all mixes.
@@ -146,9 +147,12 @@ pub trait Cells {
 }
 
 /// Reads a pattern's own words.
-pub trait Readable: Sized {
+pub trait Readable: Sized + 'static {
     /// Its table.
     const SPEC: Spec;
+
+    /// Words of its own, which `SPEC` names.
+    const WORDS: &'static [Row<Self>] = &[];
 
     /// Reads what follows its name.
     ///
@@ -165,12 +169,12 @@ pub trait Readable: Sized {
         Self::read(r)
     }
 
-    /// Reads what follows one of `SPEC.words`; the word itself is consumed.
+    /// Reads one of [`Self::WORDS`], if it comes next, and what follows it; false if none does.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
-    fn read_word(&mut self, _word: &'static str, _r: &mut dyn Reader) -> Result<()> {
-        Ok(())
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        read_row(Self::WORDS, self, next, r)
     }
 }
 
@@ -197,12 +201,12 @@ macro_rules! family {
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $($enum::$name(_) => &$name::SPEC),* } }
 
-            /// Reads one of the words of its own table; the word itself is consumed.
+            /// Reads one of the words of its own table, if it comes next; false if none does.
             ///
             /// # Errors
             /// With the place of what is not understood, and what was expected there.
-            pub fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-                match self { $($enum::$name(p) => p.read_word(word, r)),* }
+            pub fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+                match self { $($enum::$name(p) => p.read_own(next, r)),* }
             }
 
             /// Every table of this kind of pattern.

@@ -1,8 +1,8 @@
 //! What any field pattern takes: `frequency`, `phase` and the wave's shape (manual, "Pattern Modifiers").
 
-use crate::diagnostic::Result;
 use crate::math::fp;
-use crate::value::{Kind, Reader, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -44,34 +44,21 @@ impl Modifiers {
     pub const NONE: Self = Self { frequency: None, phase: 0.0, wave: Wave::Ramp };
 
     /// The words it takes.
-    pub const WORDS: &[WordSpec] = &[
-        WordSpec { name: "frequency", kind: Kind::Float, default: "1", summary: "passes through the map in a unit" },
-        WordSpec { name: "phase", kind: Kind::Float, default: "0", summary: "where the map begins" },
-        WordSpec { name: "ramp_wave", kind: Kind::Nothing, default: "", summary: "rises and falls back at once" },
-        WordSpec { name: "triangle_wave", kind: Kind::Nothing, default: "", summary: "rises and falls" },
-        WordSpec { name: "sine_wave", kind: Kind::Nothing, default: "", summary: "rises and falls, rounded" },
-        WordSpec { name: "scallop_wave", kind: Kind::Nothing, default: "", summary: "a row of arches" },
-        WordSpec { name: "cubic_wave", kind: Kind::Nothing, default: "", summary: "flat at both ends" },
-        WordSpec { name: "poly_wave", kind: Kind::Float, default: "1", summary: "to this power" },
-    ];
+    pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
-    /// Reads what follows one of [`Self::WORDS`]; the word itself is consumed.
-    ///
-    /// # Errors
-    /// With the place of what is not understood, and what was expected there.
-    pub fn read_word(&mut self, word: &str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "frequency" => self.frequency = Some(single(r.float()?)),
-            "phase" => self.phase = single(r.float()?),
-            "ramp_wave" => self.wave = Wave::Ramp,
-            "triangle_wave" => self.wave = Wave::Triangle,
-            "sine_wave" => self.wave = Wave::Sine,
-            "scallop_wave" => self.wave = Wave::Scallop,
-            "cubic_wave" => self.wave = Wave::Cubic,
-            _ => self.wave = Wave::Poly(single(r.optional_float()?.unwrap_or(1.0))),
-        }
-        Ok(())
-    }
+    pub(super) const ROWS: &[Row<Self>] = &[
+        word("frequency", Kind::Float, "1", "passes through the map in a unit")
+            .sets(|s, r| set(&mut s.frequency, r.float().map(|x| Some(single(x))))),
+        word("phase", Kind::Float, "0", "where the map begins").sets(|s, r| set(&mut s.phase, r.float().map(single))),
+        word("ramp_wave", Kind::Nothing, "", "rises and falls back at once")
+            .sets(|s, _| set(&mut s.wave, Ok(Wave::Ramp))),
+        word("triangle_wave", Kind::Nothing, "", "rises and falls").sets(|s, _| set(&mut s.wave, Ok(Wave::Triangle))),
+        word("sine_wave", Kind::Nothing, "", "rises and falls, rounded").sets(|s, _| set(&mut s.wave, Ok(Wave::Sine))),
+        word("scallop_wave", Kind::Nothing, "", "a row of arches").sets(|s, _| set(&mut s.wave, Ok(Wave::Scallop))),
+        word("cubic_wave", Kind::Nothing, "", "flat at both ends").sets(|s, _| set(&mut s.wave, Ok(Wave::Cubic))),
+        word("poly_wave", Kind::Float, "1", "to this power")
+            .sets(|s, r| set(&mut s.wave, r.optional_float().map(|x| Wave::Poly(single(x.unwrap_or(1.0)))))),
+    ];
 
     /// The pattern's number as the map sees it. A frequency of 0 leaves it as it is, but the wave still works on it.
     pub fn apply(&self, raw: f64) -> f64 {

@@ -4,6 +4,7 @@ use super::{CellPattern, Field, FieldPattern, FunctionPattern, Modifiers, Readab
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
+use crate::value::words::{is_row, read_row};
 use crate::value::{Next, Reader, Seldom, Usual};
 use serde::Serialize;
 
@@ -38,6 +39,16 @@ pub struct Pattern {
     pub uv: bool,
 }
 
+impl Kind {
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        match self {
+            Kind::Field(pattern) => pattern.read_own(next, r),
+            Kind::Cells(pattern) => pattern.read_own(next, r),
+            Kind::Plain | Kind::Average => Ok(false),
+        }
+    }
+}
+
 impl Usual for Pattern {
     fn usual() -> &'static Self {
         static PLAIN: Pattern = Pattern {
@@ -63,21 +74,10 @@ impl Pattern {
                     self.space.then(&step);
                 }
             }
-            Next::Word(word) if self.is_own_word(word) => {
-                r.take()?;
-                match &mut self.kind {
-                    Kind::Field(pattern) => pattern.read_word(word, r)?,
-                    Kind::Cells(pattern) => pattern.read_word(word, r)?,
-                    Kind::Plain | Kind::Average => {}
-                }
-            }
-            Next::Word(word) if Modifiers::WORDS.iter().any(|w| w.name == word) => {
-                r.take()?;
-                self.modifiers.read_word(word, r)?;
-            }
-            Next::Word(word) if Turbulent::WORDS.iter().any(|w| w.name == word) => {
-                r.take()?;
-                self.space.turbulence_mut().read_word(word, r)?;
+            next if self.kind.read_own(next, r)? => {}
+            next if read_row(Modifiers::ROWS, &mut self.modifiers, next, r)? => {}
+            next if is_row(Turbulent::ROWS, next) => {
+                read_row(Turbulent::ROWS, self.space.turbulence_mut(), next, r)?;
             }
             Next::Word("noise_generator") => {
                 r.take()?;
@@ -123,15 +123,6 @@ impl Pattern {
             return Ok(false);
         }
         Ok(true)
-    }
-
-    fn is_own_word(&self, word: &str) -> bool {
-        let spec = match &self.kind {
-            Kind::Field(pattern) => pattern.spec(),
-            Kind::Cells(pattern) => pattern.spec(),
-            Kind::Plain | Kind::Average => return false,
-        };
-        spec.words.iter().any(|w| w.name == word)
     }
 
     /// Does it show all of its map's entries at once?

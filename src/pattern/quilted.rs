@@ -7,7 +7,8 @@
 use super::{Field, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Kind, Reader, Spec, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 
 /// Unit cubes that sink towards their seams.
@@ -23,27 +24,18 @@ pub struct Quilted {
 const PART: f64 = 0.577350269;
 
 impl Readable for Quilted {
-    const SPEC: Spec = Spec {
-        name: "quilted",
-        summary: "unit cubes with soft seams",
-        params: &[],
-        words: &[
-            WordSpec { name: "control0", kind: Kind::Float, default: "1", summary: "the slope in the middle, 0 to 1" },
-            WordSpec { name: "control1", kind: Kind::Float, default: "1", summary: "the slope at the seams, 0 to 1" },
-        ],
-    };
+    const SPEC: Spec =
+        Spec { name: "quilted", summary: "unit cubes with soft seams", params: &[], words: specs!(Self::WORDS) };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word("control0", Kind::Float, "1", "the slope in the middle, 0 to 1")
+            .sets(|s, r| set(&mut s.control0, r.float().map(|x| f64::from(x as f32)))),
+        word("control1", Kind::Float, "1", "the slope at the seams, 0 to 1")
+            .sets(|s, r| set(&mut s.control1, r.float().map(|x| f64::from(x as f32)))),
+    ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self { control0: 1.0, control1: 1.0 })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        let number = f64::from(r.float()? as f32);
-        match word {
-            "control0" => self.control0 = number,
-            _ => self.control1 = number,
-        }
-        Ok(())
     }
 }
 

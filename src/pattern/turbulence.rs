@@ -1,9 +1,9 @@
 //! `turbulence`: displaces points at random (manual, "Turbulence").
 
-use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::math::noise::{self, Turbulence};
-use crate::value::{Kind, Reader, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, WordSpec};
 use serde::Serialize;
 
 /// The words of `turbulence`.
@@ -30,31 +30,16 @@ impl Turbulent {
     pub const STILL: Self = Self { amount: DVec3::ZERO, octaves: 6.0, lambda: 2.0, omega: 0.5 };
 
     /// The words it takes.
-    pub const WORDS: &[WordSpec] = &[
-        WordSpec { name: "turbulence", kind: Kind::Vector, default: "0", summary: "how far points are displaced" },
-        WordSpec {
-            name: "octaves",
-            kind: Kind::Float,
-            default: "6",
-            summary: "steps of ever finer turbulence, 1 to 10",
-        },
-        WordSpec { name: "lambda", kind: Kind::Float, default: "2", summary: "how much finer each step is" },
-        WordSpec { name: "omega", kind: Kind::Float, default: "0.5", summary: "how much weaker each step is" },
-    ];
+    pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
-    /// Reads what follows one of [`Self::WORDS`]; the word itself is consumed.
-    ///
-    /// # Errors
-    /// With the place of what is not understood, and what was expected there.
-    pub fn read_word(&mut self, word: &str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "turbulence" => self.amount = r.vector()?,
-            "octaves" => self.octaves = r.float()?,
-            "lambda" => self.lambda = r.float()?,
-            _ => self.omega = r.float()?,
-        }
-        Ok(())
-    }
+    pub(super) const ROWS: &[Row<Self>] = &[
+        word("turbulence", Kind::Vector, "0", "how far points are displaced")
+            .sets(|s, r| set(&mut s.amount, r.vector())),
+        word("octaves", Kind::Float, "6", "steps of ever finer turbulence, 1 to 10")
+            .sets(|s, r| set(&mut s.octaves, r.float())),
+        word("lambda", Kind::Float, "2", "how much finer each step is").sets(|s, r| set(&mut s.lambda, r.float())),
+        word("omega", Kind::Float, "0.5", "how much weaker each step is").sets(|s, r| set(&mut s.omega, r.float())),
+    ];
 
     /// How its octaves add up.
     pub fn series(&self) -> Turbulence {

@@ -1,11 +1,12 @@
 //! `global_settings` (manual, "Global Settings").
 
-use super::words::SETTINGS;
+use super::words::{SETTINGS, SETTINGS_ROWS};
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
-use crate::pattern::{TextureContext, read_noise_generator};
-use crate::value::{Next, RawItem, Reader};
+use crate::pattern::TextureContext;
+use crate::value::words::read_row;
+use crate::value::{Next, RawItem, Reader, ReaderExt};
 use serde::Serialize;
 
 /// All numbers of `global_settings`.
@@ -57,37 +58,7 @@ impl Settings {
         loop {
             match r.next()? {
                 Next::End => return Ok(()),
-                Next::Word("assumed_gamma") => {
-                    r.take()?;
-                    self.gamma = Some(match r.next()? {
-                        Next::Word("srgb") => {
-                            r.take()?;
-                            Gamma::Srgb
-                        }
-                        _ => Gamma::Power(positive(r)?),
-                    });
-                }
-                Next::Word("max_trace_level") => self.read_max_trace_level(r)?,
-                Next::Word("noise_generator") => {
-                    r.take()?;
-                    self.noise_generator = read_noise_generator(r, 1.0)?;
-                }
-                Next::Word("number_of_waves") => {
-                    r.take()?;
-                    self.number_of_waves = r.float()?.max(1.0) as usize;
-                }
-                Next::Word("adc_bailout") => {
-                    r.take()?;
-                    self.adc_bailout = r.float()?;
-                }
-                Next::Word("irid_wavelength") => {
-                    r.take()?;
-                    self.irid_wavelength = r.color()?.rgb;
-                }
-                Next::Word("ambient_light") => {
-                    r.take()?;
-                    self.ambient_light = r.color()?.rgb;
-                }
+                next if read_row(SETTINGS_ROWS, self, next, r)? => {}
                 Next::Word(word) if SETTINGS.ignores(word) => {
                     let mut row = vec![];
                     r.take()?;
@@ -106,15 +77,19 @@ impl Settings {
 }
 
 impl Settings {
-    /// `max_trace_level N`; in old scenes also outside of the braces.
+    /// The number behind `max_trace_level`; in old scenes it stands outside of the braces too.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
     pub fn read_max_trace_level(&mut self, r: &mut dyn Reader) -> Result<()> {
-        r.take()?;
         self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
         Ok(())
     }
+}
+
+/// `assumed_gamma srgb`, or a number.
+pub(super) fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
+    if r.accept("srgb")? { Ok(Gamma::Srgb) } else { positive(r).map(Gamma::Power) }
 }
 
 /// A gamma of 0 or less has no curve.

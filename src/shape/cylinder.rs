@@ -11,6 +11,7 @@ use super::{Hit, Hits, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
+use crate::value::words::{Row, set, specs};
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 
@@ -35,8 +36,10 @@ impl Readable for Cylinder {
             Param { name: "cap_point", kind: Kind::Vector, summary: "the middle of the other end" },
             Param { name: "radius", kind: Kind::Float, summary: "its sign does not matter" },
         ],
-        words: &[OPEN],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[OPEN.sets(|s, _| set(&mut s.0.open, Ok(true)))];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
@@ -46,11 +49,6 @@ impl Readable for Cylinder {
         finite(span, &[base, cap], &[radius])?;
         super::frustum_ends(span, base, cap)?;
         Ok(Self::new(base, cap, radius, false))
-    }
-
-    fn read_word(&mut self, _: &'static str, _: &mut dyn Reader) -> Result<()> {
-        self.0.open = true;
-        Ok(())
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {

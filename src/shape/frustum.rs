@@ -2,6 +2,7 @@
 
 use super::{Crossing, End, Hit, Hits, nearest};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
+use crate::value::words::word;
 use crate::value::{Kind, WordSpec};
 use serde::Serialize;
 
@@ -262,8 +263,7 @@ impl Frustum {
 }
 
 /// What cylinders and cones are without their ends.
-pub(super) const OPEN: WordSpec =
-    WordSpec { name: "open", kind: Kind::Nothing, default: "", summary: "takes the discs at the ends away" };
+pub(super) const OPEN: WordSpec = word("open", Kind::Nothing, "", "takes the discs at the ends away");
 
 /// A shape that is a frustum under another name.
 macro_rules! frustum_kernel {

@@ -30,7 +30,8 @@ pub use triangle::Triangle;
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{Reader, Spec};
+use crate::value::words::{Row, read_row};
+use crate::value::{Next, Reader, Spec};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -179,12 +180,12 @@ macro_rules! shapes {
         impl Shape {
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }
-            /// Reads one of the words of its own table; the word itself is already consumed.
+            /// Reads one of the words of its own table, if it comes next; false if none does.
             ///
             /// # Errors
             /// With the place of what is not understood, and what was expected there.
-            pub fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-                match self { $(Shape::$name(s) => Arc::make_mut(s).read_word(word, r)),* }
+            pub fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+                match self { $(Shape::$name(s) => Arc::make_mut(s).read_own(next, r)),* }
             }
             /// Checks what only the whole block shows, after its last word; `span` is the block's name.
             ///
@@ -220,9 +221,12 @@ fn with_usage(mut fault: Fault, spec: &Spec) -> Fault {
 }
 
 /// How a shape is read.
-pub trait Readable: Sized {
+pub trait Readable: Sized + 'static {
     /// Its table.
     const SPEC: Spec;
+
+    /// Words of its own, which `SPEC` names.
+    const WORDS: &'static [Row<Self>] = &[];
 
     /// Reads the positional arguments, after the opening brace.
     ///
@@ -230,12 +234,12 @@ pub trait Readable: Sized {
     /// With the place of what is not understood, and what was expected there.
     fn read(r: &mut dyn Reader) -> Result<Self>;
 
-    /// Reads what follows one of `SPEC.words`; the word itself is already consumed.
+    /// Reads one of [`Self::WORDS`], if it comes next, and what follows it; false if none does.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
-    fn read_word(&mut self, _word: &'static str, _r: &mut dyn Reader) -> Result<()> {
-        Ok(())
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        read_row(Self::WORDS, self, next, r)
     }
 
     /// Checks what only the whole block shows.

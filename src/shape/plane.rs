@@ -12,7 +12,8 @@ use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
-use crate::value::{Kind, Next, Param, Reader, ReaderExt, Spec, WordSpec};
+use crate::value::words::{Row, specs, word};
+use crate::value::{Kind, Next, Param, Reader, ReaderExt, Spec};
 use serde::Serialize;
 
 /// A half-space.
@@ -78,21 +79,25 @@ impl Readable for Plane {
             Param { name: "normal", kind: Kind::Vector, summary: "points outwards, of any length" },
             Param { name: "distance", kind: Kind::Float, summary: "from the origin along the normal" },
         ],
-        words: &[
-            WordSpec {
-                name: "implicit",
-                kind: Kind::Block,
-                default: "",
-                summary: "in place of normal and distance: four numbers A, B, C, D of A·x + B·y + C·z + D = 0 (durer)",
-            },
-            WordSpec {
-                name: "point",
-                kind: Kind::Block,
-                default: "",
-                summary: "in place of normal and distance: a point, then `normal n` or `span i, j` (durer)",
-            },
-        ],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word(
+            "implicit",
+            Kind::Block,
+            "",
+            "in place of normal and distance: four numbers A, B, C, D of A·x + B·y + C·z + D = 0 (durer)",
+        )
+        .sets(|_, r| second_form("implicit", r)),
+        word(
+            "point",
+            Kind::Block,
+            "",
+            "in place of normal and distance: a point, then `normal n` or `span i, j` (durer)",
+        )
+        .sets(|_, r| second_form("point", r)),
+    ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let start = r.span();
@@ -113,12 +118,13 @@ impl Readable for Plane {
             Diagnostic::new(codes::NO_DIRECTION, start, message).help(help).into()
         })
     }
+}
 
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        let help = "write either `normal, distance` or one of the forms with words";
-        let message = format!("`{word}` must be the first thing in a `plane`");
-        Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())
-    }
+/// A word that can only come first.
+fn second_form(word: &str, r: &mut dyn Reader) -> Result<()> {
+    let help = "write either `normal, distance` or one of the forms with words";
+    let message = format!("`{word}` must be the first thing in a `plane`");
+    Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())
 }
 
 /// After `point`: `q normal n` or `q span i, j`.

@@ -32,9 +32,11 @@ pub fn read<S: Readable>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
 
 fn read_all<S: Readable>(r: &mut Words) -> Result<S> {
     let mut shape = S::read(r)?;
-    while let Next::Word(word) = r.next()? {
-        r.take()?;
-        shape.read_word(word, r)?;
+    loop {
+        let next = r.next()?;
+        if !shape.read_own(next, r)? {
+            break;
+        }
     }
     shape.finish(Span::new(1, 2), r)?;
     assert!(r.left.is_empty(), "left over: {:?}", r.left);

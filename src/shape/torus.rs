@@ -12,7 +12,8 @@ use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, fp, solve_between, stable_pair};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use crate::value::words::{Row, specs, word};
+use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -90,23 +91,18 @@ impl Readable for Torus {
             Param { name: "major", kind: Kind::Float, summary: "from the middle of the hole to the middle of the rim" },
             Param { name: "minor", kind: Kind::Float, summary: "the radius of the rim" },
         ],
-        words: &[WordSpec {
-            name: "sturm",
-            kind: Kind::Flag,
-            default: "off",
-            summary: "a more exact method in POV-Ray; changes nothing here",
-        }],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] =
+        &[word("sturm", Kind::Flag, "off", "a more exact method in POV-Ray; changes nothing here")
+            .sets(|_, r| r.flag().map(drop))];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (major, minor) = (r.float()?, r.float()?);
         finite(span, &[], &[major, minor])?;
         Ok(Self { major, minor })
-    }
-
-    fn read_word(&mut self, _: &'static str, r: &mut dyn Reader) -> Result<()> {
-        r.flag().map(|_| ())
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {

@@ -1,10 +1,11 @@
 //! `finish`: how a surface answers to light (manual, "Finish").
 
-use super::words::{FINISH, IRID, REFLECTION};
+use super::words::{FINISH, FINISH_ROWS, IRID, IRID_ROWS, REFLECTION, REFLECTION_ROWS};
 use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::math::noise::{NoiseGenerator, Turbulence, turbulence};
 use crate::math::{DVec3, fp};
+use crate::value::words::{read_row, set};
 use crate::value::{Next, RawItem, Reader, ReaderExt, Seldom, Usual};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -148,7 +149,6 @@ impl Finish {
                     Some(declared) => f = (*declared).clone(),
                     None => return Err(r.unknown_word("finish", &FINISH.names()).into()),
                 },
-                Next::Word(word) if Self::takes(word) => f.read_word(word, r)?,
                 Next::Block("reflection") => {
                     r.take()?;
                     f.reflection = Reflection::read(r)?.into();
@@ -162,54 +162,35 @@ impl Finish {
                 Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => {
                     f.rare.undrawn.push(r.keep_undrawn(word)?)
                 }
+                next if f.read_word(next, r)? => {}
                 _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),
             }
         }
     }
 
-    /// Is it a word that [`Self::read_word`] reads?
-    pub(super) fn takes(word: &str) -> bool {
-        FINISH.obeys(word) || FINISH.ignores(word)
+    /// Reads one of the words that stand without braces, if it comes next; before 3.1 they stood in textures too.
+    pub(super) fn read_word(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        match next {
+            Next::Word(word) if FINISH.ignores(word) => {
+                r.take()?;
+                r.float().map(|_| true)
+            }
+            _ => read_row(FINISH_ROWS, self, next, r),
+        }
     }
 
-    /// Reads one of the words of [`FINISH`], which comes next.
-    pub(super) fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        r.take()?;
-        match word {
-            "ambient" => self.ambient = r.color()?.rgb,
-            "emission" => self.emission = r.color()?.rgb,
-            "diffuse" => {
-                self.diffuse_albedo = r.accept("albedo")?;
-                self.diffuse = r.float()?;
-                self.diffuse_back = r.optional_float()?.unwrap_or(0.0);
-            }
-            "brilliance" => self.brilliance = r.float()?,
-            "phong" => {
-                self.phong_albedo = r.accept("albedo")?;
-                self.phong = r.float()?;
-            }
-            "phong_size" => self.phong_size = r.float()?,
-            "specular" => {
-                self.specular_albedo = r.accept("albedo")?;
-                self.specular = r.float()?;
-            }
-            "roughness" => self.roughness = r.float()?,
-            "metallic" => self.metallic = r.optional_float()?.unwrap_or(1.0),
-            "crand" => self.crand = r.float()?,
-            // Before 3.1, what is inside stood here.
-            "ior" => self.rare.ior = Some(r.float()?),
-            // (as was measured on POV-Ray 3.7)
-            "caustics" => self.rare.caustics = Some(r.float()? / 45.0),
-            "refraction" => self.rare.refraction = r.float()?,
-            _ if FINISH.ignores(word) => drop(r.float()?),
-            "conserve_energy" => self.conserve_energy = r.flag()?,
-            "reflection_exponent" => self.reflection.exponent = r.float()?,
-            _ => {
-                let color = r.color()?.rgb;
-                let reflection = &mut *self.reflection;
-                (reflection.min, reflection.max) = (color, color);
-            }
-        }
+    /// `diffuse [albedo] front [back]`
+    pub(super) fn read_diffuse(&mut self, r: &mut dyn Reader) -> Result<()> {
+        self.diffuse_albedo = r.accept("albedo")?;
+        self.diffuse = r.float()?;
+        set(&mut self.diffuse_back, r.optional_float().map(|x| x.unwrap_or(0.0)))
+    }
+
+    /// `reflection colour`, without braces.
+    pub(super) fn read_plain_reflection(&mut self, r: &mut dyn Reader) -> Result<()> {
+        let color = r.color()?.rgb;
+        let reflection = &mut *self.reflection;
+        (reflection.min, reflection.max) = (color, color);
         Ok(())
     }
 }
@@ -221,11 +202,7 @@ impl Irid {
         loop {
             match r.next()? {
                 Next::End => return Ok(out),
-                Next::Word(word) if IRID.obeys(word) => {
-                    r.take()?;
-                    let x = r.float()?;
-                    if word == "thickness" { out.thickness = x } else { out.turbulence = x }
-                }
+                next if read_row(IRID_ROWS, &mut out, next, r)? => {}
                 _ => return Err(r.unknown_word("irid", &IRID.names()).into()),
             }
         }
@@ -264,15 +241,7 @@ impl Reflection {
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word) if REFLECTION.obeys(word) => {
-                    r.take()?;
-                    match word {
-                        "fresnel" => out.fresnel = r.flag()?,
-                        "falloff" => out.falloff = r.float()?,
-                        "exponent" => out.exponent = r.float()?,
-                        _ => out.metallic = r.optional_float()?.unwrap_or(1.0),
-                    }
-                }
+                next if read_row(REFLECTION_ROWS, &mut out, next, r)? => {}
                 _ => return Err(r.unknown_word("reflection", &REFLECTION.names()).into()),
             }
         }

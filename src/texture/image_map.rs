@@ -1,10 +1,11 @@
 //! `image_map`: a picture as the colours of a surface (manual, "Image Map").
 
-use super::words::IMAGE_MAP;
+use super::words::{IMAGE_MAP, IMAGE_MAP_ROWS};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::pattern::bitmap::{self, Bitmap, Mapping, Texels};
+use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 
@@ -23,6 +24,42 @@ pub struct ImageMap {
     pub palette: Vec<(u8, Option<f64>, Option<f64>)>,
 }
 
+/// What `filter` and `transmit` say: as the fields of [`ImageMap`].
+#[derive(Debug, Default)]
+pub(super) struct Clearness {
+    filter: Option<f64>,
+    transmit: Option<f64>,
+    palette: Vec<(u8, Option<f64>, Option<f64>)>,
+}
+
+impl Clearness {
+    /// `filter all A` or `filter N, A`
+    pub(super) fn read_filter(&mut self, r: &mut dyn Reader) -> Result<()> {
+        match read_amount(r)? {
+            (None, amount) => self.filter = Some(amount),
+            (Some(number), amount) => self.palette.push((number, Some(amount), None)),
+        }
+        Ok(())
+    }
+
+    /// `transmit all A` or `transmit N, A`
+    pub(super) fn read_transmit(&mut self, r: &mut dyn Reader) -> Result<()> {
+        match read_amount(r)? {
+            (None, amount) => self.transmit = Some(amount),
+            (Some(number), amount) => self.palette.push((number, None, Some(amount))),
+        }
+        Ok(())
+    }
+}
+
+/// For which color of the palette, if not for all, and how much.
+fn read_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
+    if r.accept("all")? {
+        return Ok((None, r.float()?));
+    }
+    Ok((Some(r.float()?.clamp(0.0, 255.0) as u8), r.float()?))
+}
+
 impl ImageMap {
     /// Reads what stands between the braces.
     ///
@@ -30,21 +67,11 @@ impl ImageMap {
     /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut bitmap = Bitmap::read(r)?;
-        let (mut filter, mut transmit, mut palette) = (None, None, vec![]);
+        let mut said = Clearness::default();
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word @ ("filter" | "transmit")) => {
-                    r.take()?;
-                    let filters = word == "filter";
-                    if r.accept("all")? {
-                        *(if filters { &mut filter } else { &mut transmit }) = Some(r.float()?);
-                    } else {
-                        let (number, amount) = (r.float()?, r.float()?);
-                        let pair = if filters { (Some(amount), None) } else { (None, Some(amount)) };
-                        palette.push((number.clamp(0.0, 255.0) as u8, pair.0, pair.1));
-                    }
-                }
+                next if read_row(IMAGE_MAP_ROWS, &mut said, next, r)? => {}
                 next if bitmap.read_word(r, next)? => {}
                 _ => {
                     let words: Vec<_> = bitmap::word_names().chain(IMAGE_MAP.names()).collect();
@@ -52,6 +79,7 @@ impl ImageMap {
                 }
             }
         }
+        let Clearness { filter, transmit, palette } = said;
         Ok(Self { texels: bitmap.colors(r), mapping: bitmap.mapping, filter, transmit, palette })
     }
 

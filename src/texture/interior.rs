@@ -1,9 +1,10 @@
 //! `interior`: what fills a shape (manual, "Interior").
 
-use super::words::INTERIOR;
+use super::words::{INTERIOR, INTERIOR_ROWS};
 use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
+use crate::value::words::read_row;
 use crate::value::{Next, RawItem, Reader, ReaderExt};
 use serde::Serialize;
 
@@ -58,18 +59,7 @@ impl Interior {
                     Some(declared) => out = (*declared).clone(),
                     None => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
                 },
-                Next::Word(word) if INTERIOR.obeys(word) => {
-                    r.take()?;
-                    match word {
-                        "ior" => out.ior = r.float()?,
-                        "dispersion" => out.dispersion = r.float()?,
-                        "dispersion_samples" => out.dispersion_samples = read_samples(r)?,
-                        "fade_distance" => out.fade_distance = r.float()?,
-                        "fade_power" => out.fade_power = r.float()?,
-                        "caustics" => out.caustics = r.float()?,
-                        _ => out.fade_color = r.color()?.rgb,
-                    }
-                }
+                next if read_row(INTERIOR_ROWS, &mut out, next, r)? => {}
                 // `refraction N` once switched bending on; any number does as much as none.
                 Next::Word(word) if INTERIOR.ignores(word) => {
                     r.take()?;
@@ -119,7 +109,7 @@ impl Interior {
     }
 }
 
-fn read_samples(r: &mut dyn Reader) -> Result<u32> {
+pub(super) fn read_samples(r: &mut dyn Reader) -> Result<u32> {
     let (at, number) = (r.span(), r.float()?);
     if number < 2.0 {
         let message = format!("`dispersion_samples` is {number}, and light splits into 2 colours at least");

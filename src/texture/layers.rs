@@ -2,7 +2,7 @@
 
 use super::blend::{self, Blend, Entry, Map};
 use super::pigment::read_uv_mapping;
-use super::words::TEXTURE;
+use super::words::{FINISH, TEXTURE};
 use super::{Finish, Interior, Normal, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
@@ -129,8 +129,8 @@ impl Texture {
                 draft.parts = Some(read_tiles(r, &mut draft.pattern, base)?);
                 r.leave()?;
             }
-            Next::Word(word) if bare && Finish::takes(word) => {
-                Arc::make_mut(&mut self.top().finish).read_word(word, r)?
+            Next::Word(word) if bare && (FINISH.obeys(word) || FINISH.ignores(word)) => {
+                Arc::make_mut(&mut self.top().finish).read_word(next, r)?;
             }
             // A lone number was the texture's grain.
             Next::Value if bare => drop(r.float()?),

@@ -3,9 +3,10 @@
 use super::Texture;
 use super::blend::{self, Blend, Entry, Map};
 use super::pigment::read_uv_mapping;
-use super::words::NORMAL;
+use super::words::{NORMAL, NORMAL_ROWS};
 use crate::diagnostic::Result;
 use crate::pattern::{CellPattern, FieldPattern, ImagePattern, Kind, Pattern};
+use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -103,18 +104,7 @@ impl Normal {
             return Ok(());
         }
         match next {
-            Next::Word("bump_size") => {
-                r.take()?;
-                self.amount = r.float()?;
-            }
-            Next::Word("accuracy") => {
-                r.take()?;
-                self.accuracy = r.float()?;
-            }
-            Next::Word("no_bump_scale") => {
-                r.take()?;
-                self.bump_scale = !r.flag()?;
-            }
+            next if read_row(NORMAL_ROWS, self, next, r)? => {}
             Next::Block("bump_map") => {
                 r.take()?;
                 let amount = &mut self.amount;

@@ -2,11 +2,12 @@
 
 use super::blend::{self, Blend, Entry, Map};
 use super::doubts::tell_bytes;
-use super::words::{PIGMENT, pigment_names};
+use super::words::{PIGMENT, PIGMENT_ROWS, pigment_names};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern};
+use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt, Seldom};
 use serde::Serialize;
 use std::sync::Arc;
@@ -93,11 +94,7 @@ impl Pigment {
             return Ok(());
         }
         match next {
-            Next::Word("quick_color" | "quick_colour") => {
-                r.take()?;
-                self.quick_color = Some(Box::new(r.color()?));
-                Ok(())
-            }
+            next if read_row(PIGMENT_ROWS, self, next, r)? => Ok(()),
             Next::Word(word) if PIGMENT.ignores(word) => {
                 r.take()?;
                 r.flag().map(drop)

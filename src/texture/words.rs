@@ -1,40 +1,59 @@
 //! The words of `pigment`, `finish`, `texture` and `interior`: what the readers obey and the manual lists.
 
+use super::finish::{Finish, Irid, Reflection};
+use super::image_map::Clearness;
+use super::interior::{Interior, read_samples};
+use super::normal::Normal;
+use super::pigment::Pigment;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers};
 use crate::value::Kind::{Block, Color, Flag, Float};
-use crate::value::words::word;
-use crate::value::{Spec, Vocabulary};
+use crate::value::words::{Row, joined, set, specs, word};
+use crate::value::{ReaderExt, Spec, Vocabulary, WordSpec};
+
+/// What stands in a `pigment` with braces of its own.
+const PIGMENT_PARTS: &[WordSpec] = &[
+    word(
+        "color_map",
+        Block,
+        "black to white",
+        "`[number color]` entries: which colour each number of the pattern gets",
+    ),
+    word("colour_map", Block, "", "the same"),
+    word("pigment_map", Block, "", "`[number pigment]` entries: which pigment each number of the pattern gets"),
+    word("image_map", Block, "", "a picture"),
+];
+
+/// How [`PIGMENT`]'s other words are read.
+pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
+    word("quick_color", Color, "", "drawn in its place with `--quality 5` and less")
+        .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
+    word("quick_colour", Color, "", "the same")
+        .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
+];
 
 /// `pigment { … }`, beside colours, patterns and [`Modifiers::WORDS`].
 pub const PIGMENT: Vocabulary = Vocabulary {
     block: "pigment",
     summary: "the colour of every point: one colour, or a pattern with its colours",
-    words: &[
-        word(
-            "color_map",
-            Block,
-            "black to white",
-            "`[number color]` entries: which colour each number of the pattern gets",
-        ),
-        word("colour_map", Block, "", "the same"),
-        word("pigment_map", Block, "", "`[number pigment]` entries: which pigment each number of the pattern gets"),
-        word("image_map", Block, "", "a picture"),
-        word("quick_color", Color, "", "drawn in its place with `--quality 5` and less"),
-        word("quick_colour", Color, "", "the same"),
-    ],
+    words: &joined::<{ PIGMENT_PARTS.len() + PIGMENT_ROWS.len() }>(PIGMENT_PARTS, specs!(PIGMENT_ROWS)),
     moves: true,
     idle: &["no_bump_scale"],
     not_drawn: &[],
 };
 
+/// How [`IMAGE_MAP`]'s words are read.
+pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
+    word("filter", Float, "0", "`filter all A` or, for one colour of a palette, `filter N, A`")
+        .sets(Clearness::read_filter),
+    word("transmit", Float, "0", "`transmit all A` or, for one colour of a palette, `transmit N, A`")
+        .sets(Clearness::read_transmit),
+];
+
 /// `image_map { … }`, beside the words of all pictures ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
 pub const IMAGE_MAP: Vocabulary = Vocabulary {
     block: "image_map",
     summary: "a picture as the colours of a surface",
-    words: &[
-        word("filter", Float, "0", "`filter all A` or, for one colour of a palette, `filter N, A`"),
-        word("transmit", Float, "0", "`transmit all A` or, for one colour of a palette, `transmit N, A`"),
-    ],
+    words: specs!(IMAGE_MAP_ROWS),
     moves: false,
     idle: &[],
     not_drawn: &[],
@@ -68,128 +87,165 @@ pub const TEXTURE: Vocabulary = Vocabulary {
     not_drawn: &[],
 };
 
+/// What stands in a `normal` with braces of its own.
+const NORMAL_PARTS: &[WordSpec] = &[
+    word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
+    word("bump_map", Block, "", "a picture whose brightness is the height"),
+    word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
+];
+
+/// How [`NORMAL`]'s other words are read.
+pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
+    word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number behind the pattern's name")
+        .sets(|s, r| set(&mut s.amount, r.float())),
+    word(
+        "accuracy",
+        Float,
+        "0.02",
+        "the distance at which heights are compared, for patterns without bumps of their own",
+    )
+    .sets(|s, r| set(&mut s.accuracy, r.float())),
+    word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled")
+        .sets(|s, r| set(&mut s.bump_scale, r.flag().map(|on| !on))),
+];
+
 /// `normal { … }`, beside patterns and their words.
 pub const NORMAL: Vocabulary = Vocabulary {
     block: "normal",
     summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
-    words: &[
-        word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number behind the pattern's name"),
-        word(
-            "accuracy",
-            Float,
-            "0.02",
-            "the distance at which heights are compared, for patterns without bumps of their own",
-        ),
-        word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
-        word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
-        word("bump_map", Block, "", "a picture whose brightness is the height"),
-        word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
-    ],
+    words: &joined::<{ NORMAL_PARTS.len() + NORMAL_ROWS.len() }>(NORMAL_PARTS, specs!(NORMAL_ROWS)),
     moves: true,
     idle: &[],
     not_drawn: &[],
 };
 
+/// How [`FINISH`]'s words are read.
+pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
+    word("ambient", Color, "0.1", "light that comes from everywhere, times `ambient_light` of `global_settings`")
+        .sets(|s, r| set(&mut s.ambient, r.color().map(|c| c.rgb))),
+    word("emission", Color, "0", "light of its own; it lights nothing else")
+        .sets(|s, r| set(&mut s.emission, r.color().map(|c| c.rgb))),
+    word(
+        "diffuse",
+        Float,
+        "0.6",
+        "how much of a light is scattered; `albedo` before it, and a second number for light from behind",
+    )
+    .sets(Finish::read_diffuse),
+    word("brilliance", Float, "1", "above 1, light that falls at a slant counts for less")
+        .sets(|s, r| set(&mut s.brilliance, r.float())),
+    word(
+        "phong",
+        Float,
+        "0",
+        "strength of a highlight, brightest in the mirrored ray; `albedo` may stand before the number",
+    )
+    .sets(|s, r| set(&mut s.phong_albedo, r.accept("albedo")).and_then(|()| set(&mut s.phong, r.float()))),
+    word("phong_size", Float, "40", "how small that highlight is").sets(|s, r| set(&mut s.phong_size, r.float())),
+    word("specular", Float, "0", "strength of a highlight of the other kind; `albedo` may stand before the number")
+        .sets(|s, r| set(&mut s.specular_albedo, r.accept("albedo")).and_then(|()| set(&mut s.specular, r.float()))),
+    word("roughness", Float, "0.05", "how large that highlight is: 0.0005 is polished, 1 is dull")
+        .sets(|s, r| set(&mut s.roughness, r.float())),
+    word("metallic", Float, "0; 1 without a number", "how much the highlights take the pigment's colour")
+        .sets(|s, r| set(&mut s.metallic, r.optional_float().map(|x| x.unwrap_or(1.0)))),
+    word("crand", Float, "0", "grain, for rough stone").sets(|s, r| set(&mut s.crand, r.float())),
+    word("reflection", Color, "0", "how much is mirrored; in braces with the words of `reflection`")
+        .sets(Finish::read_plain_reflection),
+    word("reflection_exponent", Float, "1", "old spelling of `exponent` in `reflection { }`")
+        .sets(|s, r| set(&mut s.reflection.exponent, r.float())),
+    word("irid", Block, "", "the colours of a thin film, as on soap bubbles")
+        .sets(|_, r| Err(r.unexpected("`{`").into())),
+    word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through")
+        .sets(|s, r| set(&mut s.conserve_energy, r.flag())),
+    word("ior", Float, "", "as in `interior`, which is newer; that of the topmost layer goes before the interior's")
+        .sets(|s, r| set(&mut s.rare.ior, r.float().map(Some))),
+    word("caustics", Float, "", "45 times what it is in `interior`, which is newer; the topmost layer's goes before")
+        .sets(|s, r| set(&mut s.rare.caustics, r.float().map(|x| Some(x / 45.0)))),
+    word(
+        "refraction",
+        Float,
+        "1",
+        "in old scenes: factor of the light that passes the topmost layer, but not of shadows",
+    )
+    .sets(|s, r| set(&mut s.rare.refraction, r.float())),
+];
+
 /// `finish { … }`
 pub const FINISH: Vocabulary = Vocabulary {
     block: "finish",
     summary: "how a surface answers to light",
-    words: &[
-        word("ambient", Color, "0.1", "light that comes from everywhere, times `ambient_light` of `global_settings`"),
-        word("emission", Color, "0", "light of its own; it lights nothing else"),
-        word(
-            "diffuse",
-            Float,
-            "0.6",
-            "how much of a light is scattered; `albedo` before it, and a second number for light from behind",
-        ),
-        word("brilliance", Float, "1", "above 1, light that falls at a slant counts for less"),
-        word(
-            "phong",
-            Float,
-            "0",
-            "strength of a highlight, brightest in the mirrored ray; `albedo` may stand before the number",
-        ),
-        word("phong_size", Float, "40", "how small that highlight is"),
-        word("specular", Float, "0", "strength of a highlight of the other kind; `albedo` may stand before the number"),
-        word("roughness", Float, "0.05", "how large that highlight is: 0.0005 is polished, 1 is dull"),
-        word("metallic", Float, "0; 1 without a number", "how much the highlights take the pigment's colour"),
-        word("crand", Float, "0", "grain, for rough stone"),
-        word("reflection", Color, "0", "how much is mirrored; in braces with the words of `reflection`"),
-        word("reflection_exponent", Float, "1", "old spelling of `exponent` in `reflection { }`"),
-        word("irid", Block, "", "the colours of a thin film, as on soap bubbles"),
-        word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through"),
-        word(
-            "ior",
-            Float,
-            "",
-            "as in `interior`, which is newer; that of the topmost layer goes before the interior's",
-        ),
-        word(
-            "caustics",
-            Float,
-            "",
-            "45 times what it is in `interior`, which is newer; the topmost layer's goes before",
-        ),
-        word(
-            "refraction",
-            Float,
-            "1",
-            "in old scenes: factor of the light that passes the topmost layer, but not of shadows",
-        ),
-    ],
+    words: specs!(FINISH_ROWS),
     moves: false,
     idle: &["fade_distance", "fade_power"],
     not_drawn: &["subsurface"],
 };
 
+/// How [`IRID`]'s words are read.
+pub(super) const IRID_ROWS: &[Row<Irid>] = &[
+    word("thickness", Float, "0", "of the film, in the units of `irid_wavelength`")
+        .sets(|s, r| set(&mut s.thickness, r.float())),
+    word("turbulence", Float, "0", "how much the thickness varies").sets(|s, r| set(&mut s.turbulence, r.float())),
+];
+
 /// `finish { irid { … } }`
 pub const IRID: Vocabulary = Vocabulary {
     block: "irid",
     summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
-    words: &[
-        word("thickness", Float, "0", "of the film, in the units of `irid_wavelength`"),
-        word("turbulence", Float, "0", "how much the thickness varies"),
-    ],
+    words: specs!(IRID_ROWS),
     moves: false,
     idle: &[],
     not_drawn: &[],
 };
+
+/// How [`REFLECTION`]'s words are read.
+pub(super) const REFLECTION_ROWS: &[Row<Reflection>] = &[
+    word("fresnel", Flag, "off", "the angle counts as for glass and water, by the `ior` of the interior")
+        .sets(|s, r| set(&mut s.fresnel, r.flag())),
+    word("falloff", Float, "1", "how late the second colour comes in").sets(|s, r| set(&mut s.falloff, r.float())),
+    word("exponent", Float, "1", "of the light that is mirrored").sets(|s, r| set(&mut s.exponent, r.float())),
+    word("metallic", Float, "0; 1 without a number", "how much the mirror takes the pigment's colour")
+        .sets(|s, r| set(&mut s.metallic, r.optional_float().map(|x| x.unwrap_or(1.0)))),
+];
 
 /// `finish { reflection { … } }`
 pub const REFLECTION: Vocabulary = Vocabulary {
     block: "reflection",
     summary: "a mirror: `{ colour }`, or `{ colour seen straight on, colour seen at a slant }`",
-    words: &[
-        word("fresnel", Flag, "off", "the angle counts as for glass and water, by the `ior` of the interior"),
-        word("falloff", Float, "1", "how late the second colour comes in"),
-        word("exponent", Float, "1", "of the light that is mirrored"),
-        word("metallic", Float, "0; 1 without a number", "how much the mirror takes the pigment's colour"),
-    ],
+    words: specs!(REFLECTION_ROWS),
     moves: false,
     idle: &[],
     not_drawn: &[],
 };
 
+/// How [`INTERIOR`]'s words are read.
+pub(super) const INTERIOR_ROWS: &[Row<Interior>] = &[
+    word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond")
+        .sets(|s, r| set(&mut s.ior, r.float())),
+    word(
+        "dispersion",
+        Float,
+        "1",
+        "the ratio of violet's index of refraction to red's: 1.01 to 1.1 shows the colours of a prism",
+    )
+    .sets(|s, r| set(&mut s.dispersion, r.float())),
+    word("dispersion_samples", Float, "7", "into how many colours light splits, 2 or more")
+        .sets(|s, r| set(&mut s.dispersion_samples, read_samples(r))),
+    word("fade_distance", Float, "0", "how far light goes until it has lost half; 0 if it loses nothing")
+        .sets(|s, r| set(&mut s.fade_distance, r.float())),
+    word("fade_power", Float, "0", "how fast light fades; 1 to 2 is usual, from 1000 on it fades exponentially")
+        .sets(|s, r| set(&mut s.fade_power, r.float())),
+    word("fade_color", Color, "0", "what is left of light that has gone far")
+        .sets(|s, r| set(&mut s.fade_color, r.color().map(|c| c.rgb))),
+    word("fade_colour", Color, "", "the same").sets(|s, r| set(&mut s.fade_color, r.color().map(|c| c.rgb))),
+    word("caustics", Float, "0", "makes shadows bright where light falls straight in; larger is narrower")
+        .sets(|s, r| set(&mut s.caustics, r.float())),
+];
+
 /// `interior { … }`
 pub const INTERIOR: Vocabulary = Vocabulary {
     block: "interior",
     summary: "what fills a shape",
-    words: &[
-        word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond"),
-        word(
-            "dispersion",
-            Float,
-            "1",
-            "the ratio of violet's index of refraction to red's: 1.01 to 1.1 shows the colours of a prism",
-        ),
-        word("dispersion_samples", Float, "7", "into how many colours light splits, 2 or more"),
-        word("fade_distance", Float, "0", "how far light goes until it has lost half; 0 if it loses nothing"),
-        word("fade_power", Float, "0", "how fast light fades; 1 to 2 is usual, from 1000 on it fades exponentially"),
-        word("fade_color", Color, "0", "what is left of light that has gone far"),
-        word("fade_colour", Color, "", "the same"),
-        word("caustics", Float, "0", "makes shadows bright where light falls straight in; larger is narrower"),
-    ],
+    words: specs!(INTERIOR_ROWS),
     moves: false,
     idle: &["refraction"],
     not_drawn: &["media"],

@@ -26,7 +26,7 @@ pub struct Param {
 }
 
 /// A word inside a block.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct WordSpec {
     /// As it is typed.
     pub name: &'static str,

@@ -48,13 +48,24 @@ def is_inner(name):
     return len(name) == 1 or bool(re.search(r"^_|_inc(_temp)?$|_temp$|_inc_stack$", name, re.IGNORECASE))
 
 
+def part_of(path, texts):
+    """The file that is included in this one's place: `stones.inc` for `stones1.inc`, which it includes."""
+    for name, text in texts.items():
+        stem = name.removesuffix(".inc")
+        if name != path.name and path.name.startswith(stem) and f'#include "{path.name}"' in text:
+            return name
+    return None
+
+
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else next(f for f in FOLDERS if pathlib.Path(f).is_dir()))
     files = sorted(folder.glob("*.inc"), key=lambda path: (path.name in LAST, path.name))
-    lines = ["# Written by tests/library/index.py: the names that the standard include files declare, a file a line."]
+    lines = ["# Written by tests/library/index.py: the names that the standard include files declare, a file a line; `=` the file that includes it."]
+    texts = {path.name: path.read_text(encoding="latin-1") for path in files}
     for path in files:
-        names = [] if path.name in LEFT_OUT else declared(path.read_text(encoding="latin-1"))
-        lines.append(" ".join([path.name, *names]))
+        names = [] if path.name in LEFT_OUT else declared(texts[path.name])
+        whole = part_of(path, texts)
+        lines.append(" ".join([f"{path.name}={whole}" if whole else path.name, *names]))
     OUT.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(f"{OUT}: {sum(len(line.split()) - 1 for line in lines[1:])} names of {len(files)} files")
 

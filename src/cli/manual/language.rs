@@ -94,7 +94,7 @@ fn pictures() -> String {
     let image_map = section(&texture::words::IMAGE_MAP, "image_map", &[]);
     let channels = word_table(bitmap::CHANNELS, &[]);
     format!(
-        "# Pictures\n\n`image_map`, [`image_pattern`](#image_pattern), [`bump_map` and `material_map`](finishes.md) begin with \
+        "## Pictures\n\n`image_map`, [`image_pattern`](#image_pattern), [`bump_map` and `material_map`](finishes.md) begin with \
          a file's name, or with `function W, H {{ … }}`: a picture of W by H points from (0, 0), on top, to (1, 1). The name of a \
          format may stand before the file's name and changes nothing: {formats}. All of them take these words:\n\n{all}{image_map}\
          ## What counts of a pixel\n\nIn `image_pattern` and `bump_map`.\n\n{channels}"

@@ -120,7 +120,7 @@ impl Interpreter<'_> {
     /// Would the name be declared, had nothing failed before?
     fn is_left_undone(&self, name: &str, user: FileId) -> bool {
         let gives = |(file, includer): &(String, FileId)| match library::is_standard(file) {
-            true => library::declares(file, name) || includes_declarer(file, name),
+            true => library::declares(file, name),
             // Nobody knows what a file of the author's would have declared for the one that includes it.
             false => *includer == user && library::declared_in(name).is_none(),
         };
@@ -142,9 +142,4 @@ impl Interpreter<'_> {
             self.diagnostics.push(d.help("mend the first ones: others often follow from them"));
         }
     }
-}
-
-/// `stones.inc` only includes `stones1.inc` and `stones2.inc`.
-fn includes_declarer(file: &str, name: &str) -> bool {
-    library::declared_in(name).is_some_and(|declarer| declarer.starts_with(file.trim_end_matches(".inc")))
 }

@@ -16,18 +16,25 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Gives};
 use crate::image_io::{Picture, Pixels, Samples, Stored};
 use crate::math::DVec3;
-use crate::value::words::word;
+use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Kind, Next, Reader, ReaderExt, WordSpec, downcast};
 use std::sync::Arc;
 
-/// The words of all of them, behind the file's name.
-pub const WORDS: &[WordSpec] = &[
-    word("gamma", Kind::Float, "", "how the file's numbers stand to light, instead of what the file says; or `srgb`"),
-    word("premultiplied", Kind::Flag, "", "the file's colours are multiplied with alpha already"),
-    word("map_type", Kind::Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus"),
-    word("once", Kind::Nothing, "", "it is there once, not again and again"),
-    word("interpolate", Kind::Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance"),
+const ROWS: &[Row<Bitmap>] = &[
+    word("gamma", Kind::Float, "", "how the file's numbers stand to light, instead of what the file says; or `srgb`")
+        .sets(|s, r| set(&mut s.gamma, read_gamma(r).map(Some))),
+    word("premultiplied", Kind::Flag, "", "the file's colours are multiplied with alpha already")
+        .sets(|s, r| set(&mut s.premultiplied, r.flag())),
+    word("map_type", Kind::Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus")
+        .sets(|s, r| set(&mut s.mapping.wrap, r.float().map(Wrap::from_number))),
+    word("once", Kind::Nothing, "", "it is there once, not again and again")
+        .sets(|s, _| set(&mut s.mapping.once, Ok(true))),
+    word("interpolate", Kind::Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance")
+        .sets(|s, r| set(&mut s.mapping.between, read_between(r))),
 ];
+
+/// The words of all of them, behind the file's name.
+pub const WORDS: &[WordSpec] = specs!(ROWS);
 
 /// Their names.
 pub fn word_names() -> impl Iterator<Item = &'static str> {
@@ -86,27 +93,7 @@ impl Bitmap {
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
     pub fn read_word(&mut self, r: &mut dyn Reader, next: Next) -> Result<bool> {
-        let Next::Word(word) = next else { return Ok(false) };
-        if !word_names().any(|name| name == word) {
-            return Ok(false);
-        }
-        r.take()?;
-        match word {
-            "gamma" if r.accept("srgb")? => self.gamma = Some(Gamma::Srgb),
-            "gamma" => self.gamma = Some(Gamma::Power(r.float()?)),
-            "premultiplied" => self.premultiplied = r.flag()?,
-            "map_type" => self.mapping.wrap = Wrap::from_number(r.float()?),
-            "once" => self.mapping.once = true,
-            _ => {
-                let (at, n) = (r.span(), r.float()?);
-                let Some(between) = Between::from_number(n) else {
-                    let message = format!("`interpolate` takes 2, 3 or 4, found {n}");
-                    return Diagnostic::err(codes::BAD_ARGUMENT, at, message);
-                };
-                self.mapping.between = between;
-            }
-        }
-        Ok(true)
+        read_row(ROWS, self, next, r)
     }
 
     /// Its pixels as colours of the scene.
@@ -122,6 +109,20 @@ impl Bitmap {
         let curve = color_curve(Stored::Plain, self.gamma, Gamma::Power(1.0), false);
         Texels::new(self.picture.clone(), curve, self.premultiplied)
     }
+}
+
+/// `gamma srgb`, or a number.
+fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
+    if r.accept("srgb")? { Ok(Gamma::Srgb) } else { r.float().map(Gamma::Power) }
+}
+
+/// `interpolate N`
+fn read_between(r: &mut dyn Reader) -> Result<Between> {
+    let (at, n) = (r.span(), r.float()?);
+    Between::from_number(n).ok_or_else(|| {
+        let message = format!("`interpolate` takes 2, 3 or 4, found {n}");
+        Diagnostic::new(codes::BAD_ARGUMENT, at, message).into()
+    })
 }
 
 /// `function W, H { … }`: a picture of W by H points from (0, 0), on top, to (1, 1).

@@ -5,7 +5,7 @@ use crate::color::{Rgb, gray};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
 use crate::pattern::{Field, Readable, TextureContext, Words};
-use crate::value::words::word;
+use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
 
@@ -34,13 +34,18 @@ pub enum Channel {
     Index,
 }
 
-/// What says which channel counts, in `image_pattern` and `bump_map`.
-pub const CHANNELS: &[WordSpec] = &[
-    word("use_alpha", Kind::Nothing, "", "how much shines through counts, where the file says it"),
-    word("use_color", Kind::Nothing, "", "brightness counts, which is so without it too"),
-    word("use_colour", Kind::Nothing, "", "the same"),
-    word("use_index", Kind::Nothing, "", "of a `bump_map`: the number in the palette counts, where the file has one"),
+const CHANNEL_ROWS: &[Row<Channel>] = &[
+    word("use_alpha", Kind::Nothing, "", "how much shines through counts, where the file says it")
+        .sets(|s, _| set(s, Ok(Channel::Alpha))),
+    word("use_color", Kind::Nothing, "", "brightness counts, which is so without it too")
+        .sets(|s, _| set(s, Ok(Channel::Gray))),
+    word("use_colour", Kind::Nothing, "", "the same").sets(|s, _| set(s, Ok(Channel::Gray))),
+    word("use_index", Kind::Nothing, "", "of a `bump_map`: the number in the palette counts, where the file has one")
+        .sets(|s, _| set(s, Ok(Channel::Index))),
 ];
+
+/// What says which channel counts, in `image_pattern` and `bump_map`.
+pub const CHANNELS: &[WordSpec] = specs!(CHANNEL_ROWS);
 
 impl Readable for ImagePattern {
     const SPEC: Spec = Spec {
@@ -74,14 +79,7 @@ impl ImagePattern {
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word) if CHANNELS.iter().any(|w| w.name == word) => {
-                    r.take()?;
-                    channel = match word {
-                        "use_alpha" => Channel::Alpha,
-                        "use_index" => Channel::Index,
-                        _ => Channel::Gray,
-                    };
-                }
+                next if read_row(CHANNEL_ROWS, &mut channel, next, r)? => {}
                 next if bitmap.read_word(r, next)? || other(r, next)? => {}
                 _ => {
                     let own = CHANNELS.iter().map(|w| w.name);

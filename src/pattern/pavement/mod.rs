@@ -13,7 +13,8 @@ use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
 use crate::source::Span;
-use crate::value::{Kind, Next, Reader, Spec, WordSpec};
+use crate::value::words::{Row, read_row, set, specs, word};
+use crate::value::{Kind, Next, Reader, Spec};
 use grid::{Cells, Corner, H, Plan};
 use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
@@ -79,23 +80,12 @@ struct Laid {
     form: Look,
 }
 
-const fn word(name: &'static str, default: &'static str, summary: &'static str) -> WordSpec {
-    WordSpec { name, kind: Kind::Float, default, summary }
-}
-
 impl Readable for Pavement {
     const SPEC: Spec = Spec {
         name: "pavement",
         summary: "tiles of several triangles, squares or hexagons, with numbers up to 1 at the joints",
         params: &[],
-        words: &[
-            word("number_of_sides", "3", "of the cells that tiles are made of: 3, 4 or 6"),
-            word("number_of_tiles", "1", "how many cells make a tile, 1 to 6; 1 to 5 hexagons"),
-            word("pattern", "1", "which of the tiles that can be made of so many"),
-            word("exterior", "0", "joints at tips: 0 pointed, 1 cut off, 2 round; not for hexagons"),
-            word("interior", "0", "joints at notches: 0 pointed, 1 cut off, 2 round"),
-            word("form", "0", "joints at blunt corners: 0 pointed, 1 cut off, 2 round; for squares 3 as the others"),
-        ],
+        words: specs!(PavementWords::ROWS),
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -110,35 +100,46 @@ impl Readable for Pavement {
         said.continued(r)
     }
 
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        self.said.set(word, r.float()?);
-        *self = self.said.continued(r)?;
-        Ok(())
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        let found = read_row(PavementWords::ROWS, &mut self.said, next, r)?;
+        if found {
+            *self = self.said.continued(r)?;
+        }
+        Ok(found)
     }
 }
 
 impl PavementWords {
+    const ROWS: &'static [Row<Self>] = &[
+        word("number_of_sides", Kind::Float, "3", "of the cells that tiles are made of: 3, 4 or 6")
+            .sets(|s, r| set(&mut s.number_of_sides, r.float().map(f64::trunc))),
+        word("number_of_tiles", Kind::Float, "1", "how many cells make a tile, 1 to 6; 1 to 5 hexagons")
+            .sets(|s, r| set(&mut s.number_of_tiles, r.float().map(f64::trunc))),
+        word("pattern", Kind::Float, "1", "which of the tiles that can be made of so many")
+            .sets(|s, r| set(&mut s.pattern, r.float().map(f64::trunc))),
+        word("exterior", Kind::Float, "0", "joints at tips: 0 pointed, 1 cut off, 2 round; not for hexagons")
+            .sets(|s, r| set(&mut s.exterior, r.float())),
+        word("interior", Kind::Float, "0", "joints at notches: 0 pointed, 1 cut off, 2 round")
+            .sets(|s, r| set(&mut s.interior, r.float())),
+        word(
+            "form",
+            Kind::Float,
+            "0",
+            "joints at blunt corners: 0 pointed, 1 cut off, 2 round; for squares 3 as the others",
+        )
+        .sets(|s, r| set(&mut s.form, r.float())),
+    ];
+
     /// Reads on while words of its own follow: they depend on each other in any order, so none is checked before the last.
     fn continued(mut self, r: &mut dyn Reader) -> Result<Pavement> {
         let at = r.span();
-        while let Next::Word(word) = r.next()?
-            && Pavement::SPEC.words.iter().any(|spec| spec.name == word)
-        {
-            r.take()?;
-            self.set(word, r.float()?);
+        loop {
+            let next = r.next()?;
+            if !read_row(Self::ROWS, &mut self, next, r)? {
+                break;
+            }
         }
         Pavement::lay(self, at)
-    }
-
-    fn set(&mut self, word: &str, n: f64) {
-        match word {
-            "number_of_sides" => self.number_of_sides = n.trunc(),
-            "number_of_tiles" => self.number_of_tiles = n.trunc(),
-            "pattern" => self.pattern = n.trunc(),
-            "exterior" => self.exterior = n,
-            "interior" => self.interior = n,
-            _ => self.form = n,
-        }
     }
 }
 

@@ -9,7 +9,8 @@ use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::noise::Cell;
 use crate::math::{DVec3, fp};
-use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 
 /// Points within a sphere are moved along its radii.
@@ -39,54 +40,30 @@ impl Readable for BlackHole {
             Param { name: "center", kind: Kind::Vector, summary: "where to" },
             Param { name: "radius", kind: Kind::Float, summary: "how far it reaches" },
         ],
-        words: &[
-            WordSpec { name: "strength", kind: Kind::Float, default: "1", summary: "how strong it pulls" },
-            WordSpec {
-                name: "falloff",
-                kind: Kind::Float,
-                default: "2",
-                summary: "to which power the pull grows from the edge to the centre",
-            },
-            WordSpec { name: "inverse", kind: Kind::Nothing, default: "", summary: "pushes instead of pulling" },
-            WordSpec {
-                name: "repeat",
-                kind: Kind::Vector,
-                default: "0",
-                summary: "one in each block of this size; 0 for an axis along which they don't repeat",
-            },
-            WordSpec {
-                name: "turbulence",
-                kind: Kind::Vector,
-                default: "0",
-                summary: "how far the centre is moved at random in each block",
-            },
-            WordSpec {
-                name: "type",
-                kind: Kind::Float,
-                default: "0",
-                summary: "kept for POV-Ray's sake, means nothing",
-            },
-        ],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word("strength", Kind::Float, "1", "how strong it pulls").sets(|s, r| set(&mut s.strength, r.float())),
+        word("falloff", Kind::Float, "2", "to which power the pull grows from the edge to the centre")
+            .sets(|s, r| set(&mut s.falloff, r.float())),
+        word("inverse", Kind::Nothing, "", "pushes instead of pulling").sets(|s, _| set(&mut s.inverse, Ok(true))),
+        word(
+            "repeat",
+            Kind::Vector,
+            "0",
+            "one in each block of this size; 0 for an axis along which they don't repeat",
+        )
+        .sets(|s, r| set(&mut s.repeat, r.vector())),
+        word("turbulence", Kind::Vector, "0", "how far the centre is moved at random in each block")
+            .sets(|s, r| set(&mut s.turbulence, r.vector())),
+        word("type", Kind::Float, "0", "kept for POV-Ray's sake, means nothing").sets(|_, r| r.float().map(drop)),
+    ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let (center, radius) = (r.vector()?, r.float()?);
         let (repeat, turbulence) = (DVec3::ZERO, DVec3::ZERO);
         Ok(Self { center, radius, strength: 1.0, falloff: 2.0, inverse: false, repeat, turbulence })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "strength" => self.strength = r.float()?,
-            "falloff" => self.falloff = r.float()?,
-            "inverse" => self.inverse = true,
-            "repeat" => self.repeat = r.vector()?,
-            "turbulence" => self.turbulence = r.vector()?,
-            _ => {
-                r.float()?;
-            }
-        }
-        Ok(())
     }
 }
 

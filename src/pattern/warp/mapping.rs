@@ -9,6 +9,7 @@ use super::super::{Cells, Cubic, Readable};
 use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
+use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
@@ -28,27 +29,13 @@ impl Default for Layout {
     }
 }
 
-const ORIENTATION: WordSpec = WordSpec {
-    name: "orientation",
-    kind: Kind::Vector,
-    default: "z",
-    summary: "along which axis of the pattern its depth lies",
-};
+const ORIENTATION: WordSpec = word("orientation", Kind::Vector, "z", "along which axis of the pattern its depth lies");
 
-const DIST_EXP: WordSpec = WordSpec {
-    name: "dist_exp",
-    kind: Kind::Float,
-    default: "0",
-    summary: "the pattern grows with this power of the distance",
-};
+const DIST_EXP: WordSpec = word("dist_exp", Kind::Float, "0", "the pattern grows with this power of the distance");
 
 impl Layout {
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "orientation" => self.orientation = r.vector()?.normalize_or_zero(),
-            _ => self.dist_exp = r.float()?,
-        }
-        Ok(())
+    fn read_orientation(&mut self, r: &mut dyn Reader) -> Result<()> {
+        set(&mut self.orientation, r.vector().map(DVec3::normalize_or_zero))
     }
 
     /// Lays (u, v) and the depth out along the axes.
@@ -73,15 +60,14 @@ impl Readable for CylindricalWarp {
         name: "cylindrical",
         summary: "lays the pattern's xy plane around the y axis",
         params: &[],
-        words: &[ORIENTATION, DIST_EXP],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] =
+        &[ORIENTATION.sets(|s, r| s.0.read_orientation(r)), DIST_EXP.sets(|s, r| set(&mut s.0.dist_exp, r.float()))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self::default())
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        self.0.read_word(word, r)
     }
 }
 
@@ -104,15 +90,14 @@ impl Readable for SphericalWarp {
         name: "spherical",
         summary: "lays the unit square of the pattern's xy plane around the origin",
         params: &[],
-        words: &[ORIENTATION, DIST_EXP],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] =
+        &[ORIENTATION.sets(|s, r| s.0.read_orientation(r)), DIST_EXP.sets(|s, r| set(&mut s.0.dist_exp, r.float()))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self::default())
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        self.0.read_word(word, r)
     }
 }
 
@@ -142,23 +127,17 @@ impl Readable for ToroidalWarp {
         name: "toroidal",
         summary: "lays the unit square of the pattern's xy plane around a ring",
         params: &[],
-        words: &[
-            ORIENTATION,
-            DIST_EXP,
-            WordSpec { name: "major_radius", kind: Kind::Float, default: "1", summary: "radius of the ring" },
-        ],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        ORIENTATION.sets(|s, r| s.layout.read_orientation(r)),
+        DIST_EXP.sets(|s, r| set(&mut s.layout.dist_exp, r.float())),
+        word("major_radius", Kind::Float, "1", "radius of the ring").sets(|s, r| set(&mut s.major_radius, r.float())),
+    ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self { layout: Layout::default(), major_radius: 1.0 })
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "major_radius" => self.major_radius = r.float()?,
-            _ => self.layout.read_word(word, r)?,
-        }
-        Ok(())
     }
 }
 

@@ -43,8 +43,8 @@ macro_rules! warps {
 
             fn spec(&self) -> &'static Spec { match self { $(Warp::$variant(_) => &$name::SPEC),* } }
 
-            fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-                match self { $(Warp::$variant(w) => w.read_word(word, r)),* }
+            fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+                match self { $(Warp::$variant(w) => w.read_own(next, r)),* }
             }
         }
     };
@@ -78,10 +78,7 @@ impl Warp {
         loop {
             match r.next()? {
                 Next::End => return Ok(warp),
-                Next::Word(word) if warp.spec().words.iter().any(|w| w.name == word) => {
-                    r.take()?;
-                    warp.read_word(word, r)?;
-                }
+                next if warp.read_own(next, r)? => {}
                 _ => return Err(r.unknown_word("warp", &warp.spec().word_names().collect::<Vec<_>>()).into()),
             }
         }

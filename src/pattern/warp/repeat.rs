@@ -8,7 +8,8 @@ use super::super::Readable;
 use super::Bend;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
-use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use crate::value::words::{Row, set, specs, word};
+use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 
 /// Slices of the pattern side by side.
@@ -33,21 +34,15 @@ impl Readable for Repeat {
             kind: Kind::Vector,
             summary: "from one slice to the next; only one of its three numbers may differ from 0",
         }],
-        words: &[
-            WordSpec {
-                name: "offset",
-                kind: Kind::Vector,
-                default: "0",
-                summary: "how much farther in the pattern each slice lies",
-            },
-            WordSpec {
-                name: "flip",
-                kind: Kind::Vector,
-                default: "0",
-                summary: "mirrors every other slice along the axes that are not 0 here",
-            },
-        ],
+        words: specs!(Self::WORDS),
     };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word("offset", Kind::Vector, "0", "how much farther in the pattern each slice lies")
+            .sets(|s, r| set(&mut s.offset, r.vector())),
+        word("flip", Kind::Vector, "0", "mirrors every other slice along the axes that are not 0 here")
+            .sets(|s, r| set(&mut s.flip, r.vector().map(|v| v.to_array().map(|x| x != 0.0)))),
+    ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
@@ -67,14 +62,6 @@ impl Readable for Repeat {
             .help("use a `warp` for each axis: `warp { repeat 2*x } warp { repeat 3*y }`")
             .into(),
         }
-    }
-
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        match word {
-            "offset" => self.offset = r.vector()?,
-            _ => self.flip = r.vector()?.to_array().map(|x| x != 0.0),
-        }
-        Ok(())
     }
 }
 

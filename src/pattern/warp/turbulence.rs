@@ -9,7 +9,8 @@ use super::super::{Readable, Turbulent};
 use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::words::read_row;
+use crate::value::{Kind, Next, Param, Reader, Spec};
 use serde::Serialize;
 
 /// Displaces points at random.
@@ -28,8 +29,8 @@ impl Readable for TurbulenceWarp {
         Ok(Self(Turbulent { amount: r.vector()?, ..Turbulent::default() }))
     }
 
-    fn read_word(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<()> {
-        self.0.read_word(word, r)
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        read_row(Turbulent::ROWS, &mut self.0, next, r)
     }
 }
 

@@ -72,22 +72,6 @@ impl Flags {
         cutaway_textures: false,
         uv_mapping: false,
     };
-
-    /// The switch of this name.
-    fn named(&mut self, word: &str) -> Option<&mut bool> {
-        Some(match word {
-            "no_shadow" => &mut self.no_shadow,
-            "no_image" => &mut self.no_image,
-            "no_reflection" => &mut self.no_reflection,
-            "no_radiosity" => &mut self.no_radiosity,
-            "hollow" => &mut self.hollow,
-            "inverse" => &mut self.inverse,
-            "double_illuminate" => &mut self.double_illuminate,
-            "cutaway_textures" => &mut self.cutaway_textures,
-            "uv_mapping" => &mut self.uv_mapping,
-            _ => return None,
-        })
-    }
 }
 
 /// An object as it was written. Cheap to copy: a copy shares all but its place, until something else is said of it.

@@ -1,14 +1,15 @@
 //! Reads objects: the blocks that make them, and the modifiers that may stand in each (manual, "Object Modifiers").
 
-use super::{CsgOp, Flags, Object, ObjectBody, ObjectKind};
+use super::{CsgOp, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::Transform;
-use crate::scene::words::MODIFIERS;
+use crate::scene::words::{FLAGS, MODIFIERS};
 use crate::scene::{Defaults, Painted, Weight, read_layers, read_material};
 use crate::shape::{self, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
+use crate::value::words::{is_row, read_row};
 use crate::value::{Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
 
@@ -174,11 +175,9 @@ impl Object {
                 }
                 return Ok(is_somewhere);
             }
-            if let (Next::Word(word), Some(shape)) = (next, shape.as_deref_mut())
-                && shape.spec().words.iter().any(|w| w.name == word)
+            if let Some(shape) = shape.as_deref_mut()
+                && shape.read_own(next, r)?
             {
-                r.take()?;
-                shape.read_word(word, r)?;
                 continue;
             }
             let read = match self.read_modifier(next, r, defaults) {
@@ -216,17 +215,13 @@ impl Object {
         r: &mut dyn Reader,
         defaults: &Defaults,
     ) -> Result<bool> {
+        if is_row(FLAGS, next) {
+            return read_row(FLAGS, &mut self.rare.flags, next, r);
+        }
         match next {
             next if next.moves() => {
                 if let Some(step) = r.transform()? {
                     self.transform_by(&step);
-                }
-            }
-            Next::Word(word) if Flags::default().named(word).is_some() => {
-                r.take()?;
-                let on = r.flag()?;
-                if let Some(flag) = self.rare.flags.named(word) {
-                    *flag = on;
                 }
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,

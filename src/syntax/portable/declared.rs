@@ -22,19 +22,30 @@ const BLOCKS: &[&str] = &["texture", "pigment", "normal", "finish", "interior", 
 /// All names of all files.
 pub(super) struct Declared {
     kinds: FxHashMap<Symbol, Kind>,
+    /// For each macro: is the last token of its body, and of all others of the name, the `}` of a block?
+    macros: FxHashMap<Symbol, bool>,
     /// Does the scene's own file ask for a language that needs no `;` behind a value?
     pub is_old: bool,
 }
 
 impl Declared {
     pub(super) fn of(texts: &[Text]) -> Self {
-        let mut out = Self { kinds: FxHashMap::default(), is_old: texts.first().is_some_and(is_old) };
+        let mut out = Self {
+            kinds: FxHashMap::default(),
+            macros: FxHashMap::default(),
+            is_old: texts.first().is_some_and(is_old),
+        };
         texts.iter().for_each(|text| out.gather(text));
         out
     }
 
     pub(super) fn kind(&self, symbol: Symbol) -> Option<Kind> {
         self.kinds.get(&symbol).copied()
+    }
+
+    /// Is it a macro whose body ends with a block?
+    pub(super) fn ends_with_block(&self, symbol: Symbol) -> bool {
+        self.macros.get(&symbol) == Some(&true)
     }
 
     fn gather(&mut self, text: &Text) {
@@ -45,14 +56,23 @@ impl Declared {
                         self.add(symbol, kind_of(text, at + 2));
                     }
                 }
-                // Parameters of macros and the variables of loops are this and that.
-                class::MACRO | class::FOR => {
-                    let list = (at + 1..text.len()).take_while(|&at| !matches!(text.class(at), class::PAREN_END));
-                    list.filter_map(|at| text.symbol(at)).for_each(|symbol| self.add(symbol, Kind::Unknown));
+                class::MACRO => {
+                    let block = body_end(text, at).is_some_and(|end| text.before(end) == class::BRACE_END);
+                    if let Some(symbol) = text.symbol(at + 1) {
+                        *self.macros.entry(symbol).or_insert(true) &= block;
+                    }
+                    self.add_parameters(text, at);
                 }
+                class::FOR => self.add_parameters(text, at),
                 _ => {}
             }
         }
+    }
+
+    /// Parameters of macros and the variables of loops are this and that.
+    fn add_parameters(&mut self, text: &Text, at: usize) {
+        let list = (at + 1..text.len()).take_while(|&at| !matches!(text.class(at), class::PAREN_END));
+        list.filter_map(|at| text.symbol(at)).for_each(|symbol| self.add(symbol, Kind::Unknown));
     }
 
     fn add(&mut self, symbol: Symbol, kind: Kind) {
@@ -61,6 +81,16 @@ impl Declared {
             *known = Kind::Unknown;
         }
     }
+}
+
+/// The `#end` of the directive at `at`.
+fn body_end(text: &Text, at: usize) -> Option<usize> {
+    let mut depth = 0;
+    (at..text.len()).find(|&i| {
+        let class = text.class(i);
+        depth += i32::from(class::opens_body(class)) - i32::from(class == class::END);
+        class == class::END && depth == 0
+    })
 }
 
 /// The kind of `= value`, from the equal sign on.

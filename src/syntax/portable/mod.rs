@@ -163,6 +163,11 @@ mod tests {
             "sphere { 0, 1 } , box { 0, 1 }",
             "light_source { 0, rgb 1, shadowless }",
             "mesh { triangle { 0, x, y }, triangle { 0, x, z } }",
+            "sphere { 0, 1 pigment { rgb 1, scale 2 } }",
+            "sphere { 0, 1 pigment { bozo, color_map { [0 rgb 0] [1 rgb 1] } } }",
+            "sphere { 0, 1 texture { pigment { rgb 1 }, finish { ambient 1 } } }",
+            "sphere { 0, 1 texture { pigment { rgb 1 } , } }",
+            "sphere { 0, 1 normal { bumps 0.5, scale 2 } }",
         ] {
             assert_eq!(told(text), [","], "{text}");
         }
@@ -176,6 +181,9 @@ mod tests {
             "disc { 0, y, 1, }",
             "light_source { 0, rgb 1 area_light x, y, 2, 2 }",
             "#macro M(A, B) A, B #end",
+            "sphere { 0, 1 normal { bumps, 0.5 } }",
+            "sphere { 0, 1 pigment { Checks(), scale 2 } }",
+            "sphere { 0, 1 texture { checker texture { A }, texture { B }, scale 2 } }",
         ] {
             assert_eq!(told(text), [""; 0], "{text}");
         }
@@ -184,11 +192,33 @@ mod tests {
     #[test]
     fn semicolons() {
         assert_eq!(told("sphere { 0, 1 };"), [";"]);
+        for text in [
+            "sphere { 0, 1 } #if (0) #end;",
+            "#if (1) #declare A = 1; #end; sphere { 0, A }",
+            "#for (I, 1, 2) sphere { I*x, 1 } #end;",
+            "#declare A = 1; #while (A < 3) #declare A = A + 1; #end;",
+            "#macro M() sphere { 0, 1 } #end M();",
+            "#macro M() #local A = 1; sphere { 0, A } #end M();",
+        ] {
+            assert_eq!(told(text), [";"], "{text}");
+        }
+        for text in [
+            "#declare A = #if (1) 1 #else 2 #end;",
+            "#macro M() #local A = 1; #end M();",
+            "#macro M() sphere { 0, 1 } #local A = 1; #end M();",
+            "#macro M() sphere { 0, 1 } #end #declare A = M();",
+            "#macro M() function { x } #end #declare A = M();",
+        ] {
+            assert_eq!(told(text), [""; 0], "{text}");
+        }
         assert_eq!(told("sphere { 0, 1 scale 2; }"), [";"]);
         assert_eq!(told("#include \"colors.inc\"; #declare A = \"a\";"), [";"]);
         assert_eq!(told("#macro M() #debug \"a\"; #if (1) #end #debug \"b\"; #end #debug \"c\";"), [";"]);
         assert_eq!(told("sphere { 0, 1 #local R = 2; scale R }"), [""; 0]);
         assert_eq!(told("#declare S = sphere { 0, 1 };"), [""; 0]);
+        for text in ["#if (1) #declare A = 1 #end", "#if (0) #declare A = 1 #else #declare B = 2; #end"] {
+            assert_eq!(told(text), ["A"], "{text}");
+        }
         for text in ["#declare A = 1 sphere { 0, A }", "#declare A = 1", "#declare A = <1, 2, 3>*2 box { 0, A }"] {
             assert_eq!(told(text), ["A"], "{text}");
         }

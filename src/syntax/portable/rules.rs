@@ -31,6 +31,17 @@ const MODIFIERS: &[&str] = &[
     "reflection", "emission", "brilliance", "crand", "metallic", "max_gradient", "contained_by", "accuracy",
 ];
 
+/// Blocks of patterns, in which it takes no comma before these words either, unless a list of the pattern's ends there.
+const PAINTS: &[&str] = &["pigment", "normal", "texture"];
+#[rustfmt::skip]
+const PAINT_WORDS: &[&str] = &[
+    "color_map", "colour_map", "pigment_map", "normal_map", "slope_map", "texture_map", "frequency", "phase",
+    "turbulence", "octaves", "omega", "lambda", "ramp_wave", "sine_wave", "triangle_wave", "scallop_wave", "cubic_wave",
+    "poly_wave", "quick_color", "quick_colour", "warp", "bump_size",
+];
+/// Patterns with lists, behind whose last entry it takes a comma.
+const LISTS: &[&str] = &["checker", "hexagon", "brick", "square", "triangular", "cubic", "object", "tiles"];
+
 impl Walk<'_> {
     /// Looks at a token in its place.
     pub(super) fn judge(&mut self, at: usize) {
@@ -75,6 +86,15 @@ impl Walk<'_> {
         }
         let modifies = self.text.is_keyword(at + 1) && MODIFIERS.contains(&self.text.word(at + 1));
         let in_row = ROWS.contains(&block) && self.text.before(at) == class::BRACE_END;
+        if PAINTS.contains(&block) {
+            let begins = self.text.is_keyword(at + 1) && (modifies || PAINT_WORDS.contains(&self.text.word(at + 1)));
+            // A macro that is called before it may hold a list.
+            let listed = self.text.before(at) == class::PAREN_END || self.has_list(at);
+            if (begins || next == class::BRACE_END) && !listed {
+                self.tell(at, format!("in `{block} {{ … }}`, POV-Ray takes no comma here"), "leave it out");
+            }
+            return;
+        }
         let (what, wrong) = if JOINING.contains(&block) || MAPS.contains(&block) || in_row {
             ("here", true)
         } else if STRICT.contains(&block) && next == class::BRACE_END {
@@ -87,8 +107,23 @@ impl Walk<'_> {
         }
     }
 
+    /// Has the block that is open a pattern with a list, up to this token?
+    fn has_list(&self, at: usize) -> bool {
+        let start = self.open.last().map_or(0, |open| open.at);
+        (start..at).any(|i| self.text.class(i) == class::NAME || LISTS.contains(&self.text.word(i)))
+    }
+
     fn semicolon(&mut self, at: usize) {
         match self.open.last() {
+            // `#end;`
+            None if self.text.before(at) == class::END && self.begins_statement(at - 1) => {
+                self.tell(at, "POV-Ray takes no `;` behind `#end`".into(), "leave it out");
+            }
+            // `M();`, where M's last word is none that a `;` may stand behind
+            None if self.text.before(at) == class::PAREN_END && self.macros.is_empty() && self.calls_objects(at) => {
+                let message = "POV-Ray takes no `;` behind this macro, which ends with a block";
+                self.tell(at, message.into(), "leave it out");
+            }
             None if self.text.before(at) == class::BRACE_END && self.is_statement(at) => {
                 self.tell(at, "POV-Ray takes no `;` behind an object".into(), "leave it out");
             }
@@ -108,6 +143,48 @@ impl Walk<'_> {
             }
             _ => {}
         }
+    }
+
+    /// Does the directive that ends with this `#end` begin where a statement may begin, and not in a value?
+    fn begins_statement(&self, end: usize) -> bool {
+        let mut depth = 0;
+        for back in (0..=end).rev() {
+            match self.text.class(back) {
+                class::END => depth += 1,
+                head if class::opens_body(head) => {
+                    depth -= 1;
+                    if depth == 0 {
+                        return back == 0
+                            || self.text.class(back - 1) == class::SEMICOLON
+                            || self.text.class(back - 1) == class::BRACE_END && self.is_statement(back);
+                    }
+                }
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// Does a call of a macro that ends with an object end before this token, where a statement may begin?
+    fn calls_objects(&self, at: usize) -> bool {
+        let mut depth = 0;
+        for back in (1..at).rev() {
+            match self.text.class(back) {
+                class::PAREN_END => depth += 1,
+                class::PAREN => {
+                    depth -= 1;
+                    if depth == 0 {
+                        let before = back.checked_sub(2).map_or(0, |i| self.text.class(i));
+                        let starts = matches!(before, 0 | class::SEMICOLON | class::END)
+                            || before == class::BRACE_END && self.is_statement(back - 1);
+                        return starts
+                            && self.text.symbol(back - 1).is_some_and(|name| self.declared.ends_with_block(name));
+                    }
+                }
+                _ => {}
+            }
+        }
+        false
     }
 
     /// Does the block that ends before this token stand by itself: neither a value, nor a part of a macro or a branch?
@@ -177,7 +254,13 @@ impl Walk<'_> {
         let Some(end) = value::end(self.text, equal + 1).filter(|_| indices) else { return };
         let next = self.text.class(end);
         let goes_on = self.text.is_keyword(end) && !self.text.word(end).is_empty() && next != class::FUNCTION;
-        if matches!(next, 0 | class::DECLARE | class::PLAIN) || goes_on && is_statement_word(self.text.word(end)) {
+        // (What ends a macro may stand before the `;` of its call.)
+        let ends_branch = matches!(next, class::END | class::ELSE | class::ELSEIF | class::CASE | class::RANGE)
+            && self.macros.last() != Some(&class::MACRO);
+        if matches!(next, 0 | class::DECLARE | class::PLAIN)
+            || ends_branch
+            || goes_on && is_statement_word(self.text.word(end))
+        {
             let name = self.text.word(at + 1);
             let message = format!("POV-Ray wants a `;` behind the value of `{name}`");
             self.tell(at + 1, message, format!("`#declare {name} = …;`"));
