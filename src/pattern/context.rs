@@ -82,6 +82,11 @@ pub trait Field {
         None
     }
 
+    /// Does its name set the frequency to 0, so that `phase` counts for nothing until a `frequency` is said (measured on 3.7)?
+    fn begins_still(&self) -> bool {
+        false
+    }
+
     /// The colours it shows without a map.
     fn default_colors(&self) -> Vec<(f64, Color)> {
         GRAYS.to_vec()

@@ -228,6 +228,7 @@ macro_rules! fields {
                 match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
+            fn begins_still(&self) -> bool { match self { $(FieldPattern::$name(f) => f.begins_still()),* } }
             fn stirs(&self) -> bool { match self { $(FieldPattern::$name(f) => f.stirs()),* } }
             fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
                 match self { $(FieldPattern::$name(f) => f.bumped(at, words, n, amount)),* }

@@ -28,7 +28,8 @@ pub enum Wave {
 /// Frequency, phase, wave. Numbers are kept in single precision, as in POV-Ray (seen from the 8th digit on).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Modifiers {
-    /// How often the map is run through in a unit; 0 leaves the pattern as it is. Unless said, 1 for numbers and 0 for cells.
+    /// How often the map is run through in a unit; 0 leaves the pattern as it is. Unless said, 1; the names of cells and of some
+    /// other patterns set it to 0.
     pub frequency: Option<f64>,
     /// Where the map begins.
     pub phase: f64,

@@ -112,12 +112,16 @@ impl Pattern {
             if let Some(pattern) = FieldPattern::read(word, block, r) {
                 let pattern = pattern?;
                 self.modifiers.wave = pattern.default_wave().unwrap_or(self.modifiers.wave);
+                if pattern.begins_still() {
+                    self.modifiers.frequency = Some(0.0);
+                }
                 self.kind = Kind::Field(pattern);
             }
         } else if CellPattern::is_name(word) {
             r.take()?;
             if let Some(pattern) = CellPattern::read(word, block, r) {
                 self.kind = Kind::Cells(pattern?);
+                self.modifiers.frequency = Some(0.0);
             }
         } else {
             return Ok(false);

@@ -48,6 +48,10 @@ impl Quilted {
 }
 
 impl Field for Quilted {
+    fn begins_still(&self) -> bool {
+        true
+    }
+
     fn value(&self, at: &TextureContext) -> f64 {
         // from the middle of the cube
         let from = (at.p - at.p.floor() - 0.5).abs();

@@ -53,9 +53,10 @@ impl<'w> Setup<'w> {
         let quality = Quality::new(options.quality);
         let mut start = Interiors::new();
         if world.bends || world.colors_light {
-            world
-                .geometry
-                .containing(window.origin, &mut |node| start.push(world.objects[node.object as usize].interior));
+            world.geometry.around_camera(window.origin, &mut |node| {
+                let object = world.objects[node.object as usize];
+                start.extend((!object.view).then_some(object.interior));
+            });
             start.sort_unstable();
         }
         Self { world, window, quality, frame: options.frame, alpha: options.alpha, start }

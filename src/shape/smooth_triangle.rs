@@ -31,7 +31,14 @@ impl SmoothTriangle {
 
     /// Do the normals point to both sides, or into its plane?
     fn is_twisted(&self) -> bool {
-        let sides = self.normals.map(|n| n.dot(self.flat.face_normal()));
+        self.is_twisted_under(&Transform::IDENTITY)
+    }
+
+    /// The same of its image under M. What is stretched can get twisted, as the angles between normals change (measured on POV-Ray
+    /// 3.7, which leaves it out then too).
+    fn is_twisted_under(&self, m: &Transform) -> bool {
+        let face = m.normal(self.flat.face_normal());
+        let sides = self.normals.map(|n| m.normal(n).dot(face));
         !(sides.iter().all(|s| *s > 0.0) || sides.iter().all(|s| *s < 0.0))
     }
 }
@@ -78,7 +85,7 @@ impl Kernel for SmoothTriangle {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        if self.is_twisted() { Aabb::EMPTY } else { self.flat.bounds_under(m) }
+        if self.is_twisted_under(m) { Aabb::EMPTY } else { self.flat.bounds_under(m) }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

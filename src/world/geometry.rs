@@ -147,6 +147,16 @@ impl Geometry {
         });
     }
 
+    /// Tells `visit` the objects that a camera at the point starts in. As POV-Ray 3.7, this forgets what is turned inside out and
+    /// lies far from the point: see [`SolidNode::reach`].
+    pub fn around_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a SolidNode)) {
+        self.containing(p, &mut |item| {
+            if !item.is_unbounded() || item.reach().contains(p) {
+                visit(item);
+            }
+        });
+    }
+
     /// Hands every object whose box the ray meets to `visit`, which returns how far hits still count.
     fn meet<'a>(
         &'a self,

@@ -4,6 +4,7 @@
 use super::geometry::Heap;
 use super::leaf::place;
 use super::material::SharedParts;
+use super::node::NodeParts;
 use super::{Geometry, Leaf, LoweredFinish, Material, ObjectInfo, Part, PlacedMaterial, PointLight, SolidNode, World};
 use crate::color::Gamma;
 use crate::color::{Color, Rgb};
@@ -41,7 +42,10 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let mut heap = Heap::default();
     for object in objects {
         lowering.default_texture = object.default_texture.clone();
-        heap.extend(lowering.lower_object(&object, &Inherited::default())?.map(|solid| solid.node));
+        let first = lowering.objects.len();
+        if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
+            heap.extend(lowering.views(solid.node, first));
+        }
         drop(object);
         lowering.forget_spent();
     }
@@ -183,6 +187,7 @@ impl Lowering {
                 self.lower_light(light, &own.transform)?;
                 None
             }
+            ObjectKind::Shape(shape) if shape.is_patch() && shape.bounds_under(&own.transform).is_empty() => None,
             ObjectKind::Shape(shape) => Some(self.lower_shape(object, shape, &own)?),
             // Scripts that ask get an answer; nothing is seen.
             ObjectKind::Undrawn(shape) if self.asked => {
@@ -200,6 +205,28 @@ impl Lowering {
             node = node.clipped(clip);
         }
         Ok(Some(Solid { node, opaque }))
+    }
+
+    /// The node, or where a merge in it has parts with `no_image`, one for rays from the camera and one for all others. `first` is
+    /// the number of the first object in it.
+    fn views(&mut self, node: SolidNode, first: usize) -> Vec<SolidNode> {
+        if self.objects[first..].iter().all(|object| object.image) {
+            return vec![node];
+        }
+        let mut node = match node.into_parts() {
+            NodeParts::Many(parts) => return parts.into_iter().flat_map(|part| self.views(part, first)).collect(),
+            NodeParts::One(node) => node,
+        };
+        let Some(mut seen) = node.seen_by_camera(&|object| self.objects[object as usize].image) else {
+            return vec![node];
+        };
+        let info = self.objects[node.object as usize];
+        let for_camera = ObjectInfo { shadow: false, reflection: false, view: true, ..info };
+        let for_others = ObjectInfo { image: false, ..info };
+        self.objects.extend([for_camera, for_others]);
+        let number = self.objects.len() as u32;
+        (seen.object, node.object) = (number - 2, number - 1);
+        vec![seen, node]
     }
 
     /// What holds inside the object's block.
@@ -287,7 +314,14 @@ impl Lowering {
 
     fn add_object(&mut self, flags: Flags, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, .. } = flags;
-        let info = ObjectInfo { shadow: !no_shadow, image: !no_image, reflection: !no_reflection, opaque, interior };
+        let info = ObjectInfo {
+            shadow: !no_shadow,
+            image: !no_image,
+            reflection: !no_reflection,
+            opaque,
+            interior,
+            view: false,
+        };
         self.objects.push(info);
         self.objects.len() as u32 - 1
     }

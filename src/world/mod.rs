@@ -122,6 +122,9 @@ pub struct ObjectInfo {
     pub opaque: bool,
     /// Number of what fills it.
     pub interior: u32,
+    /// Is it but another object as the camera sees it?
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub view: bool,
 }
 
 /// A point of light.

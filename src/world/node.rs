@@ -4,6 +4,7 @@
 //! inside the others: so open and infinite shapes take part like any other. `inverse` is never kept for a group: as in
 //! POV-Ray, it goes down to the leaves by De Morgan's laws, and clipping objects stay as they are.
 
+use super::bvh;
 use super::child_bvh::ChildBvh;
 use super::convex_interval::{self, Gathered};
 use super::halfspace::{self, HalfSpaces};
@@ -30,8 +31,14 @@ pub struct SolidNode {
 struct More {
     /// Only what lies inside all of these is there.
     clip: Box<[SolidNode]>,
+    /// Of a merge: parts that are not seen, but are a part of its inside for what is around it.
+    #[serde(skip_serializing_if = "<[SolidNode]>::is_empty")]
+    unseen: Box<[SolidNode]>,
     #[serde(flatten)]
     boxes: Boxes,
+    /// See [`SolidNode::reach`].
+    #[serde(skip)]
+    reach: Reach,
     /// Is it an intersection or a merge of a few whole convex shapes?
     #[serde(skip)]
     convex_parts: bool,
@@ -47,6 +54,14 @@ struct Boxes {
     surface: Aabb,
     /// All points inside it are in here.
     solid: Aabb,
+}
+
+/// Where POV-Ray 3.7 asks whether something is inside.
+#[derive(Clone, Copy, Debug)]
+struct Reach {
+    around: Aabb,
+    /// Is the whole turned inside out?
+    inverted: bool,
 }
 
 /// What a node is.
@@ -110,13 +125,18 @@ impl SolidNode {
 
     /// Cut to what is inside all of `by`, and of what clipped it before.
     pub fn clipped(mut self, by: Vec<SolidNode>) -> Self {
+        let reach = self.more.as_ref().map(|more| more.reach);
         let clip = self.take_clip().into_iter().chain(by).collect();
         self.measure(clip);
+        if let (Some(more), Some(reach)) = (&mut self.more, reach) {
+            more.reach = reach;
+        }
         self
     }
 
     /// Turned inside out. What clips it stays; triangles and polygons, which have no inside, stay too.
     pub fn inverted(mut self) -> Self {
+        let reach = self.more.as_ref().map(|more| more.reach);
         let turned = |children: Vec<SolidNode>| children.into_iter().map(SolidNode::inverted).collect();
         self.kind = match self.kind {
             SolidKind::Leaf(leaf) => SolidKind::Leaf(leaf.inverted()),
@@ -125,7 +145,36 @@ impl SolidNode {
         };
         let clip = self.take_clip();
         self.measure(clip);
+        if let (Some(more), Some(reach)) = (&mut self.more, reach) {
+            more.reach = Reach { inverted: !reach.inverted, ..reach };
+        }
         self
+    }
+
+    /// As rays from the camera see it: in a merge, those parts are left out that `shows` denies, and no longer hide the others. To
+    /// what is around the merge they are a part of its inside all the same (measured on POV-Ray 3.7). `None` if none are.
+    pub fn seen_by_camera(&self, shows: &dyn Fn(u32) -> bool) -> Option<Self> {
+        let children = self.children();
+        let seen: Vec<Option<Self>> = children.iter().map(|c| c.seen_by_camera(shows)).collect();
+        let leaves_out = matches!(self.kind, SolidKind::Merge(_)) && children.iter().any(|c| !shows(c.object));
+        if !leaves_out && seen.iter().all(Option::is_none) {
+            return None;
+        }
+        let parts = children.iter().zip(seen).map(|(child, seen)| seen.unwrap_or_else(|| child.clone()));
+        let mut node = self.clone();
+        let (clip, mut unseen) = (node.take_clip(), vec![]);
+        node.kind = match &self.kind {
+            SolidKind::Leaf(leaf) => SolidKind::Leaf(leaf.clone()),
+            SolidKind::Union(_) => SolidKind::Union(parts.collect()),
+            SolidKind::Intersection(_) => SolidKind::Intersection(parts.collect()),
+            SolidKind::Merge(_) => {
+                let (shown, others) = parts.partition(|part| shows(part.object));
+                unseen = others;
+                SolidKind::Merge(shown)
+            }
+        };
+        node.measure_with(clip, unseen.into());
+        Some(node)
     }
 
     /// What it is made of.
@@ -150,6 +199,10 @@ impl SolidNode {
         self.more.as_ref().map_or(&[], |more| &more.clip)
     }
 
+    fn unseen(&self) -> &[SolidNode] {
+        self.more.as_ref().map_or(&[], |more| &more.unseen)
+    }
+
     fn take_clip(&mut self) -> Box<[SolidNode]> {
         self.more.take().map_or_else(Box::default, |more| more.clip)
     }
@@ -172,6 +225,35 @@ impl SolidNode {
         !solid.is_empty() && solid.union(surface) != surface
     }
 
+    /// The box in which POV-Ray 3.7 asks whether something is inside (as was measured): around the surface of a shape, even of one
+    /// that is turned inside out; of an intersection, what the boxes share of those parts that are not; of what is turned inside
+    /// out as a whole, the box from before that.
+    pub(super) fn reach(&self) -> Aabb {
+        self.more.as_ref().map_or_else(|| self.reach_of_parts(self.bounds()).around, |more| more.reach.around)
+    }
+
+    /// That of its parts, as long as it is not turned inside out.
+    fn reach_of_parts(&self, surface: Aabb) -> Reach {
+        let around = match &self.kind {
+            // (A plane's box is flat.)
+            SolidKind::Leaf(_) if !bvh::fits(&surface) => Aabb::INFINITE,
+            SolidKind::Leaf(_) => surface,
+            SolidKind::Union(c) | SolidKind::Merge(c) => c.iter().map(Self::reach).fold(Aabb::EMPTY, Aabb::union),
+            SolidKind::Intersection(children) => {
+                let upright = children.iter().filter(|c| !c.is_inverted());
+                upright.map(Self::reach).fold(Aabb::INFINITE, Aabb::intersection)
+            }
+        };
+        Reach { around, inverted: false }
+    }
+
+    fn is_inverted(&self) -> bool {
+        match &self.kind {
+            SolidKind::Leaf(leaf) => leaf.inverse,
+            _ => self.more.as_ref().is_some_and(|more| more.reach.inverted),
+        }
+    }
+
     /// The box around all its hits.
     pub fn bounds(&self) -> Aabb {
         self.boxes().surface
@@ -182,7 +264,9 @@ impl SolidNode {
         let in_kind = match &self.kind {
             SolidKind::Leaf(leaf) => leaf.inside(p),
             _ if !self.more.as_ref().is_some_and(|more| more.boxes.solid.contains(p)) => false,
-            SolidKind::Union(_) | SolidKind::Merge(_) => !self.all_children(p, usize::MAX, |_, c| !c.inside(p)),
+            SolidKind::Union(_) | SolidKind::Merge(_) => {
+                !self.all_children(p, usize::MAX, |_, c| !c.inside(p)) || self.unseen().iter().any(|c| c.inside(p))
+            }
             SolidKind::Intersection(_) => self.all_children(p, usize::MAX, |_, c| c.inside(p)),
         };
         in_kind && self.in_clip(p)
@@ -365,6 +449,10 @@ impl SolidNode {
 
     /// Computes both boxes from the parts and what clips them.
     fn measure(&mut self, clip: Box<[SolidNode]>) {
+        self.measure_with(clip, Box::default());
+    }
+
+    fn measure_with(&mut self, clip: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
         let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
         let (surface, solid) = match &self.kind {
             SolidKind::Leaf(leaf) => {
@@ -376,7 +464,8 @@ impl SolidNode {
             }
             SolidKind::Union(_) | SolidKind::Merge(_) => {
                 let join = |side: fn(&Boxes) -> Aabb| inner.iter().map(side).fold(Aabb::EMPTY, Aabb::union);
-                (join(|c| c.surface), join(|c| c.solid))
+                let hidden = unseen.iter().map(|c| c.boxes().solid).fold(Aabb::EMPTY, Aabb::union);
+                (join(|c| c.surface), join(|c| c.solid).union(hidden))
             }
             SolidKind::Intersection(_) => intersection_bounds(&inner),
         };
@@ -405,7 +494,9 @@ impl SolidNode {
         let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
         // Many are quicker found by their boxes.
         let convex_parts = convex && child_bvh.is_none();
-        self.more = Some(Box::new(More { clip, boxes: Boxes { surface, solid }, convex_parts, child_bvh }));
+        let reach = self.reach_of_parts(surface);
+        let boxes = Boxes { surface, solid };
+        self.more = Some(Box::new(More { clip, unseen, boxes, reach, convex_parts, child_bvh }));
     }
 
     /// A box that holds every point which is not inside: finite for what was inverted.

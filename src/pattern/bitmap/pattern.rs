@@ -123,6 +123,10 @@ impl ImagePattern {
 }
 
 impl Field for ImagePattern {
+    fn begins_still(&self) -> bool {
+        true
+    }
+
     fn value(&self, at: &TextureContext) -> f64 {
         self.mapping.place(at.p).map_or(0.0, |place| self.number_at(place).clamp(0.0, 1.0))
     }
