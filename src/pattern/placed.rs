@@ -37,6 +37,9 @@ pub struct Pattern {
     pub noise: Option<NoiseGenerator>,
     /// `uv_mapping`: it sees the place on the surface, (u, v, 0), instead of the point.
     pub uv: bool,
+    /// It was mapped by uv when its block ended: nothing moves it any more (measured on POV-Ray 3.7).
+    #[serde(skip)]
+    pub fixed: bool,
 }
 
 impl Kind {
@@ -57,6 +60,7 @@ impl Usual for Pattern {
             space: Space { inner: vec![], transform: Seldom::USUAL, turbulence: None },
             noise: None,
             uv: false,
+            fixed: false,
         };
         &PLAIN
     }
@@ -71,7 +75,7 @@ impl Pattern {
         match next {
             next if next.moves() => {
                 if let Some(step) = r.transform()? {
-                    self.space.then(&step);
+                    self.transform(&step);
                 }
             }
             next if self.kind.read_own(next, r)? => {}
@@ -134,9 +138,16 @@ impl Pattern {
         self.kind == Kind::Average
     }
 
-    /// Moves it after all it has been moved before.
+    /// Moves it after all it has been moved before, unless it is fixed.
     pub fn transform(&mut self, by: &Transform) {
-        self.space.then(by);
+        if !self.fixed {
+            self.space.then(by);
+        }
+    }
+
+    /// The end of the block that it stands in.
+    pub fn end(&mut self) {
+        self.fixed |= self.uv;
     }
 }
 

@@ -151,7 +151,7 @@ impl Finish {
                 },
                 Next::Block("reflection") => {
                     r.take()?;
-                    f.reflection = Reflection::read(r)?.into();
+                    f.reflection = Reflection::read(r, &f.reflection)?.into();
                     r.leave()?;
                 }
                 Next::Block("irid") => {
@@ -179,9 +179,9 @@ impl Finish {
         }
     }
 
-    /// `diffuse [albedo] front [back]`
+    /// `diffuse [albedo] front [back]`. Once said, `albedo` stays (measured on POV-Ray 3.7), here and with the highlights.
     pub(super) fn read_diffuse(&mut self, r: &mut dyn Reader) -> Result<()> {
-        self.diffuse_albedo = r.accept("albedo")?;
+        self.diffuse_albedo |= r.accept("albedo")?;
         self.diffuse = r.float()?;
         set(&mut self.diffuse_back, r.optional_float().map(|x| x.unwrap_or(0.0)))
     }
@@ -230,10 +230,11 @@ impl Reflection {
     pub const NONE: Self =
         Self { min: Rgb::ZERO, max: Rgb::ZERO, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 };
 
-    /// `reflection { [min,] max … }`
-    fn read(r: &mut dyn Reader) -> Result<Self> {
+    /// `reflection { [min,] max … }`. What an earlier one in the same finish says of metal, falloff and exponent stays, but not its
+    /// `fresnel` (measured on POV-Ray 3.7).
+    fn read(r: &mut dyn Reader, before: &Self) -> Result<Self> {
         let first = r.color()?.rgb;
-        let mut out = Self { max: first, ..Self::default() };
+        let mut out = Self { min: Rgb::ZERO, max: first, fresnel: false, ..before.clone() };
         let two = r.at_color()?;
         if two {
             (out.min, out.max) = (first, r.color()?.rgb);

@@ -221,15 +221,20 @@ impl Texture {
     /// Every layer sees places on the surface instead of points.
     pub fn set_uv(&mut self) {
         for layer in &mut self.layers {
-            layer.pigment.pattern.uv = true;
+            map_by_uv(&mut layer.pigment.pattern);
             if let Some(normal) = &mut layer.normal {
-                Arc::make_mut(normal).pattern.uv = true;
+                map_by_uv(&mut Arc::make_mut(normal).pattern);
             }
             if let Some(choice) = &mut layer.choice {
-                choice.pattern.uv = true;
+                map_by_uv(&mut choice.pattern);
             }
         }
     }
+}
+
+fn map_by_uv(pattern: &mut Pattern) {
+    pattern.uv = true;
+    pattern.end();
 }
 
 /// `tiles { texture A tile2 texture B }`: a checker of textures in old scenes.

@@ -82,10 +82,12 @@ impl Normal {
         }
         loop {
             match r.next()? {
-                Next::End => return Ok(out),
+                Next::End => break,
                 next => out.read_element(r, next, defaults)?,
             }
         }
+        out.pattern.end();
+        Ok(out)
     }
 
     fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {

@@ -70,6 +70,9 @@ impl Pigment {
             after_name = false;
         }
         pigment.finish();
+        if pigment.pattern.uv {
+            pigment.pattern.end();
+        }
         Ok(pigment)
     }
 

@@ -140,10 +140,16 @@ pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
         "0",
         "strength of a highlight, brightest in the mirrored ray; `albedo` may stand before the number",
     )
-    .sets(|s, r| set(&mut s.phong_albedo, r.accept("albedo")).and_then(|()| set(&mut s.phong, r.float()))),
+    .sets(|s, r| {
+        s.phong_albedo |= r.accept("albedo")?;
+        set(&mut s.phong, r.float())
+    }),
     word("phong_size", Float, "40", "how small that highlight is").sets(|s, r| set(&mut s.phong_size, r.float())),
     word("specular", Float, "0", "strength of a highlight of the other kind; `albedo` may stand before the number")
-        .sets(|s, r| set(&mut s.specular_albedo, r.accept("albedo")).and_then(|()| set(&mut s.specular, r.float()))),
+        .sets(|s, r| {
+            s.specular_albedo |= r.accept("albedo")?;
+            set(&mut s.specular, r.float())
+        }),
     word("roughness", Float, "0.05", "how large that highlight is: 0.0005 is polished, 1 is dull")
         .sets(|s, r| set(&mut s.roughness, r.float())),
     word("metallic", Float, "0; 1 without a number", "how much the highlights take the pigment's colour")

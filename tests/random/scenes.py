@@ -1,0 +1,304 @@
+"""Random scenes of everything that durer draws, for `../shared/random/random_scenes.py --generator tests/random/scenes.py`.
+
+A family is a word of FAMILIES; a scene has some of them. Add one with each new feature: a shape, a camera, a light is done when it
+holds in random company.
+"""
+
+from random_scenes import FAMILIES as GIVEN
+from random_scenes import Scene
+
+FAMILIES = GIVEN + [
+    "pictures", "uv", "blends", "angles", "insides", "materials", "prisms", "defaults", "declared", "loops", "cameras", "settings",
+    "lights", "colors", "sizes",
+]
+
+# How many entries the list of a pattern takes.
+CELLS = {"checker": 2, "brick": 2, "hexagon": 3, "triangular": 6, "square": 4, "cubic": 6}
+
+
+class Scenes(Scene):
+    """The given scenes, and more to choose from."""
+
+    def joined(self, count, text):
+        return " ".join(text() for _ in range(count))
+
+    def color(self, clear=0.0):
+        if self.has("colors") and self.chance(0.2):
+            return self.pick(
+                f"red {self.f(0, 1)} green {self.f(0, 1)}",
+                f"rgb <{self.f(-0.5, 1)}, {self.f(-0.5, 1)}, {self.f(0, 1)}>",
+                f"rgb <{self.f(0, 1)}, {self.f(0, 1)}, {self.f(1, 3)}>",
+                f"color rgb {self.v(0, 1)}*{self.f(0.2, 1.2)}",
+                f"srgb {self.v(0, 1)} filter {self.f(0, 0.8) if clear else 0}",
+                f"color blue {self.f(0.2, 1)} transmit {self.f(0, 0.9) if clear else 0}",
+            )
+        return super().color(clear)
+
+    # Patterns
+
+    def pattern(self):
+        if self.has("angles") and self.chance(0.25):
+            place = f"{{ {self.v(-1, 1)} altitude {self.v(-1, 1)} }}"
+            return self.pick("aoi", f"slope {self.v(-1, 1)}", f"slope {place}"), self.waves()
+        if self.has("pictures") and self.chance(0.25):
+            return f"image_pattern {{ {self.picture()} {self.mapping()} }}", self.waves()
+        if self.chance(0.15):
+            more = self.pick(
+                f"function {{ x*{self.f(-2, 2)} + sin(y*{self.f(1, 5)}) - z*z }}",
+                f"pigment_pattern {{ {self.pigment(2)} }}",
+                f"crackle form {self.v(-1, 1)} metric {self.f(1, 3)}",
+                f"agate agate_turb {self.f(0, 1.5)}",
+                f"quilted control0 {self.f(0, 1)} control1 {self.f(0, 1)}",
+                f"magnet {self.pick(1, 2)} mandel 12",
+                f"mandel 20 exponent 3 interior {self.r.randrange(0, 7)}, 1 exterior {self.r.randrange(0, 7)}, 1",
+                f"pavement number_of_sides {self.pick(3, 4, 6)} number_of_tiles {self.r.randrange(1, 5)}",
+                f"tiling {self.r.randrange(1, 25)}",
+            )
+            return more, self.waves()
+        name, mods = super().pattern()
+        if self.chance(0.25):
+            mods = mods + [self.warp()]
+        return name, mods
+
+    def waves(self):
+        out = []
+        if self.chance(0.3):
+            out.append(f"frequency {self.f(-2, 4)}")
+        if self.chance(0.3):
+            out.append(f"phase {self.f(-1, 1)}")
+        if self.chance(0.3):
+            out.append(self.pick("sine_wave", "triangle_wave", "scallop_wave", "cubic_wave", f"poly_wave {self.f(0.5, 3)}"))
+        return out
+
+    def warp(self):
+        return self.pick(
+            f"warp {{ repeat {self.f(0.3, 2)}*{self.pick('x', 'y', 'z')} offset {self.v(-0.3, 0.3)} flip <{self.pick(0, 1)}, 1, 0> }}",
+            f"warp {{ black_hole {self.v(-0.5, 0.5)}, {self.f(0.2, 0.9)} falloff {self.f(0.5, 3)} strength {self.f(0.5, 2)} inverse }}",
+            f"warp {{ black_hole {self.v(-0.2, 0.2)}, {self.f(0.2, 0.4)} repeat {self.f(0.9, 1.5)} turbulence {self.f(0, 0.3)} }}",
+            f"warp {{ turbulence {self.v(0, 0.7)} octaves {self.r.randrange(1, 7)} lambda {self.f(1.5, 3)} omega {self.f(0.2, 0.8)} }}",
+            f"warp {{ planar {self.v(-1, 1)}, {self.f(-1, 1)} }}",
+            f"warp {{ spherical orientation {self.pick('x', 'y', 'z')} dist_exp {self.f(0, 1)} }}",
+            f"warp {{ cylindrical orientation {self.pick('x', 'y', 'z')} }}",
+            f"warp {{ toroidal orientation y major_radius {self.f(0.3, 1.2)} }}",
+        )
+
+    def picture(self):
+        """A picture that a function makes."""
+        w, h = self.r.randrange(2, 9), self.r.randrange(2, 9)
+        body = self.pick("{ x*0.7 + y*0.2 }", "{ sin(x*9)*0.5 + 0.5 }", "{ pigment { bozo color_map { [0.3 rgb <1, 0, 0>] [0.7 rgb <0, 1, 1>] } scale 0.2 } }")
+        return f"function {w}, {h} {body}"
+
+    def mapping(self):
+        out = [f"map_type {self.pick(0, 0, 1, 2, 5)}"]
+        if self.chance(0.4):
+            out.append(f"interpolate {self.pick(2, 3, 4)}")
+        if self.chance(0.25):
+            out.append("once")
+        return " ".join(out)
+
+    # Pigments, normals, textures
+
+    def pigment(self, depth=0, clear=0.0):
+        if self.has("pictures") and self.chance(0.2):
+            some = f"filter all {self.f(0, 0.6)}" if clear and self.chance(0.5) else ""
+            return f"image_map {{ {self.picture()} {self.mapping()} {some} }} {self.move(0.5) if self.chance(0.5) else ''}"
+        if self.has("blends") and depth < 2 and self.chance(0.2):
+            entries = self.joined(self.r.randrange(2, 4), lambda: f"[{self.f(0.2, 2)} {self.pigment(depth + 1, clear)}]")
+            return f"average pigment_map {{ {entries} }} {self.move(0.4) if self.chance(0.4) else ''}"
+        text = super().pigment(depth, clear)
+        if self.has("uv") and depth == 0 and self.chance(0.2):
+            text = "uv_mapping " + text
+        if self.has("colors") and self.chance(0.1):
+            text += f" quick_color {super().color(0)}"
+        return text
+
+    def normal(self):
+        if self.has("blends") and self.chance(0.5):
+            kind = self.r.randrange(4)
+            if kind == 0:
+                name, mods = self.pattern()
+                entries = " ".join(f"[{at} <{self.f(0, 1)}, {self.f(-1, 1)}>]" for at in sorted(self.f(0, 1) for _ in range(3)))
+                if name.split()[0] not in CELLS:
+                    return f"normal {{ {name} {self.f(-0.8, 0.8)} slope_map {{ {entries} }} {' '.join(mods)} scale {self.f(0.2, 1)} }}"
+            if kind == 1:
+                return f"normal {{ bump_map {{ {self.picture()} {self.mapping()} bump_size {self.f(0.1, 2)} }} {self.move(0.4)} }}"
+            if kind == 2:
+                name, mods = self.pattern()
+                inner = lambda: self.normal()[len("normal {"):-1]
+                if name.split()[0] not in CELLS:
+                    return f"normal {{ {name} normal_map {{ [0.2 {inner()}] [0.8 {inner()}] }} {' '.join(mods)} scale {self.f(0.2, 1)} }}"
+            if kind == 3:
+                inner = lambda: self.normal()[len("normal {"):-1]
+                return f"normal {{ average normal_map {{ [1 {inner()}] [{self.f(0.3, 2)} {inner()}] }} }}"
+        text = super().normal()
+        if self.chance(0.15):
+            text = text[:-1] + self.pick(f"accuracy {self.f(0.005, 0.1)}", "no_bump_scale") + " }"
+        return text
+
+    def finish(self):
+        text = super().finish()
+        more = []
+        if self.chance(0.1):
+            more.append(f"diffuse albedo {self.f(0.3, 0.9)}")
+        if self.chance(0.1):
+            more.append(f"diffuse {self.f(0.3, 0.7)}, {self.f(0.1, 0.5)}")
+        if self.chance(0.1):
+            more.append("conserve_energy")
+        if self.chance(0.1):
+            more.append(f"reflection {{ {self.f(0, 0.6)} exponent {self.f(0.5, 2)} }}")
+        if self.chance(0.05):
+            more.append(f"specular albedo {self.f(0, 0.8)} ambient rgb {self.v(0, 0.4)}")
+        return text[:-1] + " ".join(more) + " }"
+
+    def texture(self, depth=0):
+        clear = 0.5 if self.has("glass") and self.chance(0.5) else 0
+        body = lambda: f"texture {{ {self.texture_body(clear)} }}"
+        if depth == 0 and self.has("blends") and self.chance(0.2):
+            cells = self.pick("checker", "brick", "hexagon", "square", "triangular", "cubic")
+            return f"texture {{ {cells} {', '.join(body() for _ in range(CELLS[cells]))} {self.move(0.4)} }}"
+        if depth == 0 and self.has("pictures") and self.chance(0.15):
+            return f"texture {{ material_map {{ {self.picture()} {self.mapping()} {self.joined(3, body)} }} {self.move(0.4)} }}"
+        if depth == 0 and self.has("blends") and self.chance(0.1):
+            return f"texture {{ average texture_map {{ [1 {self.texture_body(clear)}] [{self.f(0.5, 2)} {self.texture_body(clear)}] }} }}"
+        text = super().texture(depth)
+        if self.has("uv") and self.chance(0.15) and text.startswith("texture { pigment"):
+            text = text.replace("texture {", "texture { uv_mapping", 1)
+        return text
+
+    # Objects
+
+    def shape(self):
+        if self.chance(0.15):
+            corners = ", ".join(f"<{self.f(-1, 1)}, {self.f(-1, 1)}, 0>" for _ in range(4))
+            first = corners.split(">, ")[0] + ">"
+            return f"polygon {{ 5, {corners}, {first}"
+        return super().shape()
+
+    def solid(self):
+        if self.chance(0.1):
+            return f"plane {{ {self.v(-1, 1)}, {self.f(0.1, 0.8)}"
+        return super().solid()
+
+    def part(self, depth):
+        if self.has("declared") and self.chance(0.15):
+            return f"object {{ {self.pick('Thing', 'Other')} {self.move(0.5)} {'inverse' if self.chance(0.1) else ''} }}"
+        return super().part(depth)
+
+    def csg(self, depth):
+        text = super().csg(depth)
+        # POV-Ray takes it in these alone.
+        if self.has("insides") and self.chance(0.3) and text.startswith(("intersection", "difference")):
+            text = text[:-1] + "cutaway_textures }"
+        return text
+
+    def modifiers(self):
+        out = super().modifiers()
+        if self.has("insides"):
+            if self.chance(0.2):
+                out += f" interior_texture {{ {self.texture_body(0)} }}"
+        if self.has("uv") and self.chance(0.1):
+            out = "uv_mapping " + out
+        if self.has("materials") and self.chance(0.3):
+            out += f" material {{ {self.texture(1)} interior {{ ior {self.f(1, 1.7)} }} }}"
+        if self.has("prisms") and self.chance(0.3):
+            out += f" interior {{ ior {self.f(1.1, 1.7)} dispersion {self.f(1, 1.2)} dispersion_samples {self.r.randrange(2, 12)} }}"
+        if self.has("glass") and self.chance(0.1):
+            out += f" interior {{ ior {self.f(1, 1.6)} caustics {self.f(0, 1)} }}"
+        return out
+
+    # Scenes
+
+    def camera(self):
+        place = f"<{self.f(-2, 2)}, {self.f(0, 3)}, {self.f(-7, -5)}>"
+        words = [f"location {place}"]
+        if self.chance(0.4):
+            words.append(f"sky {self.v(-1, 1)}")
+        if self.chance(0.4):
+            words.append(f"right <{self.f(0.8, 2)}, {self.f(-0.2, 0.2)}, 0> up <0, {self.f(0.8, 1.4)}, 0>")
+        if self.chance(0.3):
+            words.append(f"direction <0, 0, {self.f(0.7, 2)}>")
+        if self.chance(0.7):
+            words.append(f"look_at {self.v(-0.3, 0.3)}")
+        if self.chance(0.4):
+            words.append(f"angle {self.f(25, 70)}")
+        if self.chance(0.3):
+            words.append(f"rotate {self.v(-20, 20)} translate {self.v(-0.4, 0.4)}")
+        return f"camera {{ {' '.join(words)} }}"
+
+    def light(self):
+        fade = self.pick("", f"fade_distance {self.f(2, 9)} fade_power {self.pick(1, 2, 3, self.f(0.5, 4))}")
+        moved = f"rotate {self.v(-20, 20)}" if self.chance(0.2) else ""
+        return f"light_source {{ <{self.f(-9, 9)}, {self.f(2, 9)}, {self.f(-9, -3)}> {self.color()} {fade} {self.pick('', '', 'shadowless')} {moved} }}"
+
+    def settings(self):
+        out = []
+        if self.chance(0.4):
+            out.append(f"ambient_light {self.pick(self.f(0, 2), 'rgb ' + self.v(0, 2))}")
+        if self.chance(0.3):
+            out.append(f"adc_bailout {self.pick('1/255', '0', '0.02', '0.1')}")
+        if self.chance(0.3):
+            out.append(f"number_of_waves {self.r.randrange(1, 20)}")
+        if self.chance(0.3):
+            out.append(f"noise_generator {self.r.randrange(1, 4)}")
+        if self.chance(0.2):
+            out.append(f"irid_wavelength rgb {self.v(0.3, 0.8)}")
+        return " ".join(out)
+
+    def looped(self):
+        text = f"{self.shape()} {self.modifiers()} }}"
+        if self.chance(0.5):
+            return (
+                f"#macro Placed(Where, Turn)\n  object {{ {text} scale 0.4 rotate Turn*{self.pick('x', 'y', 'z')} translate Where }}\n#end\n"
+                f"#for (I, 0, {self.r.randrange(1, 4)})\n  Placed(<I - 1, {self.f(-0.5, 0.5)}*I, 0>, I*{self.f(10, 80)})\n#end"
+            )
+        return (
+            f"#declare Count = 0;\n#while (Count < {self.r.randrange(2, 5)})\n"
+            f"  object {{ {text} scale 0.35 translate <Count - 1.5, mod(Count, 2), Count/3> }}\n  #declare Count = Count + 1;\n#end"
+        )
+
+    def sized(self, text):
+        """The same scene, large or small about the origin, or far away from it."""
+        size = self.pick("0.0001", "0.01", "100", "10000", "1")
+        away = self.v(-1e6, 1e6) if size == "1" else "<0, 0, 0>"
+        head, rest = text.split("camera {", 1)
+        camera, rest = rest.split("}", 1)
+        move = f"scale {size} translate {away}"
+        lines, lights = [], []
+        for line in rest.split("\n"):
+            (lights if line.startswith("light_source") or not line.strip() or line.startswith("background") else lines).append(line)
+        moved = [line[:-1].rstrip() + f" {move} }}" if line.startswith("light_source") else line for line in lights]
+        body = "\n".join(lines)
+        if "#" in body or not body.strip():
+            return text
+        return head + f"camera {{{camera} {move} }}\n" + "\n".join(moved) + f"\nunion {{\n{body}\n{move} }}\n"
+
+    def text(self):
+        lines = super().text().split("\n")
+        out = []
+        for line in lines:
+            if line.startswith("camera") and self.has("cameras"):
+                line = self.camera()
+            if line.startswith("global_settings") and self.has("settings"):
+                line = line[:-1] + self.settings() + " }"
+            if line.startswith("light_source") and self.has("lights"):
+                line = "\n".join(self.light() for _ in range(self.r.randrange(1, 5)))
+            out.append(line)
+        head = out[:3]
+        rest = out[3:]
+        if self.has("defaults"):
+            head.append(f"#default {{ {self.texture(1) if self.chance(0.5) else self.pick('pigment { ' + self.pigment() + ' }', self.finish())} }}")
+        if self.has("declared"):
+            head.append(f"#declare Thing = {self.solid()} {self.texture() if self.chance(0.5) else ''} {self.move(0.5)} }}")
+            head.append(f"#declare Other = {self.csg_of_solids()}")
+            rest.insert(0, f"object {{ {self.pick('Thing', 'Other')} {self.move(1)} {self.modifiers() if self.chance(0.5) else ''} }}")
+        if self.has("loops"):
+            rest.append(self.looped())
+        text = "\n".join(head + rest) + "\n"
+        if "assumed_gamma" not in text:
+            # POV-Ray wants to know the gamma before it takes one of these.
+            text = text.replace("srgb", "rgb")
+        return self.sized(text) if self.has("sizes") and self.chance(0.7) else text
+
+    def csg_of_solids(self):
+        parts = self.joined(2, lambda: f"{self.solid()} {self.texture() if self.chance(0.4) else ''} {self.move(0.3)} }}")
+        return f"{self.pick('union', 'intersection', 'difference', 'merge')} {{ {parts} {self.move(0.5)} }}"
