@@ -85,7 +85,12 @@ impl Pattern {
             }
             Next::Word("noise_generator") => {
                 r.take()?;
-                self.noise = read_noise_generator(r, 0.0)?;
+                // POV-Ray 3.7 keeps two bits, and adds those of a second number to those of the first, as that of a default pigment.
+                let bits = |noise: Option<NoiseGenerator>| noise.map_or(0, NoiseGenerator::number);
+                self.noise = match bits(self.noise) | bits(read_noise_generator(r, 0.0)?) {
+                    0 => None,
+                    number => Some(NoiseGenerator::from_number(f64::from(number))),
+                };
             }
             Next::Word("uv_mapping") => {
                 r.take()?;

@@ -114,8 +114,8 @@ impl Field for Slope {
                 (by_slope * slope + by_height * height) / (by_slope + by_height)
             }
         };
-        // numbers below 0 are brought back behind the frequency
-        if value > 1.0 { value.fract() } else { value }
+        // before the frequency counts (measured on POV-Ray 3.7)
+        if (0.0..=1.0).contains(&value) { value } else { fp::fraction(value) }
     }
 }
 

@@ -44,7 +44,8 @@ pub(super) fn answer(shading: &ShadingPoint, incoming: Incoming, ray: Bounce, ou
         let light = light * film(shading, shaded, out, incoming.world);
         let seen = match mirror.exponent {
             1.0 => light,
-            exponent => light.max(Rgb::ZERO).map(|x| fp::pow(x, 1.0 / exponent)),
+            // (What counts for less than nothing has no power, and the pixel is black, as in POV-Ray 3.7.)
+            exponent => light.map(|x| fp::pow(x, 1.0 / exponent)),
         };
         sum += amount(mirror, shaded, incoming.interface) * seen * shaded.share;
     }

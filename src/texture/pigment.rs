@@ -89,7 +89,11 @@ impl Pigment {
 
     /// Reads one element of a pigment: of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
+        let before = self.shows_defaults().then(|| self.pattern.kind.clone());
         if self.pattern.change_if(|pattern| pattern.read_element(next, r))? {
+            if before.is_some_and(|kind| kind != self.pattern.kind) {
+                self.paint = Paint::Solid(Color::BLACK);
+            }
             let default = |cells: &CellPattern, cell| Pigment::solid(cells.default_color(cell));
             if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &default)? {
                 self.paint = Paint::Pigments(list);
@@ -148,6 +152,11 @@ impl Pigment {
         if !matches!(self.pattern.kind, Kind::Plain) {
             self.pattern.kind = Kind::Plain;
         }
+    }
+
+    /// Has it no colours but those that its pattern brings along, which another pattern takes away?
+    fn shows_defaults(&self) -> bool {
+        matches!((&self.pattern.kind, &self.paint), (Kind::Field(field), Paint::Colors(map)) if map.entries == field.default_colors())
     }
 
     /// A pattern of numbers without a map shows colours of its own.

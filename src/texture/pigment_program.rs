@@ -2,7 +2,7 @@
 
 use super::{Blend, ColorMap, ImageMap, Map, Paint, Pigment};
 use crate::color::Color;
-use crate::pattern::{PatternProgram, TextureContext};
+use crate::pattern::{Kind, PatternProgram, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -70,6 +70,10 @@ impl PigmentProgram {
 /// Appends the nodes of a pigment; the number of its own.
 fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
     let shows = match &pigment.paint {
+        // A map without a pattern is black (measured on POV-Ray 3.7).
+        Paint::Colors(_) | Paint::Pigments(Blend::Map(_)) if matches!(pigment.pattern.kind, Kind::Plain) => {
+            Shows::Solid(Color::BLACK)
+        }
         Paint::Solid(color) => Shows::Solid(*color),
         Paint::Colors(map) => Shows::Colors(map.clone()),
         Paint::Image(image) => Shows::Image(image.clone()),

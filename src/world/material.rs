@@ -1,7 +1,6 @@
 //! Textures as a ray needs them: layers with all constants worked out.
 
 use crate::color::{Color, Rgb};
-use crate::math::fp;
 use crate::pattern::{PatternProgram, Space, TextureContext};
 use crate::texture::{self, Blend, Finish, Irid, Normal, NormalProgram, Pigment, PigmentProgram, Reflection, Texture};
 use serde::Serialize;
@@ -173,20 +172,17 @@ impl Layer {
 impl LoweredFinish {
     /// Lowers a finish under the scene's `ambient_light`.
     pub fn new(f: &Finish, ambient_light: Rgb) -> Self {
-        // `albedo` scales each lobe by one over its integral over the half sphere; what is negative counts as none (both
-        // measured on POV-Ray 3.7).
-        let lobe = |amount: f64, albedo: bool, factor: f64| (if albedo { amount * factor } else { amount }).max(0.0);
-        let diffuse = |amount| lobe(amount, f.diffuse_albedo, (f.brilliance + 1.0) / 2.0);
-        let phong = lobe(f.phong, f.phong_albedo, (f.phong_size + 1.0) / 2.0);
-        let n = 1.0 / f.roughness;
-        let specular = lobe(f.specular, f.specular_albedo, (n + 2.0) / (4.0 * (2.0 - fp::exp2(-n / 2.0))));
+        // What is negative counts as none (measured on POV-Ray 3.7).
+        let plain = f.without_albedo();
+        let [diffuse, diffuse_back, phong, specular] =
+            [plain.diffuse, plain.diffuse_back, plain.phong, plain.specular].map(|amount| amount.max(0.0));
         Self {
             glow: f.ambient * ambient_light + f.emission,
-            diffuse: diffuse(f.diffuse),
-            diffuse_back: diffuse(f.diffuse_back),
+            diffuse,
+            diffuse_back,
             brilliance: f.brilliance,
             phong: Lobe { strength: phong, exponent: f.phong_size },
-            specular: Lobe { strength: specular, exponent: n },
+            specular: Lobe { strength: specular, exponent: 1.0 / f.roughness },
             metallic: f.metallic.max(0.0),
             crand: f.crand,
             irid: f.irid.clone().filter(|irid| irid.amount > 0.0),

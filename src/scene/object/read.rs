@@ -6,7 +6,7 @@ use crate::light::Light;
 use crate::math::Transform;
 use crate::scene::words::{FLAGS, MODIFIERS};
 use crate::scene::{Defaults, Painted, Weight, read_layers, read_material};
-use crate::shape::{self, Shape};
+use crate::shape::{self, Kernel, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
 use crate::value::words::{is_row, read_row};
@@ -190,6 +190,9 @@ impl Object {
                 }
                 read => read?,
             };
+            if next.moves() && shape.as_deref().is_some_and(|shape| self.loses(shape)) {
+                is_somewhere = false;
+            }
             if !read {
                 let own = shape.as_deref().map(|s| s.spec().word_names().collect::<Vec<_>>()).unwrap_or_default();
                 let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
@@ -197,6 +200,12 @@ impl Object {
                 skip_color(next, fault, r)?;
             }
         }
+    }
+
+    /// Have its transforms so far left nothing of the shape? What follows does not bring it back (measured on POV-Ray 3.7 with
+    /// smooth triangles, whose normals get to both sides).
+    fn loses(&self, shape: &Shape) -> bool {
+        shape.is_patch() && !shape.bounds().is_empty() && shape.bounds_under(&self.transform).is_empty()
     }
 
     /// `uv_mapping` of an object is its texture's.
