@@ -7,7 +7,7 @@ use super::{Options, Rays, Watch};
 use crate::camera::Window;
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Range, Ray, rng, tolerance};
-use crate::world::{Intersection, World};
+use crate::world::{Intersection, ObjectInfo, World};
 
 /// So many surfaces one ray passes at most; it ends what rounding would keep in one place for ever.
 const CROSSINGS: usize = 20_000;
@@ -54,8 +54,8 @@ impl<'w> Setup<'w> {
         let mut start = Interiors::new();
         if world.bends || world.colors_light {
             world.geometry.around_camera(window.origin, &mut |node| {
-                let object = world.objects[node.object as usize];
-                start.extend((!object.view).then_some(object.interior));
+                let interior = world.objects[node.object as usize].interior;
+                start.extend((interior != ObjectInfo::VIEW).then_some(interior));
             });
             start.sort_unstable();
         }

@@ -221,7 +221,7 @@ impl Lowering {
             return vec![node];
         };
         let info = self.objects[node.object as usize];
-        let for_camera = ObjectInfo { shadow: false, reflection: false, view: true, ..info };
+        let for_camera = ObjectInfo { shadow: false, reflection: false, interior: ObjectInfo::VIEW, ..info };
         let for_others = ObjectInfo { image: false, ..info };
         self.objects.extend([for_camera, for_others]);
         let number = self.objects.len() as u32;
@@ -314,14 +314,7 @@ impl Lowering {
 
     fn add_object(&mut self, flags: Flags, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, .. } = flags;
-        let info = ObjectInfo {
-            shadow: !no_shadow,
-            image: !no_image,
-            reflection: !no_reflection,
-            opaque,
-            interior,
-            view: false,
-        };
+        let info = ObjectInfo { shadow: !no_shadow, image: !no_image, reflection: !no_reflection, opaque, interior };
         self.objects.push(info);
         self.objects.len() as u32 - 1
     }

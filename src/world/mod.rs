@@ -120,11 +120,13 @@ pub struct ObjectInfo {
     pub reflection: bool,
     /// Does no light pass anywhere?
     pub opaque: bool,
-    /// Number of what fills it.
+    /// Number of what fills it, or [`Self::VIEW`].
     pub interior: u32,
-    /// Is it but another object as the camera sees it?
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    pub view: bool,
+}
+
+impl ObjectInfo {
+    /// In place of an interior: it is but another object as the camera sees it, which has been counted.
+    pub const VIEW: u32 = u32::MAX;
 }
 
 /// A point of light.
