@@ -33,6 +33,7 @@ use crate::source::Span;
 use crate::value::words::{Row, read_row};
 use crate::value::{Next, Reader, Spec};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Where a ray meets a surface, in object space.
@@ -178,6 +179,13 @@ macro_rules! shapes {
         }
 
         impl Shape {
+            /// The shape that M is about to place; see [`SmoothTriangle::under`].
+            pub fn under(&self, m: &Transform) -> Cow<'_, Self> {
+                match self {
+                    Shape::SmoothTriangle(s) => Cow::Owned(s.under(m).into()),
+                    other => Cow::Borrowed(other),
+                }
+            }
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }
             /// Reads one of the words of its own table, if it comes next; false if none does.

@@ -29,6 +29,12 @@ impl SmoothTriangle {
         Self { flat, normals: normals.map(DVec3::normalize_or_zero) }
     }
 
+    /// The same with normals that have length 1 under M, so that what lies between them there is a mean of directions (as in POV-Ray).
+    pub fn under(&self, m: &Transform) -> Self {
+        let normals = self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE));
+        Self { normals, ..self.clone() }
+    }
+
     /// Do the normals point to both sides, or into its plane?
     fn is_twisted(&self) -> bool {
         self.is_twisted_under(&Transform::IDENTITY)

@@ -31,7 +31,7 @@ pub struct SolidNode {
 struct More {
     /// Only what lies inside all of these is there.
     clip: Box<[SolidNode]>,
-    /// Of a merge: parts that are not seen, but are a part of its inside for what is around it.
+    /// Of a union or merge: parts that are not seen, but are a part of its inside for what is around it.
     #[serde(skip_serializing_if = "<[SolidNode]>::is_empty")]
     unseen: Box<[SolidNode]>,
     #[serde(flatten)]
@@ -151,27 +151,25 @@ impl SolidNode {
         self
     }
 
-    /// As rays from the camera see it: in a merge, those parts are left out that `shows` denies, and no longer hide the others. To
-    /// what is around the merge they are a part of its inside all the same (measured on POV-Ray 3.7). `None` if none are.
-    pub fn seen_by_camera(&self, shows: &dyn Fn(u32) -> bool) -> Option<Self> {
+    /// As some rays see it: those parts of unions and merges are left out that are `hidden`, and no longer hide others. To what is
+    /// around them they are a part of the inside all the same (measured on POV-Ray 3.7). `None` if none are.
+    pub fn seen(&self, hidden: &dyn Fn(&SolidKind, u32) -> bool) -> Option<Self> {
         let children = self.children();
-        let seen: Vec<Option<Self>> = children.iter().map(|c| c.seen_by_camera(shows)).collect();
-        let leaves_out = matches!(self.kind, SolidKind::Merge(_)) && children.iter().any(|c| !shows(c.object));
-        if !leaves_out && seen.iter().all(Option::is_none) {
+        let seen: Vec<Option<Self>> = children.iter().map(|c| c.seen(hidden)).collect();
+        let joins = matches!(self.kind, SolidKind::Union(_) | SolidKind::Merge(_));
+        let shows = |part: &SolidNode| !joins || !hidden(&self.kind, part.object);
+        if children.iter().all(shows) && seen.iter().all(Option::is_none) {
             return None;
         }
         let parts = children.iter().zip(seen).map(|(child, seen)| seen.unwrap_or_else(|| child.clone()));
+        let (shown, unseen): (Vec<SolidNode>, Vec<SolidNode>) = parts.partition(shows);
         let mut node = self.clone();
-        let (clip, mut unseen) = (node.take_clip(), vec![]);
+        let clip = node.take_clip();
         node.kind = match &self.kind {
             SolidKind::Leaf(leaf) => SolidKind::Leaf(leaf.clone()),
-            SolidKind::Union(_) => SolidKind::Union(parts.collect()),
-            SolidKind::Intersection(_) => SolidKind::Intersection(parts.collect()),
-            SolidKind::Merge(_) => {
-                let (shown, others) = parts.partition(|part| shows(part.object));
-                unseen = others;
-                SolidKind::Merge(shown)
-            }
+            SolidKind::Union(_) => SolidKind::Union(shown),
+            SolidKind::Intersection(_) => SolidKind::Intersection(shown),
+            SolidKind::Merge(_) => SolidKind::Merge(shown),
         };
         node.measure_with(clip, unseen.into());
         Some(node)
