@@ -99,7 +99,7 @@ pub fn set<T>(field: &mut T, read: Result<T>) -> Result<()> {
 const NO_WORD: WordSpec = word(EMPTY, Kind::Nothing, EMPTY, EMPTY);
 const EMPTY: &str = "";
 
-/// What the rows tell, without how they are read; see [`specs`](crate::value::words::specs!).
+/// What the rows tell, without how they are read; the macro `specs!` calls it.
 pub const fn specs_of<T, const N: usize>(rows: &[Row<T>]) -> [WordSpec; N] {
     let mut out = [NO_WORD; N];
     let mut i = 0;

@@ -148,7 +148,7 @@ impl Geometry {
     }
 
     /// Tells `visit` the objects that a camera at the point starts in. As POV-Ray 3.7, this forgets what is turned inside out and
-    /// lies far from the point: see [`SolidNode::reach`].
+    /// lies far from the point: see `SolidNode::reach`.
     pub fn around_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a SolidNode)) {
         self.containing(p, &mut |item| {
             if !item.is_unbounded() || item.reach().contains(p) {

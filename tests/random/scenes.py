@@ -198,7 +198,8 @@ class Scenes(Scene):
                 out += f" interior_texture {{ {self.texture_body(0)} }}"
         if self.has("uv") and self.chance(0.1):
             out = "uv_mapping " + out
-        if self.has("materials") and self.chance(0.3):
+        # (A texture over a patterned one is refused.)
+        if self.has("materials") and self.chance(0.3) and "texture" not in out:
             out += f" material {{ {self.texture(1)} interior {{ ior {self.f(1, 1.7)} }} }}"
         if self.has("prisms") and self.chance(0.3):
             out += f" interior {{ ior {self.f(1.1, 1.7)} dispersion {self.f(1, 1.2)} dispersion_samples {self.r.randrange(2, 12)} }}"
@@ -286,11 +287,15 @@ class Scenes(Scene):
         head = out[:3]
         rest = out[3:]
         if self.has("defaults"):
-            head.append(f"#default {{ {self.texture(1) if self.chance(0.5) else self.pick('pigment { ' + self.pigment() + ' }', self.finish())} }}")
+            plain = f"texture {{ {self.texture_body(0)} }}"
+            head.append(f"#default {{ {self.pick(plain, f'pigment {{ {self.pigment()} }}', self.finish())} }}")
         if self.has("declared"):
             head.append(f"#declare Thing = {self.solid()} {self.texture() if self.chance(0.5) else ''} {self.move(0.5)} }}")
             head.append(f"#declare Other = {self.csg_of_solids()}")
-            rest.insert(0, f"object {{ {self.pick('Thing', 'Other')} {self.move(1)} {self.modifiers() if self.chance(0.5) else ''} }}")
+            bare = "texture" not in head[-1] and "pigment" not in head[-1]
+            said = self.modifiers() if bare and self.chance(0.5) else ""
+            rest.insert(0, f"object {{ Other {self.move(1)} {said} }}")
+            rest.insert(0, f"object {{ Thing {self.move(1)} }}")
         if self.has("loops"):
             rest.append(self.looped())
         text = "\n".join(head + rest) + "\n"

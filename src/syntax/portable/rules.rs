@@ -147,66 +147,42 @@ impl Walk<'_> {
 
     /// Does the directive that ends with this `#end` begin where a statement may begin, and not in a value?
     fn begins_statement(&self, end: usize) -> bool {
-        let mut depth = 0;
-        for back in (0..=end).rev() {
-            match self.text.class(back) {
-                class::END => depth += 1,
-                head if class::opens_body(head) => {
-                    depth -= 1;
-                    if depth == 0 {
-                        return back == 0
-                            || self.text.class(back - 1) == class::SEMICOLON
-                            || self.text.class(back - 1) == class::BRACE_END && self.is_statement(back);
-                    }
-                }
-                _ => {}
-            }
-        }
-        false
+        let Some(head) = self.partner(end, class::opens_body, |class| class == class::END) else { return false };
+        head == 0
+            || self.text.class(head - 1) == class::SEMICOLON
+            || self.text.class(head - 1) == class::BRACE_END && self.is_statement(head)
     }
 
     /// Does a call of a macro that ends with an object end before this token, where a statement may begin?
     fn calls_objects(&self, at: usize) -> bool {
-        let mut depth = 0;
-        for back in (1..at).rev() {
-            match self.text.class(back) {
-                class::PAREN_END => depth += 1,
-                class::PAREN => {
-                    depth -= 1;
-                    if depth == 0 {
-                        let before = back.checked_sub(2).map_or(0, |i| self.text.class(i));
-                        let starts = matches!(before, 0 | class::SEMICOLON | class::END)
-                            || before == class::BRACE_END && self.is_statement(back - 1);
-                        return starts
-                            && self.text.symbol(back - 1).is_some_and(|name| self.declared.ends_with_block(name));
-                    }
-                }
-                _ => {}
-            }
-        }
-        false
+        let opener = self.partner(at - 1, |class| class == class::PAREN, |class| class == class::PAREN_END);
+        let Some(name) = opener.and_then(|opener| opener.checked_sub(1)) else { return false };
+        let before = self.text.before(name);
+        let starts = matches!(before, 0 | class::SEMICOLON | class::END)
+            || before == class::BRACE_END && self.is_statement(name);
+        starts && self.text.symbol(name).is_some_and(|name| self.declared.ends_with_block(name))
     }
 
     /// Does the block that ends before this token stand by itself: neither a value, nor a part of a macro or a branch?
     fn is_statement(&self, at: usize) -> bool {
+        let Some(brace) = self.partner(at - 1, |class| class == class::BRACE, |class| class == class::BRACE_END) else {
+            return false;
+        };
+        let word = brace.checked_sub(1).map_or("", |head| self.text.word(head));
+        let before = brace.checked_sub(2).map_or(0, |before| self.text.class(before));
+        let known = is_object(word) || word == "light_source" || word == "camera";
+        // (Behind `=` it is a value, behind a comma or `(` an argument.)
+        known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON)
+    }
+
+    /// What opens what ends with this token.
+    fn partner(&self, end: usize, opens: impl Fn(u8) -> bool, closes: impl Fn(u8) -> bool) -> Option<usize> {
         let mut depth = 0;
-        for back in (0..at).rev() {
-            match self.text.class(back) {
-                class::BRACE_END => depth += 1,
-                class::BRACE => {
-                    depth -= 1;
-                    if depth == 0 {
-                        let word = back.checked_sub(1).map_or("", |head| self.text.word(head));
-                        let before = back.checked_sub(2).map_or(0, |before| self.text.class(before));
-                        let known = is_object(word) || word == "light_source" || word == "camera";
-                        // (Behind `=` it is a value, behind a comma or `(` an argument.)
-                        return known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON);
-                    }
-                }
-                _ => {}
-            }
-        }
-        false
+        (0..=end).rev().find(|&at| {
+            let class = self.text.class(at);
+            depth += i32::from(closes(class)) - i32::from(opens(class));
+            opens(class) && depth == 0
+        })
     }
 
     /// `pigment { <1, 0, 0> }`, `[0 <1, 0, 0>]`
