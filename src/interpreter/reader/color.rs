@@ -34,6 +34,19 @@ pub const COLOR_WORDS: &[WordSpec] = &[
     word("alpha", Kind::Float, "0", "an old spelling of `filter`"),
 ];
 
+/// One number of a colour.
+type Component = fn(&mut Color) -> &mut f64;
+
+/// The words that name one number of a colour alone, and which; [`COLOR_WORDS`] tells what they mean.
+const COMPONENTS: &[(&str, Component)] = &[
+    ("red", |color| &mut color.rgb.x),
+    ("green", |color| &mut color.rgb.y),
+    ("blue", |color| &mut color.rgb.z),
+    ("filter", |color| &mut color.filter),
+    ("transmit", |color| &mut color.transmit),
+    ("alpha", |color| &mut color.filter),
+];
+
 /// Does a colour begin with this word?
 pub(in crate::interpreter) fn begins_color(word: &str) -> bool {
     COLOR_WORDS.iter().any(|w| w.name == word)
@@ -41,7 +54,7 @@ pub(in crate::interpreter) fn begins_color(word: &str) -> bool {
 
 /// Does it name one number of a colour alone?
 pub(super) fn is_component(word: &str) -> bool {
-    matches!(word, "red" | "green" | "blue" | "filter" | "transmit" | "alpha")
+    COMPONENTS.iter().any(|(name, _)| *name == word)
 }
 
 /// Infinite light is white, what is not a number is black (as POV-Ray 3.7 draws them).
@@ -158,12 +171,7 @@ impl Interpreter<'_> {
 }
 
 fn set_component(color: &mut Color, word: &str, x: f64) {
-    match word {
-        "red" => color.rgb.x = x,
-        "green" => color.rgb.y = x,
-        "blue" => color.rgb.z = x,
-        "transmit" => color.transmit = x,
-        // `alpha` is its old name.
-        _ => color.filter = x,
+    if let Some((_, field)) = COMPONENTS.iter().find(|(name, _)| *name == word) {
+        *field(color) = x;
     }
 }
