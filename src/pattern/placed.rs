@@ -85,7 +85,8 @@ impl Pattern {
             }
             Next::Word("noise_generator") => {
                 r.take()?;
-                // POV-Ray 3.7 keeps two bits, and adds those of a second number to those of the first, as that of a default pigment.
+                // POV-Ray 3.7 keeps two bits, and adds those of a second number to those of the first, which may be a declared or
+                // default pigment's (measured).
                 let bits = |noise: Option<NoiseGenerator>| noise.map_or(0, NoiseGenerator::number);
                 self.noise = match bits(self.noise) | bits(read_noise_generator(r, 0.0)?) {
                     0 => None,
@@ -136,6 +137,12 @@ impl Pattern {
             return Ok(false);
         }
         Ok(true)
+    }
+
+    /// Does this begin a pattern: its name, or a function?
+    pub fn is_named_by(next: Next) -> bool {
+        let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
+        matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function
     }
 
     /// Does it show all of its map's entries at once?

@@ -23,13 +23,15 @@ pub(super) fn draw(
         tracer.begin(number(options, x, y), 0);
         pixel(&tracer.see(x as f64 + 0.5, y as f64 + 0.5))
     };
-    let Some(threshold) = threshold(options) else { return workers.draw(setup, region, rays, once) };
+    let Some(threshold) = threshold(options) else {
+        return workers.draw(setup, region, rays, |tracer, x, y| finished(once(tracer, x, y)));
+    };
     let area = with_border(options, region);
     let first = workers.draw(setup, area, rays, once)?;
     let rough = rough(&first, area.width, threshold, options.alpha);
     let again = |tracer: &mut Tracer, x: usize, y: usize| {
         let at = (y - area.y) * area.width + x - area.x;
-        if rough[at] { resample(tracer, options, x, y, &first[at]) } else { first[at] }
+        finished(if rough[at] { resample(tracer, options, x, y, &first[at]) } else { first[at] })
     };
     workers.draw(setup, region, rays, again)
 }
@@ -105,4 +107,9 @@ fn number(options: &Options, x: usize, y: usize) -> u64 {
 fn pixel(sample: &Sample) -> Pixel {
     let Sample { rgb, passed } = sample;
     [rgb.x as f32, rgb.y as f32, rgb.z as f32, *passed as f32]
+}
+
+/// A pixel, one of whose samples is not a number, is black (measured on POV-Ray 3.7).
+fn finished(pixel: Pixel) -> Pixel {
+    pixel.map(|c| if c.is_nan() { 0.0 } else { c })
 }

@@ -16,20 +16,20 @@ pub struct ImageMap {
     pub texels: Texels,
     /// Where it lies.
     pub mapping: Mapping,
+    /// What light passes.
+    #[serde(flatten)]
+    pub clearness: Clearness,
+}
+
+/// What `filter` and `transmit` say.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Clearness {
     /// Of all colours.
     pub filter: Option<f64>,
     /// Of all colours; added to what alpha lets through.
     pub transmit: Option<f64>,
     /// (number in the palette, filter, transmit): what is said of single colours.
     pub palette: Vec<(u8, Option<f64>, Option<f64>)>,
-}
-
-/// What `filter` and `transmit` say: as the fields of [`ImageMap`].
-#[derive(Debug, Default)]
-pub(super) struct Clearness {
-    filter: Option<f64>,
-    transmit: Option<f64>,
-    palette: Vec<(u8, Option<f64>, Option<f64>)>,
 }
 
 impl Clearness {
@@ -67,11 +67,11 @@ impl ImageMap {
     /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut bitmap = Bitmap::read(r)?;
-        let mut said = Clearness::default();
+        let mut clearness = Clearness::default();
         loop {
             match r.next()? {
                 Next::End => break,
-                next if read_row(IMAGE_MAP_ROWS, &mut said, next, r)? => {}
+                next if read_row(IMAGE_MAP_ROWS, &mut clearness, next, r)? => {}
                 next if bitmap.read_word(r, next)? => {}
                 _ => {
                     let words: Vec<_> = bitmap::word_names().chain(IMAGE_MAP.names()).collect();
@@ -79,8 +79,7 @@ impl ImageMap {
                 }
             }
         }
-        let Clearness { filter, transmit, palette } = said;
-        Ok(Self { texels: bitmap.colors(r), mapping: bitmap.mapping, filter, transmit, palette })
+        Ok(Self { texels: bitmap.colors(r), mapping: bitmap.mapping, clearness })
     }
 
     /// The colour at a point; past the edges of a picture that is there `once`, nothing but what is behind.
@@ -95,14 +94,14 @@ impl ImageMap {
     fn pixel(&self, i: usize) -> Color {
         let [r, g, b, a] = self.texels.rgba(i);
         let index = self.texels.index(i);
-        let transmit = match (self.transmit, index) {
+        let transmit = match (self.clearness.transmit, index) {
             (None, _) => 1.0 - a,
             // In a palette it replaces alpha (measured on POV-Ray 3.7).
             (Some(all), Some(_)) => all,
             (Some(all), None) => 1.0 - a + all,
         };
-        let mut color = Color { rgb: Rgb::new(r, g, b), filter: self.filter.unwrap_or(0.0), transmit };
-        for (_, filter, transmit) in self.palette.iter().filter(|(number, ..)| Some(*number) == index) {
+        let mut color = Color { rgb: Rgb::new(r, g, b), filter: self.clearness.filter.unwrap_or(0.0), transmit };
+        for (_, filter, transmit) in self.clearness.palette.iter().filter(|(number, ..)| Some(*number) == index) {
             color.filter = filter.unwrap_or(color.filter);
             color.transmit = transmit.unwrap_or(color.transmit);
         }
@@ -112,7 +111,7 @@ impl ImageMap {
     /// Does no light pass anywhere?
     pub fn is_opaque(&self) -> bool {
         let none = |amount: Option<f64>| amount.is_none_or(|x| x == 0.0);
-        let solid = none(self.filter) && none(self.transmit) && self.palette.is_empty();
+        let solid = none(self.clearness.filter) && none(self.clearness.transmit) && self.clearness.palette.is_empty();
         solid && !self.mapping.once && !self.texels.has_alpha()
     }
 }

@@ -5,7 +5,7 @@ use super::blend::{self, Blend, Entry, Map};
 use super::pigment::read_uv_mapping;
 use super::words::{NORMAL, NORMAL_ROWS};
 use crate::diagnostic::Result;
-use crate::pattern::{CellPattern, FieldPattern, ImagePattern, Kind, Pattern};
+use crate::pattern::{FieldPattern, ImagePattern, Kind, Pattern};
 use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
@@ -93,8 +93,7 @@ impl Normal {
     fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
         if self.pattern.read_element(next, r)? {
             self.stays |= next == Next::Word("uv_mapping") && self.pattern.uv;
-            let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
-            if matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function {
+            if Pattern::is_named_by(next) {
                 self.read_amount(r)?;
             }
             // Cells without a list make bumps of their own, where their numbers jump.

@@ -70,6 +70,7 @@ impl Pigment {
             after_name = false;
         }
         pigment.finish();
+        // (A pattern that nobody gave takes no room.)
         if pigment.pattern.uv {
             pigment.pattern.end();
         }
@@ -89,11 +90,10 @@ impl Pigment {
 
     /// Reads one element of a pigment: of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
-        let before = self.shows_defaults().then(|| self.pattern.kind.clone());
+        if Pattern::is_named_by(next) && self.shows_defaults() {
+            self.paint = Paint::Solid(Color::BLACK);
+        }
         if self.pattern.change_if(|pattern| pattern.read_element(next, r))? {
-            if before.is_some_and(|kind| kind != self.pattern.kind) {
-                self.paint = Paint::Solid(Color::BLACK);
-            }
             let default = |cells: &CellPattern, cell| Pigment::solid(cells.default_color(cell));
             if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &default)? {
                 self.paint = Paint::Pigments(list);

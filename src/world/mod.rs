@@ -125,7 +125,7 @@ pub struct ObjectInfo {
 }
 
 impl ObjectInfo {
-    /// In place of an interior: it is but another object as the camera sees it, which has been counted.
+    /// In place of an interior: it is but another object as some rays see it, which has been counted.
     pub const VIEW: u32 = u32::MAX;
 }
 

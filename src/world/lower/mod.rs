@@ -1,11 +1,12 @@
 //! From what the author said to what a ray needs: nested blocks become one M and M⁻¹ per shape, what a group says goes
 //! down to its parts, textures are lowered once however often they are used.
 
+mod shared;
+mod views;
+
 use super::geometry::Heap;
 use super::leaf::place;
-use super::material::SharedParts;
-use super::node::{NodeParts, SolidKind};
-use super::{Geometry, Leaf, LoweredFinish, Material, ObjectInfo, Part, PlacedMaterial, PointLight, SolidNode, World};
+use super::{Geometry, Leaf, Material, ObjectInfo, Part, PlacedMaterial, PointLight, SolidNode, World};
 use crate::color::Gamma;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -14,9 +15,9 @@ use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Cuboid, Kernel, Shape};
 use crate::source::Span;
-use crate::texture::{Finish, Interior, Normal, NormalProgram, Rare, Texture};
+use crate::texture::{Interior, Rare, Texture};
 use crate::value::Seldom;
-use rustc_hash::FxHashMap;
+use shared::{Lowered, Shared};
 use std::sync::Arc;
 
 /// Lowers what the author said to what a ray needs.
@@ -44,7 +45,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         lowering.default_texture = object.default_texture.clone();
         let first = lowering.objects.len();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
-            heap.extend(lowering.views(solid.node, first));
+            lowering.add_views(solid.node, first, &mut heap);
         }
         drop(object);
         lowering.forget_spent();
@@ -147,35 +148,16 @@ struct Lowering {
     lights: Vec<PointLight>,
 }
 
-/// What textures have in common, as it was lowered.
-#[derive(Default)]
-struct Shared {
-    ambient_light: Rgb,
-    finishes: Lowered<Finish, Arc<LoweredFinish>>,
-    normals: Lowered<Normal, Arc<NormalProgram>>,
-}
-
-impl SharedParts for Shared {
-    fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish> {
-        self.finishes.of(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light))).clone()
-    }
-
-    fn normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram> {
-        self.normals.of(normal, |normal| Arc::new(NormalProgram::new(normal))).clone()
-    }
-}
-
 impl Lowering {
     /// Under the scene's `ambient_light`.
     fn under(ambient_light: Rgb) -> Self {
-        Self { shared: Shared { ambient_light, ..Shared::default() }, ..Self::default() }
+        Self { shared: Shared::under(ambient_light), ..Self::default() }
     }
 
     /// What only this still holds will not come again.
     fn forget_spent(&mut self) {
         self.textures.forget_spent();
-        self.shared.finishes.forget_spent();
-        self.shared.normals.forget_spent();
+        self.shared.forget_spent();
     }
 
     /// `None` for what can't be hit: lights, empty groups.
@@ -205,43 +187,6 @@ impl Lowering {
             node = node.clipped(clip);
         }
         Ok(Some(Solid { node, opaque }))
-    }
-
-    /// The node; where parts in it have `no_image` or `no_reflection`, one for rays from the camera and one from mirrors, and one for
-    /// all others. `first` is the number of the first object in it. (Which parts such rays see was measured on POV-Ray 3.7.)
-    fn views(&mut self, node: SolidNode, first: usize) -> Vec<SolidNode> {
-        if self.objects[first..].iter().all(|object| object.image && object.reflection) {
-            return vec![node];
-        }
-        let mut node = match node.into_parts() {
-            NodeParts::Many(parts) => return parts.into_iter().flat_map(|part| self.views(part, first)).collect(),
-            NodeParts::One(node) => node,
-        };
-        let info = |object: u32| self.objects[object as usize];
-        let for_camera = node.seen(&|kind, part| matches!(kind, SolidKind::Merge(_)) && !info(part).image);
-        let for_mirrors = node.seen(&|_, part| !info(part).reflection);
-        let all = info(node.object);
-        let of_camera = ObjectInfo { shadow: false, reflection: false, interior: ObjectInfo::VIEW, ..all };
-        let of_mirrors = ObjectInfo { shadow: false, image: false, interior: ObjectInfo::VIEW, ..all };
-        let rest = ObjectInfo {
-            image: all.image && for_camera.is_none(),
-            reflection: all.reflection && for_mirrors.is_none(),
-            ..all
-        };
-        let mut views = vec![];
-        for (view, info) in [(for_camera, of_camera), (for_mirrors, of_mirrors)] {
-            if let Some(mut view) = view {
-                view.object = self.objects.len() as u32;
-                self.objects.push(info);
-                views.push(view);
-            }
-        }
-        if !views.is_empty() {
-            node.object = self.objects.len() as u32;
-            self.objects.push(rest);
-        }
-        views.push(node);
-        views
     }
 
     /// What holds inside the object's block.
@@ -330,6 +275,10 @@ impl Lowering {
     fn add_object(&mut self, flags: Flags, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, .. } = flags;
         let info = ObjectInfo { shadow: !no_shadow, image: !no_image, reflection: !no_reflection, opaque, interior };
+        self.add_info(info)
+    }
+
+    fn add_info(&mut self, info: ObjectInfo) -> u32 {
         self.objects.push(info);
         self.objects.len() as u32 - 1
     }
@@ -429,38 +378,6 @@ impl Lowering {
             CsgOp::Merge => SolidNode::merge(nodes, number),
         };
         Ok(Some(Solid { node, opaque }))
-    }
-}
-
-/// What becomes of things that are shared: lowered once however often they are used.
-struct Lowered<T, U> {
-    known: FxHashMap<*const T, (Arc<T>, U)>,
-    /// Those that came with the object at hand.
-    fresh: Vec<*const T>,
-}
-
-impl<T, U> Default for Lowered<T, U> {
-    fn default() -> Self {
-        Self { known: FxHashMap::default(), fresh: vec![] }
-    }
-}
-
-impl<T, U> Lowered<T, U> {
-    fn of(&mut self, thing: &Arc<T>, lower: impl FnOnce(&T) -> U) -> &U {
-        let address = Arc::as_ptr(thing);
-        let (_, lowered) = self.known.entry(address).or_insert_with(|| {
-            self.fresh.push(address);
-            (thing.clone(), lower(thing))
-        });
-        lowered
-    }
-
-    fn forget_spent(&mut self) {
-        for address in self.fresh.drain(..) {
-            if self.known.get(&address).is_some_and(|(thing, _)| Arc::strong_count(thing) == 1) {
-                self.known.remove(&address);
-            }
-        }
     }
 }
 

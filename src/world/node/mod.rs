@@ -4,13 +4,14 @@
 //! inside the others: so open and infinite shapes take part like any other. `inverse` is never kept for a group: as in
 //! POV-Ray, it goes down to the leaves by De Morgan's laws, and clipping objects stay as they are.
 
-use super::bvh;
+mod boxes;
+
 use super::child_bvh::ChildBvh;
 use super::convex_interval::{self, Gathered};
-use super::halfspace::{self, HalfSpaces};
 use super::leaf::{Intersection, Intersections, Leaf};
-use crate::math::{Aabb, DVec3, Range, Ray};
-use crate::shape::{Hits, Kernel, Shape};
+use crate::math::{DVec3, Range, Ray};
+use crate::shape::Hits;
+use boxes::{Boxes, Reach};
 use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
@@ -45,23 +46,6 @@ struct More {
     /// Over its children, if they are many.
     #[serde(skip)]
     child_bvh: Option<Box<ChildBvh>>,
-}
-
-/// Where a solid is.
-#[derive(Clone, Copy, Debug, Serialize)]
-struct Boxes {
-    /// All its hits are in here.
-    surface: Aabb,
-    /// All points inside it are in here.
-    solid: Aabb,
-}
-
-/// Where POV-Ray 3.7 asks whether something is inside.
-#[derive(Clone, Copy, Debug)]
-struct Reach {
-    around: Aabb,
-    /// Is the whole turned inside out?
-    inverted: bool,
 }
 
 /// What a node is.
@@ -119,35 +103,25 @@ impl SolidNode {
 
     fn new(kind: SolidKind, object: u32) -> Self {
         let mut node = Self { kind, object, more: None };
-        node.measure(Box::default());
+        node.measure(Box::default(), Box::default());
         node
     }
 
     /// Cut to what is inside all of `by`, and of what clipped it before.
     pub fn clipped(mut self, by: Vec<SolidNode>) -> Self {
-        let reach = self.more.as_ref().map(|more| more.reach);
-        let clip = self.take_clip().into_iter().chain(by).collect();
-        self.measure(clip);
-        if let (Some(more), Some(reach)) = (&mut self.more, reach) {
-            more.reach = reach;
-        }
+        self.measure_again(by, false);
         self
     }
 
     /// Turned inside out. What clips it stays; triangles and polygons, which have no inside, stay too.
     pub fn inverted(mut self) -> Self {
-        let reach = self.more.as_ref().map(|more| more.reach);
         let turned = |children: Vec<SolidNode>| children.into_iter().map(SolidNode::inverted).collect();
         self.kind = match self.kind {
             SolidKind::Leaf(leaf) => SolidKind::Leaf(leaf.inverted()),
             SolidKind::Union(children) | SolidKind::Merge(children) => SolidKind::Intersection(turned(children)),
             SolidKind::Intersection(children) => SolidKind::Merge(turned(children)),
         };
-        let clip = self.take_clip();
-        self.measure(clip);
-        if let (Some(more), Some(reach)) = (&mut self.more, reach) {
-            more.reach = Reach { inverted: !reach.inverted, ..reach };
-        }
+        self.measure_again(vec![], true);
         self
     }
 
@@ -163,15 +137,14 @@ impl SolidNode {
         }
         let parts = children.iter().zip(seen).map(|(child, seen)| seen.unwrap_or_else(|| child.clone()));
         let (shown, unseen): (Vec<SolidNode>, Vec<SolidNode>) = parts.partition(shows);
-        let mut node = self.clone();
-        let clip = node.take_clip();
-        node.kind = match &self.kind {
+        let kind = match &self.kind {
             SolidKind::Leaf(leaf) => SolidKind::Leaf(leaf.clone()),
             SolidKind::Union(_) => SolidKind::Union(shown),
             SolidKind::Intersection(_) => SolidKind::Intersection(shown),
             SolidKind::Merge(_) => SolidKind::Merge(shown),
         };
-        node.measure_with(clip, unseen.into());
+        let mut node = Self { kind, object: self.object, more: None };
+        node.measure(self.clip().into(), unseen.into());
         Some(node)
     }
 
@@ -203,58 +176,6 @@ impl SolidNode {
 
     fn take_clip(&mut self) -> Box<[SolidNode]> {
         self.more.take().map_or_else(Box::default, |more| more.clip)
-    }
-
-    /// A shape's are computed: it is asked for them but a few times, when the world is built.
-    fn boxes(&self) -> Boxes {
-        match (&self.more, &self.kind) {
-            (Some(more), _) => more.boxes,
-            (None, SolidKind::Leaf(leaf)) => {
-                let (surface, solid) = leaf.bounds();
-                Boxes { surface, solid }
-            }
-            (None, _) => Boxes { surface: Aabb::EMPTY, solid: Aabb::EMPTY },
-        }
-    }
-
-    /// Is it inside at places outside [`SolidNode::bounds`]?
-    pub(super) fn is_unbounded(&self) -> bool {
-        let Boxes { surface, solid } = self.boxes();
-        !solid.is_empty() && solid.union(surface) != surface
-    }
-
-    /// The box in which POV-Ray 3.7 asks whether something is inside (as was measured): around the surface of a shape, even of one
-    /// that is turned inside out; of an intersection, what the boxes share of those parts that are not; of what is turned inside
-    /// out as a whole, the box from before that.
-    pub(super) fn reach(&self) -> Aabb {
-        self.more.as_ref().map_or_else(|| self.reach_of_parts(self.bounds()).around, |more| more.reach.around)
-    }
-
-    /// That of its parts, as long as it is not turned inside out.
-    fn reach_of_parts(&self, surface: Aabb) -> Reach {
-        let around = match &self.kind {
-            // (A plane's box is flat.)
-            SolidKind::Leaf(_) if !bvh::fits(&surface) => Aabb::INFINITE,
-            SolidKind::Leaf(_) => surface,
-            SolidKind::Union(c) | SolidKind::Merge(c) => c.iter().map(Self::reach).fold(Aabb::EMPTY, Aabb::union),
-            SolidKind::Intersection(children) => {
-                let upright = children.iter().filter(|c| !c.is_inverted());
-                upright.map(Self::reach).fold(Aabb::INFINITE, Aabb::intersection)
-            }
-        };
-        Reach { around, inverted: false }
-    }
-
-    fn is_inverted(&self) -> bool {
-        match &self.kind {
-            SolidKind::Leaf(leaf) => leaf.inverse,
-            _ => self.more.as_ref().is_some_and(|more| more.reach.inverted),
-        }
-    }
-
-    /// The box around all its hits.
-    pub fn bounds(&self) -> Aabb {
-        self.boxes().surface
     }
 
     /// Is the point inside?
@@ -444,102 +365,6 @@ impl SolidNode {
             SolidKind::Union(c) | SolidKind::Intersection(c) | SolidKind::Merge(c) => c,
         }
     }
-
-    /// Computes both boxes from the parts and what clips them.
-    fn measure(&mut self, clip: Box<[SolidNode]>) {
-        self.measure_with(clip, Box::default());
-    }
-
-    fn measure_with(&mut self, clip: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
-        let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
-        let (surface, solid) = match &self.kind {
-            SolidKind::Leaf(leaf) => {
-                if clip.is_empty() {
-                    self.more = None;
-                    return;
-                }
-                leaf.bounds()
-            }
-            SolidKind::Union(_) | SolidKind::Merge(_) => {
-                let join = |side: fn(&Boxes) -> Aabb| inner.iter().map(side).fold(Aabb::EMPTY, Aabb::union);
-                let hidden = unseen.iter().map(|c| c.boxes().solid).fold(Aabb::EMPTY, Aabb::union);
-                (join(|c| c.surface), join(|c| c.solid).union(hidden))
-            }
-            SolidKind::Intersection(_) => intersection_bounds(&inner),
-        };
-        let clipped = clip.iter().map(|c| c.boxes().solid).fold(Aabb::INFINITE, Aabb::intersection);
-        let (mut surface, mut solid) = (surface.intersection(clipped), solid.intersection(clipped));
-        if !clip.is_empty() || matches!(self.kind, SolidKind::Intersection(_)) {
-            // Cut by the half-spaces that all of it lies in.
-            let mut planes = HalfSpaces::new();
-            half_spaces(&self.kind, &clip, &mut planes);
-            if !planes.is_empty() {
-                let all = halfspace::cut(surface.union(solid), &planes);
-                (surface, solid) = (surface.intersection(all), solid.intersection(all));
-            }
-        }
-        // A child matters to a ray in its surface's box, and to a point where it could be the exception.
-        let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
-            SolidKind::Intersection(_) => boxes.surface.union(c.hole()),
-            _ => boxes.surface.union(boxes.solid),
-        };
-        let is_convex =
-            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.is_convex());
-        let convex = match &self.kind {
-            SolidKind::Leaf(_) | SolidKind::Union(_) => false,
-            SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_convex),
-        };
-        let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
-        // Many are quicker found by their boxes.
-        let convex_parts = convex && child_bvh.is_none();
-        let reach = self.reach_of_parts(surface);
-        let boxes = Boxes { surface, solid };
-        self.more = Some(Box::new(More { clip, unseen, boxes, reach, convex_parts, child_bvh }));
-    }
-
-    /// A box that holds every point which is not inside: finite for what was inverted.
-    fn hole(&self) -> Aabb {
-        match &self.kind {
-            _ if !self.is_whole() => Aabb::INFINITE,
-            SolidKind::Leaf(leaf) => match leaf.shape {
-                Shape::Disc(_) => Aabb::INFINITE,
-                _ if leaf.shape.is_patch() || !leaf.inverse => Aabb::INFINITE,
-                _ => self.bounds(),
-            },
-            SolidKind::Intersection(children) => children.iter().map(SolidNode::hole).fold(Aabb::EMPTY, Aabb::union),
-            SolidKind::Union(children) | SolidKind::Merge(children) => {
-                children.iter().map(SolidNode::hole).fold(Aabb::INFINITE, Aabb::intersection)
-            }
-        }
-    }
-}
-
-/// Appends half-spaces that all hits of a solid and all points inside it lie in.
-fn half_spaces(kind: &SolidKind, clip: &[SolidNode], out: &mut HalfSpaces) {
-    clip.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out));
-    match kind {
-        SolidKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
-        SolidKind::Intersection(children) => children.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out)),
-        SolidKind::Union(_) | SolidKind::Merge(_) => {}
-    }
-}
-
-/// A hit is on one child and inside all others: the union of each one's surface cut to all other solids.
-fn intersection_bounds(children: &[Boxes]) -> (Aabb, Aabb) {
-    let mut after = vec![Aabb::INFINITE; children.len() + 1];
-    for (i, child) in children.iter().enumerate().rev() {
-        after[i] = after[i + 1].intersection(child.solid);
-    }
-    let mut surface = Aabb::EMPTY;
-    let mut before = Aabb::INFINITE;
-    for (i, child) in children.iter().enumerate() {
-        let piece = child.surface.intersection(before).intersection(after[i + 1]);
-        if !piece.is_empty() {
-            surface = surface.union(piece);
-        }
-        before = before.intersection(child.solid);
-    }
-    (surface, before)
 }
 
 /// Drops the hits from `first` on that do not meet the condition.

@@ -1,0 +1,71 @@
+//! What objects have in common, lowered once however often it is used.
+
+use crate::color::Rgb;
+use crate::texture::{Finish, Normal, NormalProgram};
+use crate::world::LoweredFinish;
+use crate::world::material::SharedParts;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// What textures have in common, as it was lowered.
+#[derive(Default)]
+pub(super) struct Shared {
+    ambient_light: Rgb,
+    finishes: Lowered<Finish, Arc<LoweredFinish>>,
+    normals: Lowered<Normal, Arc<NormalProgram>>,
+}
+
+impl Shared {
+    /// Under the scene's `ambient_light`.
+    pub fn under(ambient_light: Rgb) -> Self {
+        Self { ambient_light, ..Self::default() }
+    }
+
+    /// What only this still holds will not come again.
+    pub fn forget_spent(&mut self) {
+        self.finishes.forget_spent();
+        self.normals.forget_spent();
+    }
+}
+
+impl SharedParts for Shared {
+    fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish> {
+        self.finishes.of(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light))).clone()
+    }
+
+    fn normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram> {
+        self.normals.of(normal, |normal| Arc::new(NormalProgram::new(normal))).clone()
+    }
+}
+
+/// What becomes of things that are shared: lowered once however often they are used.
+pub(super) struct Lowered<T, U> {
+    known: FxHashMap<*const T, (Arc<T>, U)>,
+    /// Those that came with the object at hand.
+    fresh: Vec<*const T>,
+}
+
+impl<T, U> Default for Lowered<T, U> {
+    fn default() -> Self {
+        Self { known: FxHashMap::default(), fresh: vec![] }
+    }
+}
+
+impl<T, U> Lowered<T, U> {
+    pub fn of(&mut self, thing: &Arc<T>, lower: impl FnOnce(&T) -> U) -> &U {
+        let address = Arc::as_ptr(thing);
+        let (_, lowered) = self.known.entry(address).or_insert_with(|| {
+            self.fresh.push(address);
+            (thing.clone(), lower(thing))
+        });
+        lowered
+    }
+
+    pub fn forget_spent(&mut self) {
+        for address in self.fresh.drain(..) {
+            if self.known.get(&address).is_some_and(|(thing, _)| Arc::strong_count(thing) == 1) {
+                self.known.remove(&address);
+            }
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! Where solids are: the boxes around their surfaces and insides, and where POV-Ray looks for what a camera starts in.
+
+use super::{More, SolidKind, SolidNode};
+use crate::math::Aabb;
+use crate::shape::{Kernel, Shape};
+use crate::world::bvh;
+use crate::world::child_bvh::ChildBvh;
+use crate::world::halfspace::{self, HalfSpaces};
+use serde::Serialize;
+use smallvec::SmallVec;
+
+/// Where a solid is.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct Boxes {
+    /// All its hits are in here.
+    pub(super) surface: Aabb,
+    /// All points inside it are in here.
+    pub(super) solid: Aabb,
+}
+
+/// Where POV-Ray 3.7 asks whether something is inside.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reach {
+    around: Aabb,
+    /// Is the whole turned inside out?
+    inverted: bool,
+}
+
+impl SolidNode {
+    /// A shape's are computed: it is asked for them but a few times, when the world is built.
+    pub(super) fn boxes(&self) -> Boxes {
+        match (&self.more, &self.kind) {
+            (Some(more), _) => more.boxes,
+            (None, SolidKind::Leaf(leaf)) => {
+                let (surface, solid) = leaf.bounds();
+                Boxes { surface, solid }
+            }
+            (None, _) => Boxes { surface: Aabb::EMPTY, solid: Aabb::EMPTY },
+        }
+    }
+
+    /// Is it inside at places outside [`SolidNode::bounds`]?
+    pub(in crate::world) fn is_unbounded(&self) -> bool {
+        let Boxes { surface, solid } = self.boxes();
+        !solid.is_empty() && solid.union(surface) != surface
+    }
+
+    /// The box in which POV-Ray 3.7 asks whether something is inside (as was measured): around the surface of a shape, even of one
+    /// that is turned inside out; of an intersection, what the boxes share of those parts that are not; of what is turned inside
+    /// out as a whole, the box from before that.
+    pub(in crate::world) fn reach(&self) -> Aabb {
+        self.more.as_ref().map_or_else(|| self.reach_of_parts(self.bounds()).around, |more| more.reach.around)
+    }
+
+    /// That of its parts, as long as it is not turned inside out.
+    fn reach_of_parts(&self, surface: Aabb) -> Reach {
+        let around = match &self.kind {
+            // (A plane's box is flat.)
+            SolidKind::Leaf(_) if !bvh::fits(&surface) => Aabb::INFINITE,
+            SolidKind::Leaf(_) => surface,
+            SolidKind::Union(c) | SolidKind::Merge(c) => c.iter().map(Self::reach).fold(Aabb::EMPTY, Aabb::union),
+            SolidKind::Intersection(children) => {
+                let upright = children.iter().filter(|c| !c.is_inverted());
+                upright.map(Self::reach).fold(Aabb::INFINITE, Aabb::intersection)
+            }
+        };
+        Reach { around, inverted: false }
+    }
+
+    fn is_inverted(&self) -> bool {
+        match &self.kind {
+            SolidKind::Leaf(leaf) => leaf.inverse,
+            _ => self.more.as_ref().is_some_and(|more| more.reach.inverted),
+        }
+    }
+
+    /// The box around all its hits.
+    pub fn bounds(&self) -> Aabb {
+        self.boxes().surface
+    }
+
+    /// Computes both boxes from the parts and what clips them.
+    pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
+        let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
+        let (surface, solid) = match &self.kind {
+            SolidKind::Leaf(leaf) => {
+                if clip.is_empty() {
+                    self.more = None;
+                    return;
+                }
+                leaf.bounds()
+            }
+            SolidKind::Union(_) | SolidKind::Merge(_) => {
+                let join = |side: fn(&Boxes) -> Aabb| inner.iter().map(side).fold(Aabb::EMPTY, Aabb::union);
+                let hidden = unseen.iter().map(|c| c.boxes().solid).fold(Aabb::EMPTY, Aabb::union);
+                (join(|c| c.surface), join(|c| c.solid).union(hidden))
+            }
+            SolidKind::Intersection(_) => intersection_bounds(&inner),
+        };
+        let clipped = clip.iter().map(|c| c.boxes().solid).fold(Aabb::INFINITE, Aabb::intersection);
+        let (mut surface, mut solid) = (surface.intersection(clipped), solid.intersection(clipped));
+        if !clip.is_empty() || matches!(self.kind, SolidKind::Intersection(_)) {
+            // Cut by the half-spaces that all of it lies in.
+            let mut planes = HalfSpaces::new();
+            half_spaces(&self.kind, &clip, &mut planes);
+            if !planes.is_empty() {
+                let all = halfspace::cut(surface.union(solid), &planes);
+                (surface, solid) = (surface.intersection(all), solid.intersection(all));
+            }
+        }
+        // A child matters to a ray in its surface's box, and to a point where it could be the exception.
+        let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
+            SolidKind::Intersection(_) => boxes.surface.union(c.hole()),
+            _ => boxes.surface.union(boxes.solid),
+        };
+        let is_convex =
+            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.is_convex());
+        let convex = match &self.kind {
+            SolidKind::Leaf(_) | SolidKind::Union(_) => false,
+            SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_convex),
+        };
+        let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
+        // Many are quicker found by their boxes.
+        let convex_parts = convex && child_bvh.is_none();
+        let reach = self.reach_of_parts(surface);
+        let boxes = Boxes { surface, solid };
+        self.more = Some(Box::new(More { clip, unseen, boxes, reach, convex_parts, child_bvh }));
+    }
+
+    /// The same when its parts are others, or more clips it. The box of [`Self::reach`] stays, as long as nothing but the sides
+    /// changes.
+    pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, turns: bool) {
+        let before = self.more.as_ref().map(|more| more.reach);
+        let clip = self.take_clip().into_iter().chain(by).collect();
+        self.measure(clip, Box::default());
+        if let (Some(more), Some(before)) = (&mut self.more, before) {
+            more.reach = Reach { inverted: before.inverted != turns, ..before };
+        }
+    }
+
+    /// A box that holds every point which is not inside: finite for what was inverted.
+    fn hole(&self) -> Aabb {
+        match &self.kind {
+            _ if !self.is_whole() => Aabb::INFINITE,
+            SolidKind::Leaf(leaf) => match leaf.shape {
+                Shape::Disc(_) => Aabb::INFINITE,
+                _ if leaf.shape.is_patch() || !leaf.inverse => Aabb::INFINITE,
+                _ => self.bounds(),
+            },
+            SolidKind::Intersection(children) => children.iter().map(SolidNode::hole).fold(Aabb::EMPTY, Aabb::union),
+            SolidKind::Union(children) | SolidKind::Merge(children) => {
+                children.iter().map(SolidNode::hole).fold(Aabb::INFINITE, Aabb::intersection)
+            }
+        }
+    }
+}
+
+/// Appends half-spaces that all hits of a solid and all points inside it lie in.
+fn half_spaces(kind: &SolidKind, clip: &[SolidNode], out: &mut HalfSpaces) {
+    clip.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out));
+    match kind {
+        SolidKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
+        SolidKind::Intersection(children) => children.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out)),
+        SolidKind::Union(_) | SolidKind::Merge(_) => {}
+    }
+}
+
+/// A hit is on one child and inside all others: the union of each one's surface cut to all other solids.
+fn intersection_bounds(children: &[Boxes]) -> (Aabb, Aabb) {
+    let mut after = vec![Aabb::INFINITE; children.len() + 1];
+    for (i, child) in children.iter().enumerate().rev() {
+        after[i] = after[i + 1].intersection(child.solid);
+    }
+    let mut surface = Aabb::EMPTY;
+    let mut before = Aabb::INFINITE;
+    for (i, child) in children.iter().enumerate() {
+        let piece = child.surface.intersection(before).intersection(after[i + 1]);
+        if !piece.is_empty() {
+            surface = surface.union(piece);
+        }
+        before = before.intersection(child.solid);
+    }
+    (surface, before)
+}
