@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+"""Makes a random scene that differs as small as it goes, so that its cause can be seen.
+
+    shrink.py --durer PATH [--generator given | scenes.py] [--family a,b] [--tool …/random_scenes.py] [--jobs 10] SEED | FILE
+
+Blocks and modifiers are left out, parts of CSG take the place of the whole, numbers and colours become plain, as long as the pictures
+differ in at least `--share` of their pixels (or a third of what they did) and POV-Ray's own picture depends neither on the order of its
+pixels (`+BS4`, `+BS7`) nor on the last digits of the camera. Candidates are drawn side by side: POV-Ray sleeps most of its second.
+"""
+
+import argparse
+import concurrent.futures
+import importlib.util
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+TOOL = HERE.parent.parent.parent / "shared" / "random" / "random_scenes.py"
+SIZE = (80, 60)
+
+WORDS = (
+    "translate rotate scale matrix turbulence phase frequency octaves omega lambda noise_generator phong phong_size specular roughness ambient diffuse "
+    "brilliance emission ior fade_distance fade_power fade_color caustics dispersion dispersion_samples bump_size accuracy crand "
+    "max_trace_level adc_bailout number_of_waves ambient_light irid_wavelength fade_color map_type interpolate quick_color exponent "
+    "sky up right direction angle look_at control0 control1 orientation dist_exp strength falloff offset flip form metric agate_turb"
+).split()
+BARE = (
+    "no_shadow no_image no_reflection double_illuminate hollow inverse open metallic conserve_energy shadowless uv_mapping "
+    "cutaway_textures once no_bump_scale sine_wave triangle_wave ramp_wave scallop_wave cubic_wave fresnel albedo"
+).split()
+OBJECTS = "sphere box cylinder cone torus disc triangle smooth_triangle polygon plane union intersection difference merge object".split()
+VALUE = r"(?:(?:srgb|rgbf|rgbt|rgbft|rgb|color)\s*)*(?:<[^<>]*>|-?[\d.]+(?:/\d+)?(?:e-?\d+)?)(?:\s*\*\s*(?:[xyz]\b|[\d.]+))?"
+
+
+def spans(text):
+    """(word, start, inner start, end) of each `word { … }`, and of each `[ … ]`."""
+    out, stack = [], []
+    for m in re.finditer(r"[\w]*\s*\{|\}|\[|\]", text):
+        if m[0] in "}]":
+            if stack:
+                word, start, inner = stack.pop()
+                out.append((word, start, inner, m.end()))
+        else:
+            stack.append((m[0].rstrip("{ ").strip(), m.start(), m.end()))
+    return out
+
+
+def candidates(text):
+    """(edit, text after it), the greatest step first."""
+    out = []
+
+    def edit(start, end, new):
+        if len(new) < end - start:
+            out.append((end - start - len(new), start, end, new))
+
+    blocks = spans(text)
+    for word, start, inner, end in blocks:
+        edit(start, end, "")
+        if word in OBJECTS:
+            for part, a, _, b in blocks:
+                if part in OBJECTS and inner <= a and b < end:
+                    edit(start, end, text[a:b])
+            head = re.match(r"[^a-wA-Z{}]*(?=[a-z}])", text[inner:end])
+            if head and head[0].strip() and word not in ("union", "intersection", "difference", "merge"):
+                for plain in ("sphere { 0, 1 ", "box { -1, 1 "):
+                    edit(start, inner + head.end(), plain)
+        if word == "union":
+            edit(start, end, text[inner : end - 1])
+        if word in ("merge", "difference", "intersection"):
+            edit(start, inner - 1, "union ")
+        if word == "pigment":
+            for plain in ("rgb 1", "rgb <1, 0, 0>", "rgbf 0.8", "rgbt 0.8"):
+                edit(inner, end - 1, f" {plain} ")
+        if word in ("color_map", "pigment_map", "texture_map", "normal_map"):
+            edit(start, end, "color_map { [0 rgb 0] [1 rgb 1] }")
+    for word in WORDS:
+        for m in re.finditer(rf"\b{word}\s+{VALUE}", text):
+            edit(m.start(), m.end(), "")
+    for m in re.finditer(rf"\b({'|'.join(BARE)})\b|, -?[\d.]+(?= *[a-z}}])|#default[^\n]*", text):
+        edit(m.start(), m.end(), "")
+    for m in re.finditer(r"<[^<>]*>", text):
+        for plain in ("0", "1", "<1, 0, 0>", "<0, 1, 0>", "<0, 0, 1>"):
+            edit(m.start(), m.end(), plain)
+    for m in re.finditer(r"(?<![\w.])-?\d*\.\d{2,}(?![\w.])", text):
+        for digits in (0, 1):
+            edit(m.start(), m.end(), f"{round(float(m[0]), digits):g}")
+    out.sort(key=lambda c: -c[0])
+    for _, start, end, new in out:
+        less = re.sub(r"[ \t]+", " ", text[:start] + new + text[end:])
+        if "camera" in less and "light_source" in less:
+            yield (text[start:end], new, text[max(0, start - 9) : start]), less
+
+
+class Judge:
+    """Draws a scene with both programs."""
+
+    def __init__(self, durer, tool, share):
+        self.durer, self.tool, self.share = durer, tool, share
+
+    def povray(self, text, folder, *words):
+        import numpy
+        from PIL import Image
+
+        (folder / "p.pov").write_text(text)
+        (folder / "p.png").unlink(missing_ok=True)
+        words = ["povray", "+Ip.pov", "+Op.png", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "-A", "-D", "-GA", "+WT1", *words]
+        done = subprocess.run(words, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
+        if done.returncode or not (folder / "p.png").exists():
+            return None
+        return numpy.asarray(Image.open(folder / "p.png").convert("RGB")).astype(int)
+
+    def ours(self, text, folder):
+        import numpy
+        from PIL import Image
+
+        (folder / "d.pov").write_text(text)
+        (folder / "d.png").unlink(missing_ok=True)
+        words = [self.durer, "render", "d.pov", "-o", "d.png", "--size", f"{SIZE[0]}x{SIZE[1]}", "--aa", "off", "--threads", "1", "--progress", "never"]
+        done = subprocess.run(words, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
+        if done.returncode or not (folder / "d.png").exists():
+            return None
+        return numpy.asarray(Image.open(folder / "d.png").convert("RGB")).astype(int)
+
+    def differs(self, text):
+        """The share of pixels that differ; 0 where POV-Ray does not know it itself."""
+        try:
+            with tempfile.TemporaryDirectory() as folder:
+                folder = pathlib.Path(folder)
+                ours = self.ours(text, folder)
+                theirs = self.povray(text, folder)
+                if ours is None or theirs is None:
+                    return 0.0
+                share = self.tool.apart(theirs, ours)
+                if share < self.share:
+                    return 0.0
+                moved = re.sub(r"(camera \{[^}]*)\}", r"\1 translate <1e-9, 2e-9, 1e-9> }", text, count=1)
+                for other in (self.povray(text, folder, "+BS4"), self.povray(text, folder, "+BS7"), self.povray(moved, folder)):
+                    if other is None or self.tool.apart(theirs, other) > share / 4:
+                        return 0.0
+                return share
+        except subprocess.TimeoutExpired:
+            return 0.0
+
+
+def shrink(judge, text, pool, jobs):
+    """(What failed once is tried again only when nothing else is left.)"""
+    failed, shrunk = set(), False
+    while True:
+        batch = []
+        for edit, less in candidates(text):
+            if edit not in failed and len(batch) < jobs:
+                batch.append((edit, less))
+        if not batch:
+            if not shrunk:
+                return text
+            failed, shrunk = set(), False
+            continue
+        for (edit, less), share in zip(batch, list(pool.map(judge.differs, [less for _, less in batch]))):
+            if not share:
+                failed.add(edit)
+        good = [less for (edit, less) in batch if edit not in failed]
+        if good:
+            text, shrunk = good[0], True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scene", help="a seed, or a file")
+    parser.add_argument("--durer", required=True)
+    parser.add_argument("--tool", default=TOOL)
+    parser.add_argument("--generator", default="scenes.py")
+    parser.add_argument("--family")
+    parser.add_argument("--share", type=float, default=0.004)
+    parser.add_argument("--jobs", type=int, default=10)
+    options = parser.parse_args()
+    spec = importlib.util.spec_from_file_location("random_scenes", options.tool)
+    tool = importlib.util.module_from_spec(spec)
+    sys.modules["random_scenes"] = tool
+    spec.loader.exec_module(tool)
+    if options.generator != "given":
+        tool.use(HERE / options.generator)
+    if options.scene.isdigit():
+        wanted = options.family.split(",") if options.family else None
+        seed = int(options.scene)
+        text = tool.GENERATOR(seed, tool.families_of(seed, wanted)).text()
+    else:
+        text = pathlib.Path(options.scene).read_text()
+    judge = Judge(str(pathlib.Path(options.durer).resolve()), tool, options.share)
+    first = judge.differs(text)
+    if not first:
+        print(f"// {options.scene}: POV-Ray's picture depends on the order of its pixels or on the camera's last digits, or nothing differs")
+        return 1
+    judge.share = max(options.share, min(first / 3, 0.02))
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        text = shrink(judge, text, pool, options.jobs)
+    print(f"// {options.scene}: {judge.differs(text):.2%} of the pixels differ\n{text}")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
