@@ -4,7 +4,7 @@
 //! way. How many parts there are changes neither how much a ray counts nor, in all, what is seen.
 
 use super::refract::Interface;
-use super::shading_point::ShadingPoint;
+use super::shading_point::{Coat, ShadingPoint};
 use super::trace::{Path, Tracer, bounce};
 use crate::color::Rgb;
 use crate::math::Ray;
@@ -18,8 +18,14 @@ pub(super) struct Split {
 }
 
 impl Tracer<'_> {
-    /// Follows white light into the colours that it splits into at the border of what it meets.
-    pub(super) fn split(&mut self, path: &Path, shading: &ShadingPoint, interface: &Interface, samples: u32) -> Split {
+    /// Follows white light into the colours that it splits into at the border of what it meets, as one coat bends it.
+    pub(super) fn split(
+        &mut self,
+        path: &Path,
+        (shading, coat): (&ShadingPoint, &Coat),
+        interface: &Interface,
+        samples: u32,
+    ) -> Split {
         let own = shading.part.interior;
         let mut split = Split { passing: Rgb::ZERO, total: Rgb::ZERO };
         // The colours that can't pass; they stay together, as white light (measured on 3.7).
@@ -31,7 +37,7 @@ impl Tracer<'_> {
             let share = share(i, samples);
             let hue = (f64::from(i) + 0.5) / f64::from(samples);
             let interface = interface.of_hue(hue, &path.inside, own, &self.setup.world.interiors);
-            let Some(dir) = interface.refract(path.ray.dir, shading.normal) else {
+            let Some(dir) = interface.refract(path.ray.dir, coat.normal) else {
                 kept += share;
                 continue;
             };
@@ -44,7 +50,7 @@ impl Tracer<'_> {
         }
         if kept != Rgb::ZERO {
             self.rays.reflected += 1;
-            let ray = Ray::new(shading.point, bounce(path.ray.dir, shading.normal, shading.smooth));
+            let ray = Ray::new(shading.point, bounce(path.ray.dir, coat.normal, shading.smooth));
             let inside = path.inside.clone();
             split.total = kept * self.follow(Path { ray, level: path.level + 1, mirrored: true, inside, ..*path }).rgb;
         }

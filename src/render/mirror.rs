@@ -3,7 +3,7 @@
 
 use super::refract::Interface;
 use super::shade::metal_tint;
-use super::shading_point::{ShadedLayer, ShadingPoint};
+use super::shading_point::{Coat, ShadedLayer};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, fp};
 use crate::texture::Reflection;
@@ -19,6 +19,14 @@ pub(super) struct Incoming<'a> {
     pub world: &'a World,
 }
 
+/// A layer that mirrors.
+pub(super) struct Mirror<'a> {
+    pub reflection: &'a Reflection,
+    pub shaded: &'a ShadedLayer<'a>,
+    /// That of its coat.
+    pub share: f64,
+}
+
 /// A mirrored ray: what it is mirrored by, and how much it counts.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Bounce {
@@ -27,9 +35,9 @@ pub(super) struct Bounce {
 }
 
 /// The rays that the layers mirror, each once: how much one counts says how far it is followed (measured on 3.7).
-pub(super) fn bounces(shading: &ShadingPoint, incoming: Incoming) -> SmallVec<[Bounce; 2]> {
+pub(super) fn bounces(mirrors: &[Mirror], incoming: Incoming) -> SmallVec<[Bounce; 2]> {
     let mut bounces = SmallVec::new();
-    for bounce in mirrors(shading).filter_map(|(mirror, shaded)| bounce(mirror, shaded, incoming)) {
+    for bounce in mirrors.iter().filter_map(|mirror| bounce(mirror, incoming)) {
         if !bounces.contains(&bounce) {
             bounces.push(bounce);
         }
@@ -37,33 +45,33 @@ pub(super) fn bounces(shading: &ShadingPoint, incoming: Incoming) -> SmallVec<[B
     bounces
 }
 
-/// What the layers that mirror this ray, which goes on along `out`, show of its light.
-pub(super) fn answer(shading: &ShadingPoint, incoming: Incoming, ray: Bounce, out: DVec3, light: Rgb) -> Rgb {
+/// What the layers that mirror this ray, which goes on along `out` from `point`, show of its light.
+pub(super) fn answer(mirrors: &[Mirror], point: DVec3, incoming: Incoming, ray: Bounce, out: DVec3, light: Rgb) -> Rgb {
     let mut sum = Rgb::ZERO;
-    for (mirror, shaded) in mirrors(shading).filter(|(mirror, shaded)| bounce(mirror, shaded, incoming) == Some(ray)) {
-        let light = light * film(shading, shaded, out, incoming.world);
-        let seen = match mirror.exponent {
+    for mirror in mirrors.iter().filter(|mirror| bounce(mirror, incoming) == Some(ray)) {
+        let light = light * film(point, mirror.shaded, out, incoming.world);
+        let seen = match mirror.reflection.exponent {
             1.0 => light,
             // (What counts for less than nothing has no power, and the pixel is black, as in POV-Ray 3.7.)
             exponent => light.map(|x| fp::pow(x, 1.0 / exponent)),
         };
-        sum += amount(mirror, shaded, incoming.interface) * seen * shaded.share;
+        sum += amount(mirror.reflection, mirror.shaded, incoming.interface) * seen * mirror.share;
     }
     sum
 }
 
-/// What is totally reflected along `out`: all, but for a film on top.
-pub(super) fn total(shading: &ShadingPoint, out: DVec3, world: &World) -> Rgb {
-    shading.layers.first().map_or(Rgb::ONE, |top| film(shading, top, out, world))
+/// What is totally reflected along `out` from `point` of a coat: all, but for a film on top.
+pub(super) fn total(coat: &Coat, point: DVec3, out: DVec3, world: &World) -> Rgb {
+    coat.layers.first().map_or(Rgb::ONE, |top| film(point, top, out, world))
 }
 
 /// What a thin film on a layer makes of light from a direction (`irid`).
-pub(super) fn film(shading: &ShadingPoint, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
+pub(super) fn film(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
     match &shaded.layer.finish.irid {
         // bumps that are seen or lit from behind count as from the front (measured on 3.7)
         Some(irid) => {
             let cosines = shaded.normal.dot(from).abs() + shaded.cos.abs();
-            irid.tint(shading.point, cosines, world.irid_wavelength, world.noise)
+            irid.tint(point, cosines, world.irid_wavelength, world.noise)
         }
         None => Rgb::ONE,
     }
@@ -72,13 +80,13 @@ pub(super) fn film(shading: &ShadingPoint, shaded: &ShadedLayer, from: DVec3, wo
 /// The ray that one layer mirrors; `None` if it counts too little. What lies above takes from that, by its gray, although
 /// it takes nothing from what is seen; shares of a blend do not (measured on POV-Ray 3.7). Only `fresnel` asks for the angle,
 /// else it is the larger of the author's numbers.
-fn bounce(mirror: &Reflection, shaded: &ShadedLayer, incoming: Incoming) -> Option<Bounce> {
-    let part = match mirror.fresnel {
-        true => amount(mirror, shaded, incoming.interface),
-        false => mirror.min.max(mirror.max),
+fn bounce(mirror: &Mirror, incoming: Incoming) -> Option<Bounce> {
+    let Mirror { reflection, shaded, .. } = mirror;
+    let part = match reflection.fresnel {
+        true => amount(reflection, shaded, incoming.interface),
+        false => reflection.min.max(reflection.max),
     };
-    let above = if shaded.share == 0.0 { 0.0 } else { gray(shaded.weight) / shaded.share };
-    let weight = incoming.weight * above * part.max_element();
+    let weight = incoming.weight * gray(shaded.weight) * part.max_element();
     (weight > incoming.world.adc_bailout).then_some(Bounce { normal: shaded.normal, weight })
 }
 
@@ -88,10 +96,6 @@ pub(super) fn left_over(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
         Some(mirror) => Rgb::ONE - amount(mirror, shaded, interface),
         None => Rgb::ONE,
     }
-}
-
-fn mirrors<'a>(shading: &'a ShadingPoint) -> impl Iterator<Item = (&'a Reflection, &'a ShadedLayer<'a>)> {
-    shading.layers.iter().filter_map(|shaded| Some((shaded.layer.finish.mirror.as_deref()?, shaded)))
 }
 
 /// How much one layer mirrors at this angle.

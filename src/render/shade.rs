@@ -25,12 +25,9 @@ impl Tracer<'_> {
     /// The light that a place sends back along the ray, without what it mirrors and lets pass.
     pub(super) fn shade(&mut self, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
         if !self.setup.quality.lit {
-            return shading.layers.iter().map(|shaded| shaded.weight * shaded.color.rgb).sum();
+            return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
         }
-        let mut sum = Rgb::ZERO;
-        for shaded in &shading.layers {
-            sum += shaded.weight * glow(shaded);
-        }
+        let mut sum = shading.sum(|shaded| shaded.weight * glow(shaded));
         for light in &self.setup.world.lights {
             sum += self.answer(light, dir, shading, inside);
         }
@@ -46,7 +43,7 @@ impl Tracer<'_> {
             let side = if shaded.normal.dot(l) > 0.0 { answers_front } else { answers_back };
             side(shaded.layer, shading.part.double_illuminate)
         };
-        if !shading.layers.iter().any(answers) || distance == 0.0 {
+        if !shading.layers().any(answers) || distance == 0.0 {
             return Rgb::ZERO;
         }
         let mut arriving = light.strength(distance);
@@ -56,17 +53,16 @@ impl Tracer<'_> {
         if arriving == Rgb::ZERO {
             return Rgb::ZERO;
         }
-        let mut sum = Rgb::ZERO;
-        for shaded in &shading.layers {
+        let sum = shading.sum(|shaded| {
             let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
             let grain = if shaded.layer.finish.crand == 0.0 { 0.0 } else { shaded.layer.finish.crand * self.random() };
             let mut answer = scattered(shaded, &at, grain, shading.part.double_illuminate);
             if at.cos > 0.0 && !light.shadowless {
                 answer += highlight(shaded, &at);
             }
-            answer *= film(shading, shaded, l, self.setup.world);
-            sum += shaded.weight * answer;
-        }
+            answer *= film(shading.point, shaded, l, self.setup.world);
+            shaded.weight * answer
+        });
         sum * arriving
     }
 }

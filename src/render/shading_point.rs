@@ -19,26 +19,33 @@ pub(super) struct ShadedLayer<'w> {
     pub opacity: f64,
     /// What the layers above let pass of it.
     pub weight: Rgb,
-    /// How much of the place shows this texture, where a pattern chooses among several.
-    pub share: f64,
     /// With its bumps; length 1, in world space.
     pub normal: DVec3,
     /// Between the ray, turned round, and this normal; negative where bumps are seen from behind.
     pub cos: f64,
 }
 
+/// A texture at a place. Where a pattern chooses among several, what is seen is the sum over them by their shares, each with the mirror
+/// and the refraction of its own (measured on POV-Ray 3.7).
+pub(super) struct Coat<'w> {
+    /// How much of the place shows it.
+    pub share: f64,
+    /// Length 1, towards the ray's origin, with the bumps of the topmost layer.
+    pub normal: DVec3,
+    /// From the topmost to the lowest that can be seen; never empty.
+    pub layers: SmallVec<[ShadedLayer<'w>; 2]>,
+    /// What passes all layers of the light from behind.
+    pub pass: Rgb,
+}
+
 /// The place where a ray meets a surface.
 pub(super) struct ShadingPoint<'w> {
     pub part: &'w Part,
     pub point: DVec3,
-    /// Length 1, towards the ray's origin, with the bumps of the topmost layer.
-    pub normal: DVec3,
-    /// From the topmost to the lowest that can be seen.
-    pub layers: SmallVec<[ShadedLayer<'w>; 2]>,
-    /// Without bumps.
+    /// Length 1, towards the ray's origin, without bumps.
     pub smooth: DVec3,
-    /// What passes all layers of the light from behind.
-    pub pass: Rgb,
+    /// Never empty, but where all shares are none.
+    pub coats: SmallVec<[Coat<'w>; 1]>,
 }
 
 impl<'w> ShadingPoint<'w> {
@@ -54,23 +61,28 @@ impl<'w> ShadingPoint<'w> {
             interface,
             opacity_by_color: world.opacity_by_color,
             bailout: world.adc_bailout,
-            layers: SmallVec::new(),
+            coats: SmallVec::new(),
         };
-        let pass = of_materials(world, part, against > 0.0, surface.point, |placed, share| {
+        of_materials(world, part, against > 0.0, surface.point, |placed, share| {
             let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
             painter.placed = placed;
-            share * painter.paint(material, &ctx, Rgb::splat(share), share, None)
+            painter.paint(material, &ctx, share, None);
         });
-        let (bumped, refraction) =
-            painter.layers.first().map_or((normal, 1.0), |top| (top.normal, top.layer.finish.refraction));
-        Self {
-            part,
-            point: surface.point,
-            normal: bumped,
-            smooth: normal,
-            layers: painter.layers,
-            pass: refraction * pass,
+        Self { part, point: surface.point, smooth: normal, coats: painter.coats }
+    }
+
+    /// All layers of all coats.
+    pub fn layers(&self) -> impl Iterator<Item = &ShadedLayer<'w>> {
+        self.coats.iter().flat_map(|coat| &coat.layers)
+    }
+
+    /// The sum over all layers of what `light` says, by the shares of their coats.
+    pub fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
+        let mut sum = Rgb::ZERO;
+        for coat in &self.coats {
+            sum += coat.share * coat.layers.iter().map(&mut light).sum::<Rgb>();
         }
+        sum
     }
 }
 
@@ -81,55 +93,54 @@ struct Painter<'w, 'a> {
     interface: &'a Interface,
     opacity_by_color: bool,
     bailout: f64,
-    layers: SmallVec<[ShadedLayer<'w>; 2]>,
+    coats: SmallVec<[Coat<'w>; 1]>,
 }
 
 impl<'w> Painter<'w, '_> {
-    /// Adds the layers of a material that counts for `weight`; gives what passes them. Without light, the lowest layer alone
-    /// is seen (measured on POV-Ray 3.7).
-    fn paint(
-        &mut self,
-        material: &'w Material,
-        ctx: &TextureContext,
-        weight: Rgb,
-        share: f64,
-        frame: Option<&PatternSpaces>,
-    ) -> Rgb {
+    /// Adds the coats of a material that counts for `share`. (A texture that a pattern chooses has no layers beside it: POV-Ray refuses
+    /// that, and so do we.)
+    fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
+        match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
+            Some(choice) => {
+                let (number, inner) = choice.pattern.see(ctx);
+                let within = PatternSpaces { space: &choice.space, outer: frame };
+                for (part, s) in choice.parts.shares(number, choice.averages()) {
+                    self.paint(part, &inner, share * s, Some(&within));
+                }
+            }
+            None => {
+                let coat = self.coat(material, ctx, share, frame);
+                self.coats.push(coat);
+            }
+        }
+    }
+
+    /// Without light, the lowest layer alone is seen (measured on POV-Ray 3.7).
+    fn coat(&self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) -> Coat<'w> {
+        let mut layers = SmallVec::<[ShadedLayer; 2]>::new();
         let mut pass = Rgb::ONE;
         let hidden = if self.quality.lit { 0 } else { material.layers.len() - 1 };
         for layer in &material.layers[hidden..] {
-            match &layer.choice {
-                Some(choice) => {
-                    let (number, inner) = choice.pattern.see(ctx);
-                    let mut passed = Rgb::ZERO;
-                    let within = PatternSpaces { space: &choice.space, outer: frame };
-                    for (part, s) in choice.parts.shares(number, choice.averages()) {
-                        passed += s * self.paint(part, &inner, weight * pass * s, share * s, Some(&within));
-                    }
-                    pass *= passed;
-                }
-                None => {
-                    let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
-                    let normal = bumps.map_or(ctx.normal, |bumps| self.bumped(bumps, ctx, frame));
-                    let quick = !self.quality.real;
-                    let color = match bumps {
-                        // as was measured: `slope` and `aoi` of a pigment see the bumps
-                        Some(_) => layer.color(&TextureContext { normal, ..*ctx }, quick),
-                        None => layer.color(ctx, quick),
-                    };
-                    let cos = -ctx.ray.dot(normal);
-                    let opacity = color.opacity(self.opacity_by_color);
-                    let shaded = ShadedLayer { layer, color, opacity, weight: weight * pass, share, normal, cos };
-                    pass *= color.passing() * left_over(&shaded, self.interface);
-                    self.layers.push(shaded);
-                }
-            }
+            let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
+            let normal = bumps.map_or(ctx.normal, |bumps| self.bumped(bumps, ctx, frame));
+            let quick = !self.quality.real;
+            let color = match bumps {
+                // as was measured: `slope` and `aoi` of a pigment see the bumps
+                Some(_) => layer.color(&TextureContext { normal, ..*ctx }, quick),
+                None => layer.color(ctx, quick),
+            };
+            let cos = -ctx.ray.dot(normal);
+            let opacity = color.opacity(self.opacity_by_color);
+            let shaded = ShadedLayer { layer, color, opacity, weight: pass, normal, cos };
+            pass *= color.passing() * left_over(&shaded, self.interface);
+            layers.push(shaded);
             // What shows too little of itself is not looked at (measured on POV-Ray 3.7).
             if pass == Rgb::ZERO || gray(pass) <= self.bailout {
                 break;
             }
         }
-        pass
+        let (normal, refraction) = layers.first().map_or((ctx.normal, 1.0), |top| (top.normal, top.layer.finish.refraction));
+        Coat { share, normal, layers, pass: refraction * pass }
     }
 
     /// The normal that light sees: into the space of its texture by Mᵀ, back by M⁻ᵀ.
@@ -160,26 +171,26 @@ impl PatternSpaces<'_> {
     }
 }
 
-/// The sum over what is painted on the side that a ray sees, all of it in equal parts, which `answer` is told; mostly one.
+/// Tells what is painted on the side that a ray sees, all of it in equal parts; mostly one.
 fn of_materials<'w>(
     world: &'w World,
     part: &'w Part,
     from_inside: bool,
     point: DVec3,
-    mut answer: impl FnMut(&'w PlacedMaterial, f64) -> Rgb,
-) -> Rgb {
+    mut tell: impl FnMut(&'w PlacedMaterial, f64),
+) {
     if let Some(inside) = part.inside.as_ref().filter(|_| from_inside) {
-        return answer(inside, 1.0);
+        return tell(inside, 1.0);
     }
     if let Some(cut) = part.cut {
         let holds = |(node, placed): &'w (SolidNode, PlacedMaterial)| node.inside(point).then_some(placed);
         let materials: SmallVec<[&PlacedMaterial; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
         if !materials.is_empty() {
             let share = 1.0 / materials.len() as f64;
-            return materials.into_iter().map(|placed| answer(placed, share)).sum();
+            return materials.into_iter().for_each(|placed| tell(placed, share));
         }
     }
-    answer(&part.outside, 1.0)
+    tell(&part.outside, 1.0);
 }
 
 /// A material, and the place as it sees it; the normal is in world space.
@@ -212,10 +223,12 @@ pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) 
         return outside.pass;
     }
     let surface = found.surface(ray);
+    let mut pass = Rgb::ZERO;
     of_materials(world, part, ray.dir.dot(surface.normal) > 0.0, surface.point, |placed, share| {
         let (material, ctx) = texture_context(world, placed, found, &surface, surface.normal, ray);
-        share * pass_of(material, &ctx, quick)
-    })
+        pass += share * pass_of(material, &ctx, quick);
+    });
+    pass
 }
 
 /// What passes the layers of a material.

@@ -65,7 +65,8 @@ impl Tracer<'_> {
             }
             if interior.caustics != 0.0 {
                 let shading = ShadingPoint::new(world, ray, &found, &self.setup.quality, &Interface::NONE);
-                light *= interior.caustic(shading.normal.dot(ray.dir).abs());
+                let normal = shading.coats.first().map_or(shading.smooth, |coat| coat.normal);
+                light *= interior.caustic(normal.dot(ray.dir).abs());
             }
             before = found.t();
         }

@@ -1,13 +1,14 @@
 //! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
 
-use super::mirror::{self, Incoming};
+use super::mirror::{self, Incoming, Mirror};
 use super::refract::{Interface, Interiors, copied, reflect};
-use super::shading_point::ShadingPoint;
+use super::shading_point::{Coat, ShadingPoint};
 use super::{Options, Rays, Watch};
 use crate::camera::Window;
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Range, Ray, rng, tolerance};
 use crate::world::{Intersection, ObjectInfo, World};
+use smallvec::SmallVec;
 
 /// So many surfaces one ray passes at most; it ends what rounding would keep in one place for ever.
 const CROSSINGS: usize = 20_000;
@@ -100,6 +101,36 @@ enum Onward {
     Splits(u32),
 }
 
+/// What a ray crosses or is thrown back by.
+struct Border<'a, 'w> {
+    shading: &'a ShadingPoint<'w>,
+    interface: &'a Interface,
+    /// What is left of light on its way from the side where the ray comes from.
+    fade: Rgb,
+}
+
+/// One way on from a border.
+struct Way {
+    dir: DVec3,
+    /// Is it that of what is totally reflected?
+    total: bool,
+    /// How much of its light is seen.
+    light: Rgb,
+    /// How much the ray counts to what it did.
+    weight: f64,
+    /// How much shows of what is behind the scene.
+    passed: f64,
+}
+
+impl Way {
+    /// Takes the same way of another coat along.
+    fn join(&mut self, other: &Way) {
+        self.light += other.light;
+        self.weight = self.weight.max(other.weight);
+        self.passed += other.passed;
+    }
+}
+
 /// Traces the rays of one sample after another.
 pub(super) struct Tracer<'w> {
     pub setup: &'w Setup<'w>,
@@ -157,6 +188,8 @@ impl<'w> Tracer<'w> {
         // How much of the light ahead arrives.
         let mut through = Rgb::ONE;
         let mut passed = 1.0;
+        // What shows of what is behind the scene on the ways that were left.
+        let mut behind = 0.0;
         for _ in 0..CROSSINGS {
             self.cross();
             if self.stopped {
@@ -164,7 +197,7 @@ impl<'w> Tracer<'w> {
             }
             let Some(found) = self.closest(&path) else {
                 let (sky, open) = self.background(path.mirrored);
-                return Sample { rgb: rgb + through * sky, passed: passed * open };
+                return Sample { rgb: rgb + through * sky, passed: behind + passed * open };
             };
             let world = self.setup.world;
             let own = world.parts[found.leaf.id as usize].interior;
@@ -177,53 +210,91 @@ impl<'w> Tracer<'w> {
             }
             let shading = ShadingPoint::new(world, &path.ray, &found, &self.setup.quality, &interface);
             rgb += through * self.shade(path.ray.dir, &shading, &path.inside);
-            let mirrors =
-                self.setup.quality.mirrors && shading.layers.iter().any(|shaded| shaded.layer.finish.mirror.is_some());
             // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
             let fade = match world.colors_light && interface.leaves() {
                 true => world.interiors[shading.part.interior as usize].fade(found.t()),
                 false => Rgb::ONE,
             };
-            // What has faded counts as if it had not (measured on 3.7).
-            let pass = fade * shading.pass;
-            let onward = self.onward(&path, &shading, &interface, shading.pass);
-            if mirrors {
-                // What is totally reflected takes the place of the mirror with the same bumps (measured on 3.7).
-                let taken = matches!(onward, Onward::Total | Onward::Lost).then_some(shading.normal);
-                rgb += through * self.mirrored(&path, &shading, &interface, taken);
+            let onward: SmallVec<[Onward; 1]> =
+                shading.coats.iter().map(|coat| self.onward(&path, coat, &interface, own)).collect();
+            if self.setup.quality.mirrors {
+                rgb += through * self.mirrored(&path, &shading, &interface, &onward);
             }
-            match onward {
-                Onward::Ends | Onward::Lost => return Sample { rgb, passed: 0.0 },
-                Onward::Through(dir) => {
-                    through *= pass;
-                    passed *= gray(shading.pass);
-                    path.weight *= shading.pass.max_element();
-                    // Straight on it stays on its level (measured on 3.7).
-                    path.level += u32::from(interface.bends());
-                    path.ray = Ray::new(shading.point, dir);
-                    if world.bends || world.colors_light {
-                        interface.cross(&mut path.inside, shading.part.interior);
-                    }
-                    self.rays.transmitted += 1;
-                }
+            let border = Border { shading: &shading, interface: &interface, fade };
+            let mut ways = self.ways(&path, &border, &onward, &mut rgb, through);
+            let Some(last) = ways.pop() else { return Sample { rgb, passed: behind } };
+            for way in ways {
+                let mut path = Path { inside: copied(&path.inside), ..path };
+                self.go(&mut path, &border, &way);
+                let seen = self.follow(path);
+                rgb += through * way.light * seen.rgb;
+                behind += passed * way.passed * seen.passed;
+            }
+            through *= last.light;
+            passed *= last.passed;
+            self.go(&mut path, &border, &last);
+        }
+        Sample { rgb, passed: behind }
+    }
+
+    /// Where a ray goes on behind a surface, each way once; what splits into colours is followed at once.
+    fn ways(
+        &mut self,
+        path: &Path,
+        border: &Border,
+        onward: &[Onward],
+        rgb: &mut Rgb,
+        through: Rgb,
+    ) -> SmallVec<[Way; 1]> {
+        let Border { shading, interface, fade } = *border;
+        let mut ways = SmallVec::<[Way; 1]>::new();
+        for (coat, onward) in shading.coats.iter().zip(onward) {
+            let way = match *onward {
+                Onward::Ends | Onward::Lost => continue,
+                Onward::Through(dir) => Way {
+                    dir,
+                    total: false,
+                    // What has faded counts as if it had not (measured on 3.7).
+                    light: coat.share * fade * coat.pass,
+                    weight: coat.pass.max_element(),
+                    passed: coat.share * gray(coat.pass),
+                },
                 Onward::Total => {
                     // It takes no more from the light, but the ray counts less (measured on 3.7).
-                    let out = bounce(path.ray.dir, shading.normal, shading.smooth);
-                    through *= fade * mirror::total(&shading, out, world);
-                    path.weight *= shading.pass.max_element();
-                    (path.level, path.mirrored, passed) = (path.level + 1, true, 0.0);
-                    path.ray = Ray::new(shading.point, out);
-                    self.rays.reflected += 1;
+                    let dir = bounce(path.ray.dir, coat.normal, shading.smooth);
+                    let light = coat.share * fade * mirror::total(coat, shading.point, dir, self.setup.world);
+                    Way { dir, total: true, light, weight: coat.pass.max_element(), passed: 0.0 }
                 }
                 Onward::Splits(samples) => {
-                    path.weight *= shading.pass.max_element();
-                    let split = self.split(&path, &shading, &interface, samples);
-                    rgb += through * (pass * split.passing + fade * split.total);
-                    return Sample { rgb, passed: 0.0 };
+                    let path = Path { inside: copied(&path.inside), weight: path.weight * coat.pass.max_element(), ..*path };
+                    let split = self.split(&path, (shading, coat), interface, samples);
+                    *rgb += through * coat.share * fade * (coat.pass * split.passing + split.total);
+                    continue;
                 }
+            };
+            match ways.iter_mut().find(|known| known.dir == way.dir && known.total == way.total) {
+                Some(known) => known.join(&way),
+                None => ways.push(way),
             }
         }
-        Sample { rgb, passed: 0.0 }
+        ways
+    }
+
+    /// Takes a ray one step on.
+    fn go(&mut self, path: &mut Path, border: &Border, way: &Way) {
+        path.weight *= way.weight;
+        path.ray = Ray::new(border.shading.point, way.dir);
+        if way.total {
+            (path.level, path.mirrored) = (path.level + 1, true);
+            self.rays.reflected += 1;
+            return;
+        }
+        // Straight on it stays on its level (measured on 3.7).
+        path.level += u32::from(border.interface.bends());
+        if self.setup.world.bends || self.setup.world.colors_light {
+            border.interface.cross(&mut path.inside, border.shading.part.interior);
+        }
+        self.rays.transmitted += 1;
     }
 
     fn closest(&self, path: &Path) -> Option<Intersection<'w>> {
@@ -245,46 +316,53 @@ impl<'w> Tracer<'w> {
         (sky.rgb * (1.0 - sky.transmit), sky.filter * gray(sky.rgb) + sky.transmit)
     }
 
-    /// Does the ray go on behind the surface, which lets `pass` through, and where to? It must count enough by its largest
+    /// Does the ray go on behind a coat of the border of `own`, and where to? It must count enough by its largest
     /// channel, and this surface alone by its gray; if only the former is too little, what is totally reflected is not seen in
     /// the mirror either (all measured on 3.7).
-    fn onward(&self, path: &Path, shading: &ShadingPoint, interface: &Interface, pass: Rgb) -> Onward {
+    fn onward(&self, path: &Path, coat: &Coat, interface: &Interface, own: u32) -> Onward {
         let world = self.setup.world;
-        let clear = self.setup.quality.real && shading.pass != Rgb::ZERO && gray(pass) > world.adc_bailout;
+        let pass = coat.pass;
+        let clear = self.setup.quality.real && pass != Rgb::ZERO && gray(pass) > world.adc_bailout;
         if !clear || path.level >= world.max_trace_level {
             return Onward::Ends;
         }
         if path.weight * pass.max_element() <= world.adc_bailout {
-            let total = interface.refract(path.ray.dir, shading.normal).is_none();
+            let total = interface.refract(path.ray.dir, coat.normal).is_none();
             return if total { Onward::Lost } else { Onward::Ends };
         }
         if world.disperses
             && path.hue.is_none()
-            && let Some(samples) = interface.samples(&path.inside, shading.part.interior, &world.interiors)
+            && let Some(samples) = interface.samples(&path.inside, own, &world.interiors)
         {
             return Onward::Splits(samples);
         }
-        interface.refract(path.ray.dir, shading.normal).map_or(Onward::Total, Onward::Through)
+        interface.refract(path.ray.dir, coat.normal).map_or(Onward::Total, Onward::Through)
     }
 
-    /// The light that the place mirrors, but for mirrors with the normal `taken`.
-    fn mirrored(&mut self, path: &Path, shading: &ShadingPoint, interface: &Interface, taken: Option<DVec3>) -> Rgb {
+    /// The light that the place mirrors. What is totally reflected takes the place of the mirrors of its coat with the same bumps
+    /// (measured on 3.7).
+    fn mirrored(&mut self, path: &Path, shading: &ShadingPoint, interface: &Interface, onward: &[Onward]) -> Rgb {
         let world = self.setup.world;
         let mut sum = Rgb::ZERO;
         if path.level >= world.max_trace_level {
             return sum;
         }
+        let mut mirrors = SmallVec::<[Mirror; 2]>::new();
+        for (coat, onward) in shading.coats.iter().zip(onward) {
+            let taken = matches!(onward, Onward::Total | Onward::Lost).then_some(coat.normal);
+            mirrors.extend(coat.layers.iter().filter_map(|shaded| {
+                let reflection = shaded.layer.finish.mirror.as_deref()?;
+                (taken != Some(shaded.normal)).then_some(Mirror { reflection, shaded, share: coat.share })
+            }));
+        }
         let incoming = Incoming { weight: path.weight, interface, world };
-        for mirrored in mirror::bounces(shading, incoming) {
-            if taken == Some(mirrored.normal) {
-                continue;
-            }
+        for mirrored in mirror::bounces(&mirrors, incoming) {
             self.rays.reflected += 1;
             let out = bounce(path.ray.dir, mirrored.normal, shading.smooth);
             let ray = Ray::new(shading.point, out);
             let (level, weight, inside) = (path.level + 1, mirrored.weight, copied(&path.inside));
             let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
-            sum += mirror::answer(shading, incoming, mirrored, out, light);
+            sum += mirror::answer(&mirrors, shading.point, incoming, mirrored, out, light);
         }
         sum
     }

@@ -83,7 +83,8 @@ pub(super) fn nearest<'a>(
             };
             let is_kept = || parts.iter().enumerate().all(|(j, (other, _))| j == i || inside(j, other) != merged);
             if range.contains(end.t) && is_kept() && shows(end.t) {
-                range.max = end.t;
+                // (Of several in one place the last part shows, as in POV-Ray 3.7.)
+                range.max = end.t.next_up();
                 best = Some((end, leaf));
             }
         }

@@ -72,19 +72,30 @@ impl Geometry {
         &self.items
     }
 
-    /// The nearest hit in the range of an object that `accept` takes by its number.
+    /// The nearest hit in the range of an object that `accept` takes by its number. Of several in one place that of an infinite
+    /// object is seen, then that of the object that was declared first (as in POV-Ray 3.7, where its hierarchy does not decide).
     pub fn closest(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
-        let mut best = None;
-        self.meet(ray, range, |item, range| {
-            if accept(item.object)
-                && let Some(found) = item.closest(ray, range)
-            {
-                best = Some(found);
-                return ControlFlow::Continue(found.t());
+        let mut range = range;
+        let mut infinite = None;
+        for item in self.items[self.finite..].iter().filter(|item| accept(item.object)) {
+            if let Some(found) = item.closest(ray, range) {
+                range.max = found.t();
+                infinite = Some(found);
             }
-            ControlFlow::Continue(range.max)
+        }
+        let mut finite: Option<Intersection> = None;
+        self.bvh.traverse(ray, range, |i, max| {
+            let item = &self.items[i];
+            if accept(item.object)
+                && let Some(found) = item.closest(ray, Range { max, ..range })
+                && finite.is_none_or(|best| found.goes_before(&best))
+            {
+                finite = Some(found);
+                return ControlFlow::Continue(found.t().next_up());
+            }
+            ControlFlow::Continue(max)
         });
-        best
+        finite.or(infinite)
     }
 
     /// Is there any hit in the range of an object that `accept` takes by its number?

@@ -116,6 +116,11 @@ impl Intersection<'_> {
         self.hit.t
     }
 
+    /// Is it seen instead of `other`? It is nearer, or in the same place and declared earlier.
+    pub(super) fn goes_before(&self, other: &Intersection) -> bool {
+        self.hit.t < other.hit.t || (self.hit.t == other.hit.t && self.leaf.id < other.leaf.id)
+    }
+
     /// Was the leaf turned inside out on its way?
     pub fn inverted(&self) -> bool {
         self.leaf.inverse

@@ -271,11 +271,13 @@ impl SolidNode {
     }
 
     fn closest_of_all<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        let mut best = None;
-        self.each_child(ray, range, |_, child, range| {
-            let found = child.closest(ray, range);
-            best = found.or(best);
-            Range { max: found.map_or(range.max, |f| f.t()), ..range }
+        let mut best: Option<Intersection> = None;
+        self.each_child(ray, range, |_, child, range| match child.closest(ray, range) {
+            Some(found) if best.is_none_or(|best| found.goes_before(&best)) => {
+                best = Some(found);
+                Range { max: found.t().next_up(), ..range }
+            }
+            _ => range,
         });
         best.map(|found| Intersection { object: self.object, ..found })
     }
@@ -297,7 +299,8 @@ impl SolidNode {
     fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut all = Gathered::new();
         self.gather(ray, range, &mut all);
-        all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(i.cmp(j)));
+        // (Of several in one place the last part shows, as in POV-Ray 3.7.)
+        all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(j.cmp(i)));
         let kept = all.hits.iter().find(|(found, child)| {
             self.survives(&all, *child as usize, ray, found.t()) && self.in_clip(ray.at(found.t()))
         });
