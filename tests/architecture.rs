@@ -122,6 +122,16 @@ fn heads(rest: &str) -> Vec<String> {
     names
 }
 
+/// The names in the table of shapes.
+fn shapes() -> &'static [String] {
+    static SHAPES: std::sync::LazyLock<Vec<String>> = std::sync::LazyLock::new(|| {
+        let table = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/shape/mod.rs")).unwrap();
+        let row = table.split("shapes! {").nth(1).unwrap().split('}').next().unwrap();
+        row.split_whitespace().map(String::from).collect()
+    });
+    &SHAPES
+}
+
 /// What is wrong with one file, whose path begins below `src/`.
 fn faults(path: &str, source: &str) -> Vec<String> {
     let source = code(source);
@@ -139,6 +149,12 @@ fn faults(path: &str, source: &str) -> Vec<String> {
         faults.push(format!("{path}: `{}` is in no layer; add it to the list", parts[0]));
         return faults;
     };
+    if own > layer("shape").unwrap() {
+        // `Shape::Sphere` and `shape::{Kernel, Sphere}` alike
+        let named = source.match_indices("hape::").flat_map(|(i, found)| heads(&source[i + found.len()..]));
+        let single = named.filter(|name| shapes().contains(name));
+        faults.extend(single.map(|name| format!("{path}: what is special of `{name}` is asked of its kernel")));
+    }
     for name in root_names(&source, parts.len()) {
         if name != parts[0] && layer(&name).unwrap_or(ROOT) >= own {
             faults.push(format!("{path}: `{}` must not use `{name}`", parts[0]));
@@ -199,6 +215,8 @@ fn the_scanner_sees_what_is_wrong() {
     bad("world/mod.rs", "fn f() { println!(\"x\") }");
     bad("interpreter/mod.rs", "fn f() { std::process::exit(1) }");
     bad("texture/mod.rs", "use image::DynamicImage;");
+    bad("scene/extent.rs", "match shape { Shape::Sphere(s) => s, _ => x }");
+    bad("world/lower/mod.rs", "use crate::shape::{Kernel, Plane};");
 }
 
 #[test]
@@ -211,5 +229,6 @@ fn the_scanner_sees_nothing_where_nothing_is_wrong() {
     good("image_io/decode.rs", "use image::DynamicImage;\nlet x = \"http://a\";");
     good("syntax/mod.rs", "#[derive(pest_derive::Parser)] struct P; use pest::Parser;");
     good("texture/mod.rs", "let my_image = crate::image_io::decode; my_image::x();");
+    good("world/leaf.rs", "use crate::shape::{Kernel, Shape};\nlet b = Shape::filling(&bounds);");
     good("main.rs", "fn main() { println!(\"x\") }");
 }

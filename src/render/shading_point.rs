@@ -116,7 +116,13 @@ impl<'w> Painter<'w, '_> {
     }
 
     /// Without light, the lowest layer alone is seen (measured on POV-Ray 3.7).
-    fn coat(&self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) -> Coat<'w> {
+    fn coat(
+        &self,
+        material: &'w Material,
+        ctx: &TextureContext,
+        share: f64,
+        frame: Option<&PatternSpaces>,
+    ) -> Coat<'w> {
         let mut layers = SmallVec::<[ShadedLayer; 2]>::new();
         let mut pass = Rgb::ONE;
         let hidden = if self.quality.lit { 0 } else { material.layers.len() - 1 };
@@ -139,7 +145,8 @@ impl<'w> Painter<'w, '_> {
                 break;
             }
         }
-        let (normal, refraction) = layers.first().map_or((ctx.normal, 1.0), |top| (top.normal, top.layer.finish.refraction));
+        let (normal, refraction) =
+            layers.first().map_or((ctx.normal, 1.0), |top| (top.normal, top.layer.finish.refraction));
         Coat { share, normal, layers, pass: refraction * pass }
     }
 

@@ -266,7 +266,8 @@ impl<'w> Tracer<'w> {
                     Way { dir, total: true, light, weight: coat.pass.max_element(), passed: 0.0 }
                 }
                 Onward::Splits(samples) => {
-                    let path = Path { inside: copied(&path.inside), weight: path.weight * coat.pass.max_element(), ..*path };
+                    let path =
+                        Path { inside: copied(&path.inside), weight: path.weight * coat.pass.max_element(), ..*path };
                     let split = self.split(&path, (shading, coat), interface, samples);
                     *rgb += through * coat.share * fade * (coat.pass * split.passing + split.total);
                     continue;

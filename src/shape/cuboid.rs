@@ -6,7 +6,7 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -71,6 +71,11 @@ impl Readable for Cuboid {
 impl Kernel for Cuboid {
     fn bounds(&self) -> Aabb {
         Aabb { min: self.min, max: self.max }
+    }
+
+    fn half_spaces(&self) -> HalfSpaces {
+        let sides = |axis: usize| [(DVec3::AXES[axis], self.max[axis]), (-DVec3::AXES[axis], -self.min[axis])];
+        (0..3).flat_map(sides).collect()
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

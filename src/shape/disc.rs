@@ -6,9 +6,9 @@
 //! disc { <0, 1, 0>, <0, 1, 0>, 1, 0.5 pigment { color rgb <0.8, 0.8, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite};
+use super::{Hit, Hits, Kernel, Readable, extent, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
 use crate::value::{Kind, Next, Param, Reader, Spec};
 use serde::Serialize;
@@ -77,6 +77,15 @@ impl Kernel for Disc {
         // A circle with normal n reaches r·√(1 - nᵢ²) along axis i.
         let reach = (DVec3::ONE - self.normal * self.normal).max(DVec3::ZERO).map(f64::sqrt) * self.radius;
         Aabb { min: self.center - reach, max: self.center + reach }
+    }
+
+    fn extent(&self, m: &Transform) -> Aabb {
+        let corner = DVec3::new(self.radius, self.radius, extent::THIN);
+        extent::framed(m, self.normal, self.center, &Aabb { min: -corner, max: corner })
+    }
+
+    fn reaches_beyond(&self) -> bool {
+        true
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

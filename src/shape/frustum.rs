@@ -1,10 +1,14 @@
 //! What `cylinder` and `cone` share: the surface around an axis whose radius changes linearly, and its two end discs.
 
-use super::{Crossing, End, Hit, Hits, nearest};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp, stable_pair, tolerance};
+use super::{Crossing, End, HalfSpaces, Hit, Hits, extent, nearest};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair, tolerance};
 use crate::value::words::word;
 use crate::value::{Kind, WordSpec};
 use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// Tangent planes of a round wall.
+const SIDES: usize = 8;
 
 /// The side of the surface: the wall.
 pub const WALL: u32 = 0;
@@ -169,6 +173,27 @@ impl Frustum {
         }
     }
 
+    /// See [`super::Kernel::extent`]: that of a cylinder about the same axis.
+    pub fn extent(&self, m: &Transform) -> Aabb {
+        let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
+        let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
+        extent::framed(m, axis, self.base, &b)
+    }
+
+    /// Those of both ends and some around the wall.
+    pub fn half_spaces(&self) -> HalfSpaces {
+        let Self { base, cap, base_radius, cap_radius, .. } = *self;
+        let axis = (cap - base).normalize();
+        let mut out = HalfSpaces::from_iter([(axis, axis.dot(cap)), (-axis, -axis.dot(base))]);
+        let (e1, e2) = axis.any_orthonormal_pair();
+        for side in 0..SIDES {
+            let (sin, cos) = fp::sin_cos(side as f64 * TAU / SIDES as f64);
+            let across = e1 * cos + e2 * sin;
+            out.push((across, (across.dot(base) + base_radius.abs()).max(across.dot(cap) + cap_radius.abs())));
+        }
+        out
+    }
+
     /// Is the point between the ends and nearer to the axis than the wall?
     pub fn inside(&self, p: DVec3) -> bool {
         let at = self.split(p - self.base);
@@ -279,6 +304,14 @@ macro_rules! frustum_kernel {
 
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
                 self.0.closest(ray, range)
+            }
+
+            fn extent(&self, m: &$crate::math::Transform) -> Aabb {
+                self.0.extent(m)
+            }
+
+            fn half_spaces(&self) -> $crate::shape::HalfSpaces {
+                self.0.half_spaces()
             }
 
             fn inside(&self, p: DVec3) -> bool {

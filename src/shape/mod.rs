@@ -5,6 +5,7 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
+mod extent;
 mod frustum;
 mod plane;
 mod polygon;
@@ -19,6 +20,7 @@ pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use extent::{HUGE, moved_box};
 pub use frustum::Frustum;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
@@ -105,6 +107,12 @@ impl From<End> for Hit {
     }
 }
 
+/// All points p with normal·p ≤ distance.
+pub type HalfSpace = (DVec3, f64);
+
+/// Half-spaces that something lies in.
+pub type HalfSpaces = smallvec::SmallVec<[HalfSpace; 10]>;
+
 /// What every shape can do, in its own space. Rays come with a direction of any length.
 pub trait Kernel {
     /// The smallest box around it; infinite where it is.
@@ -113,6 +121,11 @@ pub trait Kernel {
     /// A box around its image under M: that of its own box, where it does not know better.
     fn bounds_under(&self, m: &Transform) -> Aabb {
         m.aabb(&self.bounds())
+    }
+
+    /// The box that `min_extent` and `max_extent` tell of its image under M.
+    fn extent(&self, m: &Transform) -> Aabb {
+        moved_box(m, &self.bounds())
     }
 
     /// Appends every hit with `range.min < t < range.max`, in any order.
@@ -125,8 +138,28 @@ pub trait Kernel {
         nearest(all)
     }
 
+    /// Is there any hit in the range?
+    fn any(&self, ray: &Ray, range: Range) -> bool {
+        self.closest(ray, range).is_some()
+    }
+
     /// Is the point in the solid? Points on the surface may go either way.
     fn inside(&self, p: DVec3) -> bool;
+
+    /// The half-space that is all of its inside, of such shapes.
+    fn as_half_space(&self) -> Option<HalfSpace> {
+        None
+    }
+
+    /// Half-spaces that its surface and its inside lie in, if it has flat faces or round walls.
+    fn half_spaces(&self) -> HalfSpaces {
+        self.as_half_space().into_iter().collect()
+    }
+
+    /// Does its inside reach out of its bounds?
+    fn reaches_beyond(&self) -> bool {
+        false
+    }
 
     /// Is it convex, and can [`Kernel::crossing`] tell of nearly all lines?
     fn is_convex(&self) -> bool {
@@ -150,6 +183,14 @@ pub trait Kernel {
         true
     }
 
+    /// The shape to place by M instead of this one, where that is another.
+    fn changed_under(&self, _m: &Transform) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// Is it a surface without any inside, which `inverse` can't turn inside out?
     fn is_patch(&self) -> bool {
         false
@@ -169,6 +210,11 @@ macro_rules! shapes {
             fn bounds_under(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.bounds_under(m)),* } }
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
+            fn any(&self, ray: &Ray, range: Range) -> bool { match self { $(Shape::$name(s) => s.any(ray, range)),* } }
+            fn extent(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.extent(m)),* } }
+            fn as_half_space(&self) -> Option<HalfSpace> { match self { $(Shape::$name(s) => s.as_half_space()),* } }
+            fn half_spaces(&self) -> HalfSpaces { match self { $(Shape::$name(s) => s.half_spaces()),* } }
+            fn reaches_beyond(&self) -> bool { match self { $(Shape::$name(s) => s.reaches_beyond()),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
             fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
             fn crossing(&self, ray: &Ray) -> Crossing { match self { $(Shape::$name(s) => s.crossing(ray)),* } }
@@ -179,12 +225,9 @@ macro_rules! shapes {
         }
 
         impl Shape {
-            /// The shape that M is about to place; see [`SmoothTriangle::under`].
+            /// The shape that M is about to place.
             pub fn under(&self, m: &Transform) -> Cow<'_, Self> {
-                match self {
-                    Shape::SmoothTriangle(s) => Cow::Owned(s.under(m).into()),
-                    other => Cow::Borrowed(other),
-                }
+                match self { $(Shape::$name(s) => s.changed_under(m).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }
@@ -217,6 +260,13 @@ macro_rules! shapes {
             None
         }
     };
+}
+
+impl Shape {
+    /// The `box` that fills these bounds.
+    pub fn filling(bounds: &Aabb) -> Self {
+        Cuboid::new(bounds.min, bounds.max).into()
+    }
 }
 
 /// A missing argument: says how the block is written.

@@ -8,9 +8,9 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
 use crate::value::{Kind, Next, Param, Reader, ReaderExt, Spec};
@@ -161,6 +161,14 @@ impl Kernel for Plane {
             }
         }
         bounds
+    }
+
+    fn extent(&self, _: &Transform) -> Aabb {
+        HUGE
+    }
+
+    fn as_half_space(&self) -> Option<HalfSpace> {
+        Some((self.normal, self.distance))
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

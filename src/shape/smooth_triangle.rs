@@ -29,12 +29,6 @@ impl SmoothTriangle {
         Self { flat, normals: normals.map(DVec3::normalize_or_zero) }
     }
 
-    /// The same with normals that have length 1 under M, so that what lies between them there is a mean of directions (as in POV-Ray).
-    pub fn under(&self, m: &Transform) -> Self {
-        let normals = self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE));
-        Self { normals, ..self.clone() }
-    }
-
     /// Do the normals point to both sides, or into its plane?
     fn is_twisted(&self) -> bool {
         self.is_twisted_under(&Transform::IDENTITY)
@@ -109,6 +103,12 @@ impl Kernel for SmoothTriangle {
 
     fn is_patch(&self) -> bool {
         true
+    }
+
+    /// With normals that have length 1 under M, so that what lies between them there is a mean of directions (as in POV-Ray).
+    fn changed_under(&self, m: &Transform) -> Option<Self> {
+        let normals = self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE));
+        Some(Self { normals, ..self.clone() })
     }
 
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {

@@ -4,7 +4,7 @@
 //! sphere { <0, 1, 0>, 1 pigment { color rgb <1, 0.5, 0> } }
 //! ```
 
-use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair};
 use crate::source::Span;
@@ -58,6 +58,19 @@ impl Kernel for Sphere {
         let reach = (x * x + y * y + z * z).map(f64::sqrt) * self.radius;
         let center = m.point(self.center);
         Aabb { min: center - reach, max: center + reach }
+    }
+
+    /// A sphere that stays one is as wide as before.
+    fn extent(&self, m: &Transform) -> Aabb {
+        let axes = DVec3::AXES.map(|axis| m.vector(axis));
+        let same = |a: DVec3, b: DVec3| {
+            (a.length() - b.length()).abs() < 1e-9 * a.length() && a.dot(b).abs() < 1e-9 * a.length_squared()
+        };
+        if same(axes[0], axes[1]) && same(axes[1], axes[2]) && same(axes[0], axes[2]) {
+            let (center, r) = (m.point(self.center), DVec3::splat(self.radius * axes[0].length()));
+            return Aabb { min: center - r, max: center + r };
+        }
+        moved_box(m, &self.bounds())
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

@@ -4,9 +4,8 @@
 //! clipping, 1974, face by face). Everything is rounded outwards: the half-spaces by a margin, the box by its own.
 
 use crate::math::{Aabb, DVec3, Transform, tolerance};
-use crate::shape::{Frustum, Shape};
+use crate::shape::{Kernel, Shape};
 use smallvec::SmallVec;
-use std::f64::consts::TAU;
 
 /// More of them are not looked at.
 const MOST: usize = 64;
@@ -14,8 +13,6 @@ const MOST: usize = 64;
 const FAR: f64 = 1e4;
 /// With numbers beyond this nothing is cut.
 const FARTHEST: f64 = 1e100;
-/// Tangent planes of a round wall.
-const SIDES: usize = 8;
 /// How far each half-space is moved outwards, relative to the box's largest coordinate.
 const MARGIN: f64 = 1e-10;
 
@@ -47,39 +44,11 @@ impl HalfSpace {
 
 /// Appends half-spaces that a shape's inside and surface lie in, if it has flat faces or round walls.
 pub fn push_shape(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpaces) {
-    let mut push = |normal: DVec3, distance: f64| {
-        if out.len() < MOST {
-            out.extend(HalfSpace::under(m, normal, distance + 2.0 * tolerance::INSIDE));
-        }
-    };
-    match shape {
-        Shape::Plane(plane) if inverse => push(-plane.normal, -plane.distance),
-        Shape::Plane(plane) => push(plane.normal, plane.distance),
-        _ if inverse => {}
-        Shape::Cuboid(cuboid) => {
-            for axis in 0..3 {
-                push(DVec3::AXES[axis], cuboid.max[axis]);
-                push(-DVec3::AXES[axis], -cuboid.min[axis]);
-            }
-        }
-        Shape::Cylinder(cylinder) => push_frustum(&cylinder.0, &mut push),
-        Shape::Cone(cone) => push_frustum(&cone.0, &mut push),
-        _ => {}
-    }
-}
-
-/// The planes of both ends and some around the wall.
-fn push_frustum(frustum: &Frustum, push: &mut impl FnMut(DVec3, f64)) {
-    let Frustum { base, cap, base_radius, cap_radius, .. } = *frustum;
-    let axis = (cap - base).normalize();
-    push(axis, axis.dot(cap));
-    push(-axis, -axis.dot(base));
-    let (e1, e2) = axis.any_orthonormal_pair();
-    for side in 0..SIDES {
-        let (sin, cos) = crate::math::fp::sin_cos(side as f64 * TAU / SIDES as f64);
-        let out = e1 * cos + e2 * sin;
-        push(out, (out.dot(base) + base_radius.abs()).max(out.dot(cap) + cap_radius.abs()));
-    }
+    let turned = || shape.as_half_space().into_iter().map(|(normal, distance)| (-normal, -distance)).collect();
+    let planes = if inverse { turned() } else { shape.half_spaces() };
+    let room = MOST.saturating_sub(out.len());
+    let placed = planes.into_iter().take(room);
+    out.extend(placed.filter_map(|(normal, distance)| HalfSpace::under(m, normal, distance + 2.0 * tolerance::INSIDE)));
 }
 
 /// A box around what all the half-spaces share of `start`.

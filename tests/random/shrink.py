@@ -134,7 +134,7 @@ class Judge:
         for y, x in chosen:
             alone = self.povray(text, folder, f"+SC{x + 1}", f"+EC{x + 1}", f"+SR{y + 1}", f"+ER{y + 1}")
             same += alone is not None and abs(alone[y, x] - ours[y, x]).max() <= 2
-        return same * 2 > len(chosen)
+        return bool(chosen) and same * 2 > len(chosen)
 
     def differs(self, text):
         """The share of pixels that differ; 0 where POV-Ray does not know it itself."""
@@ -178,6 +178,17 @@ def shrink(judge, text, pool, jobs):
             text, shrunk = good[0], True
 
 
+def use(path, generator):
+    """The tool, with one of its generators: `given`, or a file beside this one."""
+    spec = importlib.util.spec_from_file_location("random_scenes", path)
+    tool = importlib.util.module_from_spec(spec)
+    sys.modules["random_scenes"] = tool
+    spec.loader.exec_module(tool)
+    if generator != "given":
+        tool.use(HERE / generator)
+    return tool
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scene", help="a seed, or a file")
@@ -188,12 +199,7 @@ def main():
     parser.add_argument("--share", type=float, default=0.004)
     parser.add_argument("--jobs", type=int, default=10)
     options = parser.parse_args()
-    spec = importlib.util.spec_from_file_location("random_scenes", options.tool)
-    tool = importlib.util.module_from_spec(spec)
-    sys.modules["random_scenes"] = tool
-    spec.loader.exec_module(tool)
-    if options.generator != "given":
-        tool.use(HERE / options.generator)
+    tool = use(options.tool, options.generator)
     if options.scene.isdigit():
         wanted = options.family.split(",") if options.family else None
         seed = int(options.scene)

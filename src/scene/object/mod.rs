@@ -2,11 +2,10 @@
 
 mod read;
 
-use super::extent::moved_box;
 use super::{Defaults, Painted, Undrawn, Weight};
 use crate::light::Light;
 use crate::math::{Aabb, Transform};
-use crate::shape::Shape;
+use crate::shape::{Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Interior, Texture};
 use crate::value::{RawItem, Seldom, Thing, Usual};

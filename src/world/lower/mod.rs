@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
-use crate::shape::{Cuboid, Kernel, Shape};
+use crate::shape::{Kernel, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Rare, Texture};
 use crate::value::Seldom;
@@ -173,7 +173,7 @@ impl Lowering {
             ObjectKind::Shape(shape) => Some(self.lower_shape(object, &shape.under(&own.transform), &own)?),
             // Scripts that ask get an answer; nothing is seen.
             ObjectKind::Undrawn(shape) if self.asked => {
-                let stand_in = Shape::from(Cuboid::new(shape.bounds.min, shape.bounds.max));
+                let stand_in = Shape::filling(&shape.bounds);
                 Some(self.lower_shape(object, &stand_in, &own)?)
             }
             ObjectKind::Undrawn(_) => None,

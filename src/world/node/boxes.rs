@@ -2,7 +2,7 @@
 
 use super::{More, SolidKind, SolidNode};
 use crate::math::Aabb;
-use crate::shape::{Kernel, Shape};
+use crate::shape::Kernel;
 use crate::world::bvh;
 use crate::world::child_bvh::ChildBvh;
 use crate::world::halfspace::{self, HalfSpaces};
@@ -142,11 +142,10 @@ impl SolidNode {
     fn hole(&self) -> Aabb {
         match &self.kind {
             _ if !self.is_whole() => Aabb::INFINITE,
-            SolidKind::Leaf(leaf) => match leaf.shape {
-                Shape::Disc(_) => Aabb::INFINITE,
-                _ if leaf.shape.is_patch() || !leaf.inverse => Aabb::INFINITE,
-                _ => self.bounds(),
-            },
+            SolidKind::Leaf(leaf) if leaf.shape.is_patch() || leaf.shape.reaches_beyond() || !leaf.inverse => {
+                Aabb::INFINITE
+            }
+            SolidKind::Leaf(_) => self.bounds(),
             SolidKind::Intersection(children) => children.iter().map(SolidNode::hole).fold(Aabb::EMPTY, Aabb::union),
             SolidKind::Union(children) | SolidKind::Merge(children) => {
                 children.iter().map(SolidNode::hole).fold(Aabb::INFINITE, Aabb::intersection)
