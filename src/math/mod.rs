@@ -1,6 +1,7 @@
 //! Vectors, transforms, rays and boxes: plain mathematics, nothing of the language.
 
 mod aabb;
+pub mod bvh;
 mod complex;
 pub mod fp;
 pub mod noise;

@@ -1,6 +1,6 @@
 //! A hierarchy over the children of one node, for a solid that is made of many.
 
-use super::bvh::{self, Bvh};
+use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use std::ops::ControlFlow;
 

@@ -1,8 +1,8 @@
 //! Everything that a ray can hit.
 
-use super::bvh::{self, Bvh};
 use super::leaf::{Intersection, Intersections};
 use super::node::{NodeParts, SolidNode};
+use crate::math::bvh::{self, Bvh};
 use crate::math::{DVec3, Range, Ray};
 use serde::Serialize;
 use std::ops::ControlFlow;

@@ -1,6 +1,5 @@
 //! What a ray needs: every object with M and M⁻¹; no names, versions, degrees or nested blocks.
 
-mod bvh;
 mod child_bvh;
 mod convex_interval;
 mod geometry;

@@ -2,8 +2,8 @@
 
 use super::{More, SolidKind, SolidNode};
 use crate::math::Aabb;
+use crate::math::bvh;
 use crate::shape::Kernel;
-use crate::world::bvh;
 use crate::world::child_bvh::ChildBvh;
 use crate::world::halfspace::{self, HalfSpaces};
 use serde::Serialize;
