@@ -6,6 +6,7 @@ use super::trace::Quality;
 use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray};
 use crate::pattern::{Space, TextureContext};
+use crate::shape::Kernel;
 use crate::texture::NormalProgram;
 use crate::world::{Intersection, Layer, Material, Part, PlacedMaterial, SolidNode, Surface, World};
 use smallvec::SmallVec;
@@ -63,7 +64,7 @@ impl<'w> ShadingPoint<'w> {
             bailout: world.adc_bailout,
             coats: SmallVec::new(),
         };
-        of_materials(world, part, against > 0.0, surface.point, |placed, share| {
+        of_materials(world, found, &surface, against > 0.0, |placed, share| {
             let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
             painter.placed = placed;
             painter.paint(material, &ctx, share, None);
@@ -178,26 +179,33 @@ impl PatternSpaces<'_> {
     }
 }
 
-/// Tells what is painted on the side that a ray sees, all of it in equal parts; mostly one.
+/// Tells what is painted on the side that a ray sees, and in what shares; mostly one.
 fn of_materials<'w>(
     world: &'w World,
-    part: &'w Part,
+    found: &Intersection,
+    surface: &Surface,
     from_inside: bool,
-    point: DVec3,
     mut tell: impl FnMut(&'w PlacedMaterial, f64),
 ) {
+    let part = &world.parts[found.leaf.id as usize];
     if let Some(inside) = part.inside.as_ref().filter(|_| from_inside) {
         return tell(inside, 1.0);
     }
     if let Some(cut) = part.cut {
-        let holds = |(node, placed): &'w (SolidNode, PlacedMaterial)| node.inside(point).then_some(placed);
+        let holds = |(node, placed): &'w (SolidNode, PlacedMaterial)| node.inside(surface.point).then_some(placed);
         let materials: SmallVec<[&PlacedMaterial; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
         if !materials.is_empty() {
             let share = 1.0 / materials.len() as f64;
             return materials.into_iter().for_each(|placed| tell(placed, share));
         }
     }
-    tell(&part.outside, 1.0);
+    if part.carried.is_empty() {
+        return tell(&part.outside, 1.0);
+    }
+    for (slot, share) in found.leaf.shape.slots(surface.object_point, &found.hit) {
+        let own = slot.checked_sub(1).and_then(|number| part.carried.get(number as usize));
+        tell(own.unwrap_or(&part.outside), share);
+    }
 }
 
 /// A material, and the place as it sees it; the normal is in world space.
@@ -226,12 +234,12 @@ fn texture_context<'w>(
 pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
     let part = &world.parts[found.leaf.id as usize];
     let outside = &world.materials[part.outside.material as usize];
-    if part.inside.is_none() && part.cut.is_none() && outside.solid && !quick {
+    if part.inside.is_none() && part.cut.is_none() && part.carried.is_empty() && outside.solid && !quick {
         return outside.pass;
     }
     let surface = found.surface(ray);
     let mut pass = Rgb::ZERO;
-    of_materials(world, part, ray.dir.dot(surface.normal) > 0.0, surface.point, |placed, share| {
+    of_materials(world, found, &surface, ray.dir.dot(surface.normal) > 0.0, |placed, share| {
         let (material, ctx) = texture_context(world, placed, found, &surface, surface.normal, ray);
         pass += share * pass_of(material, &ctx, quick);
     });

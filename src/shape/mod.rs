@@ -7,6 +7,7 @@ mod cylinder;
 mod disc;
 mod extent;
 mod frustum;
+mod mesh;
 mod plane;
 mod polygon;
 mod smooth_triangle;
@@ -22,6 +23,7 @@ pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use extent::{HUGE, moved_box};
 pub use frustum::Frustum;
+pub use mesh::{Mesh, Mesh2, TriangleMesh};
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
 pub use smooth_triangle::SmoothTriangle;
@@ -107,6 +109,28 @@ impl From<End> for Hit {
     }
 }
 
+/// Numbers of the textures that a place shows, and their shares, which make up 1. Number 0 is the object's own texture.
+pub type Slots = smallvec::SmallVec<[(u32, f64); 3]>;
+
+/// Where the textures are kept that a shape carries itself: its kernel knows them by their numbers, from 1 on.
+pub trait Paints {
+    /// Reads what comes next if it is a texture or a part of one; false if something else comes. `slot` is what the place has so
+    /// far, and has then.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
+    fn read(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
+
+    /// Consumes one texture of a list, of which several in a row are no layers; `None` if something else comes.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
+    fn read_one(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>>;
+
+    /// Moves what the place has, and nothing else that has the same.
+    fn transform(&mut self, slot: &mut u32, by: &Transform);
+}
+
 /// All points p with normal·p ≤ distance.
 pub type HalfSpace = (DVec3, f64);
 
@@ -177,6 +201,11 @@ pub trait Kernel {
     /// Surface coordinates: what `uv_mapping` sees and `durer pick` shows.
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2;
 
+    /// What a place shows, of shapes that carry textures.
+    fn slots(&self, _p: DVec3, _hit: &Hit) -> Slots {
+        smallvec::smallvec![(0, 1.0)]
+    }
+
     /// Does `uv_mapping` see [`Kernel::uv`]? For shapes without a mapping of their own, POV-Ray takes the x and y of the
     /// point in world space instead.
     fn uv_mapped(&self) -> bool {
@@ -220,6 +249,7 @@ macro_rules! shapes {
             fn crossing(&self, ray: &Ray) -> Crossing { match self { $(Shape::$name(s) => s.crossing(ray)),* } }
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
+            fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
         }
@@ -235,8 +265,8 @@ macro_rules! shapes {
             ///
             /// # Errors
             /// With the place of what is not understood, and what was expected there.
-            pub fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
-                match self { $(Shape::$name(s) => Arc::make_mut(s).read_own(next, r)),* }
+            pub fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+                match self { $(Shape::$name(s) => Arc::make_mut(s).read_own(next, r, paints)),* }
             }
             /// Checks what only the whole block shows, after its last word; `span` is the block's name.
             ///
@@ -292,11 +322,12 @@ pub trait Readable: Sized + 'static {
     /// With the place of what is not understood, and what was expected there.
     fn read(r: &mut dyn Reader) -> Result<Self>;
 
-    /// Reads one of [`Self::WORDS`], if it comes next, and what follows it; false if none does.
+    /// Reads one of [`Self::WORDS`], if it comes next, and what follows it; false if none does. Shapes that carry textures read
+    /// more here.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
-    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader, _paints: &mut dyn Paints) -> Result<bool> {
         read_row(Self::WORDS, self, next, r)
     }
 
@@ -309,7 +340,7 @@ pub trait Readable: Sized + 'static {
     }
 }
 
-shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon }
+shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 }
 
 /// An error unless all these are finite numbers.
 fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {

@@ -1,6 +1,6 @@
 //! For the tests of shapes: all hits in order, and a reader of numbers and words without an interpreter.
 
-use super::{Hit, Hits, Kernel, Readable};
+use super::{Hit, Hits, Kernel, Paints, Readable};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
@@ -34,13 +34,28 @@ fn read_all<S: Readable>(r: &mut Words) -> Result<S> {
     let mut shape = S::read(r)?;
     loop {
         let next = r.next()?;
-        if !shape.read_own(next, r)? {
+        if !shape.read_own(next, r, &mut NoPaints)? {
             break;
         }
     }
     shape.finish(Span::new(1, 2), r)?;
     assert!(r.left.is_empty(), "left over: {:?}", r.left);
     Ok(shape)
+}
+
+/// Takes no textures.
+struct NoPaints;
+
+impl Paints for NoPaints {
+    fn read(&mut self, _: &mut u32, _: Next, _: &mut dyn Reader) -> Result<bool> {
+        Ok(false)
+    }
+
+    fn read_one(&mut self, _: Next, _: &mut dyn Reader) -> Result<Option<u32>> {
+        Ok(None)
+    }
+
+    fn transform(&mut self, _: &mut u32, _: &Transform) {}
 }
 
 struct Words {

@@ -82,6 +82,9 @@ pub struct Part {
     pub outside: PlacedMaterial,
     /// Seen from inside, if that differs.
     pub inside: Option<Box<PlacedMaterial>>,
+    /// The textures that the shape carries itself; number 1 is the first.
+    #[serde(skip_serializing_if = "<[PlacedMaterial]>::is_empty")]
+    pub carried: Box<[PlacedMaterial]>,
     /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
     pub cut: Option<u32>,
     /// Number of what fills it.

@@ -48,6 +48,14 @@ def spans(text):
     return out
 
 
+def has_empty_csg(text):
+    """Does it have CSG without parts? That leads astray: POV-Ray has its own thoughts about it."""
+    all_blocks = spans(text)
+    solids = [(a, b) for word, a, _, b in all_blocks if word in OBJECTS]
+    groups = [(i, e) for word, _, i, e in all_blocks if word in ("union", "merge", "intersection", "difference")]
+    return any(not any(i <= a and b < e for a, b in solids) for i, e in groups)
+
+
 def candidates(text):
     """(edit, text after it), the greatest step first."""
     out = []
@@ -90,7 +98,7 @@ def candidates(text):
     out.sort(key=lambda c: -c[0])
     for _, start, end, new in out:
         less = re.sub(r"[ \t]+", " ", text[:start] + new + text[end:])
-        if "camera" in less and "light_source" in less:
+        if "camera" in less and "light_source" in less and not has_empty_csg(less):
             yield (text[start:end], new, text[max(0, start - 9) : start]), less
 
 

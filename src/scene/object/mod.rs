@@ -1,5 +1,6 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
+mod carried;
 mod read;
 
 use super::{Defaults, Painted, Undrawn, Weight};
@@ -119,6 +120,9 @@ pub struct Bulk {
 pub struct Rare {
     /// What it looks like from inside.
     pub interior_texture: Option<Painted>,
+    /// The textures that its shape carries itself; number 1 is the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub carried: Option<Arc<[Painted]>>,
     /// What fills it.
     pub interior: Option<Arc<Interior>>,
     /// Only what lies inside all of these is there; moved along with the object.
@@ -136,6 +140,7 @@ impl Usual for Rare {
     fn usual() -> &'static Self {
         static NOTHING: Rare = Rare {
             interior_texture: None,
+            carried: None,
             interior: None,
             clipped_by: None,
             bounded_by: None,

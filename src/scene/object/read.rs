@@ -1,5 +1,6 @@
 //! Reads objects: the blocks that make them, and the modifiers that may stand in each (manual, "Object Modifiers").
 
+use super::carried::Carried;
 use super::{CsgOp, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
@@ -22,8 +23,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "isosurface",
     "julia_fractal",
     "lathe",
-    "mesh",
-    "mesh2",
     "ovus",
     "parametric",
     "poly",
@@ -97,7 +96,8 @@ impl Object {
             let light = Light::read(r, source)?;
             return Ok(Box::new(Self::new(ObjectKind::Light(Arc::new(light)), word, source, defaults)));
         }
-        if word == "object" {
+        // A declared object may stand in the block of any shape (measured on POV-Ray 3.7).
+        if word == "object" || r.next()? == Next::Thing("object") {
             let mut object = Self::read(r, defaults)?;
             object.source = source;
             object.read_modifiers(None, r, defaults)?;
@@ -165,10 +165,14 @@ impl Object {
         defaults: &Defaults,
     ) -> Result<bool> {
         let mut is_somewhere = true;
+        let mut carried = Carried::new(defaults);
         loop {
             let next = r.next()?;
             if next == Next::End {
                 self.map_texture_by_uv();
+                if let Some(painted) = carried.painted() {
+                    self.rare.carried = Some(painted);
+                }
                 // (A copy that nothing was said of shares all it has.)
                 if let Some(ObjectBody { texture: Some(painted), .. }) = Arc::get_mut(&mut self.body) {
                     defaults.alike.join(&mut painted.texture);
@@ -176,7 +180,7 @@ impl Object {
                 return Ok(is_somewhere);
             }
             if let Some(shape) = shape.as_deref_mut()
-                && shape.read_own(next, r)?
+                && shape.read_own(next, r, &mut carried)?
             {
                 continue;
             }

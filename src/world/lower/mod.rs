@@ -257,17 +257,24 @@ impl Lowering {
         }
         let outside = self.lower_look(&own.texture.clone().unwrap_or_else(|| self.default_look()));
         let inside = own.inside.as_ref().map(|look| Box::new(self.lower_look(look)));
+        let carried = object.rare.carried.iter().flat_map(|all| all.iter());
+        let carried: Box<[PlacedMaterial]> = carried
+            .map(|painted| {
+                self.lower_look(&Look { texture: painted.texture.clone(), transform: own.transform.clone() })
+            })
+            .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());
         let others = cut.map(|cut| self.cuts[cut as usize].iter().map(|(_, placed)| placed));
         let opaque = [Some(&outside), inside.as_deref()]
             .into_iter()
             .flatten()
             .chain(others.into_iter().flatten())
+            .chain(carried.iter())
             .all(|placed| self.materials[placed.material as usize].opaque);
         let interior = own.interior.unwrap_or_else(|| self.add_air());
         let id = self.parts.len() as u32;
         let double_illuminate = own.flags.double_illuminate;
-        self.parts.push(Part { outside, inside, cut, interior, double_illuminate, source: object.source });
+        self.parts.push(Part { outside, inside, carried, cut, interior, double_illuminate, source: object.source });
         let leaf = Leaf::placed(shape.clone(), &own.transform, id);
         Ok(Solid { node: SolidNode::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }

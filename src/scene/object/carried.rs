@@ -1,0 +1,85 @@
+//! Textures that a shape carries itself, such as those of a mesh's triangles.
+
+use crate::diagnostic::Result;
+use crate::math::Transform;
+use crate::scene::{Defaults, Painted, read_layers};
+use crate::shape::Paints;
+use crate::texture::Texture;
+use crate::value::{Next, Reader, ReaderExt};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// Those of one shape while it is read; what is alike has one number.
+pub(super) struct Carried<'a> {
+    defaults: &'a Defaults,
+    textures: Vec<Arc<Texture>>,
+    /// By address.
+    numbers: FxHashMap<*const Texture, u32>,
+}
+
+impl<'a> Carried<'a> {
+    pub fn new(defaults: &'a Defaults) -> Self {
+        Self { defaults, textures: vec![], numbers: FxHashMap::default() }
+    }
+
+    /// As they lie on the shape, which they move with; `None` if there are none.
+    pub fn painted(self) -> Option<Arc<[Painted]>> {
+        let painted = |texture| Painted::new(texture, &Transform::IDENTITY);
+        (!self.textures.is_empty()).then(|| self.textures.into_iter().map(painted).collect())
+    }
+
+    fn number(&mut self, texture: Texture) -> u32 {
+        let mut texture = Arc::new(texture);
+        self.defaults.alike.join(&mut texture);
+        *self.numbers.entry(Arc::as_ptr(&texture)).or_insert_with(|| {
+            self.textures.push(texture);
+            self.textures.len() as u32
+        })
+    }
+
+    fn of(&self, slot: u32) -> Texture {
+        (*slot.checked_sub(1).map_or(&self.defaults.texture, |i| &self.textures[i as usize])).as_ref().clone()
+    }
+}
+
+impl Paints for Carried<'_> {
+    fn read(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        let texture = match next {
+            Next::Block("texture") | Next::Thing("texture") => read_layers(r, self.defaults)?,
+            _ => {
+                let mut texture = self.of(*slot);
+                if !texture.read_part(r, next, &self.defaults.texture)? {
+                    return Ok(false);
+                }
+                texture
+            }
+        };
+        *slot = self.number(texture);
+        Ok(true)
+    }
+
+    fn read_one(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>> {
+        let texture = match next {
+            Next::Block("texture") => {
+                r.take()?;
+                let texture = Texture::read(r, &self.defaults.texture)?;
+                r.leave()?;
+                texture
+            }
+            Next::Thing("texture") => match r.thing::<Texture>()? {
+                Some(texture) => (*texture).clone(),
+                None => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        Ok(Some(self.number(texture)))
+    }
+
+    fn transform(&mut self, slot: &mut u32, by: &Transform) {
+        if *slot != 0 {
+            let mut texture = self.of(*slot);
+            texture.transform(by);
+            *slot = self.number(texture);
+        }
+    }
+}

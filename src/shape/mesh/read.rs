@@ -1,0 +1,385 @@
+//! How meshes are written (manual, "Mesh", "Mesh2").
+//!
+//! ```pov
+//! mesh { triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } triangle { <1, 0, 0>, <1, 1, 0>, <0, 1, 0> } pigment { color rgb 1 } }
+//! mesh2 {
+//!   vertex_vectors { 4, <0, 0, 0>, <1, 0, 0>, <1, 1, 0>, <0, 1, 0> }
+//!   face_indices { 2, <0, 1, 2>, <0, 2, 3> }
+//!   pigment { color rgb 1 }
+//! }
+//! ```
+
+use super::{NONE, TriangleMesh, mesh_kernel};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::shape::{Hit, Hits, Paints, Readable, Slots, Triangle};
+use crate::source::Span;
+use crate::value::words::word;
+use crate::value::{Kind, Next, Reader, Spec, Value, WordSpec};
+use rustc_hash::FxHashMap;
+use serde::Serialize;
+
+/// More are not believed before they are there.
+const BELIEVED: usize = 1 << 16;
+
+const INSIDE_VECTOR: WordSpec = word(
+    "inside_vector",
+    Kind::Vector,
+    "",
+    "a direction in which no line only touches it; then a closed mesh has an inside",
+);
+
+/// Triangles one by one.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Mesh(pub TriangleMesh, #[serde(skip)] Known);
+
+/// Corners that were there before, by their bits.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Known {
+    vertices: FxHashMap<[u64; 3], u32>,
+    normals: FxHashMap<[u64; 3], u32>,
+}
+
+/// Triangles by numbers into lists.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Mesh2(pub TriangleMesh, #[serde(skip)] Lists);
+
+/// What has been read so far of one that is written in lists.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Lists {
+    /// Numbers of the textures in `texture_list`.
+    textures: Vec<u32>,
+    /// Where the lists of numbers stand, which are checked at the end.
+    faces: Option<Span>,
+    normals: Option<Span>,
+    uvs: Option<Span>,
+}
+
+mesh_kernel!(Mesh);
+mesh_kernel!(Mesh2);
+
+impl Readable for Mesh {
+    const SPEC: Spec = Spec {
+        name: "mesh",
+        summary: "triangles that are one object",
+        params: &[],
+        words: &[
+            word(
+                "triangle",
+                Kind::Block,
+                "",
+                "three corners; `uv_vectors` and a `texture` or `texture_list` of its own may follow",
+            ),
+            word("smooth_triangle", Kind::Block, "", "three times a corner and the normal there"),
+            INSIDE_VECTOR,
+        ],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self::default())
+    }
+
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+        match next {
+            Next::Block(kind @ ("triangle" | "smooth_triangle")) => {
+                let span = r.take()?;
+                self.read_triangle(kind == "smooth_triangle", span, r, paints)?;
+                r.leave()?;
+                Ok(true)
+            }
+            _ => self.0.read_inside(next, r),
+        }
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        self.1 = Known::default();
+        self.0.end("mesh", span, r);
+        Ok(())
+    }
+}
+
+impl Mesh {
+    fn read_triangle(&mut self, smooth: bool, span: Span, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
+        let (mut corners, mut normals, mut uvs, mut slots) = (NONE, NONE, NONE, [0; 3]);
+        let mut points = [DVec3::ZERO; 3];
+        for i in 0..3 {
+            points[i] = r.vector()?;
+            corners[i] = number(&mut self.1.vertices, &mut self.0.vertices, points[i]);
+            if smooth {
+                let normal = r.vector()?.normalize_or_zero();
+                normals[i] = number(&mut self.1.normals, &mut self.0.normals, normal);
+            }
+        }
+        loop {
+            let next = r.next()?;
+            match next {
+                Next::End => break,
+                Next::Word("uv_vectors") => {
+                    r.take()?;
+                    for uv in &mut uvs {
+                        *uv = self.0.uvs.len() as u32;
+                        self.0.uvs.push(r.vector2()?);
+                    }
+                }
+                Next::Block("texture_list") => {
+                    r.take()?;
+                    for slot in &mut slots {
+                        let next = r.next()?;
+                        *slot = match paints.read_one(next, r)? {
+                            Some(slot) => slot,
+                            None => return Err(r.unexpected("a texture for each of the three corners").into()),
+                        };
+                    }
+                    r.leave()?;
+                }
+                Next::Block("texture") | Next::Thing("texture") => {
+                    let mut slot = 0;
+                    paints.read(&mut slot, next, r)?;
+                    slots = [slot; 3];
+                }
+                _ => return Err(r.unknown_word("triangle", &["uv_vectors", "texture", "texture_list"]).into()),
+            }
+        }
+        let [a, b, c] = points;
+        if (Triangle { a, b, c }).is_degenerate() {
+            r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
+        }
+        self.0.push(corners, normals, uvs, slots);
+        Ok(())
+    }
+}
+
+/// The number of a point in a list, where it is put if it is new.
+fn number(known: &mut FxHashMap<[u64; 3], u32>, list: &mut Vec<DVec3>, p: DVec3) -> u32 {
+    *known.entry(p.to_array().map(f64::to_bits)).or_insert_with(|| {
+        list.push(p);
+        list.len() as u32 - 1
+    })
+}
+
+impl Readable for Mesh2 {
+    const SPEC: Spec = Spec {
+        name: "mesh2",
+        summary: "triangles that are one object, written as lists",
+        params: &[],
+        words: &[
+            word("vertex_vectors", Kind::Block, "", "how many, and the corners"),
+            word(
+                "normal_vectors",
+                Kind::Block,
+                "",
+                "how many, and the directions at the corners, for triangles that look curved",
+            ),
+            word("uv_vectors", Kind::Block, "", "how many, and pairs of surface coordinates for `uv_mapping`"),
+            word("texture_list", Kind::Block, "", "how many, and textures for faces and corners"),
+            word(
+                "face_indices",
+                Kind::Block,
+                "",
+                "how many, and for each triangle the numbers of its corners from 0 on, perhaps with one or three numbers of textures",
+            ),
+            word(
+                "normal_indices",
+                Kind::Block,
+                "",
+                "how many, and for each triangle the numbers of its normals; else those of its corners",
+            ),
+            word(
+                "uv_indices",
+                Kind::Block,
+                "",
+                "how many, and for each triangle the numbers of its surface coordinates; else those of its corners",
+            ),
+            INSIDE_VECTOR,
+        ],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self::default())
+    }
+
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+        let Next::Block(list) = next else { return self.0.read_inside(next, r) };
+        let Self(mesh, lists) = self;
+        let span = match list {
+            "vertex_vectors" | "normal_vectors" | "uv_vectors" | "texture_list" | "face_indices" | "normal_indices"
+            | "uv_indices" => r.take()?,
+            _ => return Ok(false),
+        };
+        match list {
+            "vertex_vectors" => mesh.vertices = read_list(r, |r| r.vector())?,
+            "normal_vectors" => mesh.normals = read_list(r, |r| Ok(r.vector()?.normalize_or_zero()))?,
+            "uv_vectors" => mesh.uvs = read_list(r, |r| r.vector2())?,
+            "texture_list" => {
+                lists.textures = read_list(r, |r| {
+                    let next = r.next()?;
+                    paints.read_one(next, r)?.ok_or_else(|| r.unexpected("a texture").into())
+                })?;
+            }
+            "face_indices" => {
+                lists.faces = Some(span);
+                let faces = read_faces(r, &lists.textures)?;
+                mesh.corners = faces.iter().map(|face| face.0).collect();
+                mesh.painted =
+                    if lists.textures.is_empty() { vec![] } else { faces.iter().map(|face| face.1).collect() };
+            }
+            "normal_indices" => {
+                lists.normals = Some(span);
+                mesh.smooth = read_list(r, read_numbers)?;
+            }
+            _ => {
+                lists.uvs = Some(span);
+                mesh.mapped = read_list(r, read_numbers)?;
+            }
+        }
+        r.leave()?;
+        Ok(true)
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        let Self(mesh, lists) = self;
+        let faces = mesh.corners.len();
+        if mesh.smooth.is_empty() && !mesh.normals.is_empty() {
+            mesh.smooth = mesh.corners.clone();
+        }
+        if mesh.mapped.is_empty() && !mesh.uvs.is_empty() {
+            mesh.mapped = mesh.corners.clone();
+        }
+        let at = |own: Option<Span>| own.or(lists.faces).unwrap_or(span);
+        check(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
+        check(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
+        check(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
+        *lists = Lists::default();
+        mesh.end("mesh2", span, r);
+        Ok(())
+    }
+}
+
+/// How many there are, and so many of them.
+fn read_list<T>(r: &mut dyn Reader, mut read: impl FnMut(&mut dyn Reader) -> Result<T>) -> Result<Vec<T>> {
+    let count = read_count(r)?;
+    let mut list = Vec::with_capacity(count.min(BELIEVED));
+    for _ in 0..count {
+        list.push(read(r)?);
+    }
+    Ok(list)
+}
+
+fn read_count(r: &mut dyn Reader) -> Result<usize> {
+    let span = r.span();
+    let count = r.float()?;
+    if !(0.0..f64::from(u32::MAX)).contains(&count) {
+        return Diagnostic::err(codes::WRONG_COUNT, span, format!("a list can't have {count} entries"));
+    }
+    Ok(count as usize)
+}
+
+fn read_numbers(r: &mut dyn Reader) -> Result<[u32; 3]> {
+    let span = r.span();
+    numbers(&r.vector()?.to_array(), span)
+}
+
+fn numbers(found: &[f64], span: Span) -> Result<[u32; 3]> {
+    let &[a, b, c] = found else {
+        return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has three corners");
+    };
+    if [a, b, c].iter().any(|x| !(0.0..f64::from(u32::MAX)).contains(x)) {
+        return Diagnostic::err(codes::BAD_INDEX, span, "entries of a list are counted from 0");
+    }
+    Ok([a, b, c].map(|x| x as u32))
+}
+
+/// The corners of each face, and its textures at them: none, one for all, or three.
+fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<Vec<([u32; 3], [u32; 3])>> {
+    let count = read_count(r)?;
+    let mut faces: Vec<([u32; 3], [u32; 3])> = Vec::with_capacity(count.min(BELIEVED));
+    // Of the last face.
+    let mut given = 0;
+    while r.next()? == Next::Value {
+        match r.value()? {
+            (Value::Float(number), span) => match faces.last_mut() {
+                Some((_, slots)) if given < 3 => {
+                    slots[given] = texture(number, textures, span)?;
+                    if given == 0 {
+                        *slots = [slots[0]; 3];
+                    }
+                    given += 1;
+                }
+                _ => return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has one texture, or three"),
+            },
+            (Value::Vector(v), span) => {
+                faces.push((numbers(&v.c[..v.len as usize], span)?, [0; 3]));
+                given = 0;
+            }
+            (_, span) => {
+                return Diagnostic::err(
+                    codes::WRONG_TYPE,
+                    span,
+                    "the three numbers of a triangle's corners are needed here",
+                );
+            }
+        }
+    }
+    if faces.len() != count {
+        let message = format!("{count} triangles were announced, and here are {}", faces.len());
+        return Diagnostic::err(codes::WRONG_COUNT, r.span(), message);
+    }
+    Ok(faces)
+}
+
+fn texture(number: f64, textures: &[u32], span: Span) -> Result<u32> {
+    match textures.get(number as usize).filter(|_| number >= 0.0) {
+        Some(slot) => Ok(*slot),
+        None => Err(beyond("texture", number, "texture_list", textures.len(), span).into()),
+    }
+}
+
+fn beyond(what: &str, number: f64, list: &str, length: usize, span: Span) -> Diagnostic {
+    let message = format!("there is no {what} {number}: `{list}` has {length}");
+    Diagnostic::new(codes::BAD_INDEX, span, message).help("they are counted from 0")
+}
+
+/// An error where a number is beyond its list, or there are not as many triples as triangles.
+fn check(numbers: &[[u32; 3]], length: usize, faces: usize, (what, list): (&str, &str), span: Span) -> Result<()> {
+    if !numbers.is_empty() && numbers.len() != faces {
+        let message = format!("these are for {} triangles, and there are {faces}", numbers.len());
+        return Diagnostic::err(codes::WRONG_COUNT, span, message);
+    }
+    match numbers.iter().flatten().find(|&&i| i as usize >= length) {
+        Some(&i) => Err(beyond(what, f64::from(i), list, length, span).into()),
+        None => Ok(()),
+    }
+}
+
+impl TriangleMesh {
+    fn read_inside(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        if next != Next::Word("inside_vector") {
+            return Ok(false);
+        }
+        r.take()?;
+        self.inside_vector = Some(r.vector()?).filter(|dir| *dir != DVec3::ZERO);
+        Ok(true)
+    }
+
+    /// Adds a triangle; the lists that most meshes do not have begin where the first triangle has something for them.
+    fn push(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], slots: [u32; 3]) {
+        let before = self.corners.len();
+        let add = |list: &mut Vec<[u32; 3]>, numbers: [u32; 3], none: [u32; 3]| {
+            if numbers != none || !list.is_empty() {
+                list.resize(before, none);
+                list.push(numbers);
+            }
+        };
+        add(&mut self.smooth, normals, NONE);
+        add(&mut self.mapped, uvs, NONE);
+        add(&mut self.painted, slots, [0; 3]);
+        self.corners.push(corners);
+    }
+
+    fn end(&mut self, word: &str, span: Span, r: &mut dyn Reader) {
+        self.finish();
+        if self.corners.is_empty() {
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, format!("this `{word}` has no triangles")));
+        }
+    }
+}
