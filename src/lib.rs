@@ -30,6 +30,7 @@ pub mod camera;
 pub mod cli;
 pub mod color;
 pub mod diagnostic;
+pub mod font;
 pub mod function;
 pub mod image_io;
 pub mod interpreter;

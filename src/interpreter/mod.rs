@@ -22,6 +22,7 @@ mod timing;
 mod top;
 
 use crate::diagnostic::{Diagnostic, Label, Severity, codes};
+use crate::font::Font;
 use crate::image_io::Picture;
 use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
@@ -153,6 +154,8 @@ pub(crate) struct Interpreter<'a> {
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
     /// Decoded picture files.
     pictures: FxHashMap<PathBuf, Arc<Picture>>,
+    /// Fonts that were read.
+    fonts: FxHashMap<PathBuf, Arc<Font>>,
     /// Files by the numbers in [`Slot::File`].
     files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
@@ -222,6 +225,7 @@ impl<'a> Interpreter<'a> {
             random: vec![],
             probes: FxHashMap::default(),
             pictures: FxHashMap::default(),
+            fonts: FxHashMap::default(),
             files: vec![],
             written: 0,
             frames: vec![],

@@ -14,6 +14,7 @@ mod smooth_triangle;
 mod sphere;
 #[cfg(test)]
 mod testing;
+mod text;
 mod torus;
 mod triangle;
 
@@ -28,6 +29,7 @@ pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
 pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
+pub use text::Text;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
@@ -340,7 +342,7 @@ pub trait Readable: Sized + 'static {
     }
 }
 
-shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 }
+shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text }
 
 /// An error unless all these are finite numbers.
 fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {

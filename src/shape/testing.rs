@@ -188,8 +188,8 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn similar_font(&mut self, _: &str) -> Option<std::path::PathBuf> {
-        unreachable!()
+    fn font(&mut self, _: &str, _: Span) -> Result<Option<Arc<crate::font::Font>>> {
+        Ok(None)
     }
 
     fn pass(&mut self, _: &mut Vec<RawItem>) -> Result<()> {

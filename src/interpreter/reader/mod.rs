@@ -1,6 +1,7 @@
 //! The interpreter as a [`Reader`]: what a family sees of the stream.
 
 mod color;
+mod font;
 mod message;
 mod skip;
 mod transform;
@@ -14,10 +15,11 @@ use super::stream::Token;
 use super::{Interpreter, compat, hints};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use crate::font::Font;
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
-use crate::source::{Span, fonts};
+use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value};
 use crate::world::Probe;
@@ -286,8 +288,8 @@ impl Reader for Interpreter<'_> {
         self.picture_function()
     }
 
-    fn similar_font(&mut self, name: &str) -> Option<PathBuf> {
-        fonts::similar(name, &self.options.search.fonts, |path| self.options.sandbox.may_read(path))
+    fn font(&mut self, name: &str, at: Span) -> Result<Option<Arc<Font>>> {
+        self.font_named(name, at)
     }
 
     fn pass(&mut self, row: &mut Vec<RawItem>) -> Result<()> {

@@ -33,7 +33,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "sor",
     "sphere_sweep",
     "superellipsoid",
-    "text",
     "light_group",
 ];
 

@@ -1,0 +1,285 @@
+//! `text { ttf "font.ttf" "string" depth, offset }`: a line of letters as solids (manual, "Text").
+//!
+//! Letters stand on y = 0, from x = 0 on, with an em of 1, and reach from z = 0 to z = `depth`. `offset` is added between one letter
+//! and the next.
+//!
+//! ```pov
+//! text { ttf "timrom.ttf" "durer" 0.2, 0 pigment { color rgb <0.8, 0.3, 0.1> } }
+//! ```
+
+use super::{Hit, Hits, Kernel, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::font::{Curve, Outline};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, solve_quadratic};
+use crate::source::Span;
+use crate::value::{Kind, Next, Param, Reader, Spec};
+use rustc_hash::FxHashMap;
+use serde::Serialize;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// The fonts that POV-Ray brings along, by their numbers; any other number is the first.
+const INTERNAL: [&str; 4] = ["povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf"];
+
+/// Numbers of the parts of a letter: both ends, then its curves.
+const FRONT: u32 = 0;
+const BACK: u32 = 1;
+const WALLS: u32 = 2;
+
+/// Letters in a row.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Text {
+    /// Name of the font, as the author wrote it.
+    pub font: String,
+    /// The file that was taken, if there is any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<PathBuf>,
+    /// What is written.
+    pub string: String,
+    /// How far letters reach along z.
+    pub depth: f64,
+    /// Those that have an outline.
+    #[serde(skip)]
+    letters: Vec<Letter>,
+    #[serde(skip)]
+    bounds: Aabb,
+}
+
+/// A letter in its place.
+#[derive(Clone, Debug, PartialEq)]
+struct Letter {
+    shape: Arc<Glyph>,
+    at: DVec3,
+    /// The number of its first part among those of all letters.
+    first: u32,
+}
+
+/// A letter's outline.
+#[derive(Debug, PartialEq)]
+struct Glyph {
+    curves: Outline,
+    min: DVec2,
+    max: DVec2,
+}
+
+impl Glyph {
+    fn new(curves: Outline) -> Self {
+        let ends = |better: fn(DVec2, DVec2) -> DVec2| {
+            curves.iter().flat_map(|curve| [curve[0], extreme(curve, better), curve[2]]).reduce(better)
+        };
+        let (min, max) = (ends(DVec2::min).unwrap_or_default(), ends(DVec2::max).unwrap_or_default());
+        Self { curves, min, max }
+    }
+
+    /// Does the half-line along +x cross the outlines an odd number of times? A curve counts from its lower end up to, but without,
+    /// its upper end on each of its rising and falling pieces.
+    fn covers(&self, p: DVec2) -> bool {
+        if p.y < self.min.y || p.y > self.max.y || p.x < self.min.x || p.x > self.max.x {
+            return false;
+        }
+        let mut odd = false;
+        for curve in &self.curves {
+            let [a, b, c] = curve.map(|q| q - p);
+            // y(s) = (a - 2b + c)·s² + 2(b - a)·s + a turns at most once.
+            let turn = (a.y - b.y) / (a.y - 2.0 * b.y + c.y);
+            let mut piece = |s0: f64, y0: f64, s1: f64, y1: f64| {
+                if (y0 <= 0.0) != (y1 <= 0.0) {
+                    odd ^= at([a, b, c], root(a.y, b.y, c.y, s0, s1)).x > 0.0;
+                }
+            };
+            if turn > 0.0 && turn < 1.0 {
+                let top = at([a, b, c], turn).y;
+                piece(0.0, a.y, turn, top);
+                piece(turn, top, 1.0, c.y);
+            } else {
+                piece(0.0, a.y, 1.0, c.y);
+            }
+        }
+        odd
+    }
+}
+
+/// The point of a curve where it turns along each axis, if that is between its ends.
+fn extreme(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
+    let turn = (curve[0] - curve[1]) / (curve[0] - 2.0 * curve[1] + curve[2]);
+    let inner = |s: f64| if s > 0.0 && s < 1.0 { at(*curve, s) } else { curve[0] };
+    better(inner(turn.x), inner(turn.y))
+}
+
+fn at([a, b, c]: Curve, s: f64) -> DVec2 {
+    let r = 1.0 - s;
+    a * (r * r) + b * (2.0 * r * s) + c * (s * s)
+}
+
+/// The only s between s0 and s1 where (1 - s)²·a + 2s(1 - s)·b + s²·c is 0.
+fn root(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
+    let middle = (s0 + s1) / 2.0;
+    let off = |s: &f64| (s - middle).abs();
+    match solve_quadratic(a - 2.0 * b + c, 2.0 * (b - a), a) {
+        Some((s, t)) if off(&t) < off(&s) => t.clamp(s0, s1),
+        Some((s, _)) => s.clamp(s0, s1),
+        None => middle,
+    }
+}
+
+impl Readable for Text {
+    const SPEC: Spec = Spec {
+        name: "text",
+        summary: "a line of letters as solids",
+        params: &[
+            Param {
+                name: "ttf \"font.ttf\"",
+                kind: Kind::Text,
+                summary: "a TrueType or OpenType font; `internal` and a number takes one of POV-Ray's",
+            },
+            Param { name: "string", kind: Kind::Text, summary: "what is written" },
+            Param { name: "depth", kind: Kind::Float, summary: "how far the letters reach along z" },
+            Param { name: "offset", kind: Kind::Vector, summary: "added between one letter and the next" },
+        ],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let name = match r.next()? {
+            Next::Word("ttf") => {
+                r.take()?;
+                None
+            }
+            Next::Word("internal") => {
+                r.take()?;
+                let number = r.float()?;
+                Some(INTERNAL.get(number as usize).copied().unwrap_or(INTERNAL[0]))
+            }
+            _ => return Err(r.unexpected("`ttf` and the name of a font").into()),
+        };
+        let at = r.span();
+        let name = name.map_or_else(|| r.text(), |name| Ok(name.to_string()))?;
+        let font = r.font(&name, at)?;
+        let string = r.text()?;
+        let span = r.span();
+        let (depth, offset) = (r.float()?, r.vector()?);
+        finite(span, &[offset], &[depth])?;
+        let file = font.as_ref().map(|font| font.path.clone());
+        let mut text = Self { font: name, file, string, depth, letters: vec![], bounds: Aabb::EMPTY };
+        let mut known = FxHashMap::default();
+        let mut first = 0;
+        let line = font.as_ref().map_or_else(Vec::new, |font| font.set(&text.string));
+        for (i, set) in line.into_iter().enumerate() {
+            let outline = || Arc::new(Glyph::new(font.as_ref().map_or_else(Vec::new, |font| font.outline(set.glyph))));
+            let shape = known.entry(set.glyph).or_insert_with(outline).clone();
+            if !shape.curves.is_empty() && depth != 0.0 {
+                // (Its z does nothing, in POV-Ray neither.)
+                let at = (offset.truncate() * i as f64).extend(0.0) + DVec3::X * set.x;
+                let count = WALLS + shape.curves.len() as u32;
+                text.letters.push(Letter { shape, at, first });
+                first += count;
+            }
+        }
+        text.bounds = text.letters.iter().map(|letter| text.box_of(letter)).fold(Aabb::EMPTY, Aabb::union);
+        Ok(text)
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        if self.letters.is_empty() {
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, "this `text` shows no letters"));
+        }
+        Ok(())
+    }
+}
+
+impl Text {
+    fn box_of(&self, Letter { shape, at, .. }: &Letter) -> Aabb {
+        Aabb::from_corners(at + shape.min.extend(0.0), at + shape.max.extend(self.depth))
+    }
+
+    /// Where a ray, seen from a letter, meets it.
+    fn meet(&self, letter: &Letter, ray: &Ray, range: Range, out: &mut Hits) {
+        let (o, d) = (ray.origin - letter.at, ray.dir);
+        let mut push = |t: f64, part: u32, s: f64| {
+            if range.contains(t) {
+                out.push(Hit { t, part: letter.first + part, uv: DVec2::new(s, 0.0) });
+            }
+        };
+        for (part, z) in [(FRONT, 0.0), (BACK, self.depth)] {
+            let t = (z - o.z) / d.z;
+            if t.is_finite() && letter.shape.covers((o + d * t).truncate()) {
+                push(t, part, 0.0);
+            }
+        }
+        let across = d.truncate();
+        let length = across.length_squared();
+        if length == 0.0 {
+            return;
+        }
+        let (lo, hi) = (self.depth.min(0.0), self.depth.max(0.0));
+        for (part, curve) in (WALLS..).zip(&letter.shape.curves) {
+            let from = curve.map(|p| p - o.truncate());
+            // How far to the left of the ray.
+            let [a, b, c] = from.map(|p| across.perp_dot(p));
+            if (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0) {
+                continue;
+            }
+            let Some((s1, s2)) = solve_quadratic(a - 2.0 * b + c, 2.0 * (b - a), a) else { continue };
+            for s in [s1, s2] {
+                // (From one end up to, but without, the other, so that a corner is met once.)
+                if (0.0..1.0).contains(&s) {
+                    let t = across.dot(at(from, s)) / length;
+                    let z = o.z + d.z * t;
+                    if z >= lo && z <= hi {
+                        push(t, part, s);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The letter that a part belongs to, and which of its parts it is.
+    fn part(&self, number: u32) -> (&Letter, u32) {
+        let letter = &self.letters[self.letters.partition_point(|letter| letter.first <= number) - 1];
+        (letter, number - letter.first)
+    }
+}
+
+impl Kernel for Text {
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        for letter in &self.letters {
+            if self.box_of(letter).slabs(ray, range).is_some() {
+                self.meet(letter, ray, range, out);
+            }
+        }
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.letters.iter().any(|letter| {
+            let local = p - letter.at;
+            local.z > self.depth.min(0.0) && local.z < self.depth.max(0.0) && letter.shape.covers(local.truncate())
+        })
+    }
+
+    /// Walls point inwards (measured on POV-Ray 3.7, by `trace`).
+    fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
+        let (letter, part) = self.part(hit.part);
+        match part {
+            FRONT => DVec3::NEG_Z,
+            BACK => DVec3::Z,
+            _ => {
+                let [a, b, c] = letter.shape.curves[(part - WALLS) as usize];
+                let along = (b - a) * (1.0 - hit.uv.x) + (c - b) * hit.uv.x;
+                let along = if along == DVec2::ZERO { c - a } else { along };
+                DVec3::new(along.y, -along.x, 0.0)
+            }
+        }
+    }
+
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        p.truncate()
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
