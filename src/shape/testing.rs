@@ -151,7 +151,10 @@ impl Reader for Words {
     }
 
     fn text(&mut self) -> Result<String> {
-        unreachable!()
+        match self.left.pop_front() {
+            Some(word) => Ok(word.trim_matches('"').to_string()),
+            None => Err(self.unexpected("a text").into()),
+        }
     }
 
     fn flag(&mut self) -> Result<bool> {
@@ -188,8 +191,8 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn font(&mut self, _: &str, _: Span) -> Result<Option<Arc<crate::font::Font>>> {
-        Ok(None)
+    fn font(&mut self, _: &str, _: Span) -> Result<Arc<crate::font::Font>> {
+        Ok(Arc::new(crate::font::Font::own()))
     }
 
     fn pass(&mut self, _: &mut Vec<RawItem>) -> Result<()> {

@@ -31,9 +31,8 @@ const WALLS: u32 = 2;
 pub struct Text {
     /// Name of the font, as the author wrote it.
     pub font: String,
-    /// The file that was taken, if there is any.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub file: Option<PathBuf>,
+    /// The file that was taken.
+    pub file: PathBuf,
     /// What is written.
     pub string: String,
     /// How far letters reach along z.
@@ -159,13 +158,12 @@ impl Readable for Text {
         let span = r.span();
         let (depth, offset) = (r.float()?, r.vector()?);
         finite(span, &[offset], &[depth])?;
-        let file = font.as_ref().map(|font| font.path.clone());
+        let file = font.path.clone();
         let mut text = Self { font: name, file, string, depth, letters: vec![], bounds: Aabb::EMPTY };
         let mut known = FxHashMap::default();
         let mut first = 0;
-        let line = font.as_ref().map_or_else(Vec::new, |font| font.set(&text.string));
-        for (i, set) in line.into_iter().enumerate() {
-            let outline = || Arc::new(Glyph::new(font.as_ref().map_or_else(Vec::new, |font| font.outline(set.glyph))));
+        for (i, set) in font.set(&text.string).into_iter().enumerate() {
+            let outline = || Arc::new(Glyph::new(font.outline(set.glyph)));
             let shape = known.entry(set.glyph).or_insert_with(outline).clone();
             if !shape.curves.is_empty() && depth != 0.0 {
                 // (Its z does nothing, in POV-Ray neither.)
@@ -281,5 +279,51 @@ impl Kernel for Text {
 
     fn uv_mapped(&self) -> bool {
         false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::all;
+
+    fn text(string: &str) -> Text {
+        crate::shape::testing::read::<Text>(&format!("ttf \"roboto\" \"{string}\" 0.5 0")).0.unwrap()
+    }
+
+    #[test]
+    fn hits_come_in_pairs_and_agree_with_inside() {
+        let shape = text("Og8&");
+        let mut met = 0;
+        for k in 0..4000 {
+            let at = |m: usize| (k * m % 997) as f64 / 997.0;
+            let from = DVec3::new(at(13) * 3.0, at(29) - 0.2, at(5) - 0.2);
+            let ray = Ray::new(from, DVec3::new(at(7) - 0.5, at(11) - 0.5, at(3) - 0.5));
+            let hits = all(&shape, &ray);
+            assert!(hits.len().is_multiple_of(2), "{ray:?}: {hits:?}");
+            met += hits.len();
+            for pair in hits.windows(2) {
+                let p = ray.at((pair[0].t + pair[1].t) / 2.0);
+                let before = hits.iter().filter(|hit| hit.t < (pair[0].t + pair[1].t) / 2.0).count();
+                assert!(pair[1].t - pair[0].t < 1e-9 || shape.inside(p) == (before % 2 == 1), "{ray:?}");
+            }
+            for hit in &hits {
+                assert!(shape.bounds().grown(1e-9).contains(ray.at(hit.t)));
+                assert!(shape.normal(ray.at(hit.t), hit).length() > 0.0);
+            }
+        }
+        assert!(met > 2000, "{met}");
+    }
+
+    #[test]
+    fn walls_point_inwards() {
+        let shape = text("l");
+        let hit = shape.closest(&Ray::new(DVec3::new(-1.0, 0.3, 0.2), DVec3::X), Range::FORWARD).unwrap();
+        assert!(shape.normal(DVec3::ZERO, &hit).x > 0.0 && (hit.t - 1.0).abs() < 1e-6, "{hit:?}");
+    }
+
+    #[test]
+    fn nothing_to_show() {
+        assert_eq!(crate::shape::testing::read::<Text>("ttf \"a\" \"\" 1 0").1[0].code, codes::NO_SURFACE);
     }
 }

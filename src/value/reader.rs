@@ -135,8 +135,8 @@ pub trait Reader {
     fn pass(&mut self, row: &mut Vec<RawItem>) -> Result<()>;
     /// The file of this name where scenes look for theirs, if it is there and may be read; `at` is the name's place.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
-    /// The font of this name, whose place is `at`, or one of the system that looks like it, which is told; `None` if there is none.
-    fn font(&mut self, name: &str, at: Span) -> Result<Option<Arc<Font>>>;
+    /// The font of this name, whose place is `at`, or one that looks like it, which is told.
+    fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
     /// Consumes a picture file's name, and decodes the file; fails where it is not found or not understood.
     fn picture(&mut self) -> Result<Arc<Picture>>;
     /// Consumes `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.

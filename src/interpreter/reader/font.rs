@@ -9,21 +9,21 @@ use std::sync::Arc;
 
 impl Interpreter<'_> {
     /// See [`crate::value::Reader::font`]. A name without ending means ttf.
-    pub(super) fn font_named(&mut self, name: &str, at: Span) -> Result<Option<Arc<Font>>> {
+    pub(super) fn font_named(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let path = match self.find_read_file(&full, at)? {
             Some(path) => path,
             None => match self.stand_in(&full, at) {
                 Some(path) => path,
-                None => return Ok(None),
+                None => return Ok(Arc::new(Font::own())),
             },
         };
         if let Some(font) = self.fonts.get(&path) {
-            return Ok(Some(font.clone()));
+            return Ok(font.clone());
         }
         let font = Arc::new(Font::read(&path).map_err(|fault| fault.at(at))?);
         self.fonts.insert(path, font.clone());
-        Ok(Some(font))
+        Ok(font)
     }
 
     /// A font of the system: the one of this name, or one that looks like it, which is told.
@@ -36,7 +36,7 @@ impl Interpreter<'_> {
         }
         let what = match file {
             Some(file) => format!(": `{file}` stands for it"),
-            None => ", and there is no other one that could stand for it".into(),
+            None => ": durer's own one, Roboto, stands for it".into(),
         };
         let d = Diagnostic::new(codes::FONT_MISSING, at, format!("the font `{name}` was not found{what}"));
         let d = self.with_trace(d.help("fonts are looked for where included files are; -I DIR adds a folder"));

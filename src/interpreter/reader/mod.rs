@@ -288,7 +288,7 @@ impl Reader for Interpreter<'_> {
         self.picture_function()
     }
 
-    fn font(&mut self, name: &str, at: Span) -> Result<Option<Arc<Font>>> {
+    fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         self.font_named(name, at)
     }
 

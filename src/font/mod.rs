@@ -5,14 +5,15 @@
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::math::DVec2;
 use crate::source::{ReadError, Span};
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// A font file.
 pub struct Font {
-    /// Where it is.
+    /// Where it is; the font that durer brings along has but a name.
     pub path: PathBuf,
-    data: Vec<u8>,
+    data: Cow<'static, [u8]>,
 }
 
 /// A letter where it stands on its line.
@@ -41,12 +42,17 @@ impl Font {
     pub fn read(path: &Path) -> Result<Self> {
         let data = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
         match Face::parse(&data, 0) {
-            Ok(_) => Ok(Self { path: path.into(), data }),
+            Ok(_) => Ok(Self { path: path.into(), data: data.into() }),
             Err(fault) => {
                 let message = format!("`{}` is no font that can be read: {fault}", path.display());
                 Diagnostic::err(codes::BAD_DATA, Span::NONE, message)
             }
         }
+    }
+
+    /// The font that durer brings along for machines that have none: Latin, Greek and Cyrillic letters of Roboto.
+    pub fn own() -> Self {
+        Self { path: "Roboto-Regular.ttf".into(), data: Cow::Borrowed(include_bytes!("Roboto-Regular.ttf")) }
     }
 
     fn face(&self) -> Option<Face<'_>> {
@@ -166,6 +172,41 @@ impl OutlineBuilder for Pen {
         let (start, at) = (self.start, self.at);
         if start != at {
             self.to((at + start) / 2.0, start);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_stand_by_their_widths() {
+        let font = Font::own();
+        let line = font.set("lll");
+        // The left edge of the first one is at 0, and all are equally wide.
+        let left = font.outline(line[0].glyph).iter().flatten().map(|p| p.x).reduce(f64::min).unwrap();
+        assert!((line[0].x + left).abs() < 1e-12);
+        assert!((line[2].x - 2.0 * line[1].x + line[0].x).abs() < 1e-12 && line[1].x > line[0].x);
+        // What a font does not have is its letter 0.
+        assert_eq!(font.set("\u{4E2D}")[0].glyph, 0);
+        assert!(font.set("").is_empty());
+    }
+
+    #[test]
+    fn outlines_are_closed() {
+        let font = Font::own();
+        for set in font.set("Ög&@8Ж") {
+            let outline = font.outline(set.glyph);
+            assert!(!outline.is_empty());
+            let mut start = outline[0][0];
+            for pair in outline.windows(2) {
+                if pair[0][2] != pair[1][0] {
+                    assert_eq!(pair[0][2], start, "an outline ends where it began");
+                    start = pair[1][0];
+                }
+            }
+            assert_eq!(outline.last().unwrap()[2], start);
         }
     }
 }
