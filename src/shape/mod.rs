@@ -1,6 +1,7 @@
 //! Shapes in their own object space: bounds, hits, inside, normal, uv. Adding one is a file here and
 //! a row in the table below.
 
+mod blob;
 mod cone;
 mod cuboid;
 mod cylinder;
@@ -18,6 +19,7 @@ mod text;
 mod torus;
 mod triangle;
 
+pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
@@ -342,7 +344,7 @@ pub trait Readable: Sized + 'static {
     }
 }
 
-shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text }
+shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob }
 
 /// An error unless all these are finite numbers.
 fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {

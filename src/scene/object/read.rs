@@ -17,7 +17,6 @@ use std::sync::Arc;
 /// Words of objects that are known but not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
     "bicubic_patch",
-    "blob",
     "cubic",
     "height_field",
     "isosurface",

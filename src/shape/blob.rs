@@ -1,0 +1,463 @@
+//! `blob { threshold T sphere { … } cylinder { … } }`: fields of balls and rods that flow into each other (manual, "Blob").
+//!
+//! A component has the strength s·(1 - (d/r)²)² at the distance d < r from its centre or its axis; the surface is where all of them
+//! together are as strong as the threshold. Along a ray that is a polynomial of degree 4 in each stretch between the places where
+//! components begin and end.
+//!
+//! ```pov
+//! blob { threshold 0.5 sphere { <-0.5, 0, 0>, 1, 1 } sphere { <0.5, 0, 0>, 1, 1 } pigment { color rgb <0.8, 0.4, 0.3> } }
+//! ```
+
+use super::{Hit, Hits, Kernel, Paints, Readable, Slots, Sphere, finite, moved_box};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::bvh::{self, Bvh};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, Transform, solve_between, solve_quadratic};
+use crate::source::Span;
+use crate::value::words::word;
+use crate::value::{Kind, Next, Reader, ReaderExt, Spec};
+use serde::Serialize;
+use smallvec::SmallVec;
+use std::ops::ControlFlow;
+
+/// Fields that flow into each other.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Blob {
+    /// How strong the field is on the surface; inside it is stronger.
+    pub threshold: f64,
+    /// In the order of the hierarchy.
+    pub components: Vec<Component>,
+    #[serde(skip)]
+    bvh: Bvh,
+    #[serde(skip)]
+    bounds: Aabb,
+}
+
+/// A ball or a rod.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Component {
+    /// The middle of a ball, or one end of a rod's axis.
+    pub base: DVec3,
+    /// From there to the other end; zero of a ball.
+    pub axis: DVec3,
+    /// How far the field reaches.
+    pub radius: f64,
+    /// In the middle; it may be negative.
+    pub strength: f64,
+    /// The blob's space from its own, if it was moved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub place: Option<Box<Transform>>,
+    /// Its texture (see [`super::Paints`]).
+    pub slot: u32,
+}
+
+/// What a component adds in a stretch of a ray: s·(1 - (a·t² + b·t + c))².
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    from: f64,
+    to: f64,
+    strength: f64,
+    squared_distance: [f64; 3],
+}
+
+type Stretches = SmallVec<[Stretch; 16]>;
+
+impl Component {
+    fn local(&self, p: DVec3) -> DVec3 {
+        self.place.as_ref().map_or(p, |m| m.inverse_point(p))
+    }
+
+    /// From the nearest point of its middle, in radii.
+    fn from_middle(&self, p: DVec3) -> DVec3 {
+        let from_base = self.local(p) - self.base;
+        let along = from_base.dot(self.axis) / self.axis.length_squared().max(f64::MIN_POSITIVE);
+        (from_base - self.axis * along.clamp(0.0, 1.0)) / self.radius
+    }
+
+    fn field(&self, p: DVec3) -> f64 {
+        let u = 1.0 - self.from_middle(p).length_squared();
+        if u > 0.0 { self.strength * u * u } else { 0.0 }
+    }
+
+    /// The gradient of its field: s·2u·(-2d/r²), where d is the way from its middle; by Mᵀ⁻¹ like a normal.
+    fn gradient(&self, p: DVec3) -> DVec3 {
+        let d = self.from_middle(p);
+        let u = 1.0 - d.length_squared();
+        if u <= 0.0 {
+            return DVec3::ZERO;
+        }
+        let local = d * (-4.0 * self.strength * u / self.radius);
+        self.place.as_ref().map_or(local, |m| m.normal(local))
+    }
+
+    /// A rod lies between the balls at its ends.
+    fn bounds(&self) -> Aabb {
+        self.ball(self.base, self.radius).union(self.ball(self.base + self.axis, self.radius))
+    }
+
+    /// The box around a ball of its own space.
+    fn ball(&self, center: DVec3, radius: f64) -> Aabb {
+        let ball = Sphere { center, radius };
+        self.place.as_ref().map_or(ball.bounds(), |m| ball.bounds_under(m))
+    }
+
+    /// As POV-Ray 3.7 sees it: a rod without its ends lies in a ball, too.
+    fn extent(&self) -> Aabb {
+        let half = self.axis / 2.0;
+        let around = (half.length_squared() + self.radius * self.radius).sqrt();
+        match self.axis == DVec3::ZERO {
+            true => self.bounds(),
+            false => self.bounds().union(self.ball(self.base + half, around)),
+        }
+    }
+
+    /// Where the ray is in reach of it, and how far it is from its middle there.
+    fn stretches(&self, ray: &Ray, out: &mut Stretches) {
+        let local = self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray));
+        let (o, d) = ((local.origin - self.base) / self.radius, local.dir / self.radius);
+        let mut push = |o: DVec3, d: DVec3, within: [f64; 2]| {
+            let [a, b, c] = [d.length_squared(), 2.0 * o.dot(d), o.length_squared()];
+            let Some((t1, t2)) = solve_quadratic(a, b, c - 1.0) else { return };
+            let (from, to) = (t1.max(within[0]), t2.min(within[1]));
+            if from < to {
+                out.push(Stretch { from, to, strength: self.strength, squared_distance: [a, b, c] });
+            }
+        };
+        if self.axis == DVec3::ZERO {
+            return push(o, d, [f64::NEG_INFINITY, f64::INFINITY]);
+        }
+        let axis = self.axis / self.radius;
+        let length = axis.length_squared();
+        // How far along the axis, from 0 to 1 between the ends.
+        let (start, speed) = (o.dot(axis) / length, d.dot(axis) / length);
+        let (at_base, at_cap) = (-start / speed, (1.0 - start) / speed);
+        let (before, behind) = match speed {
+            0.0 if start < 0.0 => return push(o, d, [f64::NEG_INFINITY, f64::INFINITY]),
+            0.0 if start > 1.0 => return push(o - axis, d, [f64::NEG_INFINITY, f64::INFINITY]),
+            0.0 => return push(o - axis * start, d, [f64::NEG_INFINITY, f64::INFINITY]),
+            s if s > 0.0 => ((o, at_base), (o - axis, at_cap)),
+            _ => ((o - axis, at_cap), (o, at_base)),
+        };
+        push(before.0, d, [f64::NEG_INFINITY, before.1]);
+        push(o - axis * start, d - axis * speed, [before.1, behind.1]);
+        push(behind.0, d, [behind.1, f64::INFINITY]);
+    }
+}
+
+impl Blob {
+    /// Puts the components in order for rays; those that add nothing, and those beyond all measure, are left out.
+    fn arrange(&mut self) {
+        self.components.retain(|component| component.strength != 0.0 && bvh::fits(&component.bounds()));
+        let (bvh, order) = Bvh::build(self.components.iter().map(Component::bounds));
+        let mut places: Vec<Option<Component>> = std::mem::take(&mut self.components).into_iter().map(Some).collect();
+        self.components = order.into_iter().filter_map(|i| places[i as usize].take()).collect();
+        self.bvh = bvh;
+        let strong = self.components.iter().filter(|component| component.strength > 0.0);
+        self.bounds = strong.map(Component::bounds).fold(Aabb::EMPTY, Aabb::union);
+    }
+
+    fn near<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a Component)) {
+        self.bvh.around(p, |i| {
+            visit(&self.components[i]);
+            ControlFlow::Continue(())
+        });
+    }
+
+    fn field(&self, p: DVec3) -> f64 {
+        let mut sum = 0.0;
+        self.near(p, &mut |component| sum += component.field(p));
+        sum
+    }
+
+    /// Hands the places on the surface to `visit` in order, until it breaks off.
+    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
+        let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
+        // Counted from near the blob, so that a far eye loses nothing.
+        let start = if enter.is_finite() { enter } else { -ray.origin.dot(ray.dir) / ray.dir.length_squared() };
+        let near = Ray::new(ray.at(start), ray.dir);
+        let mut stretches = Stretches::new();
+        self.bvh.traverse(&near, Range::ALL, |i, max| {
+            self.components[i].stretches(&near, &mut stretches);
+            ControlFlow::Continue(max)
+        });
+        stretches.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
+        let mut ends: SmallVec<[f64; 32]> = stretches.iter().flat_map(|stretch| [stretch.from, stretch.to]).collect();
+        ends.sort_unstable_by(f64::total_cmp);
+        ends.dedup();
+        let mut roots = Roots::new();
+        for pair in ends.windows(2) {
+            let (lo, hi) = (pair[0], pair[1]);
+            if hi + start <= range.min || lo + start >= range.max {
+                continue;
+            }
+            let middle = (lo + hi) / 2.0;
+            let mut sum = [0.0, 0.0, 0.0, 0.0, -self.threshold];
+            for stretch in stretches.iter().take_while(|stretch| stretch.from < hi).filter(|s| s.to > lo) {
+                add(stretch, middle, &mut sum);
+            }
+            let half = (hi - lo) / 2.0;
+            if never_zero(&sum, half) {
+                continue;
+            }
+            roots.clear();
+            solve_between(&sum, -half, half, &mut roots);
+            for &t in &roots {
+                let t = t + middle + start;
+                if range.contains(t) && visit(t).is_break() {
+                    return;
+                }
+            }
+        }
+    }
+}
+
+/// Adds what a stretch adds, as a polynomial of t - middle.
+fn add(stretch: &Stretch, middle: f64, sum: &mut [f64; 5]) {
+    let [a, b, c] = stretch.squared_distance;
+    // u = 1 - (a·t² + b·t + c), then s·u²
+    let (u2, u1, u0) = (-a, -(2.0 * a * middle + b), 1.0 - ((a * middle + b) * middle + c));
+    let s = stretch.strength;
+    sum[0] += s * u2 * u2;
+    sum[1] += s * 2.0 * u2 * u1;
+    sum[2] += s * (u1 * u1 + 2.0 * u2 * u0);
+    sum[3] += s * 2.0 * u1 * u0;
+    sum[4] += s * u0 * u0;
+}
+
+/// Have all of its Bernstein coefficients between -h and h one sign? Then the polynomial has no root there (Farouki and Rajan, On the
+/// numerical condition of polynomials in Bernstein form, 1987).
+fn never_zero(c: &[f64; 5], h: f64) -> bool {
+    // As a polynomial of x = t/h: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
+    let [p4, p3, p2, p1, p0] = [c[0] * h * h * h * h, c[1] * h * h * h, c[2] * h * h, c[3] * h, c[4]];
+    let b = [
+        p0 - p1 + p2 - p3 + p4,
+        p0 - p1 / 2.0 + p3 / 2.0 - p4,
+        p0 - p2 / 3.0 + p4,
+        p0 + p1 / 2.0 - p3 / 2.0 - p4,
+        p0 + p1 + p2 + p3 + p4,
+    ];
+    b.iter().all(|b| *b > 0.0) || b.iter().all(|b| *b < 0.0)
+}
+
+impl Readable for Blob {
+    const SPEC: Spec = Spec {
+        name: "blob",
+        summary: "fields of balls and rods that flow into each other",
+        params: &[],
+        words: &[
+            word("threshold", Kind::Float, "1", "how strong the field is on the surface"),
+            word(
+                "sphere",
+                Kind::Block,
+                "",
+                "a ball: centre, radius and strength; it may have a texture and transforms of its own",
+            ),
+            word("cylinder", Kind::Block, "", "a rod with round ends: both ends, radius and strength"),
+            word("component", Kind::Float, "", "an older way to write a ball: strength, radius, centre"),
+        ],
+    };
+
+    fn read(_: &mut dyn Reader) -> Result<Self> {
+        Ok(Self { threshold: 1.0, components: vec![], bvh: Bvh::default(), bounds: Aabb::EMPTY })
+    }
+
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+        match next {
+            Next::Word("threshold") => {
+                r.take()?;
+                self.threshold = r.float()?;
+            }
+            Next::Word("component") => {
+                let span = r.take()?;
+                let (strength, radius, base) = (r.float()?, r.float()?, r.vector()?);
+                self.components.push(Component::new(span, base, DVec3::ZERO, radius, strength)?);
+            }
+            Next::Block(kind @ ("sphere" | "cylinder")) => {
+                let span = r.take()?;
+                let base = r.vector()?;
+                let axis = if kind == "cylinder" { r.vector()? - base } else { DVec3::ZERO };
+                let radius = r.float()?;
+                r.accept("strength")?;
+                let strength = r.float()?;
+                let mut component = Component::new(span, base, axis, radius, strength)?;
+                component.read_modifiers(kind, r, paints)?;
+                r.leave()?;
+                self.components.push(component);
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        self.arrange();
+        if self.bounds.is_empty() {
+            r.report(Diagnostic::new(
+                codes::NO_SURFACE,
+                span,
+                "this `blob` has no component that could give it a surface",
+            ));
+        }
+        Ok(())
+    }
+}
+
+impl Component {
+    fn new(span: Span, base: DVec3, axis: DVec3, radius: f64, strength: f64) -> Result<Self> {
+        finite(span, &[base, axis], &[radius, strength])?;
+        if radius <= 0.0 {
+            return Diagnostic::err(codes::BAD_ARGUMENT, span, "the radius of a component must be more than 0");
+        }
+        Ok(Self { base, axis, radius, strength, place: None, slot: 0 })
+    }
+
+    fn read_modifiers(&mut self, kind: &str, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
+        loop {
+            let next = r.next()?;
+            match next {
+                Next::End => return Ok(()),
+                next if next.moves() => {
+                    if let Some(step) = r.transform()? {
+                        paints.transform(&mut self.slot, &step);
+                        let place = self.place.as_deref().map_or(*step, |place| place.then(&step));
+                        self.place = Some(Box::new(place));
+                    }
+                }
+                next if paints.read(&mut self.slot, next, r)? => {}
+                _ => {
+                    let words = ["texture", "pigment", "normal", "finish", "translate", "rotate", "scale", "matrix"];
+                    return Err(r.unknown_word(kind, &words).into());
+                }
+            }
+        }
+    }
+}
+
+impl Kernel for Blob {
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn extent(&self, m: &Transform) -> Aabb {
+        let strong = self.components.iter().filter(|component| component.strength > 0.0);
+        moved_box(m, &strong.map(Component::extent).fold(Aabb::EMPTY, Aabb::union))
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.meet(ray, range, |t| {
+            out.push(Hit::at(t));
+            ControlFlow::Continue(())
+        });
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut found = None;
+        self.meet(ray, range, |t| {
+            found = Some(Hit::at(t));
+            ControlFlow::Break(())
+        });
+        found
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.field(p) > self.threshold
+    }
+
+    fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
+        let mut sum = DVec3::ZERO;
+        self.near(p, &mut |component| sum -= component.gradient(p));
+        if sum == DVec3::ZERO { DVec3::Y } else { sum }
+    }
+
+    /// Textures by how strong the fields of their components are, be it to add or to take away (measured on POV-Ray 3.7).
+    fn slots(&self, p: DVec3, _: &Hit) -> Slots {
+        let mut slots = Slots::new();
+        let mut sum = 0.0;
+        self.near(p, &mut |component| {
+            let field = component.field(p).abs();
+            if field > 0.0 {
+                sum += field;
+                match slots.iter_mut().find(|(slot, _)| *slot == component.slot) {
+                    Some((_, share)) => *share += field,
+                    None => slots.push((component.slot, field)),
+                }
+            }
+        });
+        slots.iter_mut().for_each(|(_, share)| *share /= sum);
+        slots
+    }
+
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        p.truncate()
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::all;
+
+    fn blob(threshold: f64, components: &[(DVec3, DVec3, f64, f64)]) -> Blob {
+        let component = |&(base, axis, radius, strength): &(DVec3, DVec3, f64, f64)| {
+            Component::new(Span::new(1, 2), base, axis, radius, strength).unwrap()
+        };
+        let components = components.iter().map(component).collect();
+        let mut blob = Blob { threshold, components, bvh: Bvh::default(), bounds: Aabb::EMPTY };
+        blob.arrange();
+        blob
+    }
+
+    #[test]
+    fn a_single_ball_in_closed_form() {
+        // (1 - d²)² = 1/4 at d² = 1/2
+        let shape = blob(0.25, &[(DVec3::ZERO, DVec3::ZERO, 1.0, 1.0)]);
+        let hits = all(&shape, &Ray::new(DVec3::new(0.0, 0.0, -9.0), DVec3::Z));
+        let r = 0.5_f64.sqrt();
+        assert!(hits.len() == 2 && (hits[0].t - 9.0 + r).abs() < 1e-12 && (hits[1].t - 9.0 - r).abs() < 1e-12);
+        let far = all(&shape, &Ray::new(DVec3::new(0.0, 0.0, -1e7), DVec3::Z));
+        assert!((far[0].t - 1e7 + r).abs() < 1e-8, "{far:?}");
+    }
+
+    #[test]
+    fn fields_join_and_take_away() {
+        let x = DVec3::X;
+        let shape =
+            blob(0.4, &[(-x, 2.0 * x, 0.8, 1.0), (DVec3::Y * 0.3, DVec3::ZERO, 1.1, 0.8), (x, DVec3::ZERO, 0.6, -0.7)]);
+        let mut met = 0;
+        for k in 0..2000 {
+            let at = |m: usize| (k * m % 997) as f64 / 498.5 - 1.0;
+            let ray = Ray::new(DVec3::new(at(13), at(29), at(5)) * 2.0, DVec3::new(at(7), at(11), at(3)));
+            let hits = all(&shape, &ray);
+            met += hits.len();
+            for hit in &hits {
+                let p = ray.at(hit.t);
+                assert!(
+                    (shape.field(p) - 0.4).abs() < 1e-9 && shape.bounds().grown(1e-9).contains(p),
+                    "{ray:?} {hit:?}"
+                );
+                // The normal goes against the gradient.
+                let n = shape.normal(p, hit).normalize();
+                let slope = (shape.field(p + n * 1e-6) - shape.field(p - n * 1e-6)) / 2e-6;
+                assert!(slope < 0.0 && (slope.abs() - shape.normal(p, hit).length()).abs() < 1e-4 * slope.abs());
+            }
+            for pair in hits.windows(2).filter(|pair| pair[1].t - pair[0].t > 1e-9) {
+                let middle = (pair[0].t + pair[1].t) / 2.0;
+                let before = hits.iter().filter(|hit| hit.t < middle).count();
+                assert_eq!(shape.inside(ray.at(middle)), before % 2 == 1, "{ray:?}");
+            }
+        }
+        assert!(met > 500, "{met}");
+    }
+
+    #[test]
+    fn reading() {
+        let (shape, reports) = crate::shape::testing::read::<Blob>("threshold 0.6 component 1 2 <1,0,0>");
+        let shape = shape.unwrap();
+        assert_eq!((shape.threshold, shape.components.len(), reports.len()), (0.6, 1, 0));
+        assert_eq!(crate::shape::testing::read::<Blob>("threshold 0.6").1[0].code, codes::NO_SURFACE);
+        assert!(crate::shape::testing::read::<Blob>("component 1 0 <1,0,0>").0.is_err());
+    }
+}
