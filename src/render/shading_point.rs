@@ -62,6 +62,7 @@ impl<'w> ShadingPoint<'w> {
             interface,
             opacity_by_color: world.opacity_by_color,
             bailout: world.adc_bailout,
+            seen: normal,
             coats: SmallVec::new(),
         };
         of_materials(world, found, &surface, against > 0.0, |placed, share| {
@@ -94,6 +95,9 @@ struct Painter<'w, 'a> {
     interface: &'a Interface,
     opacity_by_color: bool,
     bailout: f64,
+    /// The normal that pigments without bumps see: that of the last bumps before them, in whatever space those were (measured on POV-Ray
+    /// 3.7); only `slope` and `aoi` show it.
+    seen: DVec3,
     coats: SmallVec<[Coat<'w>; 1]>,
 }
 
@@ -105,7 +109,12 @@ impl<'w> Painter<'w, '_> {
             Some(choice) => {
                 let (number, inner) = choice.pattern.see(ctx);
                 let within = PatternSpaces { space: &choice.space, outer: frame };
-                for (part, s) in choice.parts.shares(number, choice.averages()) {
+                let mut shares = choice.parts.shares(number, choice.averages());
+                // (The upper of two goes first, as `seen` shows.)
+                if !choice.averages() {
+                    shares.reverse();
+                }
+                for (part, s) in shares {
                     self.paint(part, &inner, share * s, Some(&within));
                 }
             }
@@ -118,7 +127,7 @@ impl<'w> Painter<'w, '_> {
 
     /// Without light, the lowest layer alone is seen (measured on POV-Ray 3.7).
     fn coat(
-        &self,
+        &mut self,
         material: &'w Material,
         ctx: &TextureContext,
         share: f64,
@@ -131,9 +140,10 @@ impl<'w> Painter<'w, '_> {
             let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
             let quick = !self.quality.real;
             let (normal, color, weight) = match bumps.map(|bumps| self.bumped(bumps, ctx, frame)) {
-                None => (ctx.normal, layer.color(ctx, quick), pass),
+                None => (ctx.normal, layer.color(&TextureContext { normal: self.seen, ..*ctx }, quick), pass),
                 // as was measured: `slope` and `aoi` of a pigment see the bumps
                 Some(bumped) if bumped.seen.is_finite() => {
+                    self.seen = bumped.seen;
                     let color = layer.color(&TextureContext { normal: bumped.seen, ..*ctx }, quick);
                     (bumped.lit.normalize_or(ctx.normal), color, pass)
                 }
