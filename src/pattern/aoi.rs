@@ -30,7 +30,7 @@ impl Readable for Aoi {
 
 impl Field for Aoi {
     fn value(&self, at: &TextureContext) -> f64 {
-        1.0 - fp::acos(-at.normal.dot(at.ray)) / PI
+        1.0 - fp::acos(-at.normal.normalize_or_zero().dot(at.ray)) / PI
     }
 }
 

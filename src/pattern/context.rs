@@ -14,7 +14,8 @@ pub struct TextureContext {
     pub uv: DVec2,
     /// The same place in world space.
     pub world: DVec3,
-    /// The surface's normal in world space, turned towards the eye, length 1. Pigments see that of their texture's `normal { }`.
+    /// The surface's normal in world space, turned towards the eye, length 1. Pigments see that of their texture's `normal { }`, which
+    /// `no_bump_scale` leaves as long as the bumps make it (measured on POV-Ray 3.7).
     pub normal: DVec3,
     /// The direction of the ray that sees it, in world space; length 1.
     pub ray: DVec3,

@@ -12,24 +12,19 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 
-/// How large the facets are.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Cut {
-    /// `coords`: cells of space, each with a normal that is turned at random so far.
-    Coords(f64),
-    /// `size`: normals that are alike become the same.
-    Size(f64),
-}
-
 /// Flat pieces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Facets {
-    /// How large they are.
-    pub cut: Cut,
+    /// How far the normals of cells of space turn at random; 0 is no such cells, but normals that are alike become the same.
+    pub coords: f64,
+    /// How large cells of space or of normals are.
+    pub size: f64,
     /// How distances are counted: 2 as usual.
     pub metric: f64,
 }
+
+/// What POV-Ray 3.7 takes for a size that is none (as was measured).
+const LEAST_SIZE: f64 = 1e-6;
 
 impl Readable for Facets {
     const SPEC: Spec = Spec {
@@ -41,14 +36,14 @@ impl Readable for Facets {
 
     const WORDS: &'static [Row<Self>] = &[
         word("coords", Kind::Float, "", "cells of space: how far normals turn")
-            .sets(|s, r| set(&mut s.cut, r.float().map(Cut::Coords))),
+            .sets(|s, r| set(&mut s.coords, r.float())),
         word("size", Kind::Float, "0.1", "for curved shapes: how large they are")
-            .sets(|s, r| set(&mut s.cut, r.float().map(Cut::Size))),
+            .sets(|s, r| set(&mut s.size, r.float())),
         word("metric", Kind::Float, "2", "how distances are counted").sets(|s, r| set(&mut s.metric, r.float())),
     ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
-        Ok(Self { cut: Cut::Size(0.1), metric: 2.0 })
+        Ok(Self { coords: 0.0, size: 0.1, metric: 2.0 })
     }
 }
 
@@ -60,16 +55,15 @@ impl Field for Facets {
 
     fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, _: f64) -> Option<DVec3> {
         let unit = n.normalize_or_zero();
-        Some(match self.cut {
-            Cut::Coords(turn) => {
-                // a random vector for each cell, without its part along the normal
-                let random = noise::noise_vector(nearest(at.p * 10.0, self.metric).site);
-                unit + turn * (random - random.dot(unit) * unit)
-            }
-            // POV-Ray 3.7 adds the differences up with their signs, as was measured: near and far do not matter.
-            Cut::Size(size) if self.metric == 1.0 => lowest(unit / size),
-            Cut::Size(size) => nearest(unit / size, self.metric).site,
-        })
+        let size = if self.size > 0.0 { self.size } else { LEAST_SIZE };
+        // POV-Ray 3.7 adds the differences up with their signs, as was measured: near and far do not matter.
+        let site = |p: DVec3| if self.metric == 1.0 { lowest(p / size) } else { nearest(p / size, self.metric).site };
+        if self.coords == 0.0 {
+            return Some(site(unit));
+        }
+        // a random vector for each cell, without its part along the normal
+        let random = noise::noise_vector(site(at.p));
+        Some(unit + self.coords * (random - random.dot(unit) * unit))
     }
 }
 
@@ -82,8 +76,8 @@ mod tests {
     fn no_place_and_no_normal_is_too_strange() {
         for p in extreme_points() {
             let there = TextureContext::free(p, Default::default());
-            for (cut, metric) in [(Cut::Coords(0.5), 2.0), (Cut::Size(0.1), 1.0), (Cut::Size(0.0), -3.0)] {
-                let facets = Facets { cut, metric };
+            for (coords, size, metric) in [(0.5, 0.1, 2.0), (0.0, 0.1, 1.0), (0.0, 0.0, -3.0)] {
+                let facets = Facets { coords, size, metric };
                 for normal in [DVec3::Y, p] {
                     assert!(facets.bumped(&there, &Words::NONE, normal, 1.0).is_some());
                 }

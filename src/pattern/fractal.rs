@@ -16,7 +16,7 @@ use serde::Serialize;
 /// Which number is shown of an orbit, and times what.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct OrbitValue {
-    /// 0 to 6, see the manual.
+    /// 0 to 6, see the manual; 7 and 8 are not in it.
     pub kind: u8,
     /// Times this, mostly.
     pub factor: f64,
@@ -45,7 +45,8 @@ const EXTERIOR: WordSpec = word(
     "exterior",
     Kind::Block,
     "1, 1",
-    "of points that leave: 0 the factor, 1 after how many of the iterations, 2 to 6 something of the last point times the factor",
+    "of points that leave: 0 the factor, 1 after how many of the iterations, 2 to 6 something of the last point times the factor, 7 and 8 \
+     steps in turns",
 );
 
 const INTERIOR: WordSpec = word(
@@ -64,10 +65,10 @@ const JULIA: Param =
     Param { name: "complex", kind: Kind::Vector2, summary: "the number that is the same for all points" };
 
 impl OrbitValue {
-    fn read(word: &str, r: &mut dyn Reader) -> Result<Self> {
+    fn read(word: &str, last: u8, r: &mut dyn Reader) -> Result<Self> {
         let (span, kind) = (r.span(), r.float()?);
-        if !(0.0..7.0).contains(&kind) {
-            let message = format!("`{word}` is one of 0 to 6, found {kind}");
+        if !(0.0..f64::from(last) + 1.0).contains(&kind) {
+            let message = format!("`{word}` is one of 0 to {last}, found {kind}");
             return Diagnostic::err(codes::BAD_ARGUMENT, span, message);
         }
         Ok(Self { kind: kind as u8, factor: r.float()? })
@@ -101,6 +102,8 @@ impl Orbits {
                 match kind {
                     1 => f64::from(i) / f64::from(self.iterations),
                     6 => z.length_squared().sqrt() * factor,
+                    7 => Self::turn(i, factor.trunc(), factor),
+                    8 => Self::turn(i, factor.trunc() + 1.0, factor),
                     _ => Self::common(kind, z) * factor,
                 }
             }
@@ -175,6 +178,12 @@ impl Orbits {
         }
     }
 
+    /// Step i of `turn`, which begins anew all the time, by the factor (measured on POV-Ray 3.7, which crashes where it would be
+    /// endless).
+    fn turn(i: u32, turn: f64, factor: f64) -> f64 {
+        if turn == 0.0 { 0.0 } else { f64::from(i) % turn / factor }
+    }
+
     /// What exterior and interior have in common.
     fn common(kind: u8, z: Complex) -> f64 {
         match kind {
@@ -217,8 +226,8 @@ impl Readable for Mandel {
 
     const WORDS: &'static [Row<Self>] = &[
         EXPONENT.sets(|s, r| set(&mut s.exponent, read_exponent(r))),
-        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", r))),
-        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", r))),
+        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", 8, r))),
+        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", 6, r))),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -277,8 +286,8 @@ impl Readable for Julia {
 
     const WORDS: &'static [Row<Self>] = &[
         EXPONENT.sets(|s, r| set(&mut s.exponent, read_exponent(r))),
-        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", r))),
-        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", r))),
+        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", 8, r))),
+        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", 6, r))),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -326,8 +335,8 @@ impl Readable for Magnet {
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", r))),
-        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", r))),
+        EXTERIOR.sets(|s, r| set(&mut s.orbits.exterior, OrbitValue::read("exterior", 8, r))),
+        INTERIOR.sets(|s, r| set(&mut s.orbits.interior, OrbitValue::read("interior", 6, r))),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

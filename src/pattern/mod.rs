@@ -66,7 +66,7 @@ pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
 pub use density_file::{DensityFile, Voxel};
 pub use dents::Dents;
-pub use facets::{Cut, Facets};
+pub use facets::Facets;
 pub use fractal::{Julia, Magnet, Mandel, Orbits};
 pub use function::FunctionPattern;
 pub use gradient::Gradient;

@@ -55,7 +55,7 @@ impl Field for Quilted {
     fn value(&self, at: &TextureContext) -> f64 {
         // from the middle of the cube
         let from = (at.p - at.p.floor() - 0.5).abs();
-        self.curve(from.length()) * PART * (from.x + from.y + from.z) * 2.0 / 3.0
+        self.curve(from.length()).abs() * PART * (from.x + from.y + from.z) * 2.0 / 3.0
     }
 
     fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {

@@ -62,6 +62,7 @@ impl<'w> ShadingPoint<'w> {
             interface,
             opacity_by_color: world.opacity_by_color,
             bailout: world.adc_bailout,
+            seen: normal,
             coats: SmallVec::new(),
         };
         of_materials(world, found, &surface, against > 0.0, |placed, share| {
@@ -94,6 +95,9 @@ struct Painter<'w, 'a> {
     interface: &'a Interface,
     opacity_by_color: bool,
     bailout: f64,
+    /// The normal that pigments without bumps see: that of the last bumps before them, in whatever space those were (measured on POV-Ray
+    /// 3.7); only `slope` and `aoi` show it.
+    seen: DVec3,
     coats: SmallVec<[Coat<'w>; 1]>,
 }
 
@@ -105,7 +109,12 @@ impl<'w> Painter<'w, '_> {
             Some(choice) => {
                 let (number, inner) = choice.pattern.see(ctx);
                 let within = PatternSpaces { space: &choice.space, outer: frame };
-                for (part, s) in choice.parts.shares(number, choice.averages()) {
+                let mut shares = choice.parts.shares(number, choice.averages());
+                // (The upper of two goes first, as `seen` shows.)
+                if !choice.averages() {
+                    shares.reverse();
+                }
+                for (part, s) in shares {
                     self.paint(part, &inner, share * s, Some(&within));
                 }
             }
@@ -118,7 +127,7 @@ impl<'w> Painter<'w, '_> {
 
     /// Without light, the lowest layer alone is seen (measured on POV-Ray 3.7).
     fn coat(
-        &self,
+        &mut self,
         material: &'w Material,
         ctx: &TextureContext,
         share: f64,
@@ -129,16 +138,21 @@ impl<'w> Painter<'w, '_> {
         let hidden = if self.quality.lit { 0 } else { material.layers.len() - 1 };
         for layer in &material.layers[hidden..] {
             let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
-            let normal = bumps.map_or(ctx.normal, |bumps| self.bumped(bumps, ctx, frame));
             let quick = !self.quality.real;
-            let color = match bumps {
+            let (normal, color, weight) = match bumps.map(|bumps| self.bumped(bumps, ctx, frame)) {
+                None => (ctx.normal, layer.color(&TextureContext { normal: self.seen, ..*ctx }, quick), pass),
                 // as was measured: `slope` and `aoi` of a pigment see the bumps
-                Some(_) => layer.color(&TextureContext { normal, ..*ctx }, quick),
-                None => layer.color(ctx, quick),
+                Some(bumped) if bumped.seen.is_finite() => {
+                    self.seen = bumped.seen;
+                    let color = layer.color(&TextureContext { normal: bumped.seen, ..*ctx }, quick);
+                    (bumped.lit.normalize_or(ctx.normal), color, pass)
+                }
+                // Where a normal is no number, nothing that is seen of it is (measured on POV-Ray 3.7).
+                Some(_) => (ctx.normal, layer.color(ctx, quick), Rgb::NAN),
             };
             let cos = -ctx.ray.dot(normal);
             let opacity = color.opacity(self.opacity_by_color);
-            let shaded = ShadedLayer { layer, color, opacity, weight: pass, normal, cos };
+            let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos };
             pass *= color.passing() * left_over(&shaded, self.interface);
             layers.push(shaded);
             // What shows too little of itself is not looked at (measured on POV-Ray 3.7).
@@ -151,15 +165,26 @@ impl<'w> Painter<'w, '_> {
         Coat { share, normal, layers, pass: refraction * pass }
     }
 
-    /// The normal that light sees: into the space of its texture by Mᵀ, back by M⁻ᵀ.
-    fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> DVec3 {
+    /// The normal with bumps: into the space of its texture by Mᵀ, back by M⁻ᵀ. What is in the entry of a map begins with one of length
+    /// 1, and its pigment sees it as it is in there (all measured on POV-Ray 3.7).
+    fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
         let place = self.placed.place.as_deref().filter(|_| !bumps.stays);
         let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
-        let local = frame.map_or(local, |frame| frame.inside(local));
-        let bumped = bumps.perturb(ctx, local);
-        let bumped = frame.map_or(bumped, |frame| frame.outside(bumped));
-        place.map_or(bumped, |m| m.normal(bumped)).normalize_or(ctx.normal)
+        let local = frame.map_or(local, |frame| frame.inside(local).normalize_or(local));
+        let inner = bumps.perturb(ctx, local);
+        let outer = frame.map_or(inner, |frame| frame.outside(inner));
+        let lit = place.map_or(outer, |m| m.normal(outer));
+        let seen = if frame.is_some() { inner } else { lit };
+        Bumped { lit, seen: if bumps.keeps_length() { seen } else { seen.normalize_or(seen) } }
     }
+}
+
+/// A normal with bumps.
+struct Bumped {
+    /// As light meets it, of any length, in world space.
+    lit: DVec3,
+    /// As the pigment sees it; no number where it is none.
+    seen: DVec3,
 }
 
 /// The spaces of the patterns that chose a texture, the innermost first.

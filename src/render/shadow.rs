@@ -65,7 +65,7 @@ impl Tracer<'_> {
             }
             if interior.caustics != 0.0 {
                 let shading = ShadingPoint::new(world, ray, &found, &self.setup.quality, &Interface::NONE);
-                let normal = shading.coats.first().map_or(shading.smooth, |coat| coat.normal);
+                let normal = shading.coats.last().map_or(shading.smooth, |coat| coat.normal);
                 light *= interior.caustic(normal.dot(ray.dir).abs());
             }
             before = found.t();

@@ -25,11 +25,11 @@ impl<T> Map<T> {
     /// on, the first up to the first's.
     pub fn around(&self, v: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
-        // The last goes before the first, also where both have one number (measured on POV-Ray 3.7).
+        // The last goes before the first, also where both have one number; what is no number is the first (measured on POV-Ray 3.7).
         if v >= last.0 {
             return (&last.1, None);
         }
-        if v <= first.0 {
+        if v <= first.0 || v.is_nan() {
             return (&first.1, None);
         }
         // Not by halves: entries may be in any order, and then the first that fits counts (measured on POV-Ray 3.7).
@@ -189,7 +189,8 @@ impl<T> Blend<T> {
 /// What is seen of a list as if it were a map with its entries at whole numbers: a `frequency` gives others too.
 fn between<T>(list: &[T], number: f64) -> Shares<'_, T> {
     let (i, t) = (number as usize, number.fract());
-    let (Some(below), Some(above)) = (list.get(i).or(list.last()), list.get(i + 1).or(list.last())) else {
+    let (Some(below), Some(above)) = (list.get(i).or(list.last()), list.get(i.saturating_add(1)).or(list.last()))
+    else {
         return SmallVec::new();
     };
     if t > 0.0 { SmallVec::from_slice(&[(below, 1.0 - t), (above, t)]) } else { SmallVec::from_slice(&[(below, 1.0)]) }
@@ -206,6 +207,7 @@ mod tests {
         let map = Map { entries: vec![(0.25, gray(0.0)), (0.5, gray(1.0)), (0.5, gray(0.25)), (1.0, gray(0.75))] };
         let at = |v| map.at(v).rgb.x;
         assert_eq!([at(0.0), at(0.375), at(0.5), at(0.75), at(2.0)], [0.0, 0.5, 1.0, 0.5, 0.75]);
+        assert_eq!(at(f64::NAN), 0.0);
     }
 
     #[test]

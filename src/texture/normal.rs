@@ -99,8 +99,8 @@ impl Normal {
             // Cells without a list make bumps of their own, where their numbers jump.
             let listed = matches!(r.next()?, Next::Block(Self::BLOCK) | Next::Thing(Self::BLOCK));
             let list = blend::read_list(r, next, &self.pattern, defaults, &|_, _| Normal::default())?;
-            if let (Some(list), true) = (list, listed) {
-                self.relief = Relief::Normals(list);
+            if let Some(list) = list {
+                self.relief = if listed { Relief::Normals(list) } else { Relief::Own };
             }
             return Ok(());
         }
@@ -137,9 +137,8 @@ impl Normal {
         Ok(())
     }
 
-    /// The number behind the pattern's name.
+    /// The number behind the pattern's name. (A map of the default or declared normal stays, as was measured on POV-Ray 3.7.)
     fn read_amount(&mut self, r: &mut dyn Reader) -> Result<()> {
-        self.relief = Relief::Own;
         if let Some(amount) = r.optional_float()? {
             self.amount = amount;
         }

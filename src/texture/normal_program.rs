@@ -71,6 +71,11 @@ impl NormalProgram {
         self.perturb_as(ctx, n, !self.bump_scale)
     }
 
+    /// `no_bump_scale`: what it makes of a normal has a length of its own.
+    pub fn keeps_length(&self) -> bool {
+        !self.bump_scale && !matches!(self.relief, ReliefProgram::Normals(_))
+    }
+
     /// `keep_length` is `no_bump_scale`, of this normal or of one around it.
     fn perturb_as(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
         let space = &self.space;

@@ -14,7 +14,8 @@ import json
 import pathlib
 import tempfile
 
-from shrink import TOOL, Judge, use
+from shrink import Judge
+from tool import TOOL, use
 
 HERE = pathlib.Path(__file__).resolve().parent
 LEDGER = HERE / "ledger.json"

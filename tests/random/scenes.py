@@ -9,7 +9,7 @@ from random_scenes import Scene
 
 FAMILIES = GIVEN + [
     "pictures", "uv", "blends", "angles", "insides", "materials", "prisms", "defaults", "declared", "loops", "cameras", "settings",
-    "lights", "colors", "sizes",
+    "lights", "colors", "sizes", "quality",
 ]
 
 # How many entries the list of a pattern takes.
@@ -302,6 +302,9 @@ class Scenes(Scene):
         if "assumed_gamma" not in text:
             # POV-Ray wants to know the gamma before it takes one of these.
             text = text.replace("srgb", "rgb")
+        if self.has("quality"):
+            # (Which `tool.py` understands.)
+            text = f"// quality {self.r.randrange(12)}\n{text}"
         return self.sized(text) if self.has("sizes") and self.chance(0.7) else text
 
     def csg_of_solids(self):

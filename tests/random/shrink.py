@@ -10,15 +10,13 @@ pixels (some are drawn alone) nor on the last digits of the camera. Candidates a
 
 import argparse
 import concurrent.futures
-import importlib.util
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
-TOOL = HERE.parent.parent.parent / "shared" / "random" / "random_scenes.py"
+from tool import TOOL, run, use
+
 SIZE = (80, 60)
 
 WORDS = (
@@ -115,7 +113,7 @@ class Judge:
         (folder / "p.pov").write_text(text)
         (folder / "p.png").unlink(missing_ok=True)
         words = ["povray", "+Ip.pov", "+Op.png", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "-A", "-D", "-GA", "+WT1", *words]
-        done = subprocess.run(words, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
+        done = run(words, folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
         if done.returncode or not (folder / "p.png").exists():
             return None
         return numpy.asarray(Image.open(folder / "p.png").convert("RGB")).astype(int)
@@ -127,7 +125,7 @@ class Judge:
         (folder / "d.pov").write_text(text)
         (folder / "d.png").unlink(missing_ok=True)
         words = [self.durer, "render", "d.pov", "-o", "d.png", "--size", f"{SIZE[0]}x{SIZE[1]}", "--aa", "off", "--threads", "1", "--progress", "never"]
-        done = subprocess.run(words, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
+        done = run(words, folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
         if done.returncode or not (folder / "d.png").exists():
             return None
         return numpy.asarray(Image.open(folder / "d.png").convert("RGB")).astype(int)
@@ -184,17 +182,6 @@ def shrink(judge, text, pool, jobs):
         good = [less for (edit, less) in batch if edit not in failed]
         if good:
             text, shrunk = good[0], True
-
-
-def use(path, generator):
-    """The tool, with one of its generators: `given`, or a file beside this one."""
-    spec = importlib.util.spec_from_file_location("random_scenes", path)
-    tool = importlib.util.module_from_spec(spec)
-    sys.modules["random_scenes"] = tool
-    spec.loader.exec_module(tool)
-    if generator != "given":
-        tool.use(HERE / generator)
-    return tool
 
 
 def main():

@@ -41,7 +41,7 @@ impl<'a> Interpreter<'a> {
             "pigment" => {
                 self.take()?;
                 let defaults = self.defaults.texture.clone();
-                let pigment = Pigment::read(self, &defaults.layers[0].pigment, &defaults)?;
+                let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
                 self.leave()?;
                 Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.noise_generator.clone()))
             }
@@ -71,10 +71,11 @@ impl<'a> Interpreter<'a> {
         Err(self.unexpected_token("the end of the function").into())
     }
 
-    /// What stands between the braces of a pigment, as a function.
+    /// What stands between the braces of a pigment, as a function. (Those of functions and `pigment_pattern` do not begin with the default
+    /// pigment, as was measured on POV-Ray 3.7.)
     pub(super) fn pigment_function(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.defaults.texture.clone();
-        let pigment = Pigment::read(self, &defaults.layers[0].pigment, &defaults)?;
+        let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
         let body = Body::Sampled(Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.noise_generator.clone())));
         Ok(Arc::new(Function { parameters: default_names(), body }))
     }

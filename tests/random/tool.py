@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""Runs the tool `../shared/random/random_scenes.py` with the generator `scenes.py` and with what the tool takes.
+
+The tool draws at the default quality alone. Here a scene that says `// quality N` is drawn so by both programs.
+"""
+
+import importlib.util
+import pathlib
+import re
+import subprocess
+import sys
+import types
+
+HERE = pathlib.Path(__file__).resolve().parent
+TOOL = HERE.parent.parent.parent / "shared" / "random" / "random_scenes.py"
+
+
+def words_for(words, folder):
+    """What POV-Ray or durer is called with, and the quality that the scene among them asks for."""
+    theirs = str(words[0]) == "povray"
+    scene = next(str(word) for word in words if str(word).endswith(".pov")).removeprefix("+I")
+    asked = re.search(r"^// quality (\d+)$", (pathlib.Path(folder) / scene).read_text(), re.MULTILINE)
+    if not asked:
+        return words
+    return [*words, *([f"+Q{asked[1]}"] if theirs else ["--quality", asked[1]])]
+
+
+def run(words, cwd, **more):
+    """As `subprocess.run`."""
+    return subprocess.run(words_for(words, cwd), cwd=cwd, **more)
+
+
+def use(path, generator):
+    """The tool at a path, with one of its generators: `given`, or a file beside this one."""
+    spec = importlib.util.spec_from_file_location("random_scenes", path)
+    tool = importlib.util.module_from_spec(spec)
+    sys.modules["random_scenes"] = tool
+    spec.loader.exec_module(tool)
+    tool.subprocess = types.SimpleNamespace(**{**vars(subprocess), "run": run})
+    if generator != "given":
+        tool.use(HERE / generator)
+    return tool
+
+
+if __name__ == "__main__":
+    raise SystemExit(use(TOOL, "scenes.py").main())
