@@ -218,10 +218,12 @@ fn texture_context<'w>(
     ray: &Ray,
 ) -> (&'w Material, TextureContext) {
     let material = &world.materials[placed.material as usize];
+    let on_surface = world.parts[found.leaf.id as usize].uv;
+    let uv = if on_surface || material.uv { found.mapped_uv(surface) } else { DVec2::ZERO };
     let ctx = TextureContext {
-        p: placed.local(surface.point),
+        p: placed.local(if on_surface { uv.extend(0.0) } else { surface.point }),
         world: surface.point,
-        uv: if material.uv { found.mapped_uv(surface) } else { DVec2::ZERO },
+        uv,
         normal,
         ray: ray.dir,
         noise: world.noise,

@@ -131,6 +131,9 @@ pub struct Rare {
     pub bounded_by: Option<Arc<[Object]>>,
     /// Switches.
     pub flags: Flags,
+    /// Of a group with `uv_mapping`: all its transforms up to the end of its block. Later ones do not move its parts' textures.
+    #[serde(skip)]
+    pub uv_place: Option<Seldom<Transform>>,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub undrawn: Option<Arc<Vec<RawItem>>>,
@@ -145,6 +148,7 @@ impl Usual for Rare {
             clipped_by: None,
             bounded_by: None,
             flags: Flags::NONE,
+            uv_place: None,
             undrawn: None,
         };
         &NOTHING
@@ -229,6 +233,11 @@ impl Object {
     pub(in crate::scene) fn unfinished(word: &'static str, source: Span, defaults: &Defaults) -> Self {
         let nothing = ObjectKind::Csg(CsgOp::Union, Arc::default());
         Self::new(nothing, word, source, defaults)
+    }
+
+    /// Does `uv_mapping` of the group around it hold for it too? (Measured on POV-Ray 3.7.)
+    pub fn follows_uv(&self) -> bool {
+        self.rare.interior_texture.is_none()
     }
 
     /// Moves the object with its textures and what clips it.

@@ -124,6 +124,7 @@ impl Object {
         loop {
             let next = r.next()?;
             if next == Next::End {
+                self.fix_textures();
                 return Ok(());
             }
             if !self.read_modifier(next, r, defaults)? {
@@ -168,7 +169,6 @@ impl Object {
         loop {
             let next = r.next()?;
             if next == Next::End {
-                self.map_texture_by_uv();
                 if let Some(painted) = carried.painted() {
                     self.rare.carried = Some(painted);
                 }
@@ -211,12 +211,11 @@ impl Object {
         shape.is_patch() && !shape.bounds().is_empty() && shape.bounds_under(&self.transform).is_empty()
     }
 
-    /// `uv_mapping` of an object is its texture's.
-    fn map_texture_by_uv(&mut self) {
-        if self.rare.flags.uv_mapping
-            && let Some(painted) = &mut self.texture
-        {
-            Arc::make_mut(&mut painted.texture).set_uv();
+    /// The textures of a group's parts are mapped by uv from the end of its block on, and stay where they are (measured on POV-Ray
+    /// 3.7).
+    fn fix_textures(&mut self) {
+        if self.rare.flags.uv_mapping && self.rare.uv_place.is_none() && matches!(self.kind, ObjectKind::Csg(..)) {
+            self.rare.uv_place = Some(self.transform.clone());
         }
     }
 
@@ -285,7 +284,7 @@ impl Object {
                     Some(painted) => {
                         let mut texture = (*painted.texture).clone();
                         let place = painted.place(&self.transform);
-                        if *place != Transform::IDENTITY {
+                        if !self.rare.flags.uv_mapping && *place != Transform::IDENTITY {
                             texture.transform(place);
                         }
                         texture

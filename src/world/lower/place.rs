@@ -1,0 +1,96 @@
+//! Where objects and their textures are: nested blocks become one M and M⁻¹.
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::Transform;
+use crate::scene::{Object, Painted};
+use crate::source::Span;
+use crate::texture::Texture;
+use crate::value::Seldom;
+use std::sync::Arc;
+
+/// The space in a block.
+#[derive(Clone, Default)]
+pub(super) struct Place {
+    /// World from this space, for shapes.
+    pub shape: Seldom<Transform>,
+    /// The same for textures, if it differs: what has `uv_mapping` keeps those of its parts where they are.
+    paint: Option<Seldom<Transform>>,
+}
+
+/// A texture and its place in the world.
+#[derive(Clone)]
+pub(super) struct Look {
+    pub texture: Arc<Texture>,
+    pub transform: Seldom<Transform>,
+}
+
+impl Place {
+    /// The space in the block of an object that stands in this one: world from object = world from block · block from object.
+    pub fn inside(&self, object: &Object) -> Result<Self> {
+        let paint = match (&object.rare.uv_place, &self.paint) {
+            (Some(own), _) => Some(own.clone()),
+            (None, Some(around)) if object.follows_uv() => Some(moved(&object.transform, around, object.source)?),
+            (None, _) => None,
+        };
+        Ok(Self { shape: moved(&object.transform, &self.shape, object.source)?, paint })
+    }
+
+    /// What is painted on an object that stands here; `inside` is the space in its block. A texture that was given to what has
+    /// `uv_mapping` is not moved (measured on POV-Ray 3.7).
+    pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
+        let Some(Painted { texture, moved }) = painted else { return Ok(None) };
+        let transform = match moved {
+            _ if object.rare.flags.uv_mapping => Seldom::USUAL,
+            Some(own) => {
+                let around = if object.follows_uv() { self.paint() } else { &self.shape };
+                checked(own.then(around), object.source)?.into()
+            }
+            None => inside.paint().clone(),
+        };
+        Ok(Some(Look { texture: texture.clone(), transform }))
+    }
+
+    fn paint(&self) -> &Seldom<Transform> {
+        self.paint.as_ref().unwrap_or(&self.shape)
+    }
+}
+
+/// First `inner`, then `outer`; shared where one of them moves nothing.
+fn composed(inner: &Seldom<Transform>, outer: &Seldom<Transform>) -> Seldom<Transform> {
+    match (inner.unusual(), outer.unusual()) {
+        (None, _) => outer.clone(),
+        (_, None) => inner.clone(),
+        (Some(inner), Some(outer)) => inner.then(outer).into(),
+    }
+}
+
+/// The same, if it can be undone.
+fn moved(inner: &Seldom<Transform>, outer: &Seldom<Transform>, source: Span) -> Result<Seldom<Transform>> {
+    let transform = composed(inner, outer);
+    match inner.unusual() {
+        Some(_) => checked(*transform, source).map(|_| transform),
+        // The outer one has been checked.
+        None => Ok(transform),
+    }
+}
+
+/// A transform that can be undone.
+fn checked(transform: Transform, source: Span) -> Result<Transform> {
+    let Transform { m, inv } = &transform;
+    if !m.is_finite() {
+        return not_finite(source);
+    }
+    if !inv.is_finite() || m.matrix3.determinant() == 0.0 || inv.matrix3.determinant() == 0.0 {
+        let message = "all the transforms of this object together flatten it";
+        return Diagnostic::new(codes::SINGULAR, source, message)
+            .help("a factor that is 0 or nearly so has no way back; take a larger one, or a flat shape such as `disc`")
+            .into();
+    }
+    Ok(transform)
+}
+
+pub(super) fn not_finite<T>(source: Span) -> Result<T> {
+    Diagnostic::new(codes::NOT_FINITE, source, "a number that places this object is infinite or not a number")
+        .help("look for a division by zero, or a number that grows in a loop")
+        .into()
+}
