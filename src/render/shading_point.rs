@@ -158,7 +158,8 @@ impl<'w> Painter<'w, '_> {
     fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> DVec3 {
         let place = self.placed.place.as_deref().filter(|_| !bumps.stays);
         let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
-        let local = frame.map_or(local, |frame| frame.inside(local));
+        // (Its length counts with `no_bump_scale`; in the space of a pattern that chooses it is 1 again, as was measured.)
+        let local = frame.map_or(local, |frame| frame.inside(local).normalize_or(local));
         let bumped = bumps.perturb(ctx, local);
         let bumped = frame.map_or(bumped, |frame| frame.outside(bumped));
         place.map_or(bumped, |m| m.normal(bumped)).normalize_or(ctx.normal)
