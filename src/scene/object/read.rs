@@ -124,7 +124,6 @@ impl Object {
         loop {
             let next = r.next()?;
             if next == Next::End {
-                self.fix_textures();
                 return Ok(());
             }
             if !self.read_modifier(next, r, defaults)? {
@@ -183,6 +182,9 @@ impl Object {
             {
                 continue;
             }
+            if next.moves() && shape.as_deref().map_or_else(|| self.remembers_moves(), Kernel::remembers_moves) {
+                self.before_last = Some(self.transform.unusual().cloned().unwrap_or_default());
+            }
             let read = match self.read_modifier(next, r, defaults) {
                 // (Its number has been read by then.)
                 Err(fault) if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.moves() => {
@@ -209,14 +211,6 @@ impl Object {
     /// smooth triangles, whose normals get to both sides).
     fn loses(&self, shape: &Shape) -> bool {
         shape.is_patch() && !shape.bounds().is_empty() && shape.bounds_under(&self.transform).is_empty()
-    }
-
-    /// The textures of a group's parts are mapped by uv from the end of its block on, and stay where they are (measured on POV-Ray
-    /// 3.7).
-    fn fix_textures(&mut self) {
-        if self.rare.flags.uv_mapping && self.rare.uv_place.is_none() && matches!(self.kind, ObjectKind::Csg(..)) {
-            self.rare.uv_place = Some(self.transform.clone());
-        }
     }
 
     /// Reads one modifier; false if it is none.

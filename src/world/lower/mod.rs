@@ -160,11 +160,13 @@ impl Lowering {
         let clip = self.lower_clip(object, inherited)?;
         let solid = match &object.kind {
             ObjectKind::Light(light) => {
-                self.lower_light(light, &own.place.shape)?;
+                self.lower_light(light, &own.place.now)?;
                 None
             }
-            ObjectKind::Shape(shape) if shape.is_patch() && shape.bounds_under(&own.place.shape).is_empty() => None,
-            ObjectKind::Shape(shape) => Some(self.lower_shape(object, &shape.under(&own.place.shape), &own)?),
+            ObjectKind::Shape(shape) if shape.is_patch() && shape.bounds_under(&own.place.now).is_empty() => None,
+            ObjectKind::Shape(shape) => {
+                Some(self.lower_shape(object, &shape.under(&own.place.now, own.place.before.as_deref()), &own)?)
+            }
             // Scripts that ask get an answer; nothing is seen.
             ObjectKind::Undrawn(shape) if self.asked => {
                 let stand_in = Shape::filling(&shape.bounds);
@@ -236,7 +238,7 @@ impl Lowering {
     }
 
     fn lower_shape(&mut self, object: &Object, shape: &Shape, own: &Inherited) -> Result<Solid> {
-        let bounds = shape.bounds_under(&own.place.shape);
+        let bounds = shape.bounds_under(&own.place.now);
         if bounds.min.is_nan() || bounds.max.is_nan() {
             return not_finite(object.source);
         }
@@ -245,7 +247,7 @@ impl Lowering {
         let carried = object.rare.carried.iter().flat_map(|all| all.iter());
         let carried: Box<[PlacedMaterial]> = carried
             .map(|painted| {
-                self.lower_look(&Look { texture: painted.texture.clone(), transform: own.place.shape.clone() })
+                self.lower_look(&Look { texture: painted.texture.clone(), transform: own.place.now.clone() })
             })
             .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());
@@ -260,7 +262,7 @@ impl Lowering {
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, .. } = own.flags;
         self.parts.push(Part { outside, inside, carried, cut, interior, double_illuminate, uv, source: object.source });
-        let leaf = Leaf::placed(shape.clone(), &own.place.shape, id);
+        let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
         Ok(Solid { node: SolidNode::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }
 
@@ -311,7 +313,7 @@ impl Lowering {
                 (ObjectKind::Csg(op, parts), look) => self.find_cut(*op, parts, &place, look, out)?,
                 (ObjectKind::Shape(shape), look) if look.is_some() || any => {
                     let placed = self.lower_look(&look.cloned().unwrap_or_else(|| self.default_look()));
-                    let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place.shape, 0), 0);
+                    let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place.now, 0), 0);
                     out.push((if part.rare.flags.inverse { node.inverted() } else { node }, placed));
                 }
                 _ => {}

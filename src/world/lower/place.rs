@@ -11,10 +11,10 @@ use std::sync::Arc;
 /// The space in a block.
 #[derive(Clone, Default)]
 pub(super) struct Place {
-    /// World from this space, for shapes.
-    pub shape: Seldom<Transform>,
-    /// The same for textures, if it differs: what has `uv_mapping` keeps those of its parts where they are.
-    paint: Option<Seldom<Transform>>,
+    /// World from this space.
+    pub now: Seldom<Transform>,
+    /// The same before the last step of all, if somebody inside wants to know.
+    pub before: Option<Seldom<Transform>>,
 }
 
 /// A texture and its place in the world.
@@ -27,31 +27,23 @@ pub(super) struct Look {
 impl Place {
     /// The space in the block of an object that stands in this one: world from object = world from block · block from object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
-        let paint = match (&object.rare.uv_place, &self.paint) {
-            (Some(own), _) => Some(own.clone()),
-            (None, Some(around)) if object.follows_uv() => Some(moved(&object.transform, around, object.source)?),
-            (None, _) => None,
+        let before = match (&self.before, &object.before_last) {
+            (Some(around), _) => Some(composed(&object.transform, around)),
+            (None, own) => own.as_deref().map(|own| (*own).into()),
         };
-        Ok(Self { shape: moved(&object.transform, &self.shape, object.source)?, paint })
+        Ok(Self { now: moved(&object.transform, &self.now, object.source)?, before })
     }
 
-    /// What is painted on an object that stands here; `inside` is the space in its block. A texture that was given to what has
-    /// `uv_mapping` is not moved (measured on POV-Ray 3.7).
+    /// What is painted on an object that stands here; `inside` is the space in its block. A texture of what has `uv_mapping` is
+    /// not moved (measured on POV-Ray 3.7).
     pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
         let Some(Painted { texture, moved }) = painted else { return Ok(None) };
         let transform = match moved {
             _ if object.rare.flags.uv_mapping => Seldom::USUAL,
-            Some(own) => {
-                let around = if object.follows_uv() { self.paint() } else { &self.shape };
-                checked(own.then(around), object.source)?.into()
-            }
-            None => inside.paint().clone(),
+            Some(own) => checked(own.then(&self.now), object.source)?.into(),
+            None => inside.now.clone(),
         };
         Ok(Some(Look { texture: texture.clone(), transform }))
-    }
-
-    fn paint(&self) -> &Seldom<Transform> {
-        self.paint.as_ref().unwrap_or(&self.shape)
     }
 }
 
