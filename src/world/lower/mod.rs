@@ -247,7 +247,7 @@ impl Lowering {
         let carried = object.rare.carried.iter().flat_map(|all| all.iter());
         let carried: Box<[PlacedMaterial]> = carried
             .map(|painted| {
-                self.lower_look(&Look { texture: painted.texture.clone(), transform: own.place.now.clone() })
+                self.lower_look(&Look { texture: painted.texture.clone(), transform: own.place.of_textures(object) })
             })
             .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());

@@ -34,14 +34,18 @@ impl Place {
         Ok(Self { now: moved(&object.transform, &self.now, object.source)?, before })
     }
 
-    /// What is painted on an object that stands here; `inside` is the space in its block. A texture of what has `uv_mapping` is
-    /// not moved (measured on POV-Ray 3.7).
+    /// Where textures lie that move with the object in whose block this is: those of what has `uv_mapping` do not (measured on POV-Ray
+    /// 3.7).
+    pub fn of_textures(&self, object: &Object) -> Seldom<Transform> {
+        if object.rare.flags.uv_mapping { Seldom::USUAL } else { self.now.clone() }
+    }
+
+    /// What is painted on an object that stands here; `inside` is the space in its block.
     pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
         let Some(Painted { texture, moved }) = painted else { return Ok(None) };
         let transform = match moved {
-            _ if object.rare.flags.uv_mapping => Seldom::USUAL,
-            Some(own) => checked(own.then(&self.now), object.source)?.into(),
-            None => inside.now.clone(),
+            Some(own) if !object.rare.flags.uv_mapping => checked(own.then(&self.now), object.source)?.into(),
+            _ => inside.of_textures(object),
         };
         Ok(Some(Look { texture: texture.clone(), transform }))
     }
