@@ -88,7 +88,7 @@ fn clipping_survives_inverse() {
 #[test]
 fn patches_have_no_inside_even_inverted() {
     // Seen in POV-Ray: a triangle that is subtracted stays as a surface, and the solid's own surface goes.
-    let t = Triangle { a: DVec3::new(0.2, -2.0, -2.0), b: DVec3::new(0.2, 2.0, -2.0), c: DVec3::new(0.2, 0.0, 4.0) };
+    let t = Triangle::new(DVec3::new(0.2, -2.0, -2.0), DVec3::new(0.2, 2.0, -2.0), DVec3::new(0.2, 0.0, 4.0));
     let pair = || vec![sphere(0.0, 1.0, 1), leaf(Shape::from(t), 5)];
     assert_eq!(ids(&SolidNode::difference(pair(), 0), &ALONG), [(5.2, 5)]);
     assert_eq!(ids(&SolidNode::intersection(pair(), 0), &ALONG), [(5.2, 5)]);

@@ -52,7 +52,7 @@ impl Dice {
     /// Any shape.
     fn shape(&mut self) -> Shape {
         let (p, q, r) = (self.vector(1.0), self.vector(1.0), self.vector(1.0));
-        let flat = Triangle { a: p, b: q, c: r };
+        let flat = Triangle::new(p, q, r);
         match self.below(14) {
             0 => Shape::from(Disc::new(p, q, 1.0, 0.3)),
             1 => Shape::from(Plane::new(q, self.between(-1.0, 1.0)).unwrap()),

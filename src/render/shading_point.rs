@@ -139,21 +139,26 @@ impl<'w> Painter<'w, '_> {
         for layer in &material.layers[hidden..] {
             let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
             let quick = !self.quality.real;
-            let (normal, color, weight) = match bumps.map(|bumps| self.bumped(bumps, ctx, frame)) {
-                None => (ctx.normal, layer.color(&TextureContext { normal: self.seen, ..*ctx }, quick), pass),
+            let (normal, seen, weight) = match bumps.map(|bumps| self.bumped(bumps, ctx, frame)) {
+                None => (ctx.normal, self.seen, pass),
                 // as was measured: `slope` and `aoi` of a pigment see the bumps
                 Some(bumped) if bumped.seen.is_finite() => {
                     self.seen = bumped.seen;
-                    let color = layer.color(&TextureContext { normal: bumped.seen, ..*ctx }, quick);
-                    (bumped.lit.normalize_or(ctx.normal), color, pass)
+                    (bumped.lit.normalize_or(ctx.normal), bumped.seen, pass)
                 }
                 // Where a normal is no number, nothing that is seen of it is (measured on POV-Ray 3.7).
-                Some(_) => (ctx.normal, layer.color(ctx, quick), Rgb::NAN),
+                Some(_) => (ctx.normal, ctx.normal, Rgb::NAN),
             };
+            let seen = TextureContext { normal: seen, ..*ctx };
+            let color = layer.color(&seen, quick);
             let cos = -ctx.ray.dot(normal);
             let opacity = color.opacity(self.opacity_by_color);
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos };
-            pass *= color.passing() * left_over(&shaded, self.interface);
+            pass *= color.passing();
+            // The mirror takes nothing where there is no pigment (measured on POV-Ray 3.7).
+            if layer.finish.conserve_energy && !layer.is_nothing(&seen, quick) {
+                pass *= left_over(&shaded, self.interface);
+            }
             layers.push(shaded);
             // What shows too little of itself is not looked at (measured on POV-Ray 3.7).
             if pass == Rgb::ZERO || gray(pass) <= self.bailout {
@@ -247,10 +252,12 @@ fn texture_context<'w>(
     ray: &Ray,
 ) -> (&'w Material, TextureContext) {
     let material = &world.materials[placed.material as usize];
+    let on_surface = world.parts[found.leaf.id as usize].uv;
+    let uv = if on_surface || material.uv { found.mapped_uv(surface) } else { DVec2::ZERO };
     let ctx = TextureContext {
-        p: placed.local(surface.point),
+        p: placed.local(if on_surface { uv.extend(0.0) } else { surface.point }),
         world: surface.point,
-        uv: if material.uv { found.mapped_uv(surface) } else { DVec2::ZERO },
+        uv,
         normal,
         ray: ray.dir,
         noise: world.noise,

@@ -216,8 +216,9 @@ pub trait Kernel {
         true
     }
 
-    /// The shape to place by M instead of this one, where that is another.
-    fn changed_under(&self, _m: &Transform) -> Option<Self>
+    /// The shape to place by M instead of this one, where that is another. `before` is M without its last step, if there is one and
+    /// [`Kernel::remembers_moves`].
+    fn changed_under(&self, _m: &Transform, _before: Option<&Transform>) -> Option<Self>
     where
         Self: Sized,
     {
@@ -226,6 +227,11 @@ pub trait Kernel {
 
     /// Is it a surface without any inside, which `inverse` can't turn inside out?
     fn is_patch(&self) -> bool {
+        false
+    }
+
+    /// Does it depend on the steps by which it was moved which side is which?
+    fn remembers_moves(&self) -> bool {
         false
     }
 }
@@ -256,12 +262,13 @@ macro_rules! shapes {
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
+            fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
         }
 
         impl Shape {
-            /// The shape that M is about to place.
-            pub fn under(&self, m: &Transform) -> Cow<'_, Self> {
-                match self { $(Shape::$name(s) => s.changed_under(m).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
+            /// The shape that M is about to place; `before` is M without its last step, where [`Kernel::remembers_moves`].
+            pub fn under(&self, m: &Transform, before: Option<&Transform>) -> Cow<'_, Self> {
+                match self { $(Shape::$name(s) => s.changed_under(m, before).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }

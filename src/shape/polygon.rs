@@ -39,7 +39,8 @@ impl Polygon {
     pub fn new(points: &[DVec3]) -> Self {
         let (outlines, unclosed) = split(points);
         let area = outlines.iter().map(|o| vector_area(o)).max_by(|a, b| a.length().total_cmp(&b.length()));
-        let normal = area.unwrap_or_default().normalize_or_zero();
+        let area = area.unwrap_or_default().normalize_or_zero();
+        let normal = if first_turn(points).dot(area) < 0.0 { -area } else { area };
         let off_plane = |p: &DVec3| (*p - points[0]).dot(normal).abs() > tolerance::FLAT;
         let fault = match () {
             () if normal == DVec3::ZERO => Some("has no area"),
@@ -91,8 +92,16 @@ fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     (outlines, unclosed)
 }
 
-/// Half the sum of the cross products around the outline: its length is the area, its direction the normal. POV-Ray's
-/// `trace()` has the same one: anticlockwise outlines seen against z have it along z.
+/// The normal of the first point, the first that is another, and the first that is not on a line with both: POV-Ray's `trace()` has it on
+/// this side, also where the outline crosses itself or turns the other way on the whole (measured on 3.7).
+fn first_turn(points: &[DVec3]) -> DVec3 {
+    let sides = points.iter().map(|p| *p - points[0]);
+    let Some(first) = sides.clone().find(|side| side.length() > tolerance::SAME_POINT) else { return DVec3::ZERO };
+    let turns = |side: &DVec3| first.cross(*side).length() > tolerance::FLAT * first.length() * side.length();
+    sides.clone().find(turns).map_or(DVec3::ZERO, |second| first.cross(second))
+}
+
+/// Half the sum of the cross products around the outline: its length is the area, its direction a normal.
 fn vector_area(outline: &[DVec3]) -> DVec3 {
     let Some(&first) = outline.first() else { return DVec3::ZERO };
     let corners = outline.windows(2).map(|w| (w[0] - first).cross(w[1] - first));

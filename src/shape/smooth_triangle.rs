@@ -63,7 +63,7 @@ impl Readable for SmoothTriangle {
         let (a, na, b, nb) = (r.vector()?, r.vector()?, r.vector()?, r.vector()?);
         let (c, nc) = (r.vector()?, r.vector()?);
         finite(span, &[a, na, b, nb, c, nc], &[])?;
-        Ok(Self::new(Triangle { a, b, c }, [na, nb, nc]))
+        Ok(Self::new(Triangle::new(a, b, c), [na, nb, nc]))
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
@@ -106,7 +106,7 @@ impl Kernel for SmoothTriangle {
     }
 
     /// With normals that have length 1 under M, so that what lies between them there is a mean of directions (as in POV-Ray).
-    fn changed_under(&self, m: &Transform) -> Option<Self> {
+    fn changed_under(&self, m: &Transform, _: Option<&Transform>) -> Option<Self> {
         let normals = self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE));
         Some(Self { normals, ..self.clone() })
     }

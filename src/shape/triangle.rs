@@ -20,9 +20,17 @@ pub struct Triangle {
     pub b: DVec3,
     /// Third corner.
     pub c: DVec3,
+    /// Are its sides the other way round, because it was moved?
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub turned: bool,
 }
 
 impl Triangle {
+    /// From its corners.
+    pub fn new(a: DVec3, b: DVec3, c: DVec3) -> Self {
+        Self { a, b, c, turned: false }
+    }
+
     /// (c - a) × (b - a): its length is twice the area (lecture, "Ray and triangle intersection II"). It points to where
     /// the corners go round clockwise in POV-Ray's left-handed system, and so does POV-Ray's `trace()`.
     pub fn face_normal(&self) -> DVec3 {
@@ -86,7 +94,7 @@ impl Readable for Triangle {
         let span = r.span();
         let (a, b, c) = (r.vector()?, r.vector()?, r.vector()?);
         finite(span, &[a, b, c], &[])?;
-        Ok(Self { a, b, c })
+        Ok(Self::new(a, b, c))
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
@@ -124,7 +132,23 @@ impl Kernel for Triangle {
     }
 
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
-        self.face_normal()
+        if self.turned { -self.face_normal() } else { self.face_normal() }
+    }
+
+    fn remembers_moves(&self) -> bool {
+        true
+    }
+
+    /// With the sides that it has in POV-Ray 3.7 (measured): each step that moves it turns it so that, where it lay before the step, its
+    /// normal pointed to -x, y or -z, whichever is the nearest axis.
+    fn changed_under(&self, m: &Transform, before: Option<&Transform>) -> Option<Self> {
+        let before = before?;
+        let [a, b, c] = [self.a, self.b, self.c].map(|p| before.point(p));
+        let normal = Self::new(a, b, c).face_normal();
+        let along = (normal * DVec3::new(-1.0, 1.0, -1.0))[normal.abs().max_position()];
+        // In a mirror, the corners go round the other way than normals tell.
+        let turned = (along < 0.0) == (m.m.matrix3.determinant() > 0.0);
+        (turned != self.turned).then_some(Self { turned, ..*self })
     }
 
     /// The lecture's (u, v). POV-Ray has no mapping for triangles outside meshes.
@@ -143,7 +167,7 @@ mod tests {
     use crate::shape::testing::read;
     use proptest::prelude::*;
 
-    const CORNER: Triangle = Triangle { a: DVec3::ZERO, b: DVec3::X, c: DVec3::Y };
+    const CORNER: Triangle = Triangle::new(DVec3::ZERO, DVec3::X, DVec3::Y);
 
     #[test]
     fn spanning_version() {
@@ -158,7 +182,7 @@ mod tests {
 
     #[test]
     fn projected_version() {
-        let t = Triangle { a: DVec3::new(1.0, 5.0, 2.0), b: DVec3::new(4.0, 5.5, 2.0), c: DVec3::new(1.0, 5.0, 8.0) };
+        let t = Triangle::new(DVec3::new(1.0, 5.0, 2.0), DVec3::new(4.0, 5.5, 2.0), DVec3::new(1.0, 5.0, 8.0));
         let want = DVec3::new(0.5, 0.3, 0.2);
         let p = want.x * t.a + want.y * t.b + want.z * t.c;
         assert!(t.barycentric(p).distance(want) < 1e-14);
@@ -170,7 +194,7 @@ mod tests {
         assert_eq!(read::<Triangle>("0 <1,0,0> <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
         assert_eq!(read::<Triangle>("0 0 <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
         assert!(read::<Triangle>("0 <1,0,0> <0,1e-7,0>").1.is_empty(), "thin is not degenerate");
-        let line = Triangle { a: DVec3::ZERO, b: DVec3::X, c: DVec3::X * 2.0 };
+        let line = Triangle::new(DVec3::ZERO, DVec3::X, DVec3::X * 2.0);
         assert!(line.bounds().is_empty());
         assert_eq!(line.intersect(&Ray::new(DVec3::new(0.5, 0.0, -1.0), DVec3::Z)), None);
         assert_eq!(CORNER.face_normal(), -DVec3::Z, "as POV-Ray's trace() has it");
@@ -180,7 +204,7 @@ mod tests {
         #[test]
         fn both_versions_agree(p in proptest::array::uniform9(-3.0..3.0f64), o in proptest::array::uniform3(-5.0..5.0f64),
                                w in proptest::array::uniform2(-0.5..1.5f64)) {
-            let t = Triangle { a: DVec3::from_slice(&p[0..]), b: DVec3::from_slice(&p[3..]), c: DVec3::from_slice(&p[6..]) };
+            let t = Triangle::new(DVec3::from_slice(&p[0..]), DVec3::from_slice(&p[3..]), DVec3::from_slice(&p[6..]));
             let at = t.a + w[0] * (t.b - t.a) + w[1] * (t.c - t.a);
             let ray = Ray::new(o.into(), at - DVec3::from(o));
             let n = t.face_normal();

@@ -91,6 +91,11 @@ impl ImageMap {
         pixels.iter().fold(Color::BLACK, |sum, (i, weight)| sum.plus(self.pixel(*i), *weight))
     }
 
+    /// Is a point on it?
+    pub fn holds(&self, p: DVec3) -> bool {
+        self.mapping.place(p).is_some()
+    }
+
     fn pixel(&self, i: usize) -> Color {
         let [r, g, b, a] = self.texels.rgba(i);
         let index = self.texels.index(i);

@@ -43,6 +43,25 @@ impl PigmentProgram {
         self.node(self.nodes.len() - 1, ctx)
     }
 
+    /// Is there no colour at a point, because it lies outside of pictures that are there `once`?
+    pub fn is_nothing(&self, ctx: &TextureContext) -> bool {
+        self.has_nothing(self.nodes.len() - 1, ctx)
+    }
+
+    /// (What is averaged always is something: measured on POV-Ray 3.7.)
+    fn has_nothing(&self, i: usize, ctx: &TextureContext) -> bool {
+        let PigmentNode { pattern, shows } = &self.nodes[i];
+        match shows {
+            Shows::Solid(_) | Shows::Colors(_) => false,
+            Shows::Image(image) => !image.holds(pattern.enter(ctx).p),
+            Shows::Pigments(_) if pattern.averages() => false,
+            Shows::Pigments(parts) => {
+                let (number, inner) = pattern.see(ctx);
+                parts.shares(number, false).iter().all(|(i, _)| self.has_nothing(**i as usize, &inner))
+            }
+        }
+    }
+
     /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
     pub fn number_at(&self, ctx: &TextureContext) -> f64 {
         self.nodes.last().map_or(0.0, |node| node.pattern.see(ctx).0)

@@ -162,10 +162,22 @@ impl Layer {
 
     /// Its colour at a point in the texture's space; `quick` as the lower qualities show it.
     pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
-        match self.quick.as_deref().filter(|_| quick).unwrap_or(&self.pigment) {
+        match self.shown(quick) {
             LayerColor::Solid(color) => *color,
             LayerColor::PigmentProgram(pigment) => pigment.at(ctx),
         }
+    }
+
+    /// Does it show no colour at all there?
+    pub fn is_nothing(&self, ctx: &TextureContext, quick: bool) -> bool {
+        match self.shown(quick) {
+            LayerColor::Solid(_) => false,
+            LayerColor::PigmentProgram(pigment) => pigment.is_nothing(ctx),
+        }
+    }
+
+    fn shown(&self, quick: bool) -> &LayerColor {
+        self.quick.as_deref().filter(|_| quick).unwrap_or(&self.pigment)
     }
 }
 

@@ -91,6 +91,8 @@ pub struct Part {
     pub interior: u32,
     /// Light from behind counts as light from the front.
     pub double_illuminate: bool,
+    /// Its textures see places on the surface, (u, v, 0), instead of points (`uv_mapping` of the object).
+    pub uv: bool,
     /// The text that made it.
     pub source: Span,
 }

@@ -4,6 +4,8 @@ A family is a word of FAMILIES; a scene has some of them. Add one with each new 
 holds in random company.
 """
 
+import re
+
 from random_scenes import FAMILIES as GIVEN
 from random_scenes import Scene
 
@@ -157,7 +159,9 @@ class Scenes(Scene):
             cells = self.pick("checker", "brick", "hexagon", "square", "triangular", "cubic")
             return f"texture {{ {cells} {', '.join(body() for _ in range(CELLS[cells]))} {self.move(0.4)} }}"
         if depth == 0 and self.has("pictures") and self.chance(0.15):
-            return f"texture {{ material_map {{ {self.picture()} {self.mapping()} {self.joined(3, body)} }} {self.move(0.4)} }}"
+            # (Between its pixels, the last bits of the point decide in POV-Ray: see the README.)
+            picture, mapping = self.picture(), re.sub(r"interpolate \d", "", self.mapping())
+            return f"texture {{ material_map {{ {picture} {mapping} {self.joined(3, body)} }} {self.move(0.4)} }}"
         if depth == 0 and self.has("blends") and self.chance(0.1):
             return f"texture {{ average texture_map {{ [1 {self.texture_body(clear)}] [{self.f(0.5, 2)} {self.texture_body(clear)}] }} }}"
         text = super().texture(depth)

@@ -6,7 +6,7 @@ mod read;
 use super::{Defaults, Painted, Undrawn, Weight};
 use crate::light::Light;
 use crate::math::{Aabb, Transform};
-use crate::shape::{Shape, moved_box};
+use crate::shape::{Kernel, Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Interior, Texture};
 use crate::value::{RawItem, Seldom, Thing, Usual};
@@ -82,6 +82,9 @@ pub struct Object {
     pub body: Arc<ObjectBody>,
     /// All its transforms, in the space around its block.
     pub transform: Seldom<Transform>,
+    /// All of them but the last, if there is one and [`ObjectBody::remembers_moves`].
+    #[serde(skip)]
+    pub before_last: Option<Arc<Transform>>,
     /// The text that made it.
     pub source: Span,
     /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
@@ -113,6 +116,8 @@ pub struct Bulk {
     pub extent: Option<Aabb>,
     /// What is in it.
     pub weight: Weight,
+    /// [`Kernel::remembers_moves`] of one of its shapes.
+    pub remembers_moves: bool,
 }
 
 /// What few objects say.
@@ -172,7 +177,8 @@ impl ObjectBody {
     pub fn new(kind: ObjectKind, word: &'static str) -> Self {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
-                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts) }))
+                let remembers_moves = parts.iter().any(|part| part.remembers_moves());
+                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts), remembers_moves }))
             }
             _ => None,
         };
@@ -182,6 +188,14 @@ impl ObjectBody {
     /// How much is in it.
     pub fn weight(&self) -> Weight {
         self.bulk.as_ref().map_or(Weight::SHAPE, |bulk| bulk.weight)
+    }
+
+    /// Does it, or one of its parts, depend on the steps by which it was moved?
+    pub fn remembers_moves(&self) -> bool {
+        match &self.kind {
+            ObjectKind::Shape(shape) => shape.remembers_moves(),
+            _ => self.bulk.as_ref().is_some_and(|bulk| bulk.remembers_moves),
+        }
     }
 
     /// Does it hold places that are moved when the object is?
@@ -220,6 +234,7 @@ impl Object {
         Self {
             body: Arc::new(ObjectBody::new(kind, word)),
             transform: Seldom::USUAL,
+            before_last: None,
             source,
             default_texture: defaults.texture.clone(),
         }
@@ -229,6 +244,11 @@ impl Object {
     pub(in crate::scene) fn unfinished(word: &'static str, source: Span, defaults: &Defaults) -> Self {
         let nothing = ObjectKind::Csg(CsgOp::Union, Arc::default());
         Self::new(nothing, word, source, defaults)
+    }
+
+    /// Does `uv_mapping` of the group around it hold for it too? (Measured on POV-Ray 3.7.)
+    pub fn follows_uv(&self) -> bool {
+        self.rare.interior_texture.is_none()
     }
 
     /// Moves the object with its textures and what clips it.

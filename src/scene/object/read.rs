@@ -167,7 +167,6 @@ impl Object {
         loop {
             let next = r.next()?;
             if next == Next::End {
-                self.map_texture_by_uv();
                 if let Some(painted) = carried.painted() {
                     self.rare.carried = Some(painted);
                 }
@@ -181,6 +180,9 @@ impl Object {
                 && shape.read_own(next, r, &mut carried)?
             {
                 continue;
+            }
+            if next.moves() && shape.as_deref().map_or_else(|| self.remembers_moves(), Kernel::remembers_moves) {
+                self.before_last = Some(self.transform.unusual().cloned().unwrap_or_default());
             }
             let read = match self.read_modifier(next, r, defaults) {
                 // (Its number has been read by then.)
@@ -208,15 +210,6 @@ impl Object {
     /// smooth triangles, whose normals get to both sides).
     fn loses(&self, shape: &Shape) -> bool {
         shape.is_patch() && !shape.bounds().is_empty() && shape.bounds_under(&self.transform).is_empty()
-    }
-
-    /// `uv_mapping` of an object is its texture's.
-    fn map_texture_by_uv(&mut self) {
-        if self.rare.flags.uv_mapping
-            && let Some(painted) = &mut self.texture
-        {
-            Arc::make_mut(&mut painted.texture).set_uv();
-        }
     }
 
     /// Reads one modifier; false if it is none.
@@ -284,7 +277,7 @@ impl Object {
                     Some(painted) => {
                         let mut texture = (*painted.texture).clone();
                         let place = painted.place(&self.transform);
-                        if *place != Transform::IDENTITY {
+                        if !self.rare.flags.uv_mapping && *place != Transform::IDENTITY {
                             texture.transform(place);
                         }
                         texture

@@ -96,7 +96,7 @@ impl TriangleMesh {
 
     fn is_solid(&self, face: usize) -> bool {
         let [a, b, c] = self.face(face);
-        !Triangle { a, b, c }.is_degenerate() && bvh::fits(&self.face_bounds(face))
+        !Triangle::new(a, b, c).is_degenerate() && bvh::fits(&self.face_bounds(face))
     }
 
     fn face(&self, face: usize) -> [DVec3; 3] {
@@ -170,7 +170,7 @@ impl TriangleMesh {
     fn normal(&self, hit: &Hit) -> DVec3 {
         let face = hit.part as usize;
         let [a, b, c] = self.face(face);
-        let flat = Triangle { a, b, c }.face_normal();
+        let flat = Triangle::new(a, b, c).face_normal();
         let Some(smooth) = Self::of(&self.smooth, face) else { return flat };
         let sum = self.between(hit, smooth.map(|i| self.normals[i as usize]));
         if sum == DVec3::ZERO { flat } else { sum }

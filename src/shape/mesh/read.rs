@@ -141,7 +141,7 @@ impl Mesh {
             }
         }
         let [a, b, c] = points;
-        if (Triangle { a, b, c }).is_degenerate() {
+        if Triangle::new(a, b, c).is_degenerate() {
             r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
         }
         self.0.push(corners, normals, uvs, slots);

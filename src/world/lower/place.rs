@@ -1,0 +1,92 @@
+//! Where objects and their textures are: nested blocks become one M and M⁻¹.
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::Transform;
+use crate::scene::{Object, Painted};
+use crate::source::Span;
+use crate::texture::Texture;
+use crate::value::Seldom;
+use std::sync::Arc;
+
+/// The space in a block.
+#[derive(Clone, Default)]
+pub(super) struct Place {
+    /// World from this space.
+    pub now: Seldom<Transform>,
+    /// The same before the last step of all, if somebody inside wants to know.
+    pub before: Option<Seldom<Transform>>,
+}
+
+/// A texture and its place in the world.
+#[derive(Clone)]
+pub(super) struct Look {
+    pub texture: Arc<Texture>,
+    pub transform: Seldom<Transform>,
+}
+
+impl Place {
+    /// The space in the block of an object that stands in this one: world from object = world from block · block from object.
+    pub fn inside(&self, object: &Object) -> Result<Self> {
+        let before = match (&self.before, &object.before_last) {
+            (Some(around), _) => Some(composed(&object.transform, around)),
+            (None, own) => own.as_deref().map(|own| (*own).into()),
+        };
+        Ok(Self { now: moved(&object.transform, &self.now, object.source)?, before })
+    }
+
+    /// Where textures lie that move with the object in whose block this is: those of what has `uv_mapping` do not (measured on POV-Ray
+    /// 3.7).
+    pub fn of_textures(&self, object: &Object) -> Seldom<Transform> {
+        if object.rare.flags.uv_mapping { Seldom::USUAL } else { self.now.clone() }
+    }
+
+    /// What is painted on an object that stands here; `inside` is the space in its block.
+    pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
+        let Some(Painted { texture, moved }) = painted else { return Ok(None) };
+        let transform = match moved {
+            Some(own) if !object.rare.flags.uv_mapping => checked(own.then(&self.now), object.source)?.into(),
+            _ => inside.of_textures(object),
+        };
+        Ok(Some(Look { texture: texture.clone(), transform }))
+    }
+}
+
+/// First `inner`, then `outer`; shared where one of them moves nothing.
+fn composed(inner: &Seldom<Transform>, outer: &Seldom<Transform>) -> Seldom<Transform> {
+    match (inner.unusual(), outer.unusual()) {
+        (None, _) => outer.clone(),
+        (_, None) => inner.clone(),
+        (Some(inner), Some(outer)) => inner.then(outer).into(),
+    }
+}
+
+/// The same, if it can be undone.
+fn moved(inner: &Seldom<Transform>, outer: &Seldom<Transform>, source: Span) -> Result<Seldom<Transform>> {
+    let transform = composed(inner, outer);
+    match inner.unusual() {
+        Some(_) => checked(*transform, source).map(|_| transform),
+        // The outer one has been checked.
+        None => Ok(transform),
+    }
+}
+
+/// A transform that can be undone.
+fn checked(transform: Transform, source: Span) -> Result<Transform> {
+    let Transform { m, inv } = &transform;
+    if !m.is_finite() {
+        return not_finite(source);
+    }
+    if !inv.is_finite() || m.matrix3.determinant() == 0.0 || inv.matrix3.determinant() == 0.0 {
+        let message = "all the transforms of this object together flatten it";
+        return Diagnostic::new(codes::SINGULAR, source, message)
+            .help("a factor that is 0 or nearly so has no way back; take a larger one, or a flat shape such as `disc`")
+            .into();
+    }
+    Ok(transform)
+}
+
+pub(super) fn not_finite<T>(source: Span) -> Result<T> {
+    Diagnostic::new(codes::NOT_FINITE, source, "a number that places this object is infinite or not a number")
+        .help("look for a division by zero, or a number that grows in a loop")
+        .into()
+}
