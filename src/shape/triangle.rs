@@ -27,7 +27,7 @@ pub struct Triangle {
 
 impl Triangle {
     /// From its corners.
-    pub fn new(a: DVec3, b: DVec3, c: DVec3) -> Self {
+    pub const fn new(a: DVec3, b: DVec3, c: DVec3) -> Self {
         Self { a, b, c, turned: false }
     }
 
