@@ -131,6 +131,14 @@ impl Reader for Words {
         }
     }
 
+    fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
+        self.numbers(n)
+    }
+
+    fn colon(&mut self) -> Result<()> {
+        Ok(())
+    }
+
     fn color(&mut self) -> Result<Color> {
         unreachable!()
     }
