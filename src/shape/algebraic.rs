@@ -213,7 +213,10 @@ impl<const FORM: usize> Algebraic<FORM> {
         let value = r.float()?;
         let sum: f64 = powers.iter().map(|p| p.floor()).sum();
         if powers.iter().any(|p| *p < 0.0) || sum > self.order as f64 {
-            let message = format!("a `polynomial` of order {} has no `xyz({}, {}, {})`", self.order, powers[0], powers[1], powers[2]);
+            let message = format!(
+                "a `polynomial` of order {} has no `xyz({}, {}, {})`",
+                self.order, powers[0], powers[1], powers[2]
+            );
             let help = "no power is negative, and the three together are at most the order";
             return Err(Diagnostic::new(codes::BAD_ORDER, span, message).help(help).into());
         }
@@ -266,7 +269,8 @@ impl<const FORM: usize> Readable for Algebraic<FORM> {
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         *self = Self::new(self.order, std::mem::take(&mut self.coefficients));
         if self.rows.iter().all(|row| row.i + row.j == 0 && row.c.len() == 1) {
-            let message = format!("a `{}` with these numbers has no surface: the sum is the same everywhere", FORMS[FORM]);
+            let message =
+                format!("a `{}` with these numbers has no surface: the sum is the same everywhere", FORMS[FORM]);
             r.report(Diagnostic::new(codes::NO_SURFACE, span, message));
         }
         Ok(())
@@ -275,15 +279,13 @@ impl<const FORM: usize> Readable for Algebraic<FORM> {
 
 impl<const FORM: usize> Algebraic<FORM> {
     const STURM: &'static [Row<Self>; 1] = &[STURM.sets(|_, r| r.flag().map(drop))];
-    const TERMS: &'static [Row<Self>; 2] = &[
-        TERM.sets(Self::read_term),
-        STURM.sets(|_, r| r.flag().map(drop)),
-    ];
+    const TERMS: &'static [Row<Self>; 2] = &[TERM.sets(Self::read_term), STURM.sets(|_, r| r.flag().map(drop))];
 }
 
 const TERM: WordSpec = word("xyz", Kind::Block, "", "`xyz(i, j, k): c` adds c·xⁱ·yʲ·zᵏ");
 /// What it chooses in POV-Ray, here is always so.
-pub(super) const STURM: WordSpec = word("sturm", Kind::Flag, "off", "a more exact method in POV-Ray; changes nothing here");
+pub(super) const STURM: WordSpec =
+    word("sturm", Kind::Flag, "off", "a more exact method in POV-Ray; changes nothing here");
 
 impl<const FORM: usize> Kernel for Algebraic<FORM> {
     fn bounds(&self) -> Aabb {
@@ -341,7 +343,18 @@ mod tests {
     #[test]
     fn powers_in_falling_order() {
         // A1 … A10 of order 2: x², xy, xz, x, y², yz, y, z², z, 1
-        let powers = [[2, 0, 0], [1, 1, 0], [1, 0, 1], [1, 0, 0], [0, 2, 0], [0, 1, 1], [0, 1, 0], [0, 0, 2], [0, 0, 1], [0, 0, 0]];
+        let powers = [
+            [2, 0, 0],
+            [1, 1, 0],
+            [1, 0, 1],
+            [1, 0, 0],
+            [0, 2, 0],
+            [0, 1, 1],
+            [0, 1, 0],
+            [0, 0, 2],
+            [0, 0, 1],
+            [0, 0, 0],
+        ];
         assert_eq!(powers.map(|p| place(2, p)), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
         assert_eq!([2, 3, 4, 35].map(count), [10, 20, 35, 8436]);
         // A31 of order 4 is z⁴, A120 of order 7 the constant.
@@ -380,8 +393,6 @@ mod tests {
 
     #[test]
     fn one_ring_in_four_ways() {
-        let terms = "4 xyz 4,0,0 : 1";
-        assert!(read::<Polynomial>(terms).0.is_err(), "no parentheses");
         let ring = read::<Quartic>(RING).0.unwrap();
         let (major, minor) = (40.0_f64.sqrt(), 12.0_f64.sqrt());
         let x = DVec3::X * -30.0;
@@ -390,11 +401,20 @@ mod tests {
         assert!(hits.len() == 4 && hits.iter().zip(want).all(|(h, t)| (h.t - t).abs() < 1e-12), "{hits:?}");
         let same = read::<Poly>(&format!("4 {RING}")).0.unwrap();
         assert_eq!(all(&same, &Ray::new(x, DVec3::X)), hits);
+        let terms = [([4, 0, 0], 1), ([2, 2, 0], 2), ([2, 0, 2], 2), ([2, 0, 0], -104), ([0, 4, 0], 1), ([0, 2, 2], 2)];
+        let terms = terms.iter().chain(&[([0, 2, 0], 56), ([0, 0, 4], 1), ([0, 0, 2], -104), ([0, 0, 0], 784)]);
+        let named: String = terms.map(|([i, j, k], c)| format!(" xyz <{i},{j},{k}> {c}")).collect();
+        assert_eq!(read::<Polynomial>(&format!("4{named} sturm")).0.unwrap().coefficients, ring.coefficients);
+        assert_eq!(read::<Polynomial>("4 xyz <3,2,0> 1").0.unwrap_err().code, codes::BAD_ORDER);
+        assert_eq!(read::<Polynomial>("4 xyz <-1,0,0> 1").0.unwrap_err().code, codes::BAD_ORDER);
         assert!(ring.inside(DVec3::X * major) && !ring.inside(DVec3::ZERO));
         // From a million away.
         let far = all(&ring, &Ray::new(DVec3::new(-1e6, 0.5, 1.0), DVec3::X));
         let near = all(&ring, &Ray::new(DVec3::new(0.0, 0.5, 1.0), DVec3::X));
-        assert!(far.len() == 4 && far.iter().zip(&near).all(|(f, n)| (f.t - 1e6 - n.t).abs() < 1e-9), "{far:?} {near:?}");
+        assert!(
+            far.len() == 4 && far.iter().zip(&near).all(|(f, n)| (f.t - 1e6 - n.t).abs() < 1e-9),
+            "{far:?} {near:?}"
+        );
     }
 
     #[test]

@@ -325,7 +325,7 @@ pub trait Readable: Sized + 'static {
 }
 
 shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Quadric Cubic Quartic Poly Polynomial
-    Superellipsoid Lathe Sor Prism }
+Superellipsoid Lathe Sor Prism }
 
 /// An error unless all these are finite numbers.
 fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {

@@ -11,7 +11,7 @@
 //! }
 //! ```
 
-use super::spline::{Curve, Interpolation, KINDS, blend, outlines, read_points, report_open};
+use super::spline::{Curve, Interpolation, KINDS, outlines, read_points, report_open};
 use super::{Hit, Hits, Kernel, Readable, finite, moved_box, nearest};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, bernstein_roots};
@@ -40,6 +40,9 @@ pub struct Prism {
     pub open: bool,
     #[serde(skip)]
     unclosed: bool,
+    /// Between which x and z the outlines lie.
+    #[serde(skip)]
+    ends: (DVec2, DVec2),
 }
 
 impl Prism {
@@ -47,7 +50,8 @@ impl Prism {
     pub fn new(interpolation: Interpolation, conic: bool, heights: [f64; 2], points: &[DVec2], open: bool) -> Self {
         let (outlines, unclosed) = outlines(interpolation, points);
         let (bottom, top) = (heights[0].min(heights[1]), heights[0].max(heights[1]));
-        Self { interpolation, conic, bottom, top, outlines, open, unclosed }
+        let ends = outlines.ends();
+        Self { interpolation, conic, bottom, top, outlines, open, unclosed, ends }
     }
 
     /// How large the outline is at this height.
@@ -57,7 +61,8 @@ impl Prism {
 
     fn covers(&self, p: DVec3) -> bool {
         let size = self.size(p.y);
-        size != 0.0 && self.outlines.surrounds(p.z / size, |x| x > p.x / size)
+        let (at, (min, max)) = (DVec2::new(p.x, p.z) / size, self.ends);
+        size != 0.0 && at.cmpge(min).all() && at.cmple(max).all() && self.outlines.surrounds(at.y, |x| x > at.x)
     }
 
     /// A box around it, if its outline reaches so far.
@@ -125,7 +130,11 @@ impl Readable for Prism {
             Param { name: "bottom", kind: Kind::Float, summary: "the height of one end" },
             Param { name: "top", kind: Kind::Float, summary: "the height of the other end" },
             Param { name: "number_of_points", kind: Kind::Float, summary: "how many follow" },
-            Param { name: "points", kind: Kind::Vectors, summary: "x and z; repeating the first one closes an outline" },
+            Param {
+                name: "points",
+                kind: Kind::Vectors,
+                summary: "x and z; repeating the first one closes an outline",
+            },
         ],
         words: &joined::<8>(&joined::<6>(&KINDS, &SWEEPS), specs!(Self::WORDS)),
     };
@@ -179,12 +188,12 @@ const SWEEPS: [WordSpec; 2] = [
 
 impl Kernel for Prism {
     fn bounds(&self) -> Aabb {
-        self.box_of(self.outlines.ends())
+        self.box_of(self.ends)
     }
 
     /// Of a `bezier_spline`, that of all its points.
     fn extent(&self, m: &Transform) -> Aabb {
-        let ends = if self.interpolation == Interpolation::Bezier { self.outlines.hull() } else { self.outlines.ends() };
+        let ends = if self.interpolation == Interpolation::Bezier { self.outlines.hull() } else { self.ends };
         moved_box(m, &self.box_of(ends))
     }
 
@@ -204,7 +213,7 @@ impl Kernel for Prism {
     }
 
     /// To the right of the outline's direction, seen from above; that of both lids is y (measured on POV-Ray 3.7).
-    fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
+    fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         if hit.part == LID {
             return DVec3::Y;
         }
@@ -214,8 +223,8 @@ impl Kernel for Prism {
         if !self.conic {
             return n;
         }
-        let at = DVec2::new(blend(&self.outlines.coordinates(segment, |p| p.x), t), blend(&self.outlines.coordinates(segment, |p| p.y), t));
-        n.with_y(-(n.x * at.x + n.z * at.y)) * if p.y < 0.0 { -1.0 } else { 1.0 }
+        let at = self.outlines.at(segment, t);
+        n.with_y(-(n.x * at.x + n.z * at.y))
     }
 
     /// POV-Ray has no mapping for prisms.
@@ -279,8 +288,14 @@ mod tests {
     #[test]
     fn reading() {
         assert_eq!(read::<Prism>("0 1 2 <0,0> <1,1>").0.unwrap_err().code, codes::FEW_POINTS);
-        assert_eq!(read::<Prism>("bezier_spline 0 1 5 <0,0> <1,1> <1,1> <0,0> <0,0>").0.unwrap_err().code, codes::FEW_POINTS);
-        assert_eq!(read::<Prism>("cubic_spline 0 1 6 <1,-1> <0,0> <6,0> <6,8> <0,8> <1,1>").0.unwrap_err().code, codes::FEW_POINTS);
+        assert_eq!(
+            read::<Prism>("bezier_spline 0 1 5 <0,0> <1,1> <1,1> <0,0> <0,0>").0.unwrap_err().code,
+            codes::FEW_POINTS
+        );
+        assert_eq!(
+            read::<Prism>("cubic_spline 0 1 6 <1,-1> <0,0> <6,0> <6,8> <0,8> <1,1>").0.unwrap_err().code,
+            codes::FEW_POINTS
+        );
         let (prism, said) = read::<Prism>("0 1 3 <0,0> <1,1> <0,1> open sturm");
         assert!(prism.unwrap().open && said[0].code == codes::OPEN_OUTLINE);
         let hull = made("bezier_spline 0 1 8 <0,0> <1,1> <2,1> <3,0> <3,0> <2,-1> <1,-1> <0,0>");

@@ -69,7 +69,11 @@ impl Readable for Sor {
         summary: "a surface of revolution: its radius is a smooth function of the height",
         params: &[
             Param { name: "number_of_points", kind: Kind::Float, summary: "how many follow, at least four" },
-            Param { name: "points", kind: Kind::Vectors, summary: "radius and height; the first and last only give directions" },
+            Param {
+                name: "points",
+                kind: Kind::Vectors,
+                summary: "radius and height; the first and last only give directions",
+            },
         ],
         words: specs!(Self::WORDS),
     };
@@ -185,7 +189,12 @@ mod tests {
     #[test]
     fn reading() {
         assert_eq!(read::<Sor>("3 <0,0> <1,1> <2,2>").0.unwrap_err().code, codes::FEW_POINTS);
-        for bad in ["<0,0> <1,1> <1,1> <2,2>", "<1,3> <1,2> <.5,1> <1,0>", "<-1,0> <-1,1> <-.5,2> <-1,3>", "<1,2> <1,1> <1,2> <1,3>"] {
+        for bad in [
+            "<0,0> <1,1> <1,1> <2,2>",
+            "<1,3> <1,2> <.5,1> <1,0>",
+            "<-1,0> <-1,1> <-.5,2> <-1,3>",
+            "<1,2> <1,1> <1,2> <1,3>",
+        ] {
             assert_eq!(read::<Sor>(&format!("4 {bad}")).0.unwrap_err().code, codes::BAD_OUTLINE, "{bad}");
         }
     }

@@ -21,9 +21,9 @@ const STEP: f64 = 1e-15;
 /// A superquadric ellipsoid.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Superellipsoid {
-    /// East-west: positive.
+    /// East-west: not negative; 0 is square.
     pub e: f64,
-    /// North-south: positive.
+    /// North-south: not negative.
     pub n: f64,
 }
 
@@ -60,7 +60,7 @@ impl Superellipsoid {
     }
 
     fn is_empty(&self) -> bool {
-        !(self.e > 0.0 && self.n > 0.0)
+        !(self.e >= 0.0 && self.n >= 0.0)
     }
 
     /// Of a convex one: from one end of the line's part in the cube to the surface. A tangent of a convex function lies below
@@ -115,13 +115,18 @@ impl Superellipsoid {
             let (x, y) = (fp::pow(lo, n), fp::pow(hi, n));
             (x.min(y), x.max(y))
         };
-        let times = |(lo, hi): (f64, f64), v: f64| if v < 0.0 { (hi * v, lo * v) } else if v > 0.0 { (lo * v, hi * v) } else { (0.0, 0.0) };
+        let times = |(lo, hi): (f64, f64), v: f64| {
+            if v < 0.0 {
+                (hi * v, lo * v)
+            } else if v > 0.0 {
+                (lo * v, hi * v)
+            } else {
+                (0.0, 0.0)
+            }
+        };
         let plus = |x: (f64, f64), y: (f64, f64)| (x.0 + y.0, x.1 + y.1);
         let across = power(norm(near.x, near.y, a).0, norm(far.x, far.y, a).0, b - a);
-        let in_plane = plus(
-            times(power(near.x, far.x, a - 1.0), v.x),
-            times(power(near.y, far.y, a - 1.0), v.y),
-        );
+        let in_plane = plus(times(power(near.x, far.x, a - 1.0), v.x), times(power(near.y, far.y, a - 1.0), v.y));
         let scaled = |x: f64, least: bool| if (x < 0.0) == least { x * across.1 } else { x * across.0 };
         let upward = times(power(near.z, far.z, b - 1.0), v.z);
         plus((scaled(in_plane.0, true), scaled(in_plane.1, false)), upward)
@@ -197,7 +202,11 @@ impl Readable for Superellipsoid {
     const SPEC: Spec = Spec {
         name: "superellipsoid",
         summary: "between box, ball and octahedron, from -1 to 1 along each axis",
-        params: &[Param { name: "<e, n>", kind: Kind::Vector2, summary: "how round: near 0 square, 1 round, 2 pointed; around z, and towards z" }],
+        params: &[Param {
+            name: "<e, n>",
+            kind: Kind::Vector2,
+            summary: "how round: near 0 square, 1 round, 2 pointed; around z, and towards z",
+        }],
         words: &[],
     };
 
@@ -211,7 +220,7 @@ impl Readable for Superellipsoid {
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.is_empty() {
             let message = format!("a `superellipsoid` with the exponents {} and {} has no surface", self.e, self.n);
-            r.report(Diagnostic::new(codes::NO_SURFACE, span, message).help("both should be positive; 1 is round"));
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, message).help("neither should be negative; 1 is round"));
         }
         Ok(())
     }
@@ -296,13 +305,14 @@ mod tests {
             let hit = shape.closest(&Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z), Range::FORWARD).unwrap();
             assert!((hit.t - 5.0 + z).abs() < 1e-10, "{e} {n} {hit:?}");
         }
-        let n = Superellipsoid { e: 2.0, n: 0.5 }.normal(DVec3::new(0.1, 0.2, 0.997968819820), &Hit::at(0.0)).normalize();
+        let n =
+            Superellipsoid { e: 2.0, n: 0.5 }.normal(DVec3::new(0.1, 0.2, 0.997968819820), &Hit::at(0.0)).normalize();
         assert!(n.distance(DVec3::new(0.027145172107, 0.027145172107, 0.999262867949)) < 1e-9, "{n}");
     }
 
     #[test]
     fn from_sharp_to_starry() {
-        for e in [0.01, 0.1, 0.5, 1.5, 2.5, 5.0] {
+        for e in [0.0, 0.01, 0.1, 0.5, 1.5, 2.5, 5.0] {
             for n in [0.01, 0.3, 1.0, 2.0, 3.0, 5.0] {
                 let shape = Superellipsoid { e, n };
                 for k in 0..60 {
@@ -319,7 +329,10 @@ mod tests {
                         let t = f64::from(j) / 100.0;
                         let behind = hits.iter().filter(|h| h.t > t).count();
                         let clear = hits.iter().all(|h| (h.t - t).abs() > 1e-6);
-                        assert!(!clear || shape.inside(ray.at(t)) == (behind % 2 == 1), "{shape:?} {ray:?} {t} {hits:?}");
+                        assert!(
+                            !clear || shape.inside(ray.at(t)) == (behind % 2 == 1),
+                            "{shape:?} {ray:?} {t} {hits:?}"
+                        );
                     }
                 }
             }
@@ -329,7 +342,7 @@ mod tests {
     #[test]
     fn reading() {
         assert_eq!(read::<Superellipsoid>("<0.5,2,0>").0.unwrap(), Superellipsoid { e: 0.5, n: 2.0 });
-        assert_eq!(read::<Superellipsoid>("<0,1,0>").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read::<Superellipsoid>("<-1,1,0>").1[0].code, codes::NO_SURFACE);
         assert_eq!(read::<Superellipsoid>("<inf,1,0>").0.unwrap_err().code, codes::NOT_FINITE);
     }
 }

@@ -140,6 +140,10 @@ pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     if sign_changes(b) == 0 {
         return;
     }
+    if let [b0, b1] = *b {
+        found(b0 / (b0 - b1));
+        return;
+    }
     let mut padded = [0.0; 8];
     padded[..b.len()].copy_from_slice(b);
     let size = b.iter().fold(0.0, |size: f64, b| size.max(b.abs()));
@@ -294,7 +298,10 @@ mod tests {
     fn window_and_end() {
         let c = from_roots(1.0, &[-3.0, -0.5, 0.25, 2.0, 9.0]);
         let close = |found: &Roots, want: &[f64]| {
-            assert!(found.len() == want.len() && found.iter().zip(want).all(|(x, w)| (x - w).abs() < 1e-13 * w.abs()), "{found:?}");
+            assert!(
+                found.len() == want.len() && found.iter().zip(want).all(|(x, w)| (x - w).abs() < 1e-13 * w.abs()),
+                "{found:?}"
+            );
         };
         close(&everywhere(&c), &[-3.0, -0.5, 0.25, 2.0, 9.0]);
         close(&all_on_line(&c, -1.0, 3.0), &[-0.5, 0.25, 2.0]);

@@ -141,7 +141,9 @@ mod tests {
     #[test]
     fn inside_of_a_square_level_with_its_corners() {
         let inside = |x: f64, y: f64| square().surrounds(y, |at| at > x);
-        for (x, y, want) in [(1.0, 1.0, true), (3.0, 1.0, false), (-1.0, 1.0, false), (-1.0, 0.0, false), (-1.0, 2.0, false)] {
+        for (x, y, want) in
+            [(1.0, 1.0, true), (3.0, 1.0, false), (-1.0, 1.0, false), (-1.0, 0.0, false), (-1.0, 2.0, false)]
+        {
             assert_eq!(inside(x, y), want, "{x} {y}");
         }
     }

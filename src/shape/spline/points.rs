@@ -88,7 +88,8 @@ pub fn read_points(block: &str, kind: Interpolation, fewest: usize, r: &mut dyn 
         return Err(Diagnostic::new(codes::FEW_POINTS, span, message).help(help).into());
     }
     if kind == Bezier && count % 4.0 != 0.0 {
-        let message = format!("a `bezier_spline` has four points for each piece, {count} points are no whole number of pieces");
+        let message =
+            format!("a `bezier_spline` has four points for each piece, {count} points are no whole number of pieces");
         return Diagnostic::err(codes::FEW_POINTS, span, message);
     }
     (0..count as u32).map(|_| read_point(r)).collect()
@@ -176,14 +177,27 @@ mod tests {
 
     #[test]
     fn outlines_of_the_manual() {
-        let frame = [(0., 0.), (6., 0.), (6., 8.), (0., 8.), (0., 0.), (1., 1.), (5., 1.), (5., 7.), (1., 7.), (1., 1.)];
+        let frame =
+            [(0., 0.), (6., 0.), (6., 8.), (0., 8.), (0., 0.), (1., 1.), (5., 1.), (5., 7.), (1., 7.), (1., 1.)];
         let (curve, open) = outlines(Linear, &points(&frame));
         assert!(curve.segments.len() == 8 && !open);
         let inside = |curve: &Curve, x: f64, y: f64| curve.surrounds(y, |at| at > x);
         assert!(inside(&curve, 0.5, 4.0) && !inside(&curve, 3.0, 4.0) && !inside(&curve, 7.0, 4.0));
         let frame = [
-            (1., -1.), (0., 0.), (6., 0.), (6., 8.), (0., 8.), (0., 0.), (-1., 1.),
-            (2., 0.), (1., 1.), (5., 1.), (5., 7.), (1., 7.), (1., 1.), (0., 2.),
+            (1., -1.),
+            (0., 0.),
+            (6., 0.),
+            (6., 8.),
+            (0., 8.),
+            (0., 0.),
+            (-1., 1.),
+            (2., 0.),
+            (1., 1.),
+            (5., 1.),
+            (5., 7.),
+            (1., 7.),
+            (1., 1.),
+            (0., 2.),
         ];
         let (curve, open) = outlines(Cubic, &points(&frame));
         assert!(curve.segments.len() == 8 && !open && inside(&curve, 0.5, 4.0) && !inside(&curve, 3.0, 4.0));
