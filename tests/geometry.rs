@@ -1,7 +1,7 @@
 //! Properties of shapes, of what CSG makes of them, and of the hierarchy, over random scenes.
 #![allow(clippy::unwrap_used)]
 
-use durer::math::{DVec3, Range, Ray, Transform, rng};
+use durer::math::{DVec2, DVec3, Range, Ray, Transform, fp, rng};
 use durer::shape::*;
 use durer::world::{Geometry, Intersection, Intersections, Leaf, SolidNode};
 use proptest::prelude::*;
@@ -39,7 +39,13 @@ impl Dice {
     fn solid(&mut self) -> Shape {
         let (p, size) = (self.vector(1.0), self.between(0.2, 1.0));
         let q = p + self.vector(1.0) + DVec3::Y * 0.1;
-        match self.below(6) {
+        match self.below(12) {
+            6 => self.superellipsoid(),
+            7 => self.lathe(),
+            8 => self.sor(),
+            9 => self.prism(),
+            10 => self.egg(),
+            11 => self.ring(),
             0 => Shape::from(Sphere { center: p, radius: size }),
             1 => Shape::from(Cuboid::new(p, q)),
             2 => Shape::from(Cylinder::new(p, q, size, false)),
@@ -49,11 +55,81 @@ impl Dice {
         }
     }
 
+    /// From square to pointed; a star's tips have no normal.
+    fn superellipsoid(&mut self) -> Shape {
+        let mut exponent = || [self.between(0.05, 1.0), self.between(0.2, 1.9)][self.below(2)];
+        Shape::from(Superellipsoid { e: exponent(), n: exponent() })
+    }
+
+    /// Points around the middle, at rising angles.
+    fn outline(&mut self, count: usize) -> Vec<DVec2> {
+        let corner = |dice: &mut Dice, k: usize| {
+            let angle = std::f64::consts::TAU * k as f64 / count as f64;
+            DVec2::new(fp::cos(angle), fp::sin(angle)) * dice.between(0.5, 1.2)
+        };
+        (0..count).map(|k| corner(self, k)).collect()
+    }
+
+    /// A closed curve beside the axis, of any kind.
+    fn lathe(&mut self) -> Shape {
+        let moved: Vec<DVec2> = self.outline(6).iter().map(|p| *p * 0.5 + DVec2::X * 0.7).collect();
+        let (kind, points) = self.closed(&moved);
+        Shape::from(Lathe::new(kind, &points))
+    }
+
+    /// The points of a closed curve of any kind.
+    fn closed(&mut self, p: &[DVec2]) -> (Interpolation, Vec<DVec2>) {
+        let n = p.len();
+        let row = |from: usize, count: usize| (from..from + count).map(|k| p[k % n]).collect();
+        match self.below(4) {
+            0 => (Interpolation::Linear, row(0, n + 1)),
+            1 => (Interpolation::Quadratic, row(0, n + 2)),
+            2 => (Interpolation::Cubic, row(0, n + 3)),
+            _ => {
+                let piece = |k: usize| [p[k], p[k] * 1.1, p[(k + 1) % n] * 0.9, p[(k + 1) % n]];
+                (Interpolation::Bezier, (0..n).flat_map(piece).collect())
+            }
+        }
+    }
+
+    fn sor(&mut self) -> Shape {
+        let point = |dice: &mut Dice, k: usize| {
+            DVec2::new(dice.between(0.2, 1.0), 0.4 * k as f64 - 1.0 + dice.between(0.0, 0.2))
+        };
+        Shape::from(Sor::new((0..6).map(|k| point(self, k)).collect(), false))
+    }
+
+    fn prism(&mut self) -> Shape {
+        let outline = self.outline(7);
+        let (kind, points) = self.closed(&outline);
+        let conic = self.below(3) == 0;
+        let bottom = if conic { self.between(0.2, 0.5) } else { self.between(-0.8, 0.1) };
+        Shape::from(Prism::new(kind, conic, [bottom, bottom + self.between(0.3, 1.0)], &points, false))
+    }
+
+    /// An ellipsoid, turned and moved.
+    fn egg(&mut self) -> Shape {
+        let squares = DVec3::ONE + self.vector(0.3);
+        let (mixed, linear) = (self.vector(0.6), self.vector(1.0));
+        Shape::from(Quadric::new(squares, mixed, linear, self.between(-1.0, -0.1)))
+    }
+
+    /// A ring as a polynomial; what is inside it by less than 1e-4 of the sum is left out, so the sum is large.
+    fn ring(&mut self) -> Shape {
+        let (major2, minor2) = (self.between(0.6, 1.2), self.between(0.05, 0.3));
+        let (a, b, c) = (-2.0 * (major2 + minor2), 2.0 * (major2 - minor2), (major2 - minor2).powi(2));
+        let mut terms = vec![0.0; 35];
+        // x⁴, x²y², x²z², x², y⁴, y²z², y², z⁴, z², 1
+        let places = [(0, 1.0), (4, 2.0), (7, 2.0), (9, a), (20, 1.0), (23, 2.0), (25, b), (30, 1.0), (32, a), (34, c)];
+        places.iter().for_each(|(at, value)| terms[*at] = value * 1e4);
+        Shape::from(Quartic::new(4, terms))
+    }
+
     /// Any shape.
     fn shape(&mut self) -> Shape {
         let (p, q, r) = (self.vector(1.0), self.vector(1.0), self.vector(1.0));
         let flat = Triangle::new(p, q, r);
-        match self.below(14) {
+        match self.below(19) {
             0 => Shape::from(Disc::new(p, q, 1.0, 0.3)),
             1 => Shape::from(Plane::new(q, self.between(-1.0, 1.0)).unwrap()),
             2 => Shape::from(flat),
@@ -68,6 +144,9 @@ impl Dice {
             5 => Shape::from(Cylinder::new(p, p + DVec3::Y, 0.4, true)),
             6 => Shape::from(Cone::new(p, -0.4, p + DVec3::Z, 0.6, self.unit() < 0.5)),
             7 => Shape::from(Cuboid::new(p.with_z(0.0), q.with_z(0.0))),
+            8 => Shape::from(Quadric::new(p, q, r, self.between(-1.0, 1.0))),
+            10 => Shape::from(Superellipsoid { e: self.between(0.5, 4.0), n: self.between(0.5, 4.0) }),
+            9 => Shape::from(Cubic::new(3, (0..20).map(|_| self.between(-1.0, 1.0)).collect())),
             _ => self.solid(),
         }
     }
@@ -207,6 +286,9 @@ proptest! {
                 let (p, step) = (ray.at(hit.t), 1e-5);
                 let n = shape.normal(p, hit).normalize();
                 let out = !shape.inside(p + n * step) && shape.inside(p - n * step);
+                // (The direction of the curve tells which way the normals of these point.)
+                let by_curve = matches!(shape, Shape::Lathe(_) | Shape::Prism(_));
+                let out = out || by_curve && shape.inside(p + n * step) && !shape.inside(p - n * step);
                 prop_assert!(out || !is_flat_at(&shape, p, n, step), "{shape:?} {ray:?} {hit:?}");
             }
         }
@@ -383,8 +465,8 @@ proptest! {
             let p = dice.vector(3.0);
             let mut inside = vec![];
             geometry.containing(p, &mut |node| inside.push(node.object));
-            // A disc by itself is a plate: whether points behind it count is left open.
-            let plate = |n: &SolidNode| matches!(n.kind(), durer::world::SolidKind::Leaf(l) if matches!(l.shape, Shape::Disc(_)));
+            // Of a disc, or a ball that is solid all around, whether points beyond its box count is left open.
+            let plate = |n: &SolidNode| matches!(n.kind(), durer::world::SolidKind::Leaf(l) if l.shape.reaches_beyond());
             let all = |n: &&SolidNode| n.inside(p) && !plate(n);
             let mut want: Vec<u32> = geometry.items().iter().filter(all).map(|n| n.object).collect();
             let plates: Vec<u32> = geometry.items().iter().filter(|n| plate(n)).map(|n| n.object).collect();

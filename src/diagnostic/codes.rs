@@ -206,12 +206,18 @@ vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."
     NO_LENGTH "E0301" "a cylinder or cone has no length"
 "Its two end points are the same, so nothing tells which way its axis goes: `cylinder { 0, 0, 1 }`. Move one of them, as in
 `cylinder { 0, y, 1 }`; a flat round plate is `disc { 0, y, 1 }`."
-    FEW_POINTS "E0302" "a polygon has too few points"
+    FEW_POINTS "E0302" "a polygon or curve has too few points"
 "The first number in a `polygon` says how many points follow. It takes three to enclose an area, and the first one is
 usually repeated at the end: `polygon { 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }`."
     TWO_FORMS "E0304" "a plane is given twice"
 "A plane is given by `normal, distance` or by one of the forms with words, `implicit <A, B, C, D>`, `point q normal n` or
 `point q span i, j`, and only once."
+    BAD_ORDER "E0305" "a polynomial has no such order or power"
+"The order of a `poly` or `polynomial` is the highest sum of powers in it, from 2 to 35. In `xyz(i, j, k): c`, no power is negative, and
+`i + j + k` is at most the order: `polynomial { 2, xyz(2, 0, 0): 1, xyz(0, 2, 0): 1, xyz(0, 0, 0): -1 }` is a pipe."
+    BAD_OUTLINE "E0306" "the points of a surface of revolution can't be joined"
+"The radius of a `sor` is a function of its height: from the second point to the last but one the heights rise, and no radius is negative. The
+first and the last point, which only give directions, are not as high as the next but one. A `lathe` turns any curve."
     NO_SURFACE "W0300" "a shape has no surface"
 "Nothing of it will be seen: a radius is zero or, in a torus, negative; or the normal of a disc is zero; or the hole of a disc
 is as large as the disc."

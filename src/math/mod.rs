@@ -14,6 +14,9 @@ mod transform;
 pub use aabb::Aabb;
 pub use complex::Complex;
 pub use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
-pub use poly::{Roots, solve_between, solve_cubic, solve_quadratic, solve_quartic, stable_pair};
+pub use poly::{
+    MAX_DEGREE, Roots, bernstein_roots, roots_on_line, solve_between, solve_cubic, solve_quadratic, solve_quartic,
+    stable_pair,
+};
 pub use ray::{Range, Ray};
 pub use transform::{Singular, Transform};

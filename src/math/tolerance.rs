@@ -11,6 +11,9 @@ pub const SHADOW: f64 = 1e-3;
 /// end this much before theirs, open ones this much behind their ends. So surfaces that lie in one another come out alike.
 pub const INSIDE: f64 = 1e-10;
 
+/// A polynomial surface holds points where the polynomial is less than this; seen in what POV-Ray's `inside()` answers.
+pub const POLYNOMIAL_INSIDE: f64 = 1e-4;
+
 /// A polygon's points may be this far from its plane (units of its own space); POV-Ray draws 1e-11 and drops 1e-9.
 pub const FLAT: f64 = 1e-10;
 

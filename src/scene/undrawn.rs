@@ -43,24 +43,16 @@ impl Object {
 
 /// A box about where the shape is.
 fn about(word: &str, said: &[RawItem]) -> Aabb {
-    let (mut all, mut count, mut flat) = (Aabb::EMPTY, 0, false);
+    let (mut all, mut count) = (Aabb::EMPTY, 0);
     for part in said {
         part.visit_vectors(&mut |v| {
             all = all.union(Aabb::from_points([v.xyz()]));
             count += 1;
-            flat |= v.len == 2;
         });
     }
     match word {
-        "lathe" | "sor" if flat => {
-            let r = all.max.x.abs().max(all.min.x.abs());
-            Aabb { min: DVec3::new(-r, all.min.y, -r), max: DVec3::new(r, all.max.y, r) }
-        }
-        "prism" if flat => {
-            Aabb { min: DVec3::new(all.min.x, 0.0, all.min.y), max: DVec3::new(all.max.x, 1.0, all.max.y) }
-        }
         "height_field" => Aabb { min: DVec3::ZERO, max: DVec3::ONE },
-        "mesh" | "mesh2" | "bicubic_patch" | "sphere_sweep" | "blob" if count > 1 => all,
+        "bicubic_patch" | "sphere_sweep" if count > 1 => all,
         _ => Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE },
     }
 }

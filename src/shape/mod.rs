@@ -1,6 +1,7 @@
 //! Shapes in their own object space: bounds, hits, inside, normal, uv. Adding one is a file here and
 //! a row in the table below.
 
+mod algebraic;
 mod blob;
 mod cone;
 mod cuboid;
@@ -8,17 +9,25 @@ mod cylinder;
 mod disc;
 mod extent;
 mod frustum;
+mod lathe;
 mod mesh;
 mod plane;
 mod polygon;
+mod prism;
+mod quadric;
 mod smooth_triangle;
+mod sor;
 mod sphere;
+mod spline;
+mod superellipsoid;
 #[cfg(test)]
 mod testing;
 mod text;
 mod torus;
 mod triangle;
+mod turned;
 
+pub use algebraic::{Algebraic, Cubic, Poly, Polynomial, Quartic};
 pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
@@ -26,11 +35,17 @@ pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use extent::{HUGE, moved_box};
 pub use frustum::Frustum;
+pub use lathe::Lathe;
 pub use mesh::{Mesh, Mesh2, TriangleMesh};
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
+pub use prism::Prism;
+pub use quadric::Quadric;
 pub use smooth_triangle::SmoothTriangle;
+pub use sor::Sor;
 pub use sphere::Sphere;
+pub use spline::{Curve, Interpolation};
+pub use superellipsoid::Superellipsoid;
 pub use text::Text;
 pub use torus::Torus;
 pub use triangle::Triangle;
@@ -351,7 +366,10 @@ pub trait Readable: Sized + 'static {
     }
 }
 
-shapes! { Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob }
+shapes! {
+    Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob Quadric Cubic Quartic Poly
+    Polynomial Superellipsoid Lathe Sor Prism
+}
 
 /// An error unless all these are finite numbers.
 fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {

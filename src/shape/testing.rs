@@ -140,10 +140,17 @@ impl Reader for Words {
     }
 
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>> {
-        match self.value()?.0 {
-            Value::Vector(v) if v.len as usize == n => Ok(v.c[..n].to_vec()),
-            _ => Err(self.unexpected("numbers").into()),
-        }
+        let Some(text) = self.left.pop_front() else { return Err(self.unexpected("numbers").into()) };
+        let list: Vec<f64> = text.trim_matches(['<', '>']).split(',').map(|n| n.parse().unwrap()).collect();
+        if list.len() == n { Ok(list) } else { Err(self.unexpected("numbers").into()) }
+    }
+
+    fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
+        self.numbers(n)
+    }
+
+    fn colon(&mut self) -> Result<()> {
+        Ok(())
     }
 
     fn color(&mut self) -> Result<Color> {

@@ -137,7 +137,7 @@ pub const KEYWORDS: &[&str] = &[
     "translucency", "transmit", "triangle", "triangle_wave", "triangular", "ttf", "turb_depth", "turbulence",
     "type", "u_steps", "uint16be", "uint16le", "uint8", "ultra_wide_angle", "union", "up", "use_alpha",
     "use_color", "use_colour", "use_index", "utf8", "uv_indices", "uv_mapping", "uv_vectors", "v_steps",
-    "variance", "vertex_vectors", "warp", "water_level", "waves", "width", "wood", "wrinkles", "write",
+    "variance", "vertex_vectors", "warp", "water_level", "waves", "width", "wood", "wrinkles", "write", "xyz",
 ];
 
 /// Words that take arguments in parentheses.

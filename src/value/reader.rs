@@ -113,6 +113,10 @@ pub trait Reader {
     fn vector2(&mut self) -> Result<DVec2>;
     /// Exactly `n` numbers in `< >` (more than five only as a literal, as in `matrix`).
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
+    /// `(a, b, …)`: exactly `n` numbers in parentheses.
+    fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>>;
+    /// Consumes a `:`.
+    fn colon(&mut self) -> Result<()>;
     /// A colour with all the ways to write one, also without the word `color` or `rgb` before it.
     fn color(&mut self) -> Result<Color>;
     /// A number, or else a colour.

@@ -5,13 +5,14 @@ holds in random company.
 """
 
 import re
+from math import cos, pi, sin
 
 from random_scenes import FAMILIES as GIVEN
 from random_scenes import Scene
 
 FAMILIES = GIVEN + [
     "pictures", "uv", "blends", "angles", "insides", "materials", "prisms", "defaults", "declared", "loops", "cameras", "settings",
-    "lights", "colors", "sizes", "quality",
+    "lights", "colors", "sizes", "quality", "curved",
 ]
 
 # How many entries the list of a pattern takes.
@@ -171,7 +172,63 @@ class Scenes(Scene):
 
     # Objects
 
+    def numbers(self, count, size=1.0):
+        return "<" + ", ".join(str(self.f(-size, size)) for _ in range(count)) + ">"
+
+    def near(self, radius):
+        """For what has no end."""
+        return f"clipped_by {{ sphere {{ 0, {radius} }} }}"
+
+    def outline(self, count):
+        """Points at rising angles."""
+        corner = lambda k: (self.f(0.5, 1.2), 2 * pi * k / count)
+        return [(round(r * cos(a), 3), round(r * sin(a), 3)) for r, a in map(corner, range(count))]
+
+    def spline(self, points):
+        """A closed curve of any kind: its word, how many points, and the points."""
+        n, kind = len(points), self.r.randrange(4)
+        row = lambda count: [points[k % n] for k in range(count)]
+        if kind < 3:
+            chosen = row(n + 1 + kind)
+        else:
+            pieces = [(points[k], points[(k + 1) % n]) for k in range(n)]
+            chosen = [q for a, b in pieces for q in (a, (a[0] * 1.1, a[1] * 1.1), (b[0] * 0.9, b[1] * 0.9), b)]
+        word = ("linear_spline", "quadratic_spline", "cubic_spline", "bezier_spline")[kind]
+        return word, f"{len(chosen)}, " + ", ".join(f"<{x:.3f}, {y:.3f}>" for x, y in chosen)
+
+    def curved(self):
+        kind = self.r.randrange(8)
+        if kind == 0:
+            return f"quadric {{ {self.v(-1, 1)}, {self.v(-1, 1)}, {self.v(-1, 1)}, {self.f(-1, 1)} {self.near(1.5)}"
+        if kind == 1:
+            return f"cubic {{ {self.numbers(20)} sturm {self.near(1.5)}"
+        if kind == 2:
+            return f"quartic {{ {self.numbers(35)} sturm {self.near(1.3)}"
+        if kind == 3:
+            terms = ", ".join(f"xyz({self.pick('0, 0, 1', '2, 1, 0', '0, 3, 1', '5, 0, 0', '0, 2, 2', '1, 1, 1', '0, 1, 0')}): {self.f(-1, 1)}" for _ in range(4))
+            return f"polynomial {{ 5, {terms}, xyz(0, 0, 0): {self.f(-0.4, 0.4)} sturm {self.near(1.3)}"
+        return self.curved_solid()
+
+    def curved_solid(self):
+        kind = self.r.randrange(5)
+        if kind == 0:
+            return f"superellipsoid {{ <{self.pick(self.f(0.1, 1), self.f(0.2, 2))}, {self.pick(self.f(0.1, 1), self.f(0.2, 2))}>"
+        if kind == 1:
+            word, points = self.spline([(round(0.7 + 0.5 * x, 3), round(0.5 * y, 3)) for x, y in self.outline(6)])
+            return f"lathe {{ {word} {points} sturm"
+        if kind == 2:
+            points = ", ".join(f"<{self.f(0.2, 1)}, {0.4 * k - 1 + self.f(0, 0.2):.3f}>" for k in range(6))
+            return f"sor {{ 6, {points} {self.pick('', '', 'open')}"
+        if kind == 3:
+            word, points = self.spline(self.outline(7))
+            sweep, bottom = self.pick(("", self.f(-0.8, 0.1)), ("linear_sweep", self.f(-0.8, 0.1)), ("conic_sweep", self.f(0.2, 0.5)))
+            return f"prism {{ {word} {sweep} {bottom}, {bottom + self.f(0.3, 1):.3f}, {points} {self.pick('', '', 'open')}"
+        squares = f"<{self.f(0.7, 1.3)}, {self.f(0.7, 1.3)}, {self.f(0.7, 1.3)}>"
+        return f"quadric {{ {squares}, {self.v(-0.6, 0.6)}, {self.v(-1, 1)}, {self.f(-1, -0.1)}"
+
     def shape(self):
+        if self.has("curved") and self.chance(0.5):
+            return self.curved()
         if self.chance(0.15):
             corners = ", ".join(f"<{self.f(-1, 1)}, {self.f(-1, 1)}, 0>" for _ in range(4))
             first = corners.split(">, ")[0] + ">"
@@ -179,6 +236,11 @@ class Scenes(Scene):
         return super().shape()
 
     def solid(self):
+        if self.has("curved") and self.chance(0.4):
+            while True:
+                text = self.curved_solid()
+                if "open" not in text:
+                    return text
         if self.chance(0.1):
             return f"plane {{ {self.v(-1, 1)}, {self.f(0.1, 0.8)}"
         return super().solid()

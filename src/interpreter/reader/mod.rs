@@ -211,6 +211,29 @@ impl Reader for Interpreter<'_> {
         Ok(data)
     }
 
+    fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
+        let span = self.here();
+        self.expect_paren("the word")?;
+        let mut numbers = vec![];
+        while !self.peek()?.closes(Bracket::Paren) {
+            numbers.push(self.float()?);
+        }
+        self.close("`)`")?;
+        if numbers.len() != n {
+            let message = format!("expected {n} numbers in `( )`, found {}", numbers.len());
+            return Diagnostic::err(codes::WRONG_COUNT, span, message);
+        }
+        Ok(numbers)
+    }
+
+    fn colon(&mut self) -> Result<()> {
+        if !matches!(self.peek()?, Token::Sign(Sign::Colon)) {
+            return Err(self.unexpected_token("`:`").into());
+        }
+        self.advance();
+        Ok(())
+    }
+
     fn color(&mut self) -> Result<Color> {
         self.read_color()
     }

@@ -17,21 +17,12 @@ use std::sync::Arc;
 /// Words of objects that are known but not drawn yet.
 pub const NOT_DRAWN: &[&str] = &[
     "bicubic_patch",
-    "cubic",
     "height_field",
     "isosurface",
     "julia_fractal",
-    "lathe",
     "ovus",
     "parametric",
-    "poly",
-    "polynomial",
-    "prism",
-    "quadric",
-    "quartic",
-    "sor",
     "sphere_sweep",
-    "superellipsoid",
     "light_group",
 ];
 

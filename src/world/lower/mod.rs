@@ -14,7 +14,7 @@ use crate::diagnostic::Result;
 use crate::light::Light;
 use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
-use crate::shape::{Kernel, Shape};
+use crate::shape::{Kernel, Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Interior, Rare, Texture};
 use crate::value::Seldom;
@@ -176,6 +176,9 @@ impl Lowering {
             ObjectKind::Csg(op, parts) => self.lower_csg(*op, parts, &own)?,
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
+        if matches!(object.kind, ObjectKind::Csg(..)) && node.shows_reach() {
+            node = node.reaching(moved_box(&inherited.place.now, &object.extent()));
+        }
         if object.rare.flags.inverse {
             node = node.inverted();
         }

@@ -1,8 +1,8 @@
 //! Where solids are: the boxes around their surfaces and insides, and where POV-Ray looks for what a camera starts in.
 
 use super::{More, SolidKind, SolidNode};
-use crate::math::Aabb;
 use crate::math::bvh;
+use crate::math::{Aabb, Range, Ray};
 use crate::shape::Kernel;
 use crate::world::child_bvh::ChildBvh;
 use crate::world::halfspace::{self, HalfSpaces};
@@ -24,6 +24,16 @@ pub(super) struct Reach {
     around: Aabb,
     /// Is the whole turned inside out?
     inverted: bool,
+    /// Rays that miss it see nothing of the whole, although there is something: of an intersection whose parts have parts that are
+    /// turned inside out, which POV-Ray 3.7 takes for none (as was measured).
+    cuts: bool,
+}
+
+impl Reach {
+    /// Does a ray see anything of the whole?
+    pub(super) fn is_met(&self, ray: &Ray) -> bool {
+        !self.cuts || self.around.slabs(ray, Range::FORWARD).is_some()
+    }
 }
 
 impl SolidNode {
@@ -52,6 +62,20 @@ impl SolidNode {
         self.more.as_ref().map_or_else(|| self.reach_of_parts(self.bounds()).around, |more| more.reach.around)
     }
 
+    /// Does POV-Ray's box show: is it inside at places outside of its bounds, or do rays pass it by?
+    pub(in crate::world) fn shows_reach(&self) -> bool {
+        self.more.as_ref().is_some_and(|more| more.reach.cuts) || self.is_unbounded()
+    }
+
+    /// The same with the box that POV-Ray tells of it.
+    pub(in crate::world) fn reaching(mut self, around: Aabb) -> Self {
+        if let Some(more) = &mut self.more {
+            more.reach.around = around;
+            more.reach.cuts &= around.union(more.boxes.surface) != around;
+        }
+        self
+    }
+
     /// That of its parts, as long as it is not turned inside out.
     fn reach_of_parts(&self, surface: Aabb) -> Reach {
         let around = match &self.kind {
@@ -64,7 +88,8 @@ impl SolidNode {
                 upright.map(Self::reach).fold(Aabb::INFINITE, Aabb::intersection)
             }
         };
-        Reach { around, inverted: false }
+        let cuts = matches!(self.kind, SolidKind::Intersection(_)) && around.union(surface) != around;
+        Reach { around, inverted: false, cuts }
     }
 
     fn is_inverted(&self) -> bool {

@@ -351,7 +351,8 @@ impl SolidNode {
 
     /// Where a ray is in the box around all hits, of a solid that is made of others.
     fn enter(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
-        self.more.as_ref()?.boxes.surface.slabs(ray, range)
+        let more = self.more.as_ref()?;
+        if more.reach.is_met(ray) { more.boxes.surface.slabs(ray, range) } else { None }
     }
 
     fn in_clip(&self, p: DVec3) -> bool {

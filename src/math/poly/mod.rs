@@ -1,5 +1,8 @@
 //! Real roots of polynomials. Coefficients start with that of the highest power.
 
+mod bernstein;
+
+pub use bernstein::{MAX_DEGREE, bernstein_roots, roots_on_line};
 use smallvec::SmallVec;
 
 /// Real roots, ascending; a double root is there twice.
@@ -83,7 +86,7 @@ fn solve_everywhere(c: &[f64], out: &mut Roots) {
 
 /// Fujiwara's bound (1916): no root is larger than 2·max |cₖ/c₀|^(1/k).
 fn root_bound(lead: f64, rest: &[f64]) -> f64 {
-    let size = |(k, c): (usize, &f64)| super::fp::pow((c / lead).abs(), 1.0 / (k + 1) as f64);
+    let size = |(k, c): (usize, &f64)| crate::math::fp::pow((c / lead).abs(), 1.0 / (k + 1) as f64);
     2.02 * rest.iter().enumerate().map(size).fold(1e-60, f64::max)
 }
 
@@ -128,7 +131,7 @@ fn value(c: &[f64], x: f64) -> f64 {
 /// Is p(x) zero to rounding: small against the sum of its terms' sizes?
 fn touches(c: &[f64], x: f64) -> bool {
     let (sum, sizes) = c.iter().fold((0.0, 0.0), |(sum, sizes), c| (sum * x + c, sizes * x.abs() + c.abs()));
-    f64::abs(sum) <= super::tolerance::POLYNOMIAL * sizes
+    f64::abs(sum) <= crate::math::tolerance::POLYNOMIAL * sizes
 }
 
 /// The root between two places where p has different signs: Newton's step where it stays in the bracket and halves it

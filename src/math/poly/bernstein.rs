@@ -1,0 +1,358 @@
+//! Real roots of polynomials of any degree, by the signs of their Bernstein coefficients.
+//!
+//! With Σ bᵢ·C(n,i)·tⁱ·(1-t)ⁿ⁻ⁱ on [0, 1], there are no more roots than the bᵢ change their sign (Descartes' rule): none if
+//! they never do, one if they do once. Any other stretch is halved (Lane & Riesenfeld, Bounds on a Polynomial, 1981). All is
+//! averages of neighbours, which lose nothing to rounding. Zero counts as positive everywhere, as if the polynomial were a
+//! trifle larger: so a root between two stretches, or two pieces of a curve, is found in exactly one of them.
+
+use super::solve_quadratic;
+use crate::math::tolerance;
+
+/// The highest degree.
+pub const MAX_DEGREE: usize = 35;
+
+/// 1/C(n, i).
+static INVERSE_BINOMIALS: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = inverse_binomials();
+
+const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
+    let mut table = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
+    let mut n = 0;
+    while n <= MAX_DEGREE {
+        let (mut i, mut c) = (0, 1.0);
+        while i <= n {
+            table[n][i] = 1.0 / c;
+            c = c * (n - i) as f64 / (i + 1) as f64;
+            i += 1;
+        }
+        n += 1;
+    }
+    table
+}
+
+/// Is told a root; true ends the search.
+type Found<'a> = &'a mut dyn FnMut(f64) -> bool;
+
+/// The search on [0, 1]. Arrays have room for one coefficient more than the degree at least.
+struct Search<'a> {
+    degree: usize,
+    /// Coefficients below it are rounding.
+    noise: f64,
+    /// Where roots are wanted.
+    window: (f64, f64),
+    /// From 1 to 0?
+    backwards: bool,
+    found: Found<'a>,
+}
+
+/// Negative, rather than zero or positive?
+fn negative(x: f64) -> bool {
+    x < 0.0
+}
+
+fn sign_changes(b: &[f64]) -> usize {
+    b.windows(2).filter(|w| negative(w[0]) != negative(w[1])).count()
+}
+
+/// Value and slope at t, by de Casteljau's scheme.
+fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, f64) {
+    let mut b = *b;
+    for last in (1..degree).rev() {
+        for i in 0..=last {
+            b[i] += (b[i + 1] - b[i]) * t;
+        }
+    }
+    let rise = b[1] - b[0];
+    (b[0] + rise * t, rise * degree as f64)
+}
+
+/// The one root in [0, 1], at whose ends the signs differ: Newton's step where it stays in the bracket and shrinks fast
+/// enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
+    let rising = negative(b[0]);
+    let (mut lo, mut hi) = (0.0, 1.0);
+    let mut t = (b[0] / (b[0] - b[degree])).clamp(0.01, 0.99);
+    let mut last_step = 1.0;
+    for _ in 0..100 {
+        let (f, slope) = value_and_slope(b, degree, t);
+        if negative(f) == rising {
+            lo = t;
+        } else {
+            hi = t;
+        }
+        let newton = t - f / slope;
+        // (Not at an end: if it is zero there, that is another stretch's root.)
+        let shrinks = newton > lo && newton < hi && (newton - t).abs() <= 0.5 * last_step;
+        let next = if shrinks { newton } else { 0.5 * (lo + hi) };
+        last_step = (next - t).abs();
+        t = next;
+        if last_step <= 4.0 * f64::EPSILON * t || hi - lo <= f64::EPSILON {
+            break;
+        }
+    }
+    t
+}
+
+/// Both halves of a stretch.
+fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
+    let (mut left, mut right) = (*b, *b);
+    for k in 0..degree {
+        left[k] = right[0];
+        for i in 0..degree - k {
+            right[i] = 0.5 * (right[i] + right[i + 1]);
+        }
+    }
+    left[degree] = right[0];
+    (left, right)
+}
+
+impl Search<'_> {
+    /// The roots between `lo` and `hi`, where the coefficients are these. True if that is enough.
+    fn walk<const N: usize>(&mut self, b: &[f64; N], lo: f64, hi: f64) -> bool {
+        if hi < self.window.0 || lo > self.window.1 {
+            return false;
+        }
+        let used = &b[..=self.degree];
+        match sign_changes(used) {
+            0 => return false,
+            1 => return (self.found)(lo + (hi - lo) * only_root(b, self.degree)),
+            _ => {}
+        }
+        let middle = 0.5 * (lo + hi);
+        if hi - lo < tolerance::POLYNOMIAL || used.iter().all(|b| b.abs() <= self.noise) {
+            // A cluster of roots that rounding can't tell apart: crossed, or touched.
+            let crossed = negative(b[0]) != negative(b[self.degree]);
+            return (self.found)(middle) || !crossed && (self.found)(middle);
+        }
+        let (left, right) = halves(b, self.degree);
+        if self.backwards {
+            self.walk(&right, middle, hi) || self.walk(&left, lo, middle)
+        } else {
+            self.walk(&left, lo, middle) || self.walk(&right, middle, hi)
+        }
+    }
+}
+
+/// The roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root is there twice. Its
+/// degree, at most 7, is one less than their number. `found` is told each; true ends the search.
+pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
+    debug_assert!((2..=8).contains(&b.len()));
+    // (Most pieces of a curve are not met.)
+    if sign_changes(b) == 0 {
+        return;
+    }
+    if let [b0, b1] = *b {
+        found(b0 / (b0 - b1));
+        return;
+    }
+    let mut padded = [0.0; 8];
+    padded[..b.len()].copy_from_slice(b);
+    let size = b.iter().fold(0.0, |size: f64, b| size.max(b.abs()));
+    let noise = tolerance::POLYNOMIAL * size;
+    let mut search = Search { degree: b.len() - 1, noise, window: (0.0, 1.0), backwards: false, found };
+    search.walk(&padded, 0.0, 1.0);
+}
+
+/// The roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`], ascending; a
+/// double root, if rounding does not hide it, is there twice. `found` is told each; true ends the search.
+pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
+    let Some(degree) = c.iter().rposition(|c| *c != 0.0).filter(|n| (1..=MAX_DEGREE).contains(n)) else { return };
+    let mut tell = |x: f64| x >= lo && x <= hi && found(x);
+    match *c {
+        [b, a, ..] if degree == 1 => {
+            tell(-b / a);
+        }
+        [c, b, a, ..] if degree == 2 => {
+            let both = solve_quadratic(a, b, c).map_or([f64::NAN; 2], |(x1, x2)| [x1, x2]);
+            let _ = both.into_iter().any(tell);
+        }
+        _ if degree < 8 => on_line::<8>(&c[..=degree], lo, hi, &mut tell),
+        _ => on_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut tell),
+    }
+}
+
+/// The line in four: (-∞, -1], [-1, 0], [0, 1] and [1, ∞) in a unit that makes the first and the last coefficient alike.
+/// Where x is beyond 1, xⁿ·p(1/x) has the coefficients in the other order.
+fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
+    let degree = c.len() - 1;
+    let lowest = c.iter().position(|c| *c != 0.0).unwrap_or(0);
+    let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32;
+    let unit = match degree - lowest {
+        0 => 1.0,
+        n => exp2((exponent(c[lowest]) - exponent(c[degree])) / n as i32),
+    };
+    let mut a = [0.0; N];
+    let mut power = 1.0;
+    for (a, c) in a.iter_mut().zip(c) {
+        *a = c * power;
+        power *= unit;
+    }
+    let noise = tolerance::POLYNOMIAL * a.iter().map(|a| a.abs()).sum::<f64>();
+    if !(noise.is_finite() && noise > 0.0) {
+        return;
+    }
+    let mut below = a;
+    below.iter_mut().skip(1).step_by(2).for_each(|a| *a = -*a);
+    let (lo, hi) = (lo / unit, hi / unit);
+    let done = std::cell::Cell::new(false);
+    let mut tell = |x: f64| {
+        done.set(found(x));
+        done.get()
+    };
+    for (side, a) in [(-1.0, below), (1.0, a)] {
+        let (near, far) = if side < 0.0 { (-hi, -lo) } else { (lo, hi) };
+        if done.get() || far < 0.0 || sign_changes(&a[..=degree]) == 0 {
+            continue;
+        }
+        let at_one: f64 = a.iter().sum();
+        let inner = |found: Found, backwards| {
+            let mut on_side = |t: f64| found(side * unit * t);
+            let mut search = Search { degree, noise, window: (near, far), backwards, found: &mut on_side };
+            near <= 1.0 && search.walk(&bernstein(a, degree, at_one), 0.0, 1.0)
+        };
+        let outer = |found: Found, backwards| {
+            let mut turned = a;
+            turned[..=degree].reverse();
+            let mut on_side = |t: f64| found(side * unit / t);
+            let window = (1.0 / far, if near > 1.0 { 1.0 / near } else { 1.0 });
+            let mut search = Search { degree, noise, window, backwards, found: &mut on_side };
+            far >= 1.0 && search.walk(&bernstein(turned, degree, at_one), 0.0, 1.0)
+        };
+        if side < 0.0 {
+            let _ = outer(&mut tell, false) || inner(&mut tell, true);
+        } else {
+            let _ = inner(&mut tell, false) || outer(&mut tell, true);
+        }
+    }
+}
+
+/// 2ᵏ, within the range of numbers.
+fn exp2(k: i32) -> f64 {
+    f64::from_bits(((k.clamp(-1000, 1000) + 1023) as u64) << 52)
+}
+
+/// Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at 1, which the
+/// stretches on both sides of it must share to the last bit.
+fn bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> [f64; N] {
+    for (a, inverse) in a.iter_mut().zip(&INVERSE_BINOMIALS[degree][..=degree]) {
+        *a *= inverse;
+    }
+    for k in 1..=degree {
+        for j in (k..=degree).rev() {
+            a[j] += a[j - 1];
+        }
+    }
+    a[degree] = at_one;
+    a
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Roots;
+    use proptest::prelude::*;
+
+    /// The coefficients of s·∏(x - rᵢ), lowest first.
+    fn from_roots(scale: f64, roots: &[f64]) -> Vec<f64> {
+        roots.iter().fold(vec![scale], |c, r| {
+            let mut next = vec![0.0; c.len() + 1];
+            for (i, c) in c.iter().enumerate() {
+                next[i + 1] += c;
+                next[i] -= c * r;
+            }
+            next
+        })
+    }
+
+    /// All of them in a list.
+    fn all_on_line(c: &[f64], lo: f64, hi: f64) -> Roots {
+        let mut all = Roots::new();
+        roots_on_line(c, lo, hi, &mut |x| {
+            all.push(x);
+            false
+        });
+        all
+    }
+
+    fn everywhere(c: &[f64]) -> Roots {
+        all_on_line(c, f64::NEG_INFINITY, f64::INFINITY)
+    }
+
+    #[test]
+    fn special_ones() {
+        assert_eq!(everywhere(&[0.0; 9]).as_slice(), [0.0; 0]);
+        assert_eq!(everywhere(&[7.0, 0.0]).as_slice(), [0.0; 0]);
+        assert_eq!(everywhere(&[-6.0, 2.0, 0.0]).as_slice(), [3.0]);
+        let close = |found: Roots, want: &[f64]| {
+            let same = found.iter().zip(want).all(|(x, w)| (x - w).abs() < 1e-14);
+            assert!(found.len() == want.len() && same, "{found:?}");
+        };
+        close(everywhere(&[-8.0, 0.0, 0.0, 1.0]), &[2.0]);
+        assert_eq!(everywhere(&[1.0, 0.0, 0.0, 0.0, 1.0]).as_slice(), [0.0; 0]);
+        assert!(everywhere(&[0.0, 0.0, 0.0, 5.0]).iter().all(|x| x.abs() < 1e-15), "three in one place");
+        close(everywhere(&from_roots(-3.0, &[-1.0, 0.0, 1.0])), &[-1.0, 0.0, 1.0]);
+        let touched = everywhere(&from_roots(-1.0, &[-1.0, -1.0, 1.0, 1.0]));
+        assert!(touched.len().is_multiple_of(2) && touched.iter().all(|x| (x.abs() - 1.0).abs() < 1e-6), "{touched:?}");
+    }
+
+    #[test]
+    fn window_and_end() {
+        let c = from_roots(1.0, &[-3.0, -0.5, 0.25, 2.0, 9.0]);
+        let close = |found: &Roots, want: &[f64]| {
+            assert!(
+                found.len() == want.len() && found.iter().zip(want).all(|(x, w)| (x - w).abs() < 1e-13 * w.abs()),
+                "{found:?}"
+            );
+        };
+        close(&everywhere(&c), &[-3.0, -0.5, 0.25, 2.0, 9.0]);
+        close(&all_on_line(&c, -1.0, 3.0), &[-0.5, 0.25, 2.0]);
+        close(&all_on_line(&c, 3.0, f64::INFINITY), &[9.0]);
+        let mut first = Roots::new();
+        roots_on_line(&c, 0.0, 20.0, &mut |x| {
+            first.push(x);
+            true
+        });
+        // The same number as among all.
+        assert_eq!(first.as_slice(), &everywhere(&c)[2..3]);
+    }
+
+    #[test]
+    fn of_degree_35() {
+        // Chebyshev's: 35 roots cos((k - ½)π/35), between which it swings from -1 to 1.
+        let (mut before, mut c) = (vec![1.0], vec![0.0, 1.0]);
+        for _ in 1..35 {
+            let mut next = vec![0.0; c.len() + 1];
+            c.iter().enumerate().for_each(|(i, c)| next[i + 1] += 2.0 * c);
+            before.iter().enumerate().for_each(|(i, c)| next[i] -= c);
+            before = std::mem::replace(&mut c, next);
+        }
+        let found = everywhere(&c);
+        assert_eq!(found.len(), 35);
+        for (k, x) in found.iter().rev().enumerate() {
+            let want = crate::math::fp::cos((k as f64 + 0.5) * std::f64::consts::PI / 35.0);
+            assert!((x - want).abs() < 1e-4, "{x} {want}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn roots_of_products(
+            roots in proptest::collection::vec((-40i32..40).prop_map(|k| f64::from(k) / 8.0), 3..9),
+            size in -40i32..40,
+        ) {
+            // Any unit of length, and any factor.
+            let unit = exp2(size);
+            let mut roots: Vec<f64> = roots.iter().map(|r| r * unit).collect();
+            roots.sort_by(f64::total_cmp);
+            let found = everywhere(&from_roots(exp2(-size), &roots));
+            prop_assert!(found.is_sorted());
+            prop_assert_eq!(found.len() % 2, roots.len() % 2, "{:?} {:?}", found, roots);
+            for r in &roots {
+                let m = roots.iter().filter(|x| *x == r).count();
+                let tolerance = [1e-7, 1e-5, 1e-3, 1e-2, 0.1, 0.2, 0.5, 1.0][m - 1] * unit;
+                // (What is touched may be missed by rounding.)
+                let seen = found.iter().any(|x| (x - r).abs() < tolerance);
+                prop_assert!(seen || m % 2 == 0, "{} of {:?}: {:?}", r, roots, found);
+            }
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! `lathe { number_of_points, points … }`: a curve that turns about the y axis.
+//!
+//! Each point is a distance from the axis and a height. `linear_spline`, `quadratic_spline`, `cubic_spline` or `bezier_spline` before them says how
+//! they are joined. A point is inside if the curve is crossed an odd number of times on the way from it straight outwards.
+//!
+//! ```pov
+//! lathe {
+//!   cubic_spline 7, <0, -0.3>, <0.01, 0>, <0.8, 0.1>, <0.15, 0.5>, <0.2, 1>, <0.9, 2>, <1, 2.4>
+//!   pigment { color rgb <0.3, 0.5, 0.9> }
+//! }
+//! ```
+
+use super::spline::{Curve, Interpolation, KINDS, product, read_points, single_row};
+use super::turned::Walls;
+use super::{Hit, Hits, Kernel, Readable, moved_box, nearest};
+use crate::diagnostic::Result;
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
+use crate::value::words::{Row, joined, specs};
+use crate::value::{Kind, Param, Reader, Spec};
+use serde::Serialize;
+
+/// A turned curve.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Lathe {
+    /// How its points are joined.
+    pub interpolation: Interpolation,
+    /// Distance from the axis, and height.
+    pub curve: Curve,
+    #[serde(skip)]
+    walls: Walls,
+}
+
+impl Lathe {
+    /// The curve through some points.
+    pub fn new(interpolation: Interpolation, points: &[DVec2]) -> Self {
+        let curve = single_row(interpolation, points);
+        let (min, max) = curve.ends();
+        let segment = |i: usize| {
+            let radius = curve.coordinates(i, |p| p.x);
+            (curve.coordinates(i, |p| p.y), product(&radius, &radius))
+        };
+        let walls = Walls::new((0..curve.segments.len()).map(segment), 0.5 * (min.y + max.y));
+        Self { interpolation, curve, walls }
+    }
+
+    fn box_of(&self, (min, max): (DVec2, DVec2)) -> Aabb {
+        let reach = max.x.max(-min.x);
+        Aabb { min: DVec3::new(-reach, min.y, -reach), max: DVec3::new(reach, max.y, reach) }
+    }
+}
+
+impl Readable for Lathe {
+    const SPEC: Spec = Spec {
+        name: "lathe",
+        summary: "a curve that turns about the y axis",
+        params: &[
+            Param { name: "number_of_points", kind: Kind::Float, summary: "how many follow" },
+            Param { name: "points", kind: Kind::Vectors, summary: "distance from the axis, and height" },
+        ],
+        words: &joined::<5>(&KINDS, specs!(Self::WORDS)),
+    };
+
+    const WORDS: &'static [Row<Self>] = &[super::algebraic::STURM.sets(|_, r| r.flag().map(drop))];
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut interpolation = Interpolation::Linear;
+        while let Some(kind) = Interpolation::read(r)? {
+            interpolation = kind;
+        }
+        Ok(Self::new(interpolation, &read_points("lathe", interpolation, 2, r)?))
+    }
+}
+
+impl Kernel for Lathe {
+    fn bounds(&self) -> Aabb {
+        self.box_of(self.curve.ends())
+    }
+
+    fn bounds_under(&self, m: &Transform) -> Aabb {
+        m.aabb(&self.bounds())
+    }
+
+    /// Of a `bezier_spline`, that of all its points.
+    fn extent(&self, m: &Transform) -> Aabb {
+        let bezier = self.interpolation == Interpolation::Bezier;
+        moved_box(m, &self.box_of(if bezier { self.curve.hull() } else { self.curve.ends() }))
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.walls.hits(ray, range, out);
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut all = Hits::new();
+        self.hits(ray, range, &mut all);
+        nearest(all)
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        let across = fp::hypot(p.x, p.z);
+        self.curve.surrounds(p.y, |x| x > across)
+    }
+
+    /// To the right of the curve's direction (measured on POV-Ray 3.7).
+    fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
+        self.walls.normal(p, hit)
+    }
+
+    fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
+        self.walls.uv(p, hit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::codes;
+    use crate::shape::testing::{all, read};
+
+    fn made(text: &str) -> Lathe {
+        read::<Lathe>(text).0.unwrap()
+    }
+
+    /// `trace()` of POV-Ray 3.7 from (-9, y, z) along x: where, and the normal's x and y.
+    fn traced(shape: &Lathe, y: f64, z: f64, want: &[(f64, f64, f64)]) {
+        let ray = Ray::new(DVec3::new(-9.0, y, z), DVec3::X);
+        let hits = all(shape, &ray);
+        assert_eq!(hits.len(), want.len(), "{hits:?}");
+        for (hit, (x, nx, ny)) in hits.iter().zip(want) {
+            let n = shape.normal(ray.at(hit.t), hit).normalize();
+            assert!(
+                (ray.at(hit.t).x - x).abs() < 1e-6 && (n.x - nx).abs() < 1e-6 && (n.y - ny).abs() < 1e-6,
+                "{hit:?} {n}"
+            );
+        }
+    }
+
+    const POINTS: &str = "<0,0> <1,0.5> <0.5,1> <0.7,2> <0.2,3> <1,4>";
+
+    #[test]
+    fn as_pov_ray_traces() {
+        let straight = made("linear_spline 4 <0,0> <1,0.5> <0.5,1> <0.7,2>");
+        traced(
+            &straight,
+            1.5,
+            0.0,
+            &[(-0.6, -0.980580675691, -0.196116135138), (0.6, 0.980580675691, -0.196116135138)],
+        );
+        assert!(straight.inside(DVec3::new(0.3, 1.5, 0.0)) && !straight.inside(DVec3::new(0.9, 1.5, 0.0)));
+        let pipe = made("5 <2,0> <3,0> <3,5> <2,5> <2,0>");
+        traced(
+            &pipe,
+            2.5,
+            0.05,
+            &[
+                (-2.999583304394, -0.999861101465, 0.0),
+                (-1.999374902313, 0.999687451157, 0.0),
+                (1.999374902313, -0.999687451157, 0.0),
+                (2.999583304394, 0.999861101465, 0.0),
+            ],
+        );
+        let smooth = made(&format!("cubic_spline 6 {POINTS}"));
+        traced(&smooth, 2.5, 0.05, &[(-0.409458483854, -0.794101302020, 0.6), (0.409458483854, 0.794101302020, 0.6)]);
+        let bezier = made("bezier_spline 8 <0.1,0> <1,0.5> <0.5,1> <0.7,2> <0.7,2> <0.2,3> <1,4> <1,5>");
+        traced(
+            &bezier,
+            2.5,
+            0.05,
+            &[(-0.546327878874, -0.988148173923, 0.124034734589), (0.546327878874, 0.988148173923, 0.124034734589)],
+        );
+    }
+
+    #[test]
+    fn from_above_and_aslant() {
+        let quadratic = made("quadratic_spline 5 <0,0> <1,0.5> <0.5,1> <0.7,2> <0.2,3>");
+        let hits = all(&quadratic, &Ray::new(DVec3::new(0.3, 9.0, 0.0), -DVec3::Y));
+        assert!((9.0 - hits[0].t - 2.876024108748).abs() < 1e-7, "{hits:?}");
+        // A cone of 45°: rays of any slope, also nearly level ones.
+        let cone = made("2 <0,0> <2,2>");
+        for rise in [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.6, 0.9] {
+            let ray = Ray::new(DVec3::new(-9.0, 1.0 - 9.0 * rise, 0.0), DVec3::new(1.0, rise, 0.0));
+            let hits = all(&cone, &ray);
+            for hit in &hits {
+                let p = ray.at(hit.t);
+                assert!((fp::hypot(p.x, p.z) - p.y).abs() < 1e-7, "{rise} {hit:?}");
+            }
+            assert_eq!(hits.len(), if rise < 0.4 { 2 } else { 1 }, "{rise} {hits:?}");
+        }
+    }
+
+    #[test]
+    fn extents_and_reading() {
+        let arch = made("bezier_spline 4 <0,0> <2,1> <2,2> <0,3>");
+        assert_eq!(arch.extent(&Transform::IDENTITY).max, DVec3::new(2.0, 3.0, 2.0));
+        assert_eq!(arch.bounds().max, DVec3::new(1.5, 3.0, 1.5));
+        for few in [
+            "1 <0,0>",
+            "quadratic_spline 2 <0,0> <1,1>",
+            "cubic_spline 3 <0,0> <1,1> <2,2>",
+            "bezier_spline 5 <0,0> <1,1> <1,1> <1,1> <1,1>",
+        ] {
+            assert_eq!(read::<Lathe>(few).0.unwrap_err().code, codes::FEW_POINTS, "{few}");
+        }
+        assert_eq!(read::<Lathe>("2 <0,0,0> <1,1,1>").0.unwrap_err().code, codes::WRONG_TYPE);
+        assert!(read::<Lathe>("2 <0,0> <1,1> sturm").1.is_empty());
+        let uv = made("4 <.5,-1> <1,-.5> <.7,.5> <1.2,1>")
+            .uv(DVec3::new(-0.92, 0.75, -0.1), &Hit { t: 0.0, part: 2, uv: DVec2::new(0.5, 0.0) });
+        assert!((uv.y - 2.5 / 3.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,262 @@
+//! `quadric { <A, B, C>, <D, E, F>, <G, H, I>, J }`: where A·x² + B·y² + C·z² + D·x·y + E·x·z + F·y·z + G·x + H·y + I·z + J is 0.
+//!
+//! Balls and eggs, pipes, cones, bowls, hourglasses, saddles. Its inside is where the sum is negative. Most have no end:
+//! `clipped_by` or an `intersection` cuts a piece out.
+//!
+//! ```pov
+//! quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { plane { y, 1.6 } } pigment { color rgb <0.9, 0.6, 0.2> } }
+//! ```
+
+use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Readable, finite, moved_box};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DMat3, DVec2, DVec3, Range, Ray, Transform, stable_pair};
+use crate::source::Span;
+use crate::value::{Kind, Param, Reader, Spec};
+use serde::Serialize;
+
+/// A surface of the second order.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Quadric {
+    /// Of x², y² and z².
+    pub squares: DVec3,
+    /// Of x·y, x·z and y·z.
+    pub mixed: DVec3,
+    /// Of x, y and z.
+    pub linear: DVec3,
+    /// J.
+    pub constant: f64,
+    #[serde(skip)]
+    centered: Centered,
+}
+
+/// The same about its centre: q·Qq + 2·h·q + c with q = p - centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Centered {
+    /// Q, symmetric.
+    q: DMat3,
+    /// Zero, unless there is no one centre.
+    h: DVec3,
+    c: f64,
+    center: DVec3,
+    /// Of a closed surface: the box around it. Empty if there is no surface.
+    ends: Option<Aabb>,
+}
+
+impl Quadric {
+    /// From the numbers in the order of the manual: A B C, D E F, G H I, J.
+    pub fn new(squares: DVec3, mixed: DVec3, linear: DVec3, constant: f64) -> Self {
+        let (xy, xz, yz) = (0.5 * mixed.x, 0.5 * mixed.y, 0.5 * mixed.z);
+        let q = DMat3::from_cols_array(&[squares.x, xy, xz, xy, squares.y, yz, xz, yz, squares.z]);
+        let h = 0.5 * linear;
+        // The gradient vanishes there: Q·centre = -h
+        let size = (squares.abs() + mixed.abs()).max_element();
+        let determinant = q.determinant() / (size * size * size);
+        let center = if determinant.abs() > 1e-9 { -(q.inverse() * h) } else { DVec3::ZERO };
+        let center = if center.is_finite() { center } else { DVec3::ZERO };
+        let at_center = q * center + 2.0 * h;
+        let c = center.dot(at_center) + constant;
+        let has_center = determinant.abs() > 1e-9;
+        let h = if has_center { DVec3::ZERO } else { h };
+        let mut centered = Centered { q, h, c, center, ends: None };
+        centered.ends = centered.box_around().filter(|_| has_center);
+        Self { squares, mixed, linear, constant, centered }
+    }
+
+    /// The sum: negative inside.
+    fn implicit(&self, p: DVec3) -> f64 {
+        self.centered.value(p - self.centered.center)
+    }
+
+    fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let Centered { q, h, center, .. } = &self.centered;
+        // From the ray's point nearest to the centre, so that a far eye loses nothing.
+        let from = ray.origin - *center;
+        let shift = -from.dot(ray.dir) / ray.dir.length_squared();
+        let o = from + ray.dir * shift;
+        let qv = *q * ray.dir;
+        let (a, half_b, c) = (qv.dot(ray.dir), qv.dot(o) + h.dot(ray.dir), self.centered.value(o));
+        let (t1, t2) = stable_pair(a, half_b, c, half_b * half_b - a * c)?;
+        Some((t1 + shift, t2 + shift))
+    }
+}
+
+impl Centered {
+    fn value(&self, q: DVec3) -> f64 {
+        q.dot(self.q * q + 2.0 * self.h) + self.c
+    }
+
+    /// Is Q positive (1) or negative (-1) in all directions? 0 if neither (Sylvester's minors).
+    fn definite(&self) -> f64 {
+        let (a, b) = (self.q.x_axis, self.q.y_axis);
+        let sign = a.x.signum();
+        let minor = a.x * b.y - a.y * b.x;
+        if a.x != 0.0 && minor > 0.0 && self.q.determinant() * sign > 0.0 { sign } else { 0.0 }
+    }
+
+    /// An ellipsoid reaches √(-c·(Q⁻¹)ᵢᵢ) along axis i.
+    fn box_around(&self) -> Option<Aabb> {
+        let sign = self.definite();
+        if sign == 0.0 {
+            return None;
+        }
+        if self.c * sign >= 0.0 {
+            return Some(Aabb::EMPTY);
+        }
+        let inverse = self.q.inverse();
+        let diagonal = DVec3::new(inverse.x_axis.x, inverse.y_axis.y, inverse.z_axis.z);
+        let reach = (diagonal * -self.c).map(f64::sqrt);
+        Some(Aabb { min: self.center - reach, max: self.center + reach })
+    }
+}
+
+impl Readable for Quadric {
+    const SPEC: Spec = Spec {
+        name: "quadric",
+        summary: "where a polynomial of the second order in x, y and z is 0",
+        params: &[
+            Param { name: "<A, B, C>", kind: Kind::Vector, summary: "of x², y² and z²" },
+            Param { name: "<D, E, F>", kind: Kind::Vector, summary: "of x·y, x·z and y·z" },
+            Param { name: "<G, H, I>", kind: Kind::Vector, summary: "of x, y and z" },
+            Param { name: "J", kind: Kind::Float, summary: "added to all that; it is negative inside" },
+        ],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let (squares, mixed, linear, constant) = (r.vector()?, r.vector()?, r.vector()?, r.float()?);
+        finite(span, &[squares, mixed, linear], &[constant])?;
+        Ok(Self::new(squares, mixed, linear, constant))
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        let constant = [self.squares, self.mixed, self.linear].iter().all(|v| *v == DVec3::ZERO);
+        if constant || self.centered.ends.is_some_and(|b| b.is_empty()) {
+            let message = "a `quadric` with these numbers has no surface: the sum is nowhere 0";
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, message));
+        }
+        Ok(())
+    }
+}
+
+impl Kernel for Quadric {
+    fn bounds(&self) -> Aabb {
+        self.centered.ends.unwrap_or(Aabb::INFINITE)
+    }
+
+    /// That of an ellipsoid along the axes; of all others, POV-Ray knows none.
+    fn extent(&self, m: &Transform) -> Aabb {
+        match self.centered.ends {
+            Some(ends) if self.mixed == DVec3::ZERO && !ends.is_empty() => moved_box(m, &ends),
+            _ => HUGE,
+        }
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        if let Some((t1, t2)) = self.roots(ray) {
+            out.extend([t1, t2].into_iter().filter(|&t| range.contains(t) && t.is_finite()).map(Hit::at));
+        }
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.implicit(p) <= 0.0
+    }
+
+    fn reaches_beyond(&self) -> bool {
+        self.centered.definite() < 0.0
+    }
+
+    fn is_convex(&self) -> bool {
+        self.centered.ends.is_some_and(|b| !b.is_empty()) && !self.reaches_beyond()
+    }
+
+    fn crossing(&self, ray: &Ray) -> Crossing {
+        self.roots(ray).map_or(Crossing::Misses, |(t1, t2)| Crossing::Through([End::at(t1), End::at(t2)]))
+    }
+
+    fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
+        // The gradient; at the tip of a cone there is none.
+        let n = self.centered.q * (p - self.centered.center) + self.centered.h;
+        if n.length_squared() > 0.0 { n } else { DVec3::Y }
+    }
+
+    /// POV-Ray has no mapping for them.
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        p.truncate()
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::{all, assert_hits, read};
+
+    fn made(text: &str) -> Quadric {
+        read::<Quadric>(text).0.unwrap()
+    }
+
+    #[test]
+    fn closed_forms() {
+        let ball = made("<1,1,1> 0 0 -1");
+        assert_hits(&all(&ball, &Ray::new(DVec3::Z * -5.0, DVec3::Z * 2.0)), &[(2.0, 0), (3.0, 0)]);
+        assert!(ball.inside(DVec3::ZERO) && !ball.inside(DVec3::Y * 1.01));
+        assert_eq!(ball.bounds(), Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE });
+        // A bowl y = x² + z², met from above and from the side.
+        let bowl = made("<1,0,1> 0 <0,-1,0> 0");
+        assert_hits(&all(&bowl, &Ray::new(DVec3::new(0.5, 9.0, 0.5), -DVec3::Y)), &[(8.5, 0)]);
+        assert_hits(&all(&bowl, &Ray::new(DVec3::new(-9.0, 4.0, 0.0), DVec3::X)), &[(7.0, 0), (11.0, 0)]);
+        assert!(bowl.inside(DVec3::Y) && !bowl.inside(-DVec3::Y) && bowl.bounds() == Aabb::INFINITE);
+        assert!(bowl.normal(DVec3::ZERO, &Hit::at(0.0)).normalize().distance(-DVec3::Y) < 1e-15);
+        assert!(bowl.extent(&Transform::IDENTITY) == HUGE);
+    }
+
+    #[test]
+    fn as_pov_ray_tells() {
+        // `quadric { <1, 4, 0.25>, 0, <1, 2, 3>, -2 }`: min_extent, max_extent and trace.
+        let egg = made("<1,4,0.25> 0 <1,2,3> -2");
+        let (min, max) = (egg.bounds().min, egg.bounds().max);
+        assert!(min.distance(DVec3::new(-3.891165018, -1.945582509, -12.782329559)) < 1e-5, "{min}");
+        assert!(max.distance(DVec3::new(2.891165018, 1.445582509, 0.782330513)) < 1e-5, "{max}");
+        let hit = egg.closest(&Ray::new(DVec3::new(0.1, 0.2, -9.0), DVec3::Z), Range::FORWARD).unwrap();
+        assert!((hit.t - 9.428063471995).abs() < 1e-11);
+    }
+
+    #[test]
+    fn turned_ellipsoid() {
+        let egg = made("<1,2,3> <0.5,0.2,0.1> 0 -1");
+        let b = egg.bounds();
+        // Points of the surface along a spiral lie in the box, and nearly touch all its sides.
+        let mut seen = Aabb::EMPTY;
+        for k in 0..20_000 {
+            let y = 1.0 - f64::from(k) / 10_000.0;
+            let (sin, cos) = crate::math::fp::sin_cos(f64::from(k) * 2.4);
+            let v = DVec3::new(cos * (1.0 - y * y).sqrt(), y, sin * (1.0 - y * y).sqrt());
+            let hit = egg.closest(&Ray::new(DVec3::ZERO, v), Range::FORWARD).unwrap();
+            seen = seen.with(v * hit.t);
+        }
+        assert!(b.grown(1e-9).contains(seen.min) && b.grown(1e-9).contains(seen.max));
+        assert!(seen.grown(1e-3).contains(b.min) && seen.grown(1e-3).contains(b.max));
+    }
+
+    #[test]
+    fn far_eye_and_turned_inside_out() {
+        let ball = made("<1,1,1> 0 <0,0,0> -1");
+        let hits = all(&ball, &Ray::new(DVec3::new(0.0, 0.6, -1e7), DVec3::Z));
+        assert!((hits[0].t - 1e7 + 0.8).abs() < 1e-8, "{hits:?}");
+        let hole = made("<-1,-1,-1> 0 0 1");
+        assert!(!hole.inside(DVec3::ZERO) && hole.inside(DVec3::X * 9.0) && hole.reaches_beyond());
+        assert!(hole.bounds().is_finite() && !hole.is_convex() && ball.is_convex());
+    }
+
+    #[test]
+    fn no_surface() {
+        assert_eq!(read::<Quadric>("1 0 0 1").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read::<Quadric>("0 0 0 1").1[0].code, codes::NO_SURFACE);
+        assert!(read::<Quadric>("0 0 <0,1,0> 1").1.is_empty());
+        assert!(all(&made("1 0 0 1"), &Ray::new(DVec3::ZERO, DVec3::X)).is_empty());
+    }
+}

@@ -1,0 +1,159 @@
+//! A row of Bézier segments, each from (0) to (1); those of one row have one degree, 1 to 3.
+
+use crate::math::{DVec2, bernstein_roots, solve_quadratic};
+use serde::Serialize;
+
+/// A curve. Where a segment ends, the next begins at the very same numbers, unless it is another outline's.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Curve {
+    /// How many control points a segment has beyond the first.
+    pub degree: usize,
+    /// Control points; those behind the degree are not used.
+    pub segments: Vec<[DVec2; 4]>,
+}
+
+/// The value at t of what has these Bernstein coefficients, by de Casteljau's scheme.
+pub fn blend(b: &[f64], t: f64) -> f64 {
+    let mut b: smallvec::SmallVec<[f64; 8]> = b.into();
+    for last in (1..b.len()).rev() {
+        for i in 0..last {
+            b[i] += (b[i + 1] - b[i]) * t;
+        }
+    }
+    b[0]
+}
+
+/// Its derivative by t.
+pub fn blend_slope(b: &[f64], t: f64) -> f64 {
+    let rises: smallvec::SmallVec<[f64; 8]> = b.windows(2).map(|w| w[1] - w[0]).collect();
+    rises.len() as f64 * blend(&rises, t)
+}
+
+/// C(n, k)
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
+}
+
+/// Bernstein coefficients of a product. The first and last are the products of the first and last ones, to the last bit.
+pub fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
+    let (m, n) = (f.len() - 1, g.len() - 1);
+    let term = |i: usize, k: usize| binomial(m, i) * binomial(n, k - i) / binomial(m + n, k) * (f[i] * g[k - i]);
+    (0..=m + n).map(|k| (k.saturating_sub(n)..=k.min(m)).map(|i| term(i, k)).sum()).collect()
+}
+
+impl Curve {
+    /// The control points of a segment.
+    pub fn controls(&self, segment: usize) -> &[DVec2] {
+        &self.segments[segment][..=self.degree]
+    }
+
+    /// A point of a segment.
+    pub fn at(&self, segment: usize, t: f64) -> DVec2 {
+        let along = |axis: usize| blend(&self.coordinates(segment, |p| p[axis]), t);
+        DVec2::new(along(0), along(1))
+    }
+
+    /// The direction of a segment, in which t grows; zero only where nothing else can be said.
+    pub fn tangent(&self, segment: usize, t: f64) -> DVec2 {
+        let along = |axis: usize| blend_slope(&self.coordinates(segment, |p| p[axis]), t);
+        let tangent = DVec2::new(along(0), along(1));
+        if tangent != DVec2::ZERO {
+            return tangent;
+        }
+        // A cusp, or control points in one place.
+        let c = self.controls(segment);
+        c[self.degree] - c[0]
+    }
+
+    /// Bernstein coefficients of a function of the control points that keeps their weighted means.
+    pub fn coordinates(&self, segment: usize, f: impl Fn(DVec2) -> f64) -> smallvec::SmallVec<[f64; 4]> {
+        self.controls(segment).iter().map(|p| f(*p)).collect()
+    }
+
+    /// Where p lies among its outlines: how many are crossed on the way from it in the direction in which x grows is odd.
+    /// `beyond` tells which x are on this way.
+    pub fn surrounds(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
+        let mut odd = false;
+        for segment in 0..self.segments.len() {
+            let height = self.coordinates(segment, |p| p.y - y);
+            bernstein_roots(&height, &mut |t| {
+                odd ^= beyond(blend(&self.coordinates(segment, |p| p.x), t));
+                false
+            });
+        }
+        odd
+    }
+
+    /// The smallest and largest coordinates of its points.
+    pub fn ends(&self) -> (DVec2, DVec2) {
+        let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let mut reach = |p: DVec2| (min, max) = (min.min(p), max.max(p));
+        for segment in 0..self.segments.len() {
+            let c = self.controls(segment);
+            reach(c[0]);
+            reach(c[self.degree]);
+            for axis in 0..2 {
+                let b = self.coordinates(segment, |p| p[axis]);
+                turns(&b).into_iter().flatten().for_each(|t| reach(self.at(segment, t)));
+            }
+        }
+        (min, max)
+    }
+
+    /// The same of the control points.
+    pub fn hull(&self) -> (DVec2, DVec2) {
+        let all = (0..self.segments.len()).flat_map(|segment| self.controls(segment).iter().copied());
+        all.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(min, max), p| (min.min(p), max.max(p)))
+    }
+}
+
+/// Where the derivative is 0 between 0 and 1, of a degree up to 3.
+pub fn turns(b: &[f64]) -> [Option<f64>; 2] {
+    let rise: smallvec::SmallVec<[f64; 4]> = b.windows(2).map(|w| w[1] - w[0]).collect();
+    let (x, y) = match rise[..] {
+        [a, b] => (a / (a - b), f64::NAN),
+        // a·(1-t)² + 2b·t·(1-t) + c·t²
+        [a, b, c] => solve_quadratic(a - 2.0 * b + c, 2.0 * (b - a), a).unwrap_or((f64::NAN, f64::NAN)),
+        _ => (f64::NAN, f64::NAN),
+    };
+    [x, y].map(|t| Some(t).filter(|t| *t > 0.0 && *t < 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square() -> Curve {
+        let p = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (0.0, 0.0)].map(|(x, y)| DVec2::new(x, y));
+        Curve { degree: 1, segments: p.windows(2).map(|w| [w[0], w[1], DVec2::ZERO, DVec2::ZERO]).collect() }
+    }
+
+    #[test]
+    fn products_and_slopes() {
+        // (1 + t)·(3 - t²) with t² as 0, 0, 1
+        let f = product(&[1.0, 2.0], &[3.0, 3.0, 2.0]);
+        for t in [0.0, 0.3, 1.0] {
+            assert!((blend(&f, t) - (1.0 + t) * (3.0 - t * t)).abs() < 1e-15);
+            assert!((blend_slope(&f, t) - (3.0 - t * t - 2.0 * t * (1.0 + t))).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn inside_of_a_square_level_with_its_corners() {
+        let inside = |x: f64, y: f64| square().surrounds(y, |at| at > x);
+        for (x, y, want) in
+            [(1.0, 1.0, true), (3.0, 1.0, false), (-1.0, 1.0, false), (-1.0, 0.0, false), (-1.0, 2.0, false)]
+        {
+            assert_eq!(inside(x, y), want, "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn ends_of_an_arch() {
+        let p = [(0.0, 0.0), (1.0, 1.0), (2.0, 1.0), (3.0, 0.0)].map(|(x, y)| DVec2::new(x, y));
+        let arch = Curve { degree: 3, segments: vec![p] };
+        assert_eq!(arch.ends(), (DVec2::ZERO, DVec2::new(3.0, 0.75)));
+        assert_eq!(arch.hull(), (DVec2::ZERO, DVec2::new(3.0, 1.0)));
+        assert!(arch.tangent(0, 0.5).y.abs() < 1e-15);
+    }
+}

@@ -1,0 +1,7 @@
+//! Curves in a plane, which `prism` and `lathe` sweep: rows of Bézier segments (Farin, Curves and Surfaces, 1988).
+
+mod curve;
+mod points;
+
+pub use curve::{Curve, blend, blend_slope, product, turns};
+pub use points::{Interpolation, KINDS, outlines, read_points, report_open, single_row};

@@ -1,0 +1,209 @@
+//! How points become curves: what each kind of spline makes of them, and where one outline ends and the next begins.
+
+use super::Curve;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{DVec2, tolerance};
+use crate::source::Span;
+use crate::value::words::word;
+use crate::value::{Kind, Reader, ReaderExt, Value, WordSpec};
+use serde::Serialize;
+
+/// How the points are joined.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Interpolation {
+    /// By straight lines.
+    #[default]
+    Linear,
+    /// By the parabola through two points and the one before them.
+    Quadratic,
+    /// Smoothly, by two points and their neighbours (Catmull & Rom, 1974).
+    Cubic,
+    /// Each four points are a Bézier segment.
+    Bezier,
+}
+
+use Interpolation::*;
+
+/// The words that choose one, before the points.
+pub const KINDS: [WordSpec; 4] = [
+    word("linear_spline", Kind::Nothing, "", "straight lines join the points; so it is without any such word"),
+    word("quadratic_spline", Kind::Nothing, "", "parabolas join the points; the first point only gives a direction"),
+    word("cubic_spline", Kind::Nothing, "", "a smooth curve; the first and the last point only give directions"),
+    word("bezier_spline", Kind::Nothing, "", "each four points: an end, two that pull at the curve, the other end"),
+];
+
+impl Interpolation {
+    /// Reads the word of a kind, if it comes next.
+    ///
+    /// # Errors
+    /// That of the reading.
+    pub fn read(r: &mut dyn Reader) -> Result<Option<Self>> {
+        for (kind, word) in [Linear, Quadratic, Cubic, Bezier].into_iter().zip(KINDS) {
+            if r.accept(word.name)? {
+                return Ok(Some(kind));
+            }
+        }
+        Ok(None)
+    }
+
+    fn degree(self) -> usize {
+        match self {
+            Linear => 1,
+            Quadratic => 2,
+            Cubic | Bezier => 3,
+        }
+    }
+
+    /// The fewest points that make a curve.
+    fn fewest(self) -> usize {
+        self.degree() + 1
+    }
+
+    /// The segments of one row of points.
+    fn segments(self, points: &[DVec2]) -> Vec<[DVec2; 4]> {
+        let none = DVec2::ZERO;
+        let inner = |p: &[DVec2]| [p[1], p[1] + (p[2] - p[0]) / 6.0, p[2] - (p[3] - p[1]) / 6.0, p[2]];
+        match self {
+            Linear => points.windows(2).map(|p| [p[0], p[1], none, none]).collect(),
+            // The parabola through p₀, p₁, p₂ at t = -1, 0, 1 has the slope (p₂ - p₀)/2 at p₁.
+            Quadratic => points.windows(3).map(|p| [p[1], p[1] + (p[2] - p[0]) / 4.0, p[2], none]).collect(),
+            Cubic => points.windows(4).map(inner).collect(),
+            Bezier => points.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect(),
+        }
+    }
+}
+
+/// Reads how many points follow, and the points. `block` is the shape's word.
+///
+/// # Errors
+/// E0302 if they are too few for this kind; others for what is no point.
+pub fn read_points(block: &str, kind: Interpolation, fewest: usize, r: &mut dyn Reader) -> Result<Vec<DVec2>> {
+    let span = r.span();
+    let count = r.float()?.floor();
+    let fewest = fewest.max(kind.fewest());
+    if !(fewest as f64..=f64::from(u32::MAX)).contains(&count) {
+        let message = format!("this `{block}` needs at least {fewest} points, it has {count}");
+        let help = "the number before the points says how many follow";
+        return Err(Diagnostic::new(codes::FEW_POINTS, span, message).help(help).into());
+    }
+    if kind == Bezier && count % 4.0 != 0.0 {
+        let message =
+            format!("a `bezier_spline` has four points for each piece, {count} points are no whole number of pieces");
+        return Diagnostic::err(codes::FEW_POINTS, span, message);
+    }
+    (0..count as u32).map(|_| read_point(r)).collect()
+}
+
+fn read_point(r: &mut dyn Reader) -> Result<DVec2> {
+    let (value, span) = r.value()?;
+    let point = match value {
+        Value::Float(x) => DVec2::splat(x),
+        Value::Vector(v) if v.len == 2 => DVec2::new(v.c[0], v.c[1]),
+        other => {
+            let message = format!("expected a point of two numbers, found {}", other.describe());
+            return Diagnostic::err(codes::WRONG_TYPE, span, message);
+        }
+    };
+    if point.is_finite() {
+        return Ok(point);
+    }
+    Diagnostic::err(codes::NOT_FINITE, span, "one of these numbers is infinite or not a number")
+}
+
+/// One curve through all points.
+pub fn single_row(kind: Interpolation, points: &[DVec2]) -> Curve {
+    Curve { degree: kind.degree(), segments: kind.segments(points) }
+}
+
+/// Closed outlines: one ends where its first point comes again, and the next begins behind it. Is the last one left open? A
+/// `linear_spline` is closed then, any other is left out.
+pub fn outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
+    let same = |p: DVec2, q: DVec2| (p - q).abs().max_element() < tolerance::SAME_POINT;
+    let mut curve = Curve { degree: kind.degree(), segments: vec![] };
+    // Points before the first of an outline, and behind its last, that only give directions.
+    let (before, behind) = match kind {
+        Linear | Bezier => (0, 0),
+        Quadratic => (1, 0),
+        Cubic => (1, 1),
+    };
+    let mut rest = points;
+    while rest.len() > before + 1 {
+        let first = rest[before];
+        let ends = |(i, p): (usize, &DVec2)| i > before && same(*p, first) && (kind != Bezier || i % 4 == 3);
+        let last = rest.iter().enumerate().position(ends);
+        let Some(end) = last.map(|last| last + behind).filter(|end| *end < rest.len()) else {
+            if kind == Linear {
+                let closed: Vec<DVec2> = rest.iter().copied().chain([first]).collect();
+                curve.segments.extend(kind.segments(&closed));
+            }
+            return (curve, true);
+        };
+        let mut row = rest[..=end].to_vec();
+        // The very same numbers, so that no ray slips through between them.
+        row[end - behind] = first;
+        curve.segments.extend(kind.segments(&row));
+        rest = &rest[end + 1..];
+    }
+    let unclosed = !rest.is_empty();
+    (curve, unclosed)
+}
+
+/// Tells of an outline that is not closed.
+pub fn report_open(block: &str, kind: Interpolation, span: Span, r: &mut dyn Reader) {
+    let done = if kind == Linear { "closed now" } else { "left out" };
+    let message = format!("the last outline of this `{block}` is not closed; it is {done}");
+    let help = "repeat the first point of the outline at its end, and count it";
+    r.report(Diagnostic::new(codes::OPEN_OUTLINE, span, message).help(help));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(list: &[(f64, f64)]) -> Vec<DVec2> {
+        list.iter().map(|&(x, y)| DVec2::new(x, y)).collect()
+    }
+
+    #[test]
+    fn as_pov_ray_tells() {
+        // Largest radius and ends of lathes, by min_extent and max_extent.
+        let p = points(&[(0.0, 0.0), (1.0, 0.5), (0.5, 1.0), (0.7, 2.0), (0.2, 3.0), (1.0, 4.0)]);
+        let (min, max) = single_row(Quadratic, &p[..5]).ends();
+        assert!((max - DVec2::new(1.020833333, 3.0)).length() < 1e-7 && min.y == 0.5, "{min} {max}");
+        let (min, max) = single_row(Cubic, &p).ends();
+        assert!((max - DVec2::new(1.008820295, 3.0)).length() < 1e-7 && min.y == 0.5, "{min} {max}");
+    }
+
+    #[test]
+    fn outlines_of_the_manual() {
+        let frame =
+            [(0., 0.), (6., 0.), (6., 8.), (0., 8.), (0., 0.), (1., 1.), (5., 1.), (5., 7.), (1., 7.), (1., 1.)];
+        let (curve, open) = outlines(Linear, &points(&frame));
+        assert!(curve.segments.len() == 8 && !open);
+        let inside = |curve: &Curve, x: f64, y: f64| curve.surrounds(y, |at| at > x);
+        assert!(inside(&curve, 0.5, 4.0) && !inside(&curve, 3.0, 4.0) && !inside(&curve, 7.0, 4.0));
+        let frame = [
+            (1., -1.),
+            (0., 0.),
+            (6., 0.),
+            (6., 8.),
+            (0., 8.),
+            (0., 0.),
+            (-1., 1.),
+            (2., 0.),
+            (1., 1.),
+            (5., 1.),
+            (5., 7.),
+            (1., 7.),
+            (1., 1.),
+            (0., 2.),
+        ];
+        let (curve, open) = outlines(Cubic, &points(&frame));
+        assert!(curve.segments.len() == 8 && !open && inside(&curve, 0.5, 4.0) && !inside(&curve, 3.0, 4.0));
+        let (curve, open) = outlines(Cubic, &points(&frame[..6]));
+        assert!(curve.segments.is_empty() && open);
+        let (curve, open) = outlines(Linear, &points(&[(0., 0.), (1., 0.), (0., 1.)]));
+        assert!(curve.segments.len() == 3 && open && inside(&curve, 0.2, 0.2));
+    }
+}

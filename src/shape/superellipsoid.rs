@@ -1,0 +1,348 @@
+//! `superellipsoid { <e, n> }`: between box, ball and octahedron, from -1 to 1 along each axis.
+//!
+//! Where (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) is 1. `e` rounds the outline seen along z, `n` that seen from the side: near 0 they are
+//! square, 1 is a circle, 2 a rhombus, and above 2 a star. `<0.2, 0.2>` is a box with round edges, `<1, 0.2>` such a drum.
+//!
+//! ```pov
+//! superellipsoid { <0.3, 0.5> rotate x*30 translate y pigment { color rgb <0.9, 0.4, 0.2> } }
+//! ```
+
+use super::{Hit, Hits, Kernel, Readable, finite, moved_box};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
+use crate::source::Span;
+use crate::value::{Kind, Param, Reader, Spec};
+use serde::Serialize;
+
+const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
+/// Roots are not told apart, and not known better, than this.
+const STEP: f64 = 1e-15;
+
+/// A superquadric ellipsoid.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Superellipsoid {
+    /// East-west: not negative; 0 is square.
+    pub e: f64,
+    /// North-south: not negative.
+    pub n: f64,
+}
+
+/// (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by both.
+fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
+    let (big, small) = if x > y { (x, y) } else { (y, x) };
+    if big == 0.0 {
+        return (0.0, 0.0, 0.0);
+    }
+    // By the ratio, whose power can't overflow.
+    let ratio = small / big;
+    let power = fp::pow(ratio, a);
+    let sum = 1.0 + power;
+    let value = big * fp::pow(sum, 1.0 / a);
+    let by_big = value / big / sum;
+    // (Where it has an edge, at 0, any slope between those of both sides will do.)
+    let by_small = match () {
+        _ if ratio > 0.0 => by_big * power / ratio,
+        _ if a >= 1.0 => 0.0,
+        _ => f64::INFINITY,
+    };
+    if x > y { (value, by_big, by_small) } else { (value, by_small, by_big) }
+}
+
+impl Superellipsoid {
+    /// How many times it must grow to reach the point, and the gradient of that. For exponents up to 2 it is a norm.
+    fn gauge(&self, p: DVec3) -> (f64, DVec3) {
+        let q = p.abs();
+        let (across, by_x, by_y) = norm(q.x, q.y, 2.0 / self.e);
+        let (value, by_across, by_z) = norm(across, q.z, 2.0 / self.n);
+        let product = |by: f64| if by_across == 0.0 || by == 0.0 { 0.0 } else { by_across * by };
+        let slopes = DVec3::new(product(by_x), product(by_y), by_z);
+        (value, DVec3::select(p.cmplt(DVec3::ZERO), -slopes, slopes))
+    }
+
+    fn is_empty(&self) -> bool {
+        !(self.e >= 0.0 && self.n >= 0.0)
+    }
+
+    /// Of a convex one: from one end of the line's part in the cube to the surface. A tangent of a convex function lies below
+    /// it, so Newton's steps come near the root and never pass it; where the function no longer falls there is none.
+    fn from_end(&self, o: DVec3, v: DVec3, from: f64, to: f64) -> Option<f64> {
+        let toward = (to - from).signum();
+        let mut s = from;
+        for _ in 0..200 {
+            let (value, gradient) = self.gauge(o + v * s);
+            let excess = value - 1.0;
+            if excess <= 0.0 {
+                return Some(s);
+            }
+            let slope = gradient.dot(v) * toward;
+            if slope >= 0.0 {
+                return None;
+            }
+            let step = excess / -slope;
+            s += step * toward;
+            if (to - s) * toward < 0.0 {
+                return None;
+            }
+            if step < STEP {
+                break;
+            }
+        }
+        Some(s)
+    }
+
+    /// The roots between two places of which each coordinate keeps its sign, ascending. True if `found` had enough.
+    fn in_octant(&self, line: &Line, (lo, hi): (f64, f64), found: &mut dyn FnMut(f64) -> bool) -> bool {
+        let (p, q) = (line.at(lo).abs(), line.at(hi).abs());
+        let inside = |p: DVec3| self.gauge(p).0 <= 1.0;
+        // It grows along each axis: at the nearest and farthest corner of the box around the stretch it is least and most.
+        let (near, far) = (p.min(q), p.max(q));
+        if inside(far) || !inside(near) {
+            return false;
+        }
+        let slopes = self.slopes(near, far, (q - p) / (hi - lo));
+        let differ = inside(p) != inside(q);
+        if slopes.0 > 0.0 || slopes.1 < 0.0 || hi - lo < 1e-13 {
+            return differ && found(self.between(line, lo, hi));
+        }
+        let middle = 0.5 * (lo + hi);
+        self.in_octant(line, (lo, middle), found) || self.in_octant(line, (middle, hi), found)
+    }
+
+    /// Bounds of the derivative of (xᵃ + yᵃ)^(b/a) + zᵇ in a box, along v, divided by b.
+    fn slopes(&self, near: DVec3, far: DVec3, v: DVec3) -> (f64, f64) {
+        let (a, b) = (2.0 / self.e, 2.0 / self.n);
+        let power = |lo: f64, hi: f64, n: f64| {
+            let (x, y) = (fp::pow(lo, n), fp::pow(hi, n));
+            (x.min(y), x.max(y))
+        };
+        let times = |(lo, hi): (f64, f64), v: f64| {
+            if v < 0.0 {
+                (hi * v, lo * v)
+            } else if v > 0.0 {
+                (lo * v, hi * v)
+            } else {
+                (0.0, 0.0)
+            }
+        };
+        let plus = |x: (f64, f64), y: (f64, f64)| (x.0 + y.0, x.1 + y.1);
+        let across = power(norm(near.x, near.y, a).0, norm(far.x, far.y, a).0, b - a);
+        let in_plane = plus(times(power(near.x, far.x, a - 1.0), v.x), times(power(near.y, far.y, a - 1.0), v.y));
+        let scaled = |x: f64, least: bool| if (x < 0.0) == least { x * across.1 } else { x * across.0 };
+        let upward = times(power(near.z, far.z, b - 1.0), v.z);
+        plus((scaled(in_plane.0, true), scaled(in_plane.1, false)), upward)
+    }
+
+    /// The root between two places, one inside and one outside: Newton's step where it helps, else bisection.
+    fn between(&self, line: &Line, lo: f64, hi: f64) -> f64 {
+        let outside = |s: f64| self.gauge(line.at(s)).0 - 1.0;
+        let (mut inner, mut outer) = if outside(lo) <= 0.0 { (lo, hi) } else { (hi, lo) };
+        let (mut s, mut last) = (0.5 * (lo + hi), (hi - lo).abs());
+        for _ in 0..100 {
+            let (value, gradient) = self.gauge(line.at(s));
+            if value <= 1.0 {
+                inner = s;
+            } else {
+                outer = s;
+            }
+            let newton = s - (value - 1.0) / gradient.dot(line.v);
+            let helps = (newton - inner) * (newton - outer) <= 0.0 && (newton - s).abs() <= 0.5 * last;
+            let next = if helps { newton } else { 0.5 * (inner + outer) };
+            last = (next - s).abs();
+            s = next;
+            if last < STEP {
+                break;
+            }
+        }
+        s
+    }
+
+    /// Tells each hit in the range, ascending; true ends the search.
+    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
+        let Some((near, far)) = CUBE.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
+        if near >= range.max || far <= range.min {
+            return;
+        }
+        // Measured from the point nearest to the origin.
+        let length = ray.dir.length();
+        let v = ray.dir / length;
+        let middle = -ray.origin.dot(v);
+        let line = Line { o: ray.origin + middle * v, v };
+        let (lo, hi) = (near * length - middle, far * length - middle);
+        let mut tell = |s: f64| {
+            let t = (s + middle) / length;
+            range.contains(t) && found(t)
+        };
+        if self.e <= 2.0 && self.n <= 2.0 {
+            let Some(first) = self.from_end(line.o, v, lo, hi) else { return };
+            if !tell(first) {
+                tell(self.from_end(line.o, v, hi, lo).unwrap_or(first));
+            }
+            return;
+        }
+        let mut cuts: smallvec::SmallVec<[f64; 5]> = smallvec::smallvec![lo, hi];
+        cuts.extend((0..3).map(|axis| -line.o[axis] / v[axis]).filter(|s| *s > lo && *s < hi));
+        cuts.sort_by(f64::total_cmp);
+        let _ = cuts.windows(2).any(|w| w[0] < w[1] && self.in_octant(&line, (w[0], w[1]), &mut tell));
+    }
+}
+
+/// Points o + s·v.
+struct Line {
+    o: DVec3,
+    v: DVec3,
+}
+
+impl Line {
+    fn at(&self, s: f64) -> DVec3 {
+        self.o + self.v * s
+    }
+}
+
+impl Readable for Superellipsoid {
+    const SPEC: Spec = Spec {
+        name: "superellipsoid",
+        summary: "between box, ball and octahedron, from -1 to 1 along each axis",
+        params: &[Param {
+            name: "<e, n>",
+            kind: Kind::Vector2,
+            summary: "how round: near 0 square, 1 round, 2 pointed; around z, and towards z",
+        }],
+        words: &[],
+    };
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let span = r.span();
+        let both = r.vector2()?;
+        finite(span, &[], &[both.x, both.y])?;
+        Ok(Self { e: both.x, n: both.y })
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        if self.is_empty() {
+            let message = format!("a `superellipsoid` with the exponents {} and {} has no surface", self.e, self.n);
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, message).help("neither should be negative; 1 is round"));
+        }
+        Ok(())
+    }
+}
+
+impl Kernel for Superellipsoid {
+    fn bounds(&self) -> Aabb {
+        if self.is_empty() { Aabb::EMPTY } else { CUBE }
+    }
+
+    /// A trifle larger than it is.
+    fn extent(&self, m: &Transform) -> Aabb {
+        moved_box(m, &CUBE.grown(1e-4))
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.search(ray, range, &mut |t| {
+            out.push(Hit::at(t));
+            false
+        });
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut first = None;
+        self.search(ray, range, &mut |t| {
+            first = Some(Hit::at(t));
+            true
+        });
+        first
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        !self.is_empty() && CUBE.contains(p) && self.gauge(p).0 <= 1.0
+    }
+
+    fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
+        let n = self.gauge(p).1;
+        if n.is_finite() && n.length_squared() > 0.0 {
+            return n;
+        }
+        // On the sharp edge of a star, to one of its sides.
+        let edge = n.map(|x| if x.is_infinite() { x.signum() } else { 0.0 });
+        if edge == DVec3::ZERO { DVec3::Z } else { edge }
+    }
+
+    /// POV-Ray has no mapping for it.
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        p.truncate()
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::{all, read};
+
+    fn near(found: &[Hit], want: &[f64]) {
+        let same = found.len() == want.len() && found.iter().zip(want).all(|(h, t)| (h.t - t).abs() < 1e-12);
+        assert!(same, "{found:?} {want:?}");
+    }
+
+    #[test]
+    fn ball_and_octahedron() {
+        let ball = Superellipsoid { e: 1.0, n: 1.0 };
+        let h = (1.0_f64 - 0.25).sqrt();
+        near(&all(&ball, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z * 2.0)), &[(5.0 - h) / 2.0, (5.0 + h) / 2.0]);
+        near(&all(&ball, &Ray::new(DVec3::new(0.8, 0.7, -5.0), DVec3::Z)), &[]);
+        let octahedron = Superellipsoid { e: 2.0, n: 2.0 };
+        near(&all(&octahedron, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z)), &[4.7, 5.3]);
+        near(&all(&octahedron, &Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X)), &[4.0, 6.0]);
+    }
+
+    #[test]
+    fn as_pov_ray_traces() {
+        // `trace()` from <.1, .2, -5> along z.
+        for (e, n, z) in [(1.0, 1.0, 0.974679434481), (0.1, 0.1, 1.0), (2.0, 0.5, 0.997968819820)] {
+            let shape = Superellipsoid { e, n };
+            let hit = shape.closest(&Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z), Range::FORWARD).unwrap();
+            assert!((hit.t - 5.0 + z).abs() < 1e-10, "{e} {n} {hit:?}");
+        }
+        let n =
+            Superellipsoid { e: 2.0, n: 0.5 }.normal(DVec3::new(0.1, 0.2, 0.997968819820), &Hit::at(0.0)).normalize();
+        assert!(n.distance(DVec3::new(0.027145172107, 0.027145172107, 0.999262867949)) < 1e-9, "{n}");
+    }
+
+    #[test]
+    fn from_sharp_to_starry() {
+        for e in [0.0, 0.01, 0.1, 0.5, 1.5, 2.5, 5.0] {
+            for n in [0.01, 0.3, 1.0, 2.0, 3.0, 5.0] {
+                let shape = Superellipsoid { e, n };
+                for k in 0..60 {
+                    let (sin, cos) = fp::sin_cos(f64::from(k) * 2.4);
+                    let from = DVec3::new(3.0 * cos, 3.0 * sin, 0.1 * f64::from(k) - 3.0);
+                    let ray = Ray::new(from, DVec3::new(0.11, -0.07, 0.05) * (f64::from(k % 7) - 3.0) - from);
+                    let hits = all(&shape, &ray);
+                    assert!(hits.len().is_multiple_of(2), "{shape:?} {ray:?} {hits:?}");
+                    for hit in &hits {
+                        let (value, _) = shape.gauge(ray.at(hit.t));
+                        assert!((value - 1.0).abs() < 1e-9 || e > 2.0 || n > 2.0, "{shape:?} {ray:?} {value}");
+                    }
+                    for j in 0..200 {
+                        let t = f64::from(j) / 100.0;
+                        let behind = hits.iter().filter(|h| h.t > t).count();
+                        let clear = hits.iter().all(|h| (h.t - t).abs() > 1e-6);
+                        assert!(
+                            !clear || shape.inside(ray.at(t)) == (behind % 2 == 1),
+                            "{shape:?} {ray:?} {t} {hits:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn reading() {
+        assert_eq!(read::<Superellipsoid>("<0.5,2,0>").0.unwrap(), Superellipsoid { e: 0.5, n: 2.0 });
+        assert_eq!(read::<Superellipsoid>("<-1,1,0>").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read::<Superellipsoid>("<inf,1,0>").0.unwrap_err().code, codes::NOT_FINITE);
+    }
+}
