@@ -47,7 +47,7 @@ const RESERVED: &[(&str, &[&str])] = &[
     ("clap::", &["cli/"]),
     ("image::", &["image_io/"]),
     ("exr::", &["image_io/"]),
-    ("ttf_parser", &["font.rs"]),
+    ("ttf_parser", &["font/"]),
     ("println!", &["cli/", "main.rs"]),
     ("eprintln!", &["cli/", "main.rs"]),
     ("print!", &["cli/", "main.rs"]),

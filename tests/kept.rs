@@ -40,7 +40,7 @@ fn the_dump_shows_what_is_not_drawn() {
         sky_sphere { pigment { gradient y color_map { [0 rgb 0.25] [1 rgbt <0, 0, 1, 0.5>] } } }
         camera { fisheye angle 160 location <0, 0, -5> look_at 0 aperture 0.4 focal_point <0, 0, 0.75> }
         light_source { 5*y, rgb 1 area_light 4*x, <0, 0, 4>, 5, 6 adaptive 2 jitter spotlight point_at <1, 2, 3> }
-        blob { threshold 0.65 sphere { <1, 0, 0>, 1.5, 2 pigment { Red } } pigment { Red } }
+        ovus { 0.65, 1.5 pigment { Red } }
         #declare Dust = media { scattering { 3, rgb 0.125 } };
         sphere {
           0, 1 hollow photons { target 0.75 }
@@ -56,7 +56,7 @@ fn the_dump_shows_what_is_not_drawn() {
     holds(&dump, r#""undrawn":["fisheye",{"aperture":[0.4]},{"focal_point":[[0.0,0.0,0.75]]},{"angle":[160.0]}]"#);
     holds(&dump, r#"{"area_light":[[4.0,0.0,0.0],[0.0,0.0,4.0],5.0,6.0]},{"adaptive":[2.0]},"jitter","spotlight""#);
     holds(&dump, r#"{"point_at":[[1.0,2.0,3.0]]}"#);
-    holds(&dump, r#""said":["threshold",0.65,{"sphere":[[1.0,0.0,0.0],1.5,2.0,{"pigment":[{"rgb":[1.0,0.0,0.0]}]}]}]"#);
+    holds(&dump, r#""said":[0.65,1.5]"#);
     holds(&dump, r#"{"photons":["target",0.75]}"#);
     holds(&dump, r#"{"subsurface":["translucency",0.25]}"#);
     holds(&dump, r#"{"media":[{"media":[{"scattering":[3.0,{"rgb":[0.125,0.125,0.125]}]}]}]}"#);
@@ -72,7 +72,7 @@ fn a_scene_that_is_drawn_shows_nothing_of_it() {
 fn a_text_names_the_font_that_is_there() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["DejaVuSans.ttf", "DejaVuSerif-Bold.ttf"] {
-        std::fs::write(folder.path().join(name), "").unwrap();
+        std::fs::write(folder.path().join(name), include_bytes!("../src/font/Roboto-Regular.ttf")).unwrap();
     }
     let text =
         "#version 3.7; camera { location -5*z } text { ttf \"timesbd\" \"Dürer\" 0.25, <0, 0, 0> pigment { rgb 1 } }";

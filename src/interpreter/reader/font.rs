@@ -13,7 +13,7 @@ impl Interpreter<'_> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let path = match self.find_read_file(&full, at)? {
             Some(path) => path,
-            None => match self.stand_in(&full, at) {
+            None => match self.stand_in(name, &full, at) {
                 Some(path) => path,
                 None => return Ok(Arc::new(Font::own())),
             },
@@ -27,11 +27,11 @@ impl Interpreter<'_> {
     }
 
     /// A font of the system: the one of this name, or one that looks like it, which is told.
-    fn stand_in(&mut self, name: &str, at: Span) -> Option<PathBuf> {
+    fn stand_in(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
         let search = &self.options.search.fonts;
         let found = fonts::similar(name, search, |path| self.options.sandbox.may_read(path));
         let file = found.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
-        if file.as_ref().is_some_and(|file| file.eq_ignore_ascii_case(name)) {
+        if file.as_ref().is_some_and(|file| file.eq_ignore_ascii_case(full)) {
             return found;
         }
         let what = match file {

@@ -82,9 +82,6 @@ pub struct Object {
     pub body: Arc<ObjectBody>,
     /// All its transforms, in the space around its block.
     pub transform: Seldom<Transform>,
-    /// All of them but the last, if there is one and [`ObjectBody::remembers_moves`].
-    #[serde(skip)]
-    pub before_last: Option<Arc<Transform>>,
     /// The text that made it.
     pub source: Span,
     /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
@@ -118,6 +115,8 @@ pub struct Bulk {
     pub weight: Weight,
     /// [`Kernel::remembers_moves`] of one of its shapes.
     pub remembers_moves: bool,
+    /// All its transforms but the last, if there is one and it remembers them.
+    pub before_last: Option<Arc<Transform>>,
 }
 
 /// What few objects say.
@@ -139,6 +138,11 @@ pub struct Rare {
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub undrawn: Option<Arc<Vec<RawItem>>>,
+}
+
+impl Bulk {
+    /// That of a shape, which mostly needs none.
+    const SHAPE: Self = Self { extent: None, weight: Weight::SHAPE, remembers_moves: false, before_last: None };
 }
 
 impl Usual for Rare {
@@ -178,7 +182,7 @@ impl ObjectBody {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
                 let remembers_moves = parts.iter().any(|part| part.remembers_moves());
-                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts), remembers_moves }))
+                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts), remembers_moves, before_last: None }))
             }
             _ => None,
         };
@@ -234,7 +238,6 @@ impl Object {
         Self {
             body: Arc::new(ObjectBody::new(kind, word)),
             transform: Seldom::USUAL,
-            before_last: None,
             source,
             default_texture: defaults.texture.clone(),
         }

@@ -1,7 +1,7 @@
 //! Reads objects: the blocks that make them, and the modifiers that may stand in each (manual, "Object Modifiers").
 
 use super::carried::Carried;
-use super::{CsgOp, Object, ObjectBody, ObjectKind};
+use super::{Bulk, CsgOp, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::light::Light;
 use crate::math::Transform;
@@ -173,7 +173,8 @@ impl Object {
                 continue;
             }
             if next.moves() && shape.as_deref().map_or_else(|| self.remembers_moves(), Kernel::remembers_moves) {
-                self.before_last = Some(self.transform.unusual().cloned().unwrap_or_default());
+                let before = self.transform.unusual().cloned().unwrap_or_default();
+                self.bulk.get_or_insert_with(|| Box::new(Bulk::SHAPE)).before_last = Some(before);
             }
             let read = match self.read_modifier(next, r, defaults) {
                 // (Its number has been read by then.)

@@ -27,9 +27,9 @@ pub(super) struct Look {
 impl Place {
     /// The space in the block of an object that stands in this one: world from object = world from block · block from object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
-        let before = match (&self.before, &object.before_last) {
+        let before = match (&self.before, object.bulk.as_ref().and_then(|bulk| bulk.before_last.as_ref())) {
             (Some(around), _) => Some(composed(&object.transform, around)),
-            (None, own) => own.as_deref().map(|own| (*own).into()),
+            (None, own) => own.map(|own| (**own).into()),
         };
         Ok(Self { now: moved(&object.transform, &self.now, object.source)?, before })
     }

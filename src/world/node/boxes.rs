@@ -64,14 +64,18 @@ impl SolidNode {
 
     /// Does POV-Ray's box show: is it inside at places outside of its bounds, or do rays pass it by?
     pub(in crate::world) fn shows_reach(&self) -> bool {
-        self.more.as_ref().is_some_and(|more| more.reach.cuts) || self.is_unbounded()
+        let passed_by = match &self.kind {
+            SolidKind::Intersection(_) => self.reach().union(self.bounds()) != self.reach(),
+            _ => false,
+        };
+        passed_by || self.is_unbounded()
     }
 
     /// The same with the box that POV-Ray tells of it.
     pub(in crate::world) fn reaching(mut self, around: Aabb) -> Self {
         if let Some(more) = &mut self.more {
-            more.reach.around = around;
-            more.reach.cuts &= around.union(more.boxes.surface) != around;
+            let of_all = matches!(self.kind, SolidKind::Intersection(_));
+            more.reach = Reach { around, cuts: of_all && around.union(more.boxes.surface) != around, ..more.reach };
         }
         self
     }
@@ -88,8 +92,7 @@ impl SolidNode {
                 upright.map(Self::reach).fold(Aabb::INFINITE, Aabb::intersection)
             }
         };
-        let cuts = matches!(self.kind, SolidKind::Intersection(_)) && around.union(surface) != around;
-        Reach { around, inverted: false, cuts }
+        Reach { around, inverted: false, cuts: false }
     }
 
     fn is_inverted(&self) -> bool {
