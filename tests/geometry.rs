@@ -423,7 +423,11 @@ proptest! {
         for (many, few) in &pairs {
             for _ in 0..20 {
                 let (ray, range) = (dice.ray(), dice.range());
-                let list = |node| node_hits(node, &ray, range).iter().map(|f| (f.t(), f.leaf.id)).collect::<Vec<_>>();
+                let list = |node| {
+                    let mut list: Vec<_> = node_hits(node, &ray, range).iter().map(|f| (f.t(), f.leaf.id)).collect();
+                    list.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+                    list
+                };
                 prop_assert_eq!(list(many), list(few), "{:?}", ray);
                 prop_assert_eq!(many.closest(&ray, range).map(|f| f.t()), few.closest(&ray, range).map(|f| f.t()));
                 let p = dice.vector(3.0);

@@ -175,7 +175,8 @@ impl Superellipsoid {
         if self.e <= 2.0 && self.n <= 2.0 {
             let Some(first) = self.from_end(line.o, v, lo, hi) else { return };
             if !tell(first) {
-                tell(self.from_end(line.o, v, hi, lo).unwrap_or(first));
+                // (Where it is only grazed, rounding may put the way out before the way in.)
+                tell(self.from_end(line.o, v, hi, lo).map_or(first, |last| last.max(first)));
             }
             return;
         }

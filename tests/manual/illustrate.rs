@@ -41,7 +41,9 @@ pub fn illustrated(file: &str, page: &str, source: &Path, examples: &[(String, B
             && said
             && let Some((heading, count)) = due.take()
         {
-            let name = format!("{}{}", slug(heading), if count > 1 { "_warp" } else { "" });
+            // (A pattern has this name too.)
+            let more = if (file, heading) == ("shapes.md", "cubic") { "_shape" } else { "" };
+            let name = format!("{}{}{more}", slug(heading), if count > 1 { "_warp" } else { "" });
             let scene = example(heading, &name, count, source, examples)?;
             let shown = scene.strip_prefix(STAGE).unwrap_or(&scene).trim_end();
             out.text += &format!("\n```pov\n{shown}\n```\n\n![{heading}](../pictures/reference/{name}.png)\n");
