@@ -85,12 +85,7 @@ fn a_text_names_the_font_that_is_there() {
     let json = serde_json::to_string(&with.scene.unwrap()).unwrap();
     let file = folder.path().join("DejaVuSerif-Bold.ttf");
     let file = serde_json::to_string(&file).unwrap();
-    holds(
-        &json,
-        &format!(
-            r#""said":[{{"ttf":[{{"text":"timesbd"}},{{"text":{file}}}]}},{{"text":"Dürer"}},0.25,[0.0,0.0,0.0]]"#
-        ),
-    );
+    holds(&json, &format!(r#""font":"timesbd","file":{file},"string":"Dürer","depth":0.25"#));
     let without = outcome(text, vec![]);
-    assert_eq!(told(&without), "the font `timesbd` was not found, and there is no other one that could stand for it");
+    assert_eq!(told(&without), "the font `timesbd` was not found: durer's own one, Roboto, stands for it");
 }

@@ -221,7 +221,8 @@ fn of_materials<'w>(
     if let Some(inside) = part.inside.as_ref().filter(|_| from_inside) {
         return tell(inside, 1.0);
     }
-    if let Some(cut) = part.cut {
+    let Some(rare) = &part.rare else { return tell(&part.outside, 1.0) };
+    if let Some(cut) = rare.cut {
         let holds = |(node, placed): &'w (SolidNode, PlacedMaterial)| node.inside(surface.point).then_some(placed);
         let materials: SmallVec<[&PlacedMaterial; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
         if !materials.is_empty() {
@@ -229,7 +230,7 @@ fn of_materials<'w>(
             return materials.into_iter().for_each(|placed| tell(placed, share));
         }
     }
-    if part.carried.is_empty() {
+    if rare.carried.is_empty() {
         return tell(&part.outside, 1.0);
     }
     for (slot, share) in found.leaf.shape.slots(surface.object_point, &found.hit) {
@@ -237,7 +238,7 @@ fn of_materials<'w>(
         if share < world.adc_bailout {
             continue;
         }
-        let own = slot.checked_sub(1).and_then(|number| part.carried.get(number as usize));
+        let own = slot.checked_sub(1).and_then(|number| rare.carried.get(number as usize));
         tell(own.unwrap_or(&part.outside), share);
     }
 }
@@ -270,7 +271,7 @@ fn texture_context<'w>(
 pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
     let part = &world.parts[found.leaf.id as usize];
     let outside = &world.materials[part.outside.material as usize];
-    if part.inside.is_none() && part.cut.is_none() && part.carried.is_empty() && outside.solid && !quick {
+    if part.inside.is_none() && part.rare.is_none() && outside.solid && !quick {
         return outside.pass;
     }
     let surface = found.surface(ray);

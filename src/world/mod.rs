@@ -41,7 +41,7 @@ pub struct World {
     pub parts: Vec<Part>,
     /// By [`SolidNode::object`].
     pub objects: Vec<ObjectInfo>,
-    /// By [`Part::cut`]: what can be cut. At a point, all that hold it are seen in equal parts, and [`Part::outside`] where none does.
+    /// By [`RarePart::cut`]: what can be cut. At a point, all that hold it are seen in equal parts, and [`Part::outside`] where none does.
     pub cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
     /// By [`PlacedMaterial::material`].
     pub materials: Vec<Material>,
@@ -82,11 +82,9 @@ pub struct Part {
     pub outside: PlacedMaterial,
     /// Seen from inside, if that differs.
     pub inside: Option<Box<PlacedMaterial>>,
-    /// The textures that the shape carries itself; number 1 is the first.
-    #[serde(skip_serializing_if = "<[PlacedMaterial]>::is_empty")]
-    pub carried: Box<[PlacedMaterial]>,
-    /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
-    pub cut: Option<u32>,
+    /// What few of them have.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rare: Option<Box<RarePart>>,
     /// Number of what fills it.
     pub interior: u32,
     /// Light from behind counts as light from the front.
@@ -95,6 +93,15 @@ pub struct Part {
     pub uv: bool,
     /// The text that made it.
     pub source: Span,
+}
+
+/// What else may be seen of a leaf than its own materials.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct RarePart {
+    /// The textures that the shape carries itself; number 1 is the first.
+    pub carried: Box<[PlacedMaterial]>,
+    /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
+    pub cut: Option<u32>,
 }
 
 /// A material where it lies.

@@ -182,7 +182,12 @@ impl ObjectBody {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
                 let remembers_moves = parts.iter().any(|part| part.remembers_moves());
-                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts), remembers_moves, before_last: None }))
+                Some(Box::new(Bulk {
+                    extent: None,
+                    weight: Weight::default().around(parts),
+                    remembers_moves,
+                    before_last: None,
+                }))
             }
             _ => None,
         };

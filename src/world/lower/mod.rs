@@ -7,7 +7,7 @@ mod views;
 
 use super::geometry::Heap;
 use super::leaf::place;
-use super::{Geometry, Leaf, Material, ObjectInfo, Part, PlacedMaterial, PointLight, SolidNode, World};
+use super::{Geometry, Leaf, Material, ObjectInfo, Part, PlacedMaterial, PointLight, RarePart, SolidNode, World};
 use crate::color::Gamma;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
@@ -264,7 +264,8 @@ impl Lowering {
         let interior = own.interior.unwrap_or_else(|| self.add_air());
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, .. } = own.flags;
-        self.parts.push(Part { outside, inside, carried, cut, interior, double_illuminate, uv, source: object.source });
+        let rare = (cut.is_some() || !carried.is_empty()).then(|| Box::new(RarePart { carried, cut }));
+        self.parts.push(Part { outside, inside, rare, interior, double_illuminate, uv, source: object.source });
         let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
         Ok(Solid { node: SolidNode::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }
