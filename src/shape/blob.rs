@@ -5,7 +5,7 @@
 //! components begin and end.
 //!
 //! ```pov
-//! blob { threshold 0.5 sphere { <-0.5, 0, 0>, 1, 1 } sphere { <0.5, 0, 0>, 1, 1 } pigment { color rgb <0.8, 0.4, 0.3> } }
+//! blob { threshold 0.3 sphere { <-0.6, 0.8, 0>, 1.2, 1 } sphere { <0.7, 0.9, 0>, 1, 1 } pigment { color rgb <0.8, 0.4, 0.3> } }
 //! ```
 
 use super::{Hit, Hits, Kernel, Paints, Readable, Slots, Sphere, finite, moved_box};
@@ -67,20 +67,20 @@ impl Component {
     }
 
     /// From the nearest point of its middle, in radii.
-    fn from_middle(&self, p: DVec3) -> DVec3 {
+    fn way_from_middle(&self, p: DVec3) -> DVec3 {
         let from_base = self.local(p) - self.base;
         let along = from_base.dot(self.axis) / self.axis.length_squared().max(f64::MIN_POSITIVE);
         (from_base - self.axis * along.clamp(0.0, 1.0)) / self.radius
     }
 
     fn field(&self, p: DVec3) -> f64 {
-        let u = 1.0 - self.from_middle(p).length_squared();
+        let u = 1.0 - self.way_from_middle(p).length_squared();
         if u > 0.0 { self.strength * u * u } else { 0.0 }
     }
 
     /// The gradient of its field: s·2u·(-2d/r²), where d is the way from its middle; by Mᵀ⁻¹ like a normal.
     fn gradient(&self, p: DVec3) -> DVec3 {
-        let d = self.from_middle(p);
+        let d = self.way_from_middle(p);
         let u = 1.0 - d.length_squared();
         if u <= 0.0 {
             return DVec3::ZERO;

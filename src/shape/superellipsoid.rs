@@ -65,7 +65,7 @@ impl Superellipsoid {
 
     /// Of a convex one: from one end of the line's part in the cube to the surface. A tangent of a convex function lies below
     /// it, so Newton's steps come near the root and never pass it; where the function no longer falls there is none.
-    fn from_end(&self, o: DVec3, v: DVec3, from: f64, to: f64) -> Option<f64> {
+    fn seen_from(&self, o: DVec3, v: DVec3, from: f64, to: f64) -> Option<f64> {
         let toward = (to - from).signum();
         let mut s = from;
         for _ in 0..200 {
@@ -173,10 +173,10 @@ impl Superellipsoid {
             range.contains(t) && found(t)
         };
         if self.e <= 2.0 && self.n <= 2.0 {
-            let Some(first) = self.from_end(line.o, v, lo, hi) else { return };
+            let Some(first) = self.seen_from(line.o, v, lo, hi) else { return };
             if !tell(first) {
                 // (Where it is only grazed, rounding may put the way out before the way in.)
-                tell(self.from_end(line.o, v, hi, lo).map_or(first, |last| last.max(first)));
+                tell(self.seen_from(line.o, v, hi, lo).map_or(first, |last| last.max(first)));
             }
             return;
         }

@@ -4,7 +4,7 @@
 //! and the next.
 //!
 //! ```pov
-//! text { ttf "timrom.ttf" "durer" 0.2, 0 pigment { color rgb <0.8, 0.3, 0.1> } }
+//! text { ttf "timrom.ttf" "durer" 0.2, 0 pigment { color rgb <0.8, 0.3, 0.1> } scale 1.6 translate -1.6*x }
 //! ```
 
 use super::{Hit, Hits, Kernel, Readable, finite};

@@ -10,7 +10,7 @@ use smallvec::SmallVec;
 const LEAF: usize = 3;
 
 impl Bvh {
-    /// Over boxes that [`fits`] accepts; also returns which box comes at which place in its order.
+    /// Over boxes that [`super::fits`] accepts; also returns which box comes at which place in its order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
         let mut bvh = Bvh { nodes: Vec::with_capacity(boxes.len() / 2 + 1) };
         let mut prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();

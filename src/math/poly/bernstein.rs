@@ -95,8 +95,8 @@ fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
 /// Both halves of a stretch.
 fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     let (mut left, mut right) = (*b, *b);
-    for k in 0..degree {
-        left[k] = right[0];
+    for (k, end) in left.iter_mut().enumerate().take(degree) {
+        *end = right[0];
         for i in 0..degree - k {
             right[i] = 0.5 * (right[i] + right[i + 1]);
         }
@@ -124,11 +124,9 @@ impl Search<'_> {
             return (self.found)(middle) || !crossed && (self.found)(middle);
         }
         let (left, right) = halves(b, self.degree);
-        if self.backwards {
-            self.walk(&right, middle, hi) || self.walk(&left, lo, middle)
-        } else {
-            self.walk(&left, lo, middle) || self.walk(&right, middle, hi)
-        }
+        let (near, far) = ((&left, lo, middle), (&right, middle, hi));
+        let (first, then) = if self.backwards { (far, near) } else { (near, far) };
+        self.walk(first.0, first.1, first.2) || self.walk(then.0, then.1, then.2)
     }
 }
 

@@ -252,12 +252,13 @@ use mesh_kernel;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::fp;
 
     /// A grid of n×n squares over [0, 1]², each of two triangles, on a curved surface.
     fn grid(n: usize) -> TriangleMesh {
         let at = |i: usize, j: usize| {
             let (x, y) = (i as f64 / n as f64, j as f64 / n as f64);
-            DVec3::new(x, y, 0.3 * (x * 7.0).sin() * (y * 5.0).cos())
+            DVec3::new(x, y, 0.3 * fp::sin(x * 7.0) * fp::cos(y * 5.0))
         };
         let number = |i: usize, j: usize| (i * (n + 1) + j) as u32;
         let mut mesh = TriangleMesh::default();
