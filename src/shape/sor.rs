@@ -116,7 +116,7 @@ impl Kernel for Sor {
         for (end, part) in self.ends().into_iter().zip([BOTTOM, TOP]) {
             let t = (end.y - ray.origin.y) / ray.dir.y;
             let p = ray.at(t);
-            if range.contains(t) && p.x * p.x + p.z * p.z <= end.x * end.x {
+            if range.contains(t) && p.x * p.x + p.z * p.z < end.x * end.x {
                 out.push(Hit::on(t, part));
             }
         }
@@ -145,9 +145,13 @@ impl Kernel for Sor {
         }
     }
 
+    /// On the lids, from the middle to the rim of the lower and back to the middle of the upper one; as seen in POV-Ray.
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
+        let [bottom, top] = self.ends();
+        let (around, across) = (fp::turn(p.z, p.x), fp::hypot(p.x, p.z));
         match hit.part {
-            BOTTOM | TOP => DVec2::new(fp::turn(p.z, p.x), f64::from(hit.part == TOP)),
+            BOTTOM => DVec2::new(around, across / bottom.x),
+            TOP => DVec2::new(around, 1.0 - across / top.x),
             _ => self.walls.uv(p, hit),
         }
     }
@@ -169,6 +173,8 @@ mod tests {
         assert!(n.distance(DVec3::new(-0.854337144682, -0.519719196506, 0.0)) < 1e-9, "{n}");
         let down = all(&shape, &Ray::new(DVec3::new(0.1, 9.0, 0.05), -DVec3::Y));
         assert_eq!(down.iter().map(|h| (h.t, h.part)).collect::<Vec<_>>(), [(7.0, TOP), (8.0, BOTTOM)]);
+        let on_lids = down.iter().map(|h| shape.uv(DVec3::new(0.3, 9.0 - h.t, 0.4), h));
+        assert_eq!(on_lids.map(|uv| uv.y).collect::<Vec<_>>(), [0.5, 1.0]);
         assert!(shape.inside(DVec3::new(0.3, 1.5, 0.0)) && !shape.inside(DVec3::new(0.9, 1.5, 0.0)));
         assert!(shape.inside(DVec3::new(0.05, 1.0001, 0.0)) && !shape.inside(DVec3::new(0.05, 2.0001, 0.0)));
     }
