@@ -26,6 +26,7 @@
 extern crate alloc;
 
 pub mod advice;
+pub mod atmosphere;
 pub mod camera;
 pub mod cli;
 pub mod color;

@@ -22,20 +22,21 @@ const LAYERS: &[(&str, u32)] = &[
     ("light", 6),
     ("camera", 6),
     ("media", 6),
-    ("scene", 7),
-    ("world", 8),
-    ("interpreter", 9),
-    ("render", 9),
-    ("snapshot", 10),
-    ("advice", 10),
-    ("cli", 11),
-    ("lsp", 11),
-    ("format", 11),
-    ("preview", 11),
+    ("atmosphere", 7),
+    ("scene", 8),
+    ("world", 9),
+    ("interpreter", 10),
+    ("render", 10),
+    ("snapshot", 11),
+    ("advice", 11),
+    ("cli", 12),
+    ("lsp", 12),
+    ("format", 12),
+    ("preview", 12),
 ];
 
 /// What `lib.rs` itself offers stands above all layers but the front ends.
-const ROOT: u32 = 10;
+const ROOT: u32 = 11;
 
 /// Words that only some files may hold, as paths below `src/` begin.
 const RESERVED: &[(&str, &[&str])] = &[

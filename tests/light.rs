@@ -86,7 +86,7 @@ fn highlights() {
 fn set_light(scene: &mut Scene, change: impl Fn(&mut durer::light::Light)) {
     for object in &mut scene.objects {
         if let durer::scene::ObjectKind::Light(light) = &mut object.kind {
-            change(std::sync::Arc::make_mut(light));
+            change(&mut std::sync::Arc::make_mut(light).light);
         }
     }
 }

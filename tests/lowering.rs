@@ -155,7 +155,7 @@ fn wall_of(color: Color) -> Scene {
 
 /// Glass, mirrors, grain, shadows, a checkered floor.
 fn busy() -> Scene {
-    use durer::camera::{Camera, Perspective};
+    use durer::camera::{Camera, PovrayCamera};
     let mut finish = Finish { crand: 0.3, phong: 0.5, ..Finish::default() };
     finish.reflection.min = Rgb::splat(0.2);
     finish.reflection.max = Rgb::splat(0.6);
@@ -172,9 +172,9 @@ fn busy() -> Scene {
         }
     });
     let lamps = [lamp(v(6.0, 9.0, -8.0), 0.8), lamp(v(-9.0, 5.0, -3.0), 0.3)];
-    let camera = Perspective { location: v(0.0, 3.0, -9.0), look_at: Some(Y), ..Perspective::default() };
+    let camera = PovrayCamera { location: v(0.0, 3.0, -9.0), look_at: Some(Y), ..PovrayCamera::default() };
     let objects = [floor].into_iter().chain(balls).chain(lamps).collect();
-    Scene { camera: Camera::Perspective(camera), background: Some(rgb(0.3, 0.4, 0.6)), objects, ..Scene::default() }
+    Scene { camera: Camera::Povray(camera), background: Some(rgb(0.3, 0.4, 0.6)), objects, ..Scene::default() }
 }
 
 #[test]
@@ -219,7 +219,7 @@ fn anti_aliasing_averages_edges() {
     // a bright half plane that ends in the middle of a pixel
     let edge = cuboid(v(-9.0, -9.0, 0.0), v(0.0, 9.0, 1.0)).painted(rgb(1.0, 1.0, 1.0), glowing());
     let mut scene = scene(-5.0 * Z, Z, vec![edge]);
-    scene.camera = durer::camera::Camera::Perspective(durer::camera::Perspective {
+    scene.camera = durer::camera::Camera::Povray(durer::camera::PovrayCamera {
         location: v(0.01, 0.0, -5.0),
         ..Default::default()
     });

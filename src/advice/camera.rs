@@ -1,6 +1,6 @@
 //! The camera: several of them, one that looks along `sky`, one whose window has another shape than the picture.
 
-use crate::camera::Camera;
+use crate::camera::{Camera, Projection};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::DVec3;
 use crate::render;
@@ -27,7 +27,7 @@ fn several(cameras: &[Span]) -> Option<Diagnostic> {
 
 /// A view straight from above, which is mostly meant so.
 pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
-    let Camera::Perspective(camera) = &scene.camera else { return None };
+    let Camera::Povray(camera) = &scene.camera else { return None };
     let ahead = (camera.look_at? - camera.location).try_normalize()?;
     let sky = camera.sky.try_normalize()?;
     if sky.cross(ahead).length() > 1e-10 {
@@ -42,7 +42,9 @@ pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
 
 /// Pixels that are not square.
 pub(super) fn stretched(world: &World, options: &render::Options) -> Option<Diagnostic> {
-    let window = world.camera.window(options.width, options.height);
+    let view = world.eye.view(options.width, options.height);
+    // (Others stretch all by their nature.)
+    let window = view.window()?;
     let middle = window.ray(options.width as f64 / 2.0, options.height as f64 / 2.0).dir;
     let leans = |side: DVec3| side.dot(middle).abs() > 1e-3 * side.length();
     // Whoever sets the window askew knows what it shows.
@@ -60,9 +62,9 @@ pub(super) fn stretched(world: &World, options: &render::Options) -> Option<Diag
     let message = format!("in this picture of {width}x{height}, all is {percent} % {longer} than it should be");
     let fitting = (height as f64 * ratio * width as f64 / height as f64).round() as usize;
     let size = format!("draw it with `--size {fitting}x{height}`");
-    let help = match &world.camera {
-        Camera::Perspective(_) => format!("write `right x*image_width/image_height` in the camera, or {size}"),
-        Camera::Lecture(_) => format!("leave out `fov_x` or `fov_y` in the camera, or {size}"),
+    let help = match &world.eye.projection {
+        Projection::Lecture { .. } => format!("leave out `fov_x` or `fov_y` in the camera, or {size}"),
+        _ => format!("write `right x*image_width/image_height` in the camera, or {size}"),
     };
     let d = Diagnostic::new(codes::STRETCHED, world.camera_source, message);
     Some(d.label("its window has other sides than the picture").help(help))
@@ -71,11 +73,11 @@ pub(super) fn stretched(world: &World, options: &render::Options) -> Option<Diag
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::Perspective;
+    use crate::camera::PovrayCamera;
 
     fn looking(location: DVec3, look_at: DVec3, sky: DVec3) -> bool {
-        let camera = Perspective { location, look_at: Some(look_at), sky, ..Perspective::default() };
-        let scene = Scene { camera: Camera::Perspective(camera), ..Scene::default() };
+        let camera = PovrayCamera { location, look_at: Some(look_at), sky, ..PovrayCamera::default() };
+        let scene = Scene { camera: Camera::Povray(camera), ..Scene::default() };
         along_sky(&scene).is_some()
     }
 

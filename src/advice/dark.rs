@@ -27,7 +27,7 @@ fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
     if world.lights.is_empty() {
         return (Span::NONE, "the scene has no light, and nothing in it shines by itself".into(), lamp());
     }
-    if world.lights.iter().all(|light| light.color.max_element() <= 0.0) {
+    if world.lights.iter().all(|light| light.lamp.color.max_element() <= 0.0) {
         return (Span::NONE, "all of its lights are black".into(), lamp());
     }
     if let Some(found) = in_the_dark(world) {
@@ -44,7 +44,7 @@ fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
 fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
     let mut first = None;
     for light in &world.lights {
-        let around = holder(world, light.location)?;
+        let around = holder(world, light.lamp.location)?;
         first.get_or_insert(around);
     }
     let (word, source) = first?;

@@ -52,12 +52,12 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Vec<Diagno
 /// A few rays all over the picture, none through the middle of a pixel: things that are drawn with round numbers have their edges there.
 fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
     let (width, height) = (options.width as f64, options.height as f64);
-    let window = world.camera.window(options.width, options.height);
+    let view = world.eye.view(options.width, options.height);
     let count = SAMPLES.min(options.width * options.height / PIXELS);
     // The multiples of these two irrational numbers fill a square evenly (Roberts 2018, "R2").
-    (0..count).map(move |i| {
+    (0..count).filter_map(move |i| {
         let part = |step: f64| (0.5 + step * (i + 1) as f64).fract();
-        window.ray(part(0.754_877_666_246_693) * width, part(0.569_840_290_998_053) * height)
+        view.ray(part(0.754_877_666_246_693) * width, part(0.569_840_290_998_053) * height)
     })
 }
 

@@ -1,7 +1,7 @@
 //! A picture that shows nothing but the background, or nothing but the inside of what is around the camera.
 
 use super::{first_leaf, is_somewhere, named, shows, typed};
-use crate::camera::Camera;
+use crate::camera::Projection;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{Aabb, DMat3, DVec3, Range, Ray, tolerance};
 use crate::render;
@@ -15,8 +15,7 @@ const SAMPLES: usize = 200;
 const CENTRE: f64 = 0.5;
 
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
-    let eye = world.camera.window(options.width, options.height).origin;
-    let around = around(world, eye);
+    let around = around(world, world.eye.frame.origin);
     let mut inside = None;
     // Anti-aliasing sees what lies between the pixels' centres too.
     let between = options.antialias.map(|_| rays(world, options, 0.0));
@@ -44,14 +43,15 @@ pub(super) fn sample<'a>(world: &'a World, options: &render::Options) -> impl It
 /// The rays through all pixels, `offset` from the top left of each; those that come first are far from each other.
 fn rays(world: &World, options: &render::Options, offset: f64) -> impl Iterator<Item = Ray> + use<> {
     let (width, total) = (options.width.max(1), options.width * options.height);
-    let window = world.camera.window(options.width, options.height);
+    let view = world.eye.view(options.width, options.height);
     // A step that has no divisor in common with the number of pixels comes to each of them once.
     let coprime = |step: &usize| gcd(*step, total) == 1;
     let step = (total * 618 / 1000 + 1..).find(coprime).unwrap_or(1);
-    (0..total).scan(total / 2, move |at, _| {
+    let places = (0..total).scan(total / 2, move |at, _| {
         *at = (*at + step) % total;
-        Some(window.ray((*at % width) as f64 + offset, (*at / width) as f64 + offset))
-    })
+        Some(((*at % width) as f64 + offset, (*at / width) as f64 + offset))
+    });
+    places.filter_map(move |(x, y)| view.ray(x, y))
 }
 
 fn gcd(a: usize, b: usize) -> usize {
@@ -89,7 +89,7 @@ fn from_inside(world: &World, found: &Intersection) -> Diagnostic {
 fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
     let message = "the picture shows nothing but the background";
     let items: Vec<&SolidNode> = world.geometry.items().iter().filter(|item| shows(world, item.object)).collect();
-    let eye = world.camera.window(options.width, options.height).origin;
+    let eye = world.eye.frame.origin;
     let distance = |item: &SolidNode| item.bounds().min.max(eye).min(item.bounds().max).distance(eye);
     let finite = items.iter().filter(|item| is_somewhere(item));
     let nearest = finite.min_by(|a, b| distance(a).total_cmp(&distance(b)));
@@ -126,7 +126,8 @@ enum Seen {
 impl Seen {
     fn of(world: &World, options: &render::Options, bounds: &Aabb) -> Self {
         let (width, height) = (options.width as f64, options.height as f64);
-        let window = world.camera.window(options.width, options.height);
+        let view = world.eye.view(options.width, options.height);
+        let Some(window) = view.window() else { return Seen::Missed };
         let (right, down) = (window.across * width, window.down * height);
         let ahead = window.corner + (right + down) * 0.5;
         // p = origin + depth · (ahead + x·right + y·down)
@@ -164,10 +165,12 @@ impl Seen {
     }
 
     fn help(&self, world: &World, bounds: &Aabb) -> String {
-        match (self, &world.camera) {
+        match (self, &world.eye.projection) {
             (Seen::Small(_), _) => "bring the camera nearer, or make the object larger with `scale`".into(),
-            (_, Camera::Perspective(_)) => format!("`look_at {}` in the camera turns it there", typed(bounds.center())),
-            (_, Camera::Lecture(_)) => format!("`center {}` in the camera turns it there", typed(bounds.center())),
+            (_, Projection::Lecture { .. }) => {
+                format!("`center {}` in the camera turns it there", typed(bounds.center()))
+            }
+            _ => format!("`look_at {}` in the camera turns it there", typed(bounds.center())),
         }
     }
 }

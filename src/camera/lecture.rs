@@ -1,7 +1,8 @@
 //! The lecture's camera ("Generating rays"), right-handed: `camera { eye <..> center <..> up <..> fov_x 60 fov_y 45 }`.
 //! An addition of durer's. One of the two angles may be left out: the pixels are then square.
 
-use super::Window;
+use super::eye::{Eye, Frame, Projection};
+use super::perspective::Window;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
 use crate::source::Span;
@@ -54,27 +55,33 @@ impl LectureCamera {
         Ok(())
     }
 
-    /// The rays of a picture of this size: p(i, j) = eye + α·u + β·v − w.
-    pub fn window(&self, width: usize, height: usize) -> Window {
+    /// As a ray needs it: p(i, j) = eye + α·u + β·v − w.
+    pub fn eye(&self) -> Eye {
         let w = (self.eye - self.center).normalize();
         let u = self.up.cross(w).normalize();
         let v = w.cross(u);
-        let aspect = width as f64 / height as f64;
         let half = |angle: f64| fp::tan(angle.to_radians() / 2.0);
         let (tan_x, tan_y) = match (self.fov_x, self.fov_y) {
-            (Some(x), Some(y)) => (half(x), half(y)),
-            (Some(x), None) => (half(x), half(x) / aspect),
-            (None, Some(y)) => (half(y) * aspect, half(y)),
-            (None, None) => (half(60.0), half(60.0) / aspect),
+            (None, None) => (Some(half(60.0)), None),
+            (x, y) => (x.map(half), y.map(half)),
         };
         let t = &self.transform;
-        let (u, v, w) = (t.vector(u), t.vector(v), t.vector(w));
-        Window {
-            origin: t.point(self.eye),
-            corner: -u * tan_x + v * tan_y - w,
-            across: u * (2.0 * tan_x / width as f64),
-            down: v * (-2.0 * tan_y / height as f64),
-        }
+        let frame = Frame { origin: t.point(self.eye), direction: -t.vector(w), right: t.vector(u), up: t.vector(v) };
+        Eye { frame, projection: Projection::Lecture { tan_x, tan_y } }
+    }
+}
+
+/// The window of a frame of unit vectors; where one tangent is missing, pixels are square.
+pub(super) fn window(frame: &Frame, (tan_x, tan_y): (Option<f64>, Option<f64>), width: usize, height: usize) -> Window {
+    let aspect = width as f64 / height as f64;
+    let tan_x = tan_x.or(tan_y.map(|y| y * aspect)).unwrap_or(aspect);
+    let tan_y = tan_y.unwrap_or(tan_x / aspect);
+    let Frame { origin, direction, right: u, up: v } = *frame;
+    Window {
+        origin,
+        corner: -u * tan_x + v * tan_y + direction,
+        across: u * (2.0 * tan_x / width as f64),
+        down: v * (-2.0 * tan_y / height as f64),
     }
 }
 
@@ -112,7 +119,8 @@ mod tests {
             fov_y: Some(40.0),
             ..LectureCamera::default()
         };
-        let window = camera.window(64, 48);
+        let view = camera.eye().view(64, 48);
+        let window = view.window().unwrap();
         for (i, j) in [(0, 0), (63, 47), (10, 30)] {
             let ray = window.ray(i as f64 + 0.5, j as f64 + 0.5);
             assert!(ray.dir.distance(by_the_lecture(&camera, i, j, 64.0, 48.0)) < 1e-14);
@@ -122,7 +130,8 @@ mod tests {
     #[test]
     fn one_angle_gives_square_pixels() {
         let camera = LectureCamera { fov_y: Some(50.0), ..LectureCamera::default() };
-        let window = camera.window(300, 100);
+        let view = camera.eye().view(300, 100);
+        let window = view.window().unwrap();
         assert!((window.across.length() - window.down.length()).abs() < 1e-15);
     }
 }

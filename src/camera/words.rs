@@ -1,13 +1,13 @@
 //! The words of the cameras: what the readers obey and the manual lists.
 
 use super::lecture::{LectureCamera, read_field_of_view};
-use super::perspective::Perspective;
+use super::povray::{Kind, PovrayCamera};
 use crate::value::Kind::{Float, Nothing, Vector};
 use crate::value::Vocabulary;
 use crate::value::words::{Row, set, specs, word};
 
-/// How [`PERSPECTIVE`]'s words are read.
-pub(super) const PERSPECTIVE_ROWS: &[Row<Perspective>] = &[
+/// How [`POVRAY`]'s words are read.
+pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
     word("location", Vector, "<0, 0, 0>", "the eye").sets(|s, r| set(&mut s.location, r.vector())),
     word("direction", Vector, "<0, 0, 1>", "from the eye to the middle of the picture; its length zooms")
         .sets(|s, r| set(&mut s.direction, r.vector())),
@@ -17,31 +17,40 @@ pub(super) const PERSPECTIVE_ROWS: &[Row<Perspective>] = &[
         "<1.33, 0, 0>",
         "across the picture; its length over that of `up` is the shape of the picture",
     )
-    .sets(|s, r| set(&mut s.right, r.vector())),
-    word("up", Vector, "<0, 1, 0>", "up the picture").sets(|s, r| set(&mut s.up, r.vector())),
+    .sets(|s, r| set(&mut s.sized, Ok(true)).and(set(&mut s.right, r.vector()))),
+    word("up", Vector, "<0, 1, 0>", "up the picture")
+        .sets(|s, r| set(&mut s.sized, Ok(true)).and(set(&mut s.up, r.vector()))),
     word("sky", Vector, "<0, 1, 0>", "which way `look_at` keeps upright").sets(|s, r| set(&mut s.sky, r.vector())),
     word("look_at", Vector, "", "the point in the middle of the picture")
         .sets(|s, r| set(&mut s.look_at, r.vector().map(Some))),
-    word("angle", Float, "", "how much is seen from left to right, in degrees, below 180")
-        .sets(Perspective::read_angle),
-    word("perspective", Nothing, "", "this kind of camera, which it is anyway").sets(|_, _| Ok(())),
+    word("angle", Float, "", "how much is seen from left to right, in degrees; and of a `spherical` camera, from bottom to top")
+        .sets(PovrayCamera::read_angle),
+    word("perspective", Nothing, "", "rays from one point through a flat window: this kind of camera it is anyway")
+        .sets(|s, _| set(&mut s.kind, Ok(Kind::Perspective))),
+    word("orthographic", Nothing, "", "parallel rays: nothing gets smaller with the distance")
+        .sets(|s, _| set(&mut s.kind, Ok(Kind::Orthographic))),
+    word("fisheye", Nothing, "", "a disc of directions; `angle` is that of the whole disc")
+        .sets(|s, _| set(&mut s.kind, Ok(Kind::Fisheye))),
+    word("ultra_wide_angle", Nothing, "", "a fisheye that fills the picture")
+        .sets(|s, _| set(&mut s.kind, Ok(Kind::UltraWideAngle))),
+    word("omnimax", Nothing, "", "half a turn for a dome; takes no `angle`")
+        .sets(|s, _| set(&mut s.kind, Ok(Kind::Omnimax))),
+    word("panoramic", Nothing, "", "half a turn on a cylinder; takes no `angle`")
+        .sets(|s, _| set(&mut s.kind, Ok(Kind::Panoramic))),
+    word("cylinder", Float, "", "on a cylinder, upright (1, 3) or lying (2, 4); with types 3 and 4 the eye moves along it")
+        .sets(PovrayCamera::read_cylinder),
+    word("spherical", Nothing, "", "longitude and latitude; `angle` takes two numbers, 360 and 180 if none is said")
+        .sets(|s, _| set(&mut s.kind, Ok(Kind::Spherical))),
 ];
 
 /// POV-Ray's camera.
-pub const PERSPECTIVE: Vocabulary = Vocabulary {
+pub const POVRAY: Vocabulary = Vocabulary {
     block: "camera",
     summary: "where the picture is taken from; x to the right, y up, z away from you",
-    words: specs!(PERSPECTIVE_ROWS),
+    words: specs!(POVRAY_ROWS),
     moves: true,
     idle: &[],
     not_drawn: &[
-        "orthographic",
-        "fisheye",
-        "ultra_wide_angle",
-        "omnimax",
-        "panoramic",
-        "cylinder",
-        "spherical",
         "mesh_camera",
         "aperture",
         "blur_samples",
@@ -79,8 +88,8 @@ pub const LECTURE: Vocabulary = Vocabulary {
 /// All words of both.
 pub(super) fn names() -> Vec<&'static str> {
     let own = LECTURE.words.iter().map(|w| w.name).filter(|name| *name != "up");
-    let mut names = PERSPECTIVE.names();
-    let at = names.len() - PERSPECTIVE.not_drawn.len();
+    let mut names = POVRAY.names();
+    let at = names.len() - POVRAY.not_drawn.len();
     names.splice(at..at, own);
     names
 }

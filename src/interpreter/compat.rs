@@ -33,6 +33,12 @@ pub fn has_opacity_by_color(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
+/// Does a pigment of a sky let those below it through by how much of its filter there is, whatever its colour; and is the sky left out of
+/// pictures that keep alpha? By the version in force at the end (measured on POV-Ray 3.7; manual, "Sky Sphere").
+pub fn has_sky_by_share(version: Option<u32>) -> bool {
+    version.is_none_or(|version| version < 370)
+}
+
 /// How numbers relate to light in a scene without `assumed_gamma`, by the version in force at its end: measured on
 /// POV-Ray 3.7, which leaves scenes of older versions, and of none, without any conversion.
 pub fn gamma_without_setting(version: Option<u32>) -> Gamma {

@@ -5,6 +5,7 @@ use super::pieces::is_callable;
 use super::reader::TransformThing;
 use super::scope::Slot;
 use super::stream::{BlockName, Token};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_layers, read_material};
@@ -19,9 +20,6 @@ use std::sync::Arc;
 const LATER: &[&str] = &[
     "media",
     "density",
-    "fog",
-    "rainbow",
-    "sky_sphere",
     "density_map",
     "warp",
     "radiosity",
@@ -126,6 +124,9 @@ impl<'a> Interpreter<'a> {
             "texture_map" => self.inside(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
             "interior" => self.inside(|r, _| Interior::read(r)),
             "material" => self.inside(|r, _| read_material(r, &defaults)),
+            "fog" => self.inside(|r, _| Fog::read(r)),
+            "rainbow" => self.inside(|r, at| Rainbow::read(r, at)),
+            "sky_sphere" => self.inside(|r, at| SkySphere::read(r, &defaults.texture, at)),
             "camera" => self.inside(|r, at| Camera::read(r, at)),
             "transform" => self.inside(|r, _| Ok(TransformThing(r.transform_block()?))),
             _ => Err(self.unexpected_token("something that can be declared").into()),

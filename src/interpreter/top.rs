@@ -2,6 +2,7 @@
 
 use super::stream::Token;
 use super::{Interpreter, compat, hints};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
@@ -27,6 +28,10 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
         word("difference", Kind::Block, "", "the first object without the others"),
         word("object", Kind::Block, "", "a declared object, or another one, with more words behind it"),
         word("background", Kind::Color, "black", "what rays see that hit nothing"),
+        word("sky_sphere", Kind::Block, "", "the sky: pigments in all directions; the last one counts"),
+        word("fog", Kind::Block, "", "colour that covers what is far; of several, all are seen"),
+        word("rainbow", Kind::Block, "", "an arc of colours; of several, all are seen"),
+        word("light_group", Kind::Block, "", "lights that shine on some objects alone"),
         word("global_settings", Kind::Block, "", "what holds for the whole scene"),
         word("default", Kind::Block, "", "behind `#`: what all that follows looks like where it doesn't say"),
         word("declare", Kind::Nothing, "", "`#declare`, where an old scene leaves the `#` out"),
@@ -35,7 +40,7 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
     ],
     moves: false,
     idle: &["max_intersections"],
-    not_drawn: &["fog", "sky_sphere", "rainbow", "media", "radiosity", "photons"],
+    not_drawn: &["media", "radiosity", "photons"],
 };
 
 impl Interpreter<'_> {
@@ -85,7 +90,8 @@ impl Interpreter<'_> {
             self.scene.undrawn.push(said);
             return Ok(());
         }
-        if !matches!(word, "camera" | "background" | "global_settings" | "default") {
+        const OTHERS: [&str; 7] = ["camera", "background", "sky_sphere", "fog", "rainbow", "global_settings", "default"];
+        if !OTHERS.contains(&word) {
             return Err(self.stray_block(word).into());
         }
         let at = self.take()?;
@@ -99,6 +105,18 @@ impl Interpreter<'_> {
                 let color = self.color()?;
                 tell_bytes(self, at, &color);
                 self.scene.background = Some(color);
+            }
+            "sky_sphere" => {
+                let defaults = self.defaults.clone();
+                self.scene.sky_sphere = Some(SkySphere::read(self, &defaults.texture, at)?);
+            }
+            "fog" => {
+                let fog = Fog::read(self)?;
+                self.scene.fogs.push(fog);
+            }
+            "rainbow" => {
+                let rainbow = Rainbow::read(self, at)?;
+                self.scene.rainbows.push(rainbow);
             }
             "default" => self.read_defaults()?,
             _ => {
@@ -234,6 +252,7 @@ impl Interpreter<'_> {
         let generator = self.noise_generator.load(std::sync::atomic::Ordering::Relaxed);
         self.scene.settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
         self.scene.settings.opacity_by_color = compat::has_opacity_by_color(version);
+        self.scene.settings.sky_by_share = compat::has_sky_by_share(version);
         self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
         if self.scene.cameras.is_empty() && self.error_count() == 0 {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";

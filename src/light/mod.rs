@@ -1,6 +1,13 @@
-//! `light_source` (manual, "Light Source").
+//! `light_source` (manual, "Light Source"): what the author said, and what a ray needs of it, [`Lamp`].
 
+mod area;
+mod beam;
+mod lamp;
 pub mod words;
+
+pub use area::Area;
+pub use beam::{Beam, Edge};
+pub use lamp::{Arriving, Lamp};
 
 use crate::color::Rgb;
 use crate::diagnostic::Diagnostic;
@@ -9,27 +16,64 @@ use crate::math::{DVec3, Transform};
 use crate::source::Span;
 use crate::value::words::read_row;
 use crate::value::{Next, RawItem, Reader, Thing};
+use area::AREA_ROWS;
+use beam::BEAM_ROWS;
 use serde::Serialize;
 use words::{LIGHT, LIGHT_ROWS};
 
-/// A point of light.
+/// A light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Light {
     /// Where it is, in the space around the block.
     pub location: DVec3,
     /// Its colour; negative ones darken.
     pub color: Rgb,
-    /// Casts no shadow and makes no highlight.
+    /// Where it shines to.
+    pub beam: Beam,
+    /// What beams and parallel light point at.
+    pub point_at: DVec3,
+    /// Is all its light parallel?
+    pub parallel: bool,
+    /// Casts no shadows and makes no highlights.
     pub shadowless: bool,
+    /// Is it one of a grid of lights?
+    pub spreads: bool,
+    /// The grid; its words may stand before `area_light` itself.
+    pub area: Area,
     /// Distance at which it has its full colour; 0: it does not fade.
     pub fade_distance: f64,
     /// How fast it fades; 0: it does not.
     pub fade_power: f64,
+    /// Does it light up media?
+    pub media_interaction: bool,
+    /// Do media take from it on its way?
+    pub media_attenuation: bool,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub undrawn: Vec<RawItem>,
     /// The text that made it.
     pub source: Span,
+}
+
+impl Default for Light {
+    fn default() -> Self {
+        Self {
+            location: DVec3::ZERO,
+            color: Rgb::ZERO,
+            beam: Beam::Round,
+            point_at: DVec3::Z,
+            parallel: false,
+            shadowless: false,
+            spreads: false,
+            area: Area::default(),
+            fade_distance: 0.0,
+            fade_power: 0.0,
+            media_interaction: true,
+            media_attenuation: false,
+            undrawn: vec![],
+            source: Span::NONE,
+        }
+    }
 }
 
 impl Thing for Light {
@@ -39,35 +83,51 @@ impl Thing for Light {
 }
 
 impl Light {
-    /// Reads what stands between the braces; `source` is the block's place.
+    /// Reads what every light begins with: its place and its colour; `source` is the block's place.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let location = r.vector()?;
         let color = r.color()?.rgb;
-        let mut light =
-            Self { location, color, shadowless: false, fade_distance: 0.0, fade_power: 0.0, undrawn: vec![], source };
-        loop {
-            match r.next()? {
-                Next::End => return Ok(light),
-                next if read_row(LIGHT_ROWS, &mut light, next, r)? => {}
-                next if next.moves() => {
-                    if let Some(step) = r.transform()? {
-                        light.transform(&step);
-                    }
-                }
-                Next::Word(word) | Next::Block(word) if LIGHT.leaves_out(word) => {
-                    light.undrawn.push(r.keep_undrawn(word)?)
-                }
-                _ => return Err(r.unknown_word("light_source", &LIGHT.names()).into()),
+        Ok(Self { location, color, source, ..Self::default() })
+    }
+
+    /// Reads one of its words, if it comes next, and what follows it; false if none does.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
+    pub fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        for rows in [LIGHT_ROWS, BEAM_ROWS, AREA_ROWS] {
+            if read_row(rows, self, next, r)? {
+                return Ok(true);
             }
         }
+        match next {
+            Next::Word(word) | Next::Block(word) if LIGHT.leaves_out(word) => self.undrawn.push(r.keep_undrawn(word)?),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Checks what only the whole block shows.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
+    pub fn finish(&self) -> Result<()> {
+        let area = &self.area;
+        if self.spreads && area.circular && area.size.contains(&1) {
+            let message = "a `circular` area light has more than one light along each side";
+            return Diagnostic::err(codes::BAD_ARGUMENT, self.source, message);
+        }
+        Ok(())
     }
 
     /// Moves the light.
     pub fn transform(&mut self, by: &Transform) {
         self.location = by.point(self.location);
+        self.point_at = by.point(self.point_at);
+        self.area.axes = self.area.axes.map(|axis| by.vector(axis));
     }
 }
 

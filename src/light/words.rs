@@ -1,44 +1,47 @@
 //! The words of `light_source`: what the reader obeys and the manual lists.
 
+use super::area::AREA_ROWS;
+use super::beam::BEAM_ROWS;
 use super::{Light, finite};
-use crate::value::Kind::{Float, Nothing};
-use crate::value::Vocabulary;
-use crate::value::words::{Row, set, specs, word};
+use crate::value::Kind::{Block, Flag, Float, Nothing, Vector};
+use crate::value::words::{Row, joined, set, specs, word};
+use crate::value::{Vocabulary, WordSpec};
 
-/// How [`LIGHT`]'s words are read.
+/// How words are read that all lights take.
 pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
+    word("point_at", Vector, "<0, 0, 1>", "what beams and parallel light point at")
+        .sets(|s, r| set(&mut s.point_at, r.vector())),
+    word("parallel", Nothing, "", "all its light goes one way, as the sun's")
+        .sets(|s, _| set(&mut s.parallel, Ok(true))),
     word("shadowless", Nothing, "", "it casts no shadows and makes no highlights")
         .sets(|s, _| set(&mut s.shadowless, Ok(true))),
     word("fade_distance", Float, "0", "the distance at which it has its full colour; 0: it does not fade")
         .sets(|s, r| set(&mut s.fade_distance, finite(r))),
     word("fade_power", Float, "0", "how fast it fades: 2 is as in nature; 0: it does not fade")
         .sets(|s, r| set(&mut s.fade_power, finite(r))),
+    word("media_interaction", Flag, "on", "it lights up media, which are not drawn yet")
+        .sets(|s, r| set(&mut s.media_interaction, r.flag())),
+    word("media_attenuation", Flag, "off", "media, which are not drawn yet, take from it on its way")
+        .sets(|s, r| set(&mut s.media_attenuation, r.flag())),
 ];
+
+/// What holds an object; the scene reads it.
+const LIGHT_PARTS: &[WordSpec] = &[
+    word("looks_like", Block, "", "an object that is seen at its place and casts no shadow; that lies about the origin"),
+    word("projected_through", Block, "", "an object: only what passes it shines, and nothing before it is in the way"),
+];
+
+const OWN: usize = LIGHT_ROWS.len() + BEAM_ROWS.len();
 
 /// `light_source { place, colour … }`
 pub const LIGHT: Vocabulary = Vocabulary {
     block: "light_source",
-    summary: "a point of light: `light_source { place, colour … }`; the point itself is not seen",
-    words: specs!(LIGHT_ROWS),
+    summary: "a light: `light_source { place, colour … }`; it is not seen itself",
+    words: &joined::<{ OWN + AREA_ROWS.len() + LIGHT_PARTS.len() }>(
+        &joined::<OWN>(specs!(LIGHT_ROWS), specs!(BEAM_ROWS)),
+        &joined::<{ AREA_ROWS.len() + LIGHT_PARTS.len() }>(specs!(AREA_ROWS), LIGHT_PARTS),
+    ),
     moves: true,
     idle: &[],
-    not_drawn: &[
-        "spotlight",
-        "cylinder",
-        "parallel",
-        "area_light",
-        "point_at",
-        "radius",
-        "falloff",
-        "tightness",
-        "looks_like",
-        "projected_through",
-        "media_interaction",
-        "media_attenuation",
-        "adaptive",
-        "jitter",
-        "circular",
-        "orient",
-        "photons",
-    ],
+    not_drawn: &["photons"],
 };

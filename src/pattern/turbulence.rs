@@ -32,7 +32,8 @@ impl Turbulent {
     /// The words it takes.
     pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
-    pub(super) const ROWS: &[Row<Self>] = &[
+    /// How they are read.
+    pub const ROWS: &[Row<Self>] = &[
         word("turbulence", Kind::Vector, "0", "how far points are displaced")
             .sets(|s, r| set(&mut s.amount, r.vector())),
         word("octaves", Kind::Float, "6", "steps of ever finer turbulence, 1 to 10")

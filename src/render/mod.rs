@@ -1,6 +1,7 @@
 //! From rays to light: shading, shadows, reflection; tiles, anti-aliasing, progress.
 
 mod antialias;
+mod area;
 mod dispersion;
 mod mirror;
 mod output;
@@ -11,6 +12,7 @@ mod shading_point;
 mod shadow;
 mod tiles;
 mod trace;
+mod travel;
 
 pub use pick::pick;
 

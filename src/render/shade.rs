@@ -6,7 +6,8 @@ use super::shading_point::{ShadedLayer, ShadingPoint};
 use super::trace::Tracer;
 use crate::color::Rgb;
 use crate::math::{DVec3, fp};
-use crate::world::{Layer, Lobe, PointLight};
+use crate::light::Arriving;
+use crate::world::{Layer, LightSource, Lobe};
 use std::f64::consts::FRAC_PI_2;
 
 /// Where the light comes from and where it is looked at from.
@@ -28,28 +29,50 @@ impl Tracer<'_> {
             return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
         }
         let mut sum = shading.sum(|shaded| shaded.weight * glow(shaded));
-        for light in &self.setup.world.lights {
-            sum += self.answer(light, dir, shading, inside);
+        let world = self.setup.world;
+        for &number in &world.lit_by[shading.part.lights as usize] {
+            sum += self.answer(&world.lights[number as usize], dir, shading, inside);
         }
         sum
     }
 
     /// What it answers to one light.
-    fn answer(&mut self, light: &PointLight, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
-        let to_light = light.location - shading.point;
-        let distance = to_light.length();
-        let l = to_light / distance;
+    fn answer(&mut self, light: &LightSource, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
+        let arriving = light.lamp.shine_on(shading.point, DVec3::ZERO);
+        let Some(area) = light.lamp.area.as_ref().filter(|area| area.illumination) else {
+            let from_light = |tracer: &mut Self| tracer.reaching(light, shading.point, &arriving, inside);
+            return self.answer_to(&arriving, light, dir, shading, from_light);
+        };
+        // Each light of the grid by itself; all count the same (measured on 3.7).
+        let [n, m] = area.size;
+        let mut sum = Rgb::ZERO;
+        for cell in (0..m).flat_map(|j| (0..n).map(move |i| [i, j])) {
+            let offset = self.offset(area, cell, -arriving.from);
+            let one = light.lamp.shine_on(shading.point, offset);
+            let from_light = |tracer: &mut Self| tracer.unshadowed(light, shading.point, &one, inside);
+            sum += self.answer_to(&one, light, dir, shading, from_light);
+        }
+        sum / (f64::from(n) * f64::from(m))
+    }
+
+    /// What it answers to light that arrives in one way, of which `passed` says how much comes through.
+    fn answer_to(
+        &mut self,
+        arriving: &Arriving,
+        light: &LightSource,
+        dir: DVec3,
+        shading: &ShadingPoint,
+        passed: impl FnOnce(&mut Self) -> Rgb,
+    ) -> Rgb {
+        let l = arriving.from;
         let answers = |shaded: &ShadedLayer| {
             let side = if shaded.normal.dot(l) > 0.0 { answers_front } else { answers_back };
             side(shaded.layer, shading.part.double_illuminate)
         };
-        if !shading.layers().any(answers) || distance == 0.0 {
+        if arriving.light == Rgb::ZERO || !l.is_finite() || !shading.layers().any(answers) {
             return Rgb::ZERO;
         }
-        let mut arriving = light.strength(distance);
-        if !light.shadowless && self.setup.quality.shadows && arriving != Rgb::ZERO {
-            arriving *= self.unshadowed(shading.point, l, distance, inside);
-        }
+        let arriving = arriving.light * passed(self);
         if arriving == Rgb::ZERO {
             return Rgb::ZERO;
         }
@@ -57,7 +80,7 @@ impl Tracer<'_> {
             let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
             let grain = if shaded.layer.finish.crand == 0.0 { 0.0 } else { shaded.layer.finish.crand * self.random() };
             let mut answer = scattered(shaded, &at, grain, shading.part.double_illuminate);
-            if at.cos > 0.0 && !light.shadowless {
+            if at.cos > 0.0 && !light.lamp.shadowless {
                 answer += highlight(shaded, &at);
             }
             answer *= film(shading.point, shaded, l, self.setup.world);

@@ -4,17 +4,35 @@ use super::refract::{Interface, Interiors};
 use super::shading_point::{self, ShadingPoint};
 use super::trace::Tracer;
 use crate::color::Rgb;
+use crate::light::Arriving;
 use crate::math::{DVec3, Range, Ray, tolerance};
+use crate::world::LightSource;
 use std::ops::ControlFlow;
 
 impl Tracer<'_> {
-    /// The part of the light that comes through from a light at `distance` along `dir`. Every surface on the way takes
-    /// its share, so what passes a solid is taken from twice.
-    pub(super) fn unshadowed(&mut self, point: DVec3, dir: DVec3, distance: f64, inside: &Interiors) -> Rgb {
+    /// The part of the light that comes through to a point, in shadows that are soft or hard.
+    pub(super) fn reaching(&mut self, light: &LightSource, point: DVec3, arriving: &Arriving, inside: &Interiors) -> Rgb {
+        match &light.lamp.area {
+            Some(area) => self.from_area(light, area, point, arriving, inside),
+            None => self.unshadowed(light, point, arriving, inside),
+        }
+    }
+
+    /// The part of the light that comes through along one ray. Every surface on the way takes its share, so what passes a solid is taken
+    /// from twice.
+    pub(super) fn unshadowed(&mut self, light: &LightSource, point: DVec3, ray: &Arriving, inside: &Interiors) -> Rgb {
+        let mut range = Range { min: tolerance::SHADOW, max: ray.distance - tolerance::SHADOW };
+        let ray = Ray::new(point, ray.from);
+        if let Some(through) = &light.through {
+            let Some(passed) = through.closest(&ray, range, |_| true) else { return Rgb::ZERO };
+            // What lies between it and the light is not in the way (measured on POV-Ray 3.7).
+            range.max = passed.t();
+        }
+        if light.lamp.shadowless || !self.setup.quality.shadows || range.max <= range.min {
+            return Rgb::ONE;
+        }
         self.rays.shadow += 1;
         let world = self.setup.world;
-        let ray = Ray::new(point, dir);
-        let range = Range { min: tolerance::SHADOW, max: distance - tolerance::SHADOW };
         let (see_through, quick) = (world.see_through, !self.setup.quality.real);
         // First whether anything opaque is in the way: that search ends at its first hit.
         let blocks = |id: u32| {
@@ -59,7 +77,7 @@ impl Tracer<'_> {
             light *= shading_point::pass(world, ray, &found, !self.setup.quality.real);
             if let Some(at) = inside.iter().rposition(|&i| i == own) {
                 inside.remove(at);
-                light *= interior.fade(found.t() - before);
+                light *= self.faded(own, found.t() - before);
             } else {
                 inside.push(own);
             }

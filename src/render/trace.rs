@@ -4,7 +4,8 @@ use super::mirror::{self, Incoming, Mirror};
 use super::refract::{Interface, Interiors, copied, reflect};
 use super::shading_point::{Coat, ShadingPoint};
 use super::{Options, Rays, Watch};
-use crate::camera::Window;
+use crate::atmosphere::Veil;
+use crate::camera::View;
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Range, Ray, rng, tolerance};
 use crate::world::{Intersection, ObjectInfo, World};
@@ -27,40 +28,41 @@ pub(super) struct Quality {
     pub real: bool,
     /// From 8 on: mirrors and bumps.
     pub mirrors: bool,
+    /// From 9 on: fog and rainbows.
+    pub air: bool,
 }
 
 impl Quality {
     /// What a number from 0 to 11 switches on (measured on POV-Ray 3.7).
     fn new(q: u8) -> Self {
-        Self { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8 }
+        Self { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8, air: q >= 9 }
     }
 }
 
 /// What is the same for all rays of a frame.
 pub(super) struct Setup<'w> {
     pub world: &'w World,
-    pub window: Window,
+    pub view: View,
     pub quality: Quality,
     frame: u32,
     /// The picture keeps alpha.
     alpha: bool,
-    /// What the camera is in.
+    /// What the camera is in, if that is the same for all rays.
     start: Interiors,
+    /// Must rays know what they are in?
+    asks_inside: bool,
 }
 
 impl<'w> Setup<'w> {
     pub fn new(world: &'w World, options: &Options) -> Self {
-        let window = world.camera.window(options.width, options.height);
+        let view = world.eye.view(options.width, options.height);
         let quality = Quality::new(options.quality);
         let mut start = Interiors::new();
-        if world.bends || world.colors_light {
-            world.geometry.around_camera(window.origin, &mut |node| {
-                let interior = world.objects[node.object as usize].interior;
-                start.extend((interior != ObjectInfo::VIEW).then_some(interior));
-            });
-            start.sort_unstable();
+        let asks_inside = world.asks_inside();
+        if let Some(origin) = view.origin().filter(|_| asks_inside) {
+            start = around(world, origin);
         }
-        Self { world, window, quality, frame: options.frame, alpha: options.alpha, start }
+        Self { world, view, quality, frame: options.frame, alpha: options.alpha, start, asks_inside }
     }
 }
 
@@ -70,6 +72,22 @@ pub(super) struct Sample {
     pub rgb: Rgb,
     /// How much of what is behind the scene shows.
     pub passed: f64,
+}
+
+impl Sample {
+    /// Where the camera sees nothing at all.
+    const NOTHING: Self = Self { rgb: Rgb::ZERO, passed: 0.0 };
+}
+
+/// What a camera at a place is in.
+fn around(world: &World, origin: DVec3) -> Interiors {
+    let mut inside = Interiors::new();
+    world.geometry.around_camera(origin, &mut |node| {
+        let interior = world.objects[node.object as usize].interior;
+        inside.extend((interior != ObjectInfo::VIEW).then_some(interior));
+    });
+    inside.sort_unstable();
+    inside
 }
 
 /// A ray and what is known of it.
@@ -178,8 +196,13 @@ impl<'w> Tracer<'w> {
     /// The light through a point of the picture, in pixels from its top left corner.
     pub fn see(&mut self, x: f64, y: f64) -> Sample {
         self.rays.camera += 1;
-        let ray = self.setup.window.ray(x, y);
-        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, inside: copied(&self.setup.start), hue: None })
+        let Setup { world, view, start, asks_inside, .. } = self.setup;
+        let Some(ray) = view.ray(x, y) else { return Sample::NOTHING };
+        let inside = match view.origin() {
+            None if *asks_inside => around(world, ray.origin),
+            _ => copied(start),
+        };
+        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, inside, hue: None })
     }
 
     /// Follows a ray through all that lets it pass; only mirrors and dispersion recurse.
@@ -196,12 +219,17 @@ impl<'w> Tracer<'w> {
                 break;
             }
             let Some(found) = self.closest(&path) else {
-                let (sky, open) = self.background(path.mirrored);
-                return Sample { rgb: rgb + through * sky, passed: behind + passed * open };
+                let veil = self.veil(&path.ray, Veil::FAR, &path.inside).before(self.sky(&path));
+                let open = if path.mirrored && self.setup.alpha { 0.0 } else { gray(veil.passes) };
+                return Sample { rgb: rgb + through * veil.adds, passed: behind + passed * open };
             };
+            let veil = self.veil(&path.ray, found.t(), &path.inside);
+            rgb += through * veil.adds;
+            through *= veil.passes;
+            passed *= gray(veil.passes);
             let world = self.setup.world;
             let own = world.parts[found.leaf.id as usize].interior;
-            let mut interface = match world.bends || world.colors_light {
+            let mut interface = match self.setup.asks_inside {
                 true => Interface::new(&path.inside, own, &world.interiors),
                 false => Interface::NONE,
             };
@@ -212,7 +240,7 @@ impl<'w> Tracer<'w> {
             rgb += through * self.shade(path.ray.dir, &shading, &path.inside);
             // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
             let fade = match world.colors_light && interface.leaves() {
-                true => world.interiors[shading.part.interior as usize].fade(found.t()),
+                true => self.faded(shading.part.interior, found.t()),
                 false => Rgb::ONE,
             };
             let onward: SmallVec<[Onward; 1]> =
@@ -292,7 +320,7 @@ impl<'w> Tracer<'w> {
         }
         // Straight on it stays on its level (measured on 3.7).
         path.level += u32::from(border.interface.bends());
-        if self.setup.world.bends || self.setup.world.colors_light {
+        if self.setup.asks_inside {
             border.interface.cross(&mut path.inside, border.shading.part.interior);
         }
         self.rays.transmitted += 1;
@@ -308,13 +336,13 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// Its light, and how much of what is behind it shows; mirrors see it opaque when the picture keeps alpha.
-    fn background(&self, mirrored: bool) -> (Rgb, f64) {
-        let sky = &self.setup.world.background;
-        if mirrored && self.setup.alpha {
-            return (sky.rgb, 0.0);
+    /// What lies behind everything; mirrors see it opaque when the picture keeps alpha.
+    fn sky(&self, path: &Path) -> Veil {
+        let Setup { world, quality, alpha, .. } = self.setup;
+        if *alpha && !path.mirrored && world.sky.leaves_alpha() {
+            return Veil::NONE;
         }
-        (sky.rgb * (1.0 - sky.transmit), sky.filter * gray(sky.rgb) + sky.transmit)
+        world.sky.toward(path.ray.dir, !quality.real, world.noise, world.waves)
     }
 
     /// Does the ray go on behind a coat of the border of `own`, and where to? It must count enough by its largest

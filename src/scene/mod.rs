@@ -10,12 +10,15 @@ mod weight;
 pub mod words;
 
 pub use alike::Alike;
-pub use object::{Bulk, CsgOp, Flags, NOT_DRAWN, Object, ObjectBody, ObjectKind, Rare, is_object};
+pub use object::{
+    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, NOT_DRAWN, Object, ObjectBody, ObjectKind, Rare, is_object,
+};
 pub use settings::Settings;
 pub use surface::{Painted, read_layers, read_material};
 pub use undrawn::Undrawn;
 pub use weight::Weight;
 
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::source::Span;
@@ -39,6 +42,15 @@ pub struct Scene {
     pub cameras: Vec<Span>,
     /// What rays see that hit nothing.
     pub background: Option<Color>,
+    /// The sky; the last one counts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sky_sphere: Option<SkySphere>,
+    /// All fogs.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fogs: Vec<Fog>,
+    /// All rainbows.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rainbows: Vec<Rainbow>,
     /// Objects and lights in the order they were written.
     pub objects: Vec<Object>,
     /// What was said and is not drawn yet.

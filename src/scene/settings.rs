@@ -28,6 +28,8 @@ pub struct Settings {
     pub number_of_waves: usize,
     /// Surfaces keep what their filter's color holds back, as before 3.7: see [`crate::color::Color::opacity`].
     pub opacity_by_color: bool,
+    /// Skies are layered as before 3.7: see [`crate::world::Sky`].
+    pub sky_by_share: bool,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub undrawn: Vec<RawItem>,
@@ -44,6 +46,7 @@ impl Default for Settings {
             noise_generator: None,
             number_of_waves: TextureContext::WAVES,
             opacity_by_color: false,
+            sky_by_share: false,
             undrawn: vec![],
         }
     }

@@ -30,8 +30,7 @@ impl Object {
             if next == Next::End {
                 break;
             }
-            // Groups of lights and objects hold what looks like modifiers.
-            if word == "light_group" || !object.read_modifier(next, r, defaults)? {
+            if !object.read_modifier(next, r, defaults)? {
                 r.pass(&mut said)?;
             }
         }

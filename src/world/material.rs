@@ -206,7 +206,8 @@ impl LoweredFinish {
 }
 
 impl LayerColor {
-    fn new(pigment: &Pigment) -> Self {
+    /// Lowers a pigment.
+    pub(super) fn new(pigment: &Pigment) -> Self {
         match pigment.as_solid() {
             Some(color) => Self::Solid(color),
             None => Self::PigmentProgram(Box::new(PigmentProgram::new(pigment))),

@@ -9,6 +9,7 @@ mod lower;
 mod material;
 mod node;
 mod probe;
+mod sky;
 
 pub use geometry::Geometry;
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
@@ -16,12 +17,15 @@ pub use lower::{lower, lower_away};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
 pub use node::{SolidKind, SolidNode};
 pub use probe::Probe;
+pub use sky::Sky;
 
-use crate::camera::Camera;
+use crate::atmosphere::{Fog, Rainbow};
+use crate::camera::Eye;
 use crate::color::Gamma;
-use crate::color::{Color, Rgb};
+use crate::color::Rgb;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
+use crate::light::Lamp;
 use crate::source::Span;
 use crate::texture::Interior;
 use serde::Serialize;
@@ -31,7 +35,7 @@ use std::sync::Arc;
 #[derive(Debug, Serialize)]
 pub struct World {
     /// Where rays begin.
-    pub camera: Camera,
+    pub eye: Eye,
     /// The text of the camera; none of the one that stands for a missing one.
     #[serde(skip)]
     pub camera_source: Span,
@@ -51,10 +55,18 @@ pub struct World {
     pub noise: NoiseGenerator,
     /// How many sources `ripples` and `waves` have.
     pub waves: usize,
+    /// By number of the interior: does it keep fog out?
+    pub filled: Vec<bool>,
     /// All lights.
-    pub lights: Vec<PointLight>,
+    pub lights: Vec<LightSource>,
+    /// By [`Part::lights`]: which lights shine on it.
+    pub lit_by: Vec<Box<[u32]>>,
     /// What rays see that hit nothing.
-    pub background: Color,
+    pub sky: Sky,
+    /// All fogs that show.
+    pub fogs: Vec<Fog>,
+    /// All rainbows.
+    pub rainbows: Vec<Rainbow>,
     /// From the numbers of the scene to light.
     pub gamma: Gamma,
     /// How often a ray may be reflected and bent.
@@ -87,6 +99,8 @@ pub struct Part {
     pub rare: Option<Box<RarePart>>,
     /// Number of what fills it.
     pub interior: u32,
+    /// Number of the set of lights that shine on it; 0: those of no group.
+    pub lights: u32,
     /// Light from behind counts as light from the front.
     pub double_illuminate: bool,
     /// Its textures see places on the surface, (u, v, 0), instead of points (`uv_mapping` of the object).
@@ -140,26 +154,19 @@ impl ObjectInfo {
     pub const VIEW: u32 = u32::MAX;
 }
 
-/// A point of light.
+/// A light in its place.
 #[derive(Clone, Debug, Serialize)]
-pub struct PointLight {
-    /// In world space.
-    pub location: DVec3,
-    /// Negative ones darken.
-    pub color: Rgb,
-    /// Casts no shadow and makes no highlight.
-    pub shadowless: bool,
-    /// Distance of full strength, and how fast it fades from there.
-    pub fade: Option<(f64, f64)>,
+pub struct LightSource {
+    /// How it shines.
+    pub lamp: Lamp,
+    /// Only what passes this shines, and nothing between the two is in the way (`projected_through`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub through: Option<Box<Geometry>>,
 }
 
-impl PointLight {
-    /// The light at a distance when nothing is in between.
-    pub fn strength(&self, distance: f64) -> Rgb {
-        match self.fade {
-            // 2 / (1 + (d/d₀)ᵏ)
-            Some((from, power)) => self.color * (2.0 / (1.0 + crate::math::fp::pow(distance / from, power))),
-            None => self.color,
-        }
+impl World {
+    /// Must rays know what they are in?
+    pub fn asks_inside(&self) -> bool {
+        self.bends || self.colors_light || !self.fogs.is_empty() || !self.rainbows.is_empty()
     }
 }

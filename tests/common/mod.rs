@@ -2,7 +2,7 @@
 
 #![allow(dead_code)]
 
-use durer::camera::{Camera, Perspective};
+use durer::camera::{Camera, PovrayCamera};
 use durer::color::{Color, Rgb};
 use durer::image_io::Frame;
 use durer::light::Light;
@@ -62,16 +62,8 @@ pub fn csg(op: CsgOp, parts: Vec<Object>) -> Object {
 }
 
 pub fn lamp(location: DVec3, color: f64) -> Object {
-    let light = Light {
-        location,
-        color: Rgb::splat(color),
-        shadowless: false,
-        fade_distance: 0.0,
-        fade_power: 0.0,
-        undrawn: vec![],
-        source: Span::NONE,
-    };
-    object(ObjectKind::Light(Arc::new(light)), "light_source")
+    let light = Light { location, color: Rgb::splat(color), ..Light::default() };
+    object(ObjectKind::Light(Arc::new(light.into())), "light_source")
 }
 
 pub fn texture(layers: impl IntoIterator<Item = (Pigment, Finish)>) -> Painted {
@@ -125,7 +117,7 @@ pub fn scene(eye: DVec3, dir: DVec3, objects: Vec<Object>) -> Scene {
     // `right` across the way, whichever way that is
     let right = dir.any_orthonormal_vector();
     let (direction, up) = (dir.normalize() * 1e6, dir.normalize().cross(right));
-    let camera = Camera::Perspective(Perspective { location: eye, direction, right, up, ..Perspective::default() });
+    let camera = Camera::Povray(PovrayCamera { location: eye, direction, right, up, ..PovrayCamera::default() });
     Scene { version: 370, camera, objects, ..Scene::default() }
 }
 

@@ -46,7 +46,7 @@ pub(super) fn objects() -> String {
 }
 
 pub(super) fn cameras() -> String {
-    section(&camera::words::PERSPECTIVE, "POV-Ray's camera", &[])
+    section(&camera::words::POVRAY, "POV-Ray's camera", &[])
         + &section(&camera::words::LECTURE, "durer's own camera", contextual("camera"))
 }
 

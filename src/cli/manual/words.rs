@@ -87,7 +87,7 @@ fn blocks(index: &mut Index) {
     let blocks: [(&'static Vocabulary, &str, &str); 13] = [
         (&interpreter::STATEMENTS, "the scene", "scene.md"),
         (&scene::words::MODIFIERS, "objects", "objects.md"),
-        (&camera::words::PERSPECTIVE, "`camera`", "cameras.md"),
+        (&camera::words::POVRAY, "`camera`", "cameras.md"),
         (&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
         (&light::words::LIGHT, "`light_source`", "lights.md"),
         (&PIGMENT, "`pigment`", "pigments.md"),

@@ -3,7 +3,7 @@
 use super::super::scope::Slot;
 use super::super::stream::{BlockName, Opened, Token};
 use super::super::{Interpreter, hints};
-use crate::camera::words::{LECTURE, PERSPECTIVE};
+use crate::camera::words::{LECTURE, POVRAY};
 use crate::diagnostic::{Diagnostic, Remedy, Result, codes, did_you_mean};
 use crate::light::words::LIGHT;
 use crate::scene::is_object;
@@ -273,7 +273,7 @@ impl Interpreter<'_> {
 /// Every word that some block takes, as far as a table tells what belongs behind it.
 fn kind_of(word: &str) -> Option<Kind> {
     let tables =
-        [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &PERSPECTIVE, &LECTURE];
+        [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
     let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
 }
@@ -324,7 +324,7 @@ fn block_usage(word: &str) -> String {
 
 /// The block that a word belongs into, the likeliest first.
 fn home_of(word: &str) -> Option<&'static str> {
-    let homes = [&INTERIOR, &FINISH, &PIGMENT, &PERSPECTIVE, &SETTINGS, &LIGHT];
+    let homes = [&INTERIOR, &FINISH, &PIGMENT, &POVRAY, &SETTINGS, &LIGHT];
     homes.into_iter().find(|table| table.obeys(word)).map(|table| table.block)
 }
 

@@ -1,10 +1,10 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
 mod carried;
+mod light;
 mod read;
 
 use super::{Defaults, Painted, Undrawn, Weight};
-use crate::light::Light;
 use crate::math::{Aabb, Transform};
 use crate::shape::{Kernel, Shape, moved_box};
 use crate::source::Span;
@@ -14,6 +14,7 @@ use serde::Serialize;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
+pub use light::{LIGHT_GROUP, LightSource};
 pub use read::{NOT_DRAWN, is_object};
 
 /// What an object is made of.
@@ -25,7 +26,7 @@ pub enum ObjectKind {
     /// Several objects.
     Csg(CsgOp, Arc<[Object]>),
     /// A light, which a union may carry along.
-    Light(Arc<Light>),
+    Light(Arc<LightSource>),
     /// A shape that is not drawn yet.
     Undrawn(Arc<Undrawn>),
 }
@@ -133,6 +134,9 @@ pub struct Rare {
     pub clipped_by: Option<Arc<[Object]>>,
     /// A hint about its extent.
     pub bounded_by: Option<Arc<[Object]>>,
+    /// Of a group of lights: do lights outside shine on it too?
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light_group: Option<bool>,
     /// Switches.
     pub flags: Flags,
     /// What was said and is not drawn yet.
@@ -153,6 +157,7 @@ impl Usual for Rare {
             interior: None,
             clipped_by: None,
             bounded_by: None,
+            light_group: None,
             flags: Flags::NONE,
             undrawn: None,
         };

@@ -3,7 +3,6 @@
 use super::carried::Carried;
 use super::{Bulk, CsgOp, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::light::Light;
 use crate::math::Transform;
 use crate::scene::words::{FLAGS, MODIFIERS};
 use crate::scene::{Defaults, Painted, Weight, read_layers, read_material};
@@ -23,7 +22,6 @@ pub const NOT_DRAWN: &[&str] = &[
     "ovus",
     "parametric",
     "sphere_sweep",
-    "light_group",
 ];
 
 /// The word of a CSG block.
@@ -40,7 +38,7 @@ fn csg_op(word: &str) -> Option<CsgOp> {
 
 /// Does a block of this name make an object?
 pub fn is_object(word: &str) -> bool {
-    matches!(word, "object" | "light_source")
+    matches!(word, "object" | "light_source" | "light_group")
         || csg_op(word).is_some()
         || shape::SPECS.iter().any(|s| s.name == word)
         || NOT_DRAWN.contains(&word)
@@ -82,8 +80,10 @@ impl Object {
                 object.read_modifiers(None, r, defaults)?;
                 return Ok(object);
             }
-            let light = Light::read(r, source)?;
-            return Ok(Box::new(Self::new(ObjectKind::Light(Arc::new(light)), word, source, defaults)));
+            return Self::read_light(source, r, defaults);
+        }
+        if word == "light_group" {
+            return Self::read_light_group(source, r, defaults);
         }
         // A declared object may stand in the block of any shape (measured on POV-Ray 3.7).
         if word == "object" || r.next()? == Next::Thing("object") {

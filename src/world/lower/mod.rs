@@ -1,18 +1,19 @@
 //! From what the author said to what a ray needs: nested blocks become one M and M⁻¹ per shape, what a group says goes
 //! down to its parts, textures are lowered once however often they are used.
 
+mod lights;
 mod place;
 mod shared;
 mod views;
 
 use super::geometry::Heap;
 use super::leaf::place;
-use super::{Geometry, Leaf, Material, ObjectInfo, Part, PlacedMaterial, PointLight, RarePart, SolidNode, World};
+use super::{
+    Geometry, Leaf, LightSource, Material, ObjectInfo, Part, PlacedMaterial, RarePart, Sky, SolidNode, World,
+};
 use crate::color::Gamma;
-use crate::color::{Color, Rgb};
+use crate::color::Rgb;
 use crate::diagnostic::Result;
-use crate::light::Light;
-use crate::math::Transform;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Kernel, Shape, moved_box};
 use crate::source::Span;
@@ -52,9 +53,10 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         drop(object);
         lowering.forget_spent();
     }
-    let Lowering { parts, objects, cuts, materials, interiors, lights, .. } = lowering;
+    let lit_by = lowering.lit_by();
+    let Lowering { parts, objects, cuts, materials, interiors, filled, lights, .. } = lowering;
     Ok(World {
-        camera: scene.camera.clone(),
+        eye: scene.camera.eye(),
         camera_source: scene.cameras.last().copied().unwrap_or(Span::NONE),
         geometry: heap.into(),
         see_through: objects.iter().any(|o| !o.opaque),
@@ -66,8 +68,12 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         cuts,
         materials,
         interiors,
+        filled,
         lights,
-        background: scene.background.unwrap_or(Color { transmit: 1.0, ..Color::BLACK }),
+        lit_by,
+        sky: Sky::new(scene),
+        fogs: scene.fogs.iter().filter(|fog| fog.shows()).cloned().collect(),
+        rainbows: scene.rainbows.clone(),
         gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
         noise: scene.settings.noise_generator.unwrap_or_default(),
         waves: scene.settings.number_of_waves,
@@ -99,6 +105,10 @@ struct Inherited {
     /// Is it turned inside out an odd number of times?
     inverted: bool,
     interior: Option<u32>,
+    /// Number of the group of lights around it; 0 for none.
+    lights: u32,
+    /// Is the block around it that group itself?
+    lights_here: bool,
     flags: Flags,
 }
 
@@ -139,7 +149,20 @@ struct Lowering {
     interiors: Vec<Arc<Interior>>,
     /// That of all shapes that say nothing.
     air: Arc<Interior>,
-    lights: Vec<PointLight>,
+    /// By number of the interior: is what it fills not hollow?
+    filled: Vec<bool>,
+    lights: Vec<LightSource>,
+    /// Groups of lights, the first of which is number 1.
+    groups: Vec<Group>,
+    /// The lights of no group.
+    global: Vec<u32>,
+}
+
+/// A `light_group`.
+struct Group {
+    lights: Vec<u32>,
+    /// Do lights outside shine on it too?
+    global: bool,
 }
 
 impl Lowering {
@@ -159,10 +182,7 @@ impl Lowering {
         let own = self.own(object, inherited)?;
         let clip = self.lower_clip(object, inherited)?;
         let solid = match &object.kind {
-            ObjectKind::Light(light) => {
-                self.lower_light(light, &own.place.now)?;
-                None
-            }
+            ObjectKind::Light(light) => self.lower_light(light, &own, inherited)?,
             ObjectKind::Shape(shape) if shape.is_patch() && shape.bounds_under(&own.place.now).is_empty() => None,
             ObjectKind::Shape(shape) => {
                 Some(self.lower_shape(object, &shape.under(&own.place.now, own.place.before.as_deref()), &own)?)
@@ -195,6 +215,8 @@ impl Lowering {
         let texture = look(&object.texture)?;
         let inside = look(&object.rare.interior_texture)?;
         let interior = interior_of(object);
+        let flags = joined(object, inherited.flags);
+        let lights = object.rare.light_group.map(|global| self.add_group(global));
         Ok(Inherited {
             place,
             // (Of parts with textures of their own too: measured on POV-Ray 3.7.)
@@ -202,22 +224,25 @@ impl Lowering {
             texture: texture.or_else(|| inherited.texture.clone()),
             cut: inherited.cut,
             inverted: inherited.inverted != object.rare.flags.inverse,
-            interior: interior.map(|i| self.add_interior(i)).or(inherited.interior),
-            flags: joined(object, inherited.flags),
+            interior: interior.map(|i| self.add_interior(i, flags.hollow)).or(inherited.interior),
+            lights: lights.unwrap_or(inherited.lights),
+            lights_here: lights.is_some(),
+            flags,
         })
     }
 
     /// Each is another one, even if it is like the one before: a ray leaves what it has entered.
-    fn add_interior(&mut self, mut interior: Arc<Interior>) -> u32 {
+    fn add_interior(&mut self, mut interior: Arc<Interior>, hollow: bool) -> u32 {
         if !interior.undrawn.is_empty() {
             Arc::make_mut(&mut interior).undrawn.clear();
         }
         self.interiors.push(interior);
+        self.filled.push(!hollow);
         self.interiors.len() as u32 - 1
     }
 
-    fn add_air(&mut self) -> u32 {
-        self.add_interior(self.air.clone())
+    fn add_air(&mut self, hollow: bool) -> u32 {
+        self.add_interior(self.air.clone(), hollow)
     }
 
     /// The objects that clip this one; they are in the space around it.
@@ -227,17 +252,6 @@ impl Lowering {
             clip.extend(self.lower_object(part, inherited)?.map(|solid| solid.node));
         }
         Ok(clip)
-    }
-
-    fn lower_light(&mut self, light: &Light, transform: &Transform) -> Result<()> {
-        let location = transform.point(light.location);
-        if !location.is_finite() {
-            return not_finite(light.source);
-        }
-        let fade =
-            (light.fade_distance > 0.0 && light.fade_power > 0.0).then_some((light.fade_distance, light.fade_power));
-        self.lights.push(PointLight { location, color: light.color, shadowless: light.shadowless, fade });
-        Ok(())
     }
 
     fn lower_shape(&mut self, object: &Object, shape: &Shape, own: &Inherited) -> Result<Solid> {
@@ -261,11 +275,12 @@ impl Lowering {
             .chain(others.into_iter().flatten())
             .chain(carried.iter())
             .all(|placed| self.materials[placed.material as usize].opaque);
-        let interior = own.interior.unwrap_or_else(|| self.add_air());
+        let interior = own.interior.unwrap_or_else(|| self.add_air(own.flags.hollow));
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, .. } = own.flags;
         let rare = (cut.is_some() || !carried.is_empty()).then(|| Box::new(RarePart { carried, cut }));
-        self.parts.push(Part { outside, inside, rare, interior, double_illuminate, uv, source: object.source });
+        let lights = own.lights;
+        self.parts.push(Part { outside, inside, rare, interior, lights, double_illuminate, uv, source: object.source });
         let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
         Ok(Solid { node: SolidNode::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }
@@ -330,7 +345,7 @@ impl Lowering {
         let mut within = own.clone();
         if op != CsgOp::Union && within.interior.is_none() {
             // All faces of one solid border on the same inside.
-            within.interior = Some(self.add_air());
+            within.interior = Some(self.add_air(own.flags.hollow));
         }
         // Turned inside out, a union is an intersection, and an intersection a union. What is joined cuts nothing.
         if matches!(op, CsgOp::Union | CsgOp::Merge) != own.inverted {
@@ -361,7 +376,7 @@ impl Lowering {
         }
         let interior = match within.interior {
             Some(interior) => interior,
-            None => self.add_air(),
+            None => self.add_air(own.flags.hollow),
         };
         let number = self.add_object(own.flags, opaque, interior);
         let node = match op {

@@ -1,0 +1,44 @@
+//! What lies between the surfaces and behind them: `fog`, `rainbow`, `sky_sphere` (manual, "Atmospheric Effects").
+
+mod fog;
+mod rainbow;
+mod sky_sphere;
+
+pub use fog::{FOG, Fog, veil_of as fogs};
+pub use rainbow::{RAINBOW, Rainbow, veil_of as rainbows};
+pub use sky_sphere::{SKY_SPHERE, SkySphere};
+
+use crate::color::{Color, Rgb};
+
+/// What a stretch of air does to light that comes along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Veil {
+    /// What it adds.
+    pub adds: Rgb,
+    /// What it leaves of the light from behind.
+    pub passes: Rgb,
+}
+
+impl Veil {
+    /// None at all.
+    pub const NONE: Self = Self { adds: Rgb::ZERO, passes: Rgb::ONE };
+
+    /// The farthest that a ray gets which hits nothing (measured on POV-Ray 3.7).
+    pub const FAR: f64 = 2e10;
+
+    /// A veil of a colour of which a part `clear` is left open; the rest of the light from behind is filtered by so much of the
+    /// colour as `filter` says.
+    fn of(color: Rgb, clear: f64, filter: f64) -> Self {
+        Self { adds: color * (1.0 - clear), passes: clear * (Rgb::splat(1.0 - filter) + filter * color) }
+    }
+
+    /// This veil in front of another one.
+    pub fn before(self, behind: Veil) -> Self {
+        Self { adds: self.adds + self.passes * behind.adds, passes: self.passes * behind.passes }
+    }
+}
+
+/// What is left open of a colour's own veil at most, where it is thick.
+fn clear_at_least(color: &Color, clear: f64) -> f64 {
+    clear.max(color.transmit)
+}

@@ -1,0 +1,95 @@
+//! `sky_sphere { pigment { … } }`: pigments that are asked about a direction (manual, "Sky Sphere").
+//!
+//! ```pov
+//! sky_sphere { pigment { gradient y color_map { [0 rgb 1] [1 rgb <0.2, 0.4, 1>] } } }
+//! ```
+
+use crate::color::Rgb;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::Transform;
+use crate::source::Span;
+use crate::texture::{Pigment, Texture};
+use crate::value::Kind::{Block, Color};
+use crate::value::words::word;
+use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
+use serde::Serialize;
+
+/// A sky.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SkySphere {
+    /// From the lowest to the topmost.
+    pub pigments: Vec<Pigment>,
+    /// Factor of their light.
+    pub emission: Rgb,
+    /// Moves all pigments, also those that are written behind it (measured on POV-Ray 3.7).
+    pub transform: Transform,
+}
+
+impl Default for SkySphere {
+    fn default() -> Self {
+        Self { pigments: vec![], emission: Rgb::ONE, transform: Transform::IDENTITY }
+    }
+}
+
+impl Thing for SkySphere {
+    fn kind(&self) -> &'static str {
+        "sky_sphere"
+    }
+}
+
+/// `sky_sphere { … }`
+pub const SKY_SPHERE: Vocabulary = Vocabulary {
+    block: "sky_sphere",
+    summary: "the sky: pigments that see directions, points at a distance of 1 from the origin, in place of places",
+    words: &[
+        word("pigment", Block, "", "the sky; of several, each lies over those before it, and shows them where it is clear"),
+        word("emission", Color, "1", "a factor of its light, one number or one for each channel"),
+    ],
+    moves: true,
+    idle: &[],
+    not_drawn: &[],
+};
+
+impl SkySphere {
+    /// Reads what stands between the braces; `source` is the block's place. Pigments begin with the default one.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
+    pub fn read(r: &mut dyn Reader, defaults: &Texture, source: Span) -> Result<Self> {
+        let mut sky = Self::default();
+        loop {
+            match r.next()? {
+                Next::End => break,
+                Next::Thing("sky_sphere") => {
+                    if let Some(declared) = r.thing::<SkySphere>()? {
+                        sky = (*declared).clone();
+                    }
+                }
+                Next::Thing("pigment") => {
+                    if let Some(pigment) = r.thing::<Pigment>()? {
+                        sky.pigments.push((*pigment).clone());
+                    }
+                }
+                Next::Block("pigment") => {
+                    r.take()?;
+                    sky.pigments.push(Pigment::read(r, &defaults.layers[0].pigment, defaults)?);
+                    r.leave()?;
+                }
+                Next::Word("emission") => {
+                    r.take()?;
+                    sky.emission = r.color()?.rgb;
+                }
+                next if next.moves() => {
+                    if let Some(step) = r.transform()? {
+                        sky.transform = sky.transform.then(&step);
+                    }
+                }
+                _ => return Err(r.unknown_word("sky_sphere", &SKY_SPHERE.names()).into()),
+            }
+        }
+        if sky.pigments.is_empty() {
+            r.report(Diagnostic::new(codes::EMPTY_BLOCK, source, "this `sky_sphere` holds no `pigment`: it shows nothing"));
+        }
+        Ok(sky)
+    }
+}

@@ -1,0 +1,160 @@
+//! Cameras as a ray needs them: vectors in world space and angles in radians; nothing to look at, no degrees, no defaults.
+
+use super::perspective::Window;
+use super::{cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
+use crate::math::{DVec2, DVec3, Ray};
+use serde::Serialize;
+
+/// A lowered camera.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Eye {
+    /// Where it is and where it looks.
+    pub frame: Frame,
+    /// How it projects.
+    pub projection: Projection,
+}
+
+/// The vectors of a camera, in world space.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Frame {
+    /// The eye.
+    pub origin: DVec3,
+    /// To the middle of the picture.
+    pub direction: DVec3,
+    /// Across the picture; its length is the picture's width.
+    pub right: DVec3,
+    /// Up the picture; its length is the picture's height.
+    pub up: DVec3,
+}
+
+/// How a camera projects. Each has a file of its own with its formula.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Projection {
+    /// Rays from one point through a window.
+    Perspective,
+    /// The lecture's window: half its sides at distance 1 are the tangents; of which one may follow from square pixels.
+    Lecture {
+        /// Of half the angle of view across.
+        tan_x: Option<f64>,
+        /// Of half the angle of view from top to bottom.
+        tan_y: Option<f64>,
+    },
+    /// Parallel rays.
+    Orthographic,
+    /// All directions in a disc: see the file of this name. The angle is that of the whole disc.
+    Fisheye(f64),
+    /// See the file of this name. The angle is that from left to right.
+    UltraWideAngle(f64),
+    /// See the file of this name.
+    Omnimax,
+    /// See the file of this name.
+    Panoramic,
+    /// See the file of this name. The number is the type, 1 to 4; the angle is that across, or for types 2 and 4 that upright.
+    Cylinder(u8, f64),
+    /// See the file of this name. The angles are those across and upright.
+    Spherical(DVec2),
+}
+
+impl Frame {
+    /// The unit vectors of right, up, ahead, and the lengths they had.
+    pub(super) fn axes(&self) -> ([DVec3; 3], DVec3) {
+        let vectors = [self.right, self.up, self.direction];
+        (vectors.map(DVec3::normalize_or_zero), DVec3::from_array(vectors.map(DVec3::length)))
+    }
+}
+
+/// The rays of one picture of a size.
+#[derive(Clone, Debug)]
+pub enum View {
+    /// Those of most cameras.
+    Window(Window),
+    /// Those of all others.
+    Bent(Box<Bent>),
+}
+
+/// Rays that no flat window gives.
+#[derive(Clone, Debug)]
+pub struct Bent {
+    projection: Projection,
+    origin: DVec3,
+    /// Unit vectors: right, up, ahead.
+    axes: [DVec3; 3],
+    /// Lengths: the picture's width and height, and that of the direction.
+    lengths: DVec3,
+    /// The picture, in pixels.
+    size: DVec2,
+}
+
+impl Eye {
+    /// The rays of a picture of so many pixels.
+    pub fn view(&self, width: usize, height: usize) -> View {
+        let frame = self.frame;
+        match self.projection {
+            Projection::Perspective => View::Window(Window::of(&frame, width, height)),
+            Projection::Lecture { tan_x, tan_y } => {
+                View::Window(super::lecture::window(&frame, (tan_x, tan_y), width, height))
+            }
+            projection => {
+                let (axes, lengths) = frame.axes();
+                let size = DVec2::new(width as f64, height as f64);
+                View::Bent(Box::new(Bent { projection, origin: frame.origin, axes, lengths, size }))
+            }
+        }
+    }
+}
+
+impl View {
+    /// The unit ray through a point of the picture, in pixels from its top left corner; `None` where the camera sees nothing.
+    pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
+        match self {
+            View::Window(window) => Some(window.ray(x, y)),
+            View::Bent(bent) => bent.ray(x, y),
+        }
+    }
+
+    /// Where all rays begin; `None` if each begins elsewhere.
+    pub fn origin(&self) -> Option<DVec3> {
+        match self {
+            View::Window(window) => Some(window.origin),
+            View::Bent(bent) if bent.moves() => None,
+            View::Bent(bent) => Some(bent.origin),
+        }
+    }
+
+    /// The flat window, of a camera that has one.
+    pub fn window(&self) -> Option<&Window> {
+        match self {
+            View::Window(window) => Some(window),
+            View::Bent(_) => None,
+        }
+    }
+}
+
+impl Bent {
+    /// Does each ray begin elsewhere?
+    fn moves(&self) -> bool {
+        matches!(self.projection, Projection::Orthographic | Projection::Cylinder(3 | 4, _))
+    }
+
+    fn ray(&self, x: f64, y: f64) -> Option<Ray> {
+        // -½ to ½, to the right and up
+        let at = DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
+        let lengths = self.lengths;
+        // Origin and direction along right, up, ahead.
+        let (origin, dir) = match self.projection {
+            Projection::Perspective | Projection::Lecture { .. } => (DVec2::ZERO, None),
+            Projection::Orthographic => orthographic::ray(at, lengths),
+            Projection::Fisheye(angle) => (DVec2::ZERO, fisheye::direction(at, lengths, angle)),
+            Projection::UltraWideAngle(angle) => (DVec2::ZERO, Some(ultra_wide_angle::direction(at, lengths, angle))),
+            Projection::Omnimax => (DVec2::ZERO, omnimax::direction(at, lengths)),
+            Projection::Panoramic => (DVec2::ZERO, Some(panoramic::direction(at, lengths))),
+            Projection::Cylinder(kind, angle) => cylinder::ray(kind, at, lengths, angle),
+            Projection::Spherical(angles) => (DVec2::ZERO, Some(spherical::direction(at, angles))),
+        };
+        let dir = dir?;
+        let [right, up, ahead] = self.axes;
+        let world = right * dir.x + up * dir.y + ahead * dir.z;
+        Some(Ray::new(self.origin + right * origin.x + up * origin.y, world.try_normalize()?))
+    }
+}

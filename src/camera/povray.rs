@@ -1,0 +1,241 @@
+//! POV-Ray's camera. The order of its words does not matter (measured on 3.7): all are collected, then `angle` sets the length of
+//! `direction`, `look_at` turns everything, and transforms come last.
+
+use super::eye::{Eye, Frame, Projection};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{DVec2, DVec3, Transform, fp};
+use crate::source::Span;
+use crate::value::{RawItem, Reader};
+use serde::Serialize;
+
+/// As it was written.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PovrayCamera {
+    /// How it projects.
+    pub kind: Kind,
+    /// The eye.
+    pub location: DVec3,
+    /// From the eye to the middle of the window.
+    pub direction: DVec3,
+    /// Across the window.
+    pub right: DVec3,
+    /// Up the window.
+    pub up: DVec3,
+    /// Which way `look_at` keeps upright.
+    pub sky: DVec3,
+    /// The point in the middle of the picture.
+    pub look_at: Option<DVec3>,
+    /// Horizontal angle of view in degrees.
+    pub angle: Option<f64>,
+    /// Vertical angle of view in degrees; only the spherical camera has one.
+    pub vertical_angle: Option<f64>,
+    /// Has `right` or `up` been said? The window of an orthographic camera is that large then, at any distance.
+    pub sized: bool,
+    /// Where the angle was written.
+    pub angle_span: Span,
+    /// Applied to all of it in the end.
+    pub transform: Transform,
+    /// What was said and is not drawn yet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undrawn: Vec<RawItem>,
+}
+
+impl Default for PovrayCamera {
+    fn default() -> Self {
+        Self {
+            kind: Kind::Perspective,
+            location: DVec3::ZERO,
+            direction: DVec3::Z,
+            // POV-Ray's 1.33, which is not quite 4/3 (measured)
+            right: DVec3::new(1.33, 0.0, 0.0),
+            up: DVec3::Y,
+            sky: DVec3::Y,
+            look_at: None,
+            angle: None,
+            vertical_angle: None,
+            sized: false,
+            angle_span: Span::NONE,
+            transform: Transform::IDENTITY,
+            undrawn: vec![],
+        }
+    }
+}
+
+/// How a camera projects, as its word says.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[allow(missing_docs)]
+pub enum Kind {
+    Perspective,
+    Orthographic,
+    Fisheye,
+    UltraWideAngle,
+    Omnimax,
+    Panoramic,
+    Cylinder(u8),
+    Spherical,
+}
+
+/// Of cameras that have one, if nothing is said; in degrees (measured on 3.7).
+const USUAL_ANGLE: f64 = 90.0;
+
+impl PovrayCamera {
+    /// `angle horizontal [vertical]`
+    pub(super) fn read_angle(&mut self, r: &mut dyn Reader) -> Result<()> {
+        self.angle_span = r.span();
+        let angle = r.float()?;
+        self.angle = (angle != 0.0).then_some(angle);
+        self.vertical_angle = r.optional_float()?;
+        Ok(())
+    }
+
+    /// `cylinder N`
+    pub(super) fn read_cylinder(&mut self, r: &mut dyn Reader) -> Result<()> {
+        let (at, number) = (r.span(), r.float()?);
+        if !(1.0..5.0).contains(&number) {
+            let message = format!("a `cylinder` camera has a type from 1 to 4, found {number}");
+            let help = "1 and 3 turn about the axis that goes up, 2 and 4 about the one across; 3 and 4 move along it";
+            return Err(Diagnostic::new(codes::BAD_CAMERA, at, message).help(help).into());
+        }
+        self.kind = Kind::Cylinder(number as u8);
+        Ok(())
+    }
+
+    /// Has the camera a flat window?
+    pub fn is_perspective(&self) -> bool {
+        self.kind == Kind::Perspective
+    }
+
+    pub(super) fn check(&self, source: Span) -> Result<()> {
+        let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
+        if let Some(angle) = self.angle.filter(|a| flat && !(*a > 0.0 && *a < 180.0)) {
+            let message = format!("a perspective camera's `angle` lies between 0 and 180 degrees, this is {angle}");
+            return Diagnostic::err(codes::BAD_CAMERA, self.angle_span, message);
+        }
+        if let Some(angle) = self.angle.filter(|a| !a.is_finite() || *a < 0.0) {
+            let message = format!("a camera's `angle` is a number of degrees above 0, this is {angle}");
+            return Diagnostic::err(codes::BAD_CAMERA, self.angle_span, message);
+        }
+        let bad = |message: &str| Diagnostic::err(codes::BAD_CAMERA, source, message);
+        if self.look_at == Some(self.location) {
+            let message = "the camera looks at the place where it stands";
+            let d = Diagnostic::new(codes::BAD_CAMERA, source, message);
+            return d
+                .help("`look_at` names what is in the middle of the picture: any other point than `location`")
+                .into();
+        }
+        let vectors = [("direction", self.direction), ("right", self.right), ("up", self.up), ("sky", self.sky)];
+        for (name, vector) in vectors {
+            if vector == DVec3::ZERO {
+                return bad(&format!("the camera's `{name}` is zero"));
+            }
+        }
+        Ok(())
+    }
+
+    /// As a ray needs it.
+    pub fn eye(&self) -> Eye {
+        let (mut direction, mut right, mut up) = (self.direction, self.right, self.up);
+        let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
+        if let Some(angle) = self.angle.filter(|_| flat) {
+            // half the window's width over the direction's length is the tangent of half the angle
+            direction = direction.normalize() * (right.length() / 2.0 / fp::tan(angle.to_radians() / 2.0));
+        }
+        if self.kind == Kind::Orthographic && (self.angle.is_some() || !self.sized) {
+            // As large as a perspective camera's window where it looks at (measured on 3.7, where it looks at z unless told).
+            let scale = self.look_at.unwrap_or(DVec3::Z).distance(self.location) / direction.length();
+            (right, up) = (right * scale, up * scale);
+        }
+        if let Some(target) = self.look_at {
+            (direction, right, up) = self.turned(target, direction, right, up);
+        }
+        let t = &self.transform;
+        let (direction, right, up) = (t.vector(direction), t.vector(right), t.vector(up));
+        let frame = Frame { origin: t.point(self.location), direction, right, up };
+        Eye { frame, projection: self.projection() }
+    }
+
+    fn projection(&self) -> Projection {
+        let angle = self.angle.unwrap_or(USUAL_ANGLE).to_radians();
+        match self.kind {
+            Kind::Perspective => Projection::Perspective,
+            Kind::Orthographic => Projection::Orthographic,
+            Kind::Fisheye => Projection::Fisheye(angle),
+            Kind::UltraWideAngle => Projection::UltraWideAngle(angle),
+            Kind::Omnimax => Projection::Omnimax,
+            Kind::Panoramic => Projection::Panoramic,
+            Kind::Cylinder(number) => Projection::Cylinder(number, angle),
+            Kind::Spherical => {
+                let across = self.angle.unwrap_or(360.0);
+                let upright = self.vertical_angle.unwrap_or(across / 2.0);
+                Projection::Spherical(DVec2::new(across.to_radians(), upright.to_radians()))
+            }
+        }
+    }
+
+    /// Direction, right and up turned towards `look_at`, their lengths and their handedness kept.
+    fn turned(&self, target: DVec3, direction: DVec3, right: DVec3, up: DVec3) -> (DVec3, DVec3, DVec3) {
+        // What has no handedness, as `up z` with the usual direction, counts as left-handed (measured on 3.7).
+        let left_handed = up.cross(direction).dot(right) <= 0.0;
+        let ahead = (target - self.location).normalize();
+        let side = self.sky.normalize().cross(ahead);
+        // Looking along `sky`, the given `right` tells what is level.
+        let side = if side.length() < 1e-10 { right.normalize() } else { side.normalize() };
+        let top = ahead.cross(side).normalize_or(up);
+        let across = if left_handed { -side } else { side };
+        (ahead * direction.length(), across * right.length(), top * up.length())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::Window;
+
+    fn window(camera: &PovrayCamera, width: usize, height: usize) -> Window {
+        *camera.eye().view(width, height).window().unwrap()
+    }
+
+    #[test]
+    fn the_default_camera_looks_along_z() {
+        let window = window(&PovrayCamera::default(), 4, 3);
+        let ray = window.ray(2.0, 1.5);
+        assert_eq!((ray.origin, ray.dir), (DVec3::ZERO, DVec3::Z));
+        // the top left corner of the window lies at (-1.33/2, 1/2, 1)
+        let corner = DVec3::new(-0.665, 0.5, 1.0).normalize();
+        assert!(window.ray(0.0, 0.0).dir.distance(corner) < 1e-15);
+    }
+
+    #[test]
+    fn angle_is_that_of_the_whole_width() {
+        let camera = PovrayCamera { angle: Some(90.0), ..PovrayCamera::default() };
+        let window = window(&camera, 100, 75);
+        let (left, right) = (window.ray(0.0, 37.5).dir, window.ray(100.0, 37.5).dir);
+        assert!(left.dot(right).abs() < 1e-12);
+    }
+
+    #[test]
+    fn look_at_keeps_the_horizon_level() {
+        let camera = PovrayCamera {
+            location: DVec3::new(1.0, 5.0, -7.0),
+            look_at: Some(DVec3::new(0.0, 1.0, 0.0)),
+            ..PovrayCamera::default()
+        };
+        let window = window(&camera, 64, 48);
+        assert!(window.across.y.abs() < 1e-15);
+        let middle = window.ray(32.0, 24.0).dir;
+        assert!(middle.distance((DVec3::new(-1.0, -4.0, 7.0)).normalize()) < 1e-15);
+    }
+
+    #[test]
+    fn up_along_direction_mirrors() {
+        // seen in POV-Ray 3.7: `camera { location <0, 30, 0> up z right x look_at <0, 0, 0.0001> }`
+        let across = |up| {
+            let (location, right) = (DVec3::new(0.0, 30.0, 0.0), DVec3::X);
+            let look_at = Some(DVec3::new(0.0, 0.0, 0.0001));
+            window(&PovrayCamera { location, right, up, look_at, ..PovrayCamera::default() }, 1, 1).across
+        };
+        assert!(across(DVec3::Z).distance(-DVec3::X) < 1e-12);
+        assert!(across(DVec3::Y).distance(DVec3::X) < 1e-12);
+    }
+}

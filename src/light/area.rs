@@ -1,0 +1,147 @@
+//! `area_light axis, axis, N, M`: a row or a grid of lights that makes soft shadows (manual, "Area Lights"; details measured on
+//! POV-Ray 3.7).
+
+use super::{Light, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::DVec3;
+use crate::value::Kind::{Flag, Float, Nothing, Vector};
+use crate::value::Reader;
+use crate::value::words::{Row, set, word};
+use serde::Serialize;
+
+/// A grid of lights about the location of a light.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Area {
+    /// Its two sides.
+    pub axes: [DVec3; 2],
+    /// How many lights stand along each.
+    pub size: [u32; 2],
+    /// After so many halvings it asks no more where the corners agree; `None`: it asks all.
+    pub adaptive: Option<u32>,
+    /// Are they moved about at random?
+    pub jitter: bool,
+    /// Is the grid bent to a disc?
+    pub circular: bool,
+    /// Does it always face the place that it shines on?
+    pub orient: bool,
+    /// Does each light shine by itself, not only cast its shadow?
+    pub illumination: bool,
+}
+
+impl Default for Area {
+    fn default() -> Self {
+        Self {
+            axes: [DVec3::X, DVec3::Y],
+            size: [1; 2],
+            adaptive: None,
+            jitter: false,
+            circular: false,
+            orient: false,
+            illumination: false,
+        }
+    }
+}
+
+/// How the words of an area are read.
+pub(super) const AREA_ROWS: &[Row<Light>] = &[
+    word("area_light", Vector, "", "two sides and how many lights stand along each: `4*x, 4*z, 5, 5`; it casts soft shadows")
+        .sets(Light::read_area),
+    word("adaptive", Float, "", "asks only corners where they agree, after so many halvings; 1 is mostly enough")
+        .sets(|s, r| set(&mut s.area.adaptive, r.float().map(|level| Some(level.clamp(0.0, 64.0) as u32)))),
+    word("jitter", Nothing, "", "moves the lights at random: grain in place of steps")
+        .sets(|s, _| set(&mut s.area.jitter, Ok(true))),
+    word("circular", Nothing, "", "bends the grid to a disc").sets(|s, _| set(&mut s.area.circular, Ok(true))),
+    word("orient", Nothing, "", "turns it towards each place; its first side says how long both are")
+        .sets(|s, _| set(&mut s.area.orient, Ok(true))),
+    word("area_illumination", Flag, "off", "each light shines by itself; else the shadow alone is soft")
+        .sets(|s, r| set(&mut s.area.illumination, r.flag())),
+];
+
+/// So many lights are more than anyone waits for.
+const MOST: f64 = 1e5;
+
+impl Light {
+    fn read_area(&mut self, r: &mut dyn Reader) -> Result<()> {
+        let span = r.span();
+        self.area.axes = [r.vector()?, r.vector()?];
+        for n in &mut self.area.size {
+            let at = r.span();
+            let number = finite(r)?.trunc();
+            if !(1.0..=MOST).contains(&number) {
+                let message = format!("an `area_light` has 1 to {MOST} lights along a side, found {number}");
+                return Err(Diagnostic::new(codes::BAD_ARGUMENT, at, message).help("5 is usual, 17 is smooth").into());
+            }
+            *n = number as u32;
+        }
+        if !self.area.axes.iter().all(|axis| axis.is_finite()) {
+            return Diagnostic::err(codes::NOT_FINITE, span, "one of these numbers is infinite or not a number");
+        }
+        self.spreads = true;
+        Ok(())
+    }
+}
+
+impl Area {
+    /// From the light's location to the light of these numbers, for a place in the direction `toward`; `random` moves it, each number
+    /// in [0, 1).
+    pub fn offset(&self, cell: [u32; 2], toward: DVec3, random: Option<[f64; 2]>) -> DVec3 {
+        let place = |i: usize| {
+            let steps = f64::from(self.size[i].max(2) - 1);
+            // A single light stands in the middle.
+            let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell[i]) };
+            2.0 * (middle + random.map_or(0.0, |random| random[i] - 0.5)) / steps - 1.0
+        };
+        // In [-1, 1]
+        let (mut u, mut v) = (place(0), place(1));
+        if self.circular && (u != 0.0 || v != 0.0) {
+            // A square about the middle becomes a circle.
+            let shrink = u.abs().max(v.abs()) / u.hypot(v);
+            (u, v) = (u * shrink, v * shrink);
+        }
+        let [a, b] = if self.orient { self.facing(toward) } else { self.axes };
+        (a * u + b * v) * 0.5
+    }
+
+    /// Its sides when it faces a direction: the first is level about z.
+    fn facing(&self, toward: DVec3) -> [DVec3; 2] {
+        let length = self.axes[0].length();
+        let level = toward.cross(DVec3::Z).normalize_or_zero();
+        if level == DVec3::ZERO {
+            return [DVec3::X * length, DVec3::Y * length];
+        }
+        [level * length, level.cross(toward) * length]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn places(area: &Area) -> Vec<DVec3> {
+        let [n, m] = area.size;
+        (0..n * m).map(|i| area.offset([i % n, i / n], DVec3::NEG_Z, None)).collect()
+    }
+
+    #[test]
+    fn a_grid_and_a_disc_as_measured() {
+        // seen through a pinhole in POV-Ray 3.7
+        let area = Area { axes: [DVec3::X * 4.0, DVec3::Y * 2.0], size: [4, 3], circular: true, ..Area::default() };
+        let places = places(&area);
+        for (i, seen) in [(0, [-1.415, -0.707]), (1, [-0.632, -0.949]), (4, [-2.0, 0.0]), (5, [-0.667, 0.0])] {
+            assert!(places[i].distance(DVec3::new(seen[0], seen[1], 0.0)) < 2e-3, "{i} {}", places[i]);
+        }
+        let one = Area { size: [1, 1], ..area };
+        assert_eq!(one.offset([0, 0], DVec3::Z, None), DVec3::ZERO);
+    }
+
+    #[test]
+    fn what_is_oriented_faces_the_place() {
+        let area = Area { axes: [DVec3::X * 3.0, DVec3::Z], size: [2, 2], orient: true, ..Area::default() };
+        let toward = DVec3::new(1.0, 2.0, 3.0).normalize();
+        for cell in [[0, 0], [1, 0], [1, 1]] {
+            let offset = area.offset(cell, toward, None);
+            assert!(offset.dot(toward).abs() < 1e-15);
+            assert!((offset.length() - 4.5f64.sqrt()).abs() < 1e-15);
+        }
+    }
+}

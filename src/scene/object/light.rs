@@ -1,0 +1,120 @@
+//! Reads lights with the objects that belong to them, and groups of lights (manual, "Looks_like", "Projected_Through", "Light Groups").
+
+use super::{CsgOp, Object, ObjectKind, is_object};
+use crate::diagnostic::Result;
+use crate::light::Light;
+use crate::light::words::LIGHT;
+use crate::math::Transform;
+use crate::scene::Defaults;
+use crate::source::Span;
+use crate::value::words::word;
+use crate::value::{Kind, Next, Reader, Vocabulary};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// A light and what belongs to it, all in the space around its block.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LightSource {
+    /// The light.
+    #[serde(flatten)]
+    pub light: Light,
+    /// Seen in its place; casts no shadow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub looks_like: Option<Object>,
+    /// Only what passes this shines, and nothing between the two is in the way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projected_through: Option<Object>,
+}
+
+impl From<Light> for LightSource {
+    fn from(light: Light) -> Self {
+        Self { light, looks_like: None, projected_through: None }
+    }
+}
+
+/// `light_group { … }`
+pub const LIGHT_GROUP: Vocabulary = Vocabulary {
+    block: "light_group",
+    summary: "lights and objects: those lights shine on these objects alone, and other lights do not",
+    words: &[word("global_lights", Kind::Flag, "off", "lights outside of the group shine on its objects too")],
+    moves: true,
+    idle: &[],
+    not_drawn: &[],
+};
+
+impl LightSource {
+    /// Reads what stands between the braces; `source` is the block's place.
+    pub(super) fn read(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Self> {
+        let mut lit = Self::from(Light::read(r, source)?);
+        loop {
+            match r.next()? {
+                Next::End => break,
+                Next::Block("looks_like") => {
+                    let mut object = Self::read_part(r, defaults)?;
+                    object.transform_by(&Transform::translate(lit.light.location));
+                    lit.looks_like = Some(object);
+                }
+                Next::Block("projected_through") => lit.projected_through = Some(Self::read_part(r, defaults)?),
+                next if lit.light.read_own(next, r)? => {}
+                next if next.moves() => {
+                    if let Some(step) = r.transform()? {
+                        lit.transform(&step);
+                    }
+                }
+                _ => return Err(r.unknown_word("light_source", &LIGHT.names()).into()),
+            }
+        }
+        lit.light.finish()?;
+        Ok(lit)
+    }
+
+    fn read_part(r: &mut dyn Reader, defaults: &Defaults) -> Result<Object> {
+        r.take()?;
+        let object = Object::read(r, defaults)?;
+        r.leave()?;
+        Ok(*object)
+    }
+
+    fn transform(&mut self, by: &Transform) {
+        self.light.transform(by);
+        for part in [&mut self.looks_like, &mut self.projected_through].into_iter().flatten() {
+            part.transform_by(by);
+        }
+    }
+}
+
+impl Object {
+    /// Reads what stands between the braces of a group of lights; `source` is the block's place.
+    pub(super) fn read_light_group(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
+        let (mut parts, mut global, mut steps) = (vec![], false, vec![]);
+        loop {
+            match r.next()? {
+                Next::End => break,
+                Next::Block(part) if is_object(part) => parts.push(*Self::read(r, defaults)?),
+                Next::Thing("object" | "light_source") => parts.push(*Self::read(r, defaults)?),
+                Next::Word("global_lights") => {
+                    r.take()?;
+                    global = r.flag()?;
+                }
+                next if next.moves() => steps.extend(r.transform()?),
+                _ => return Err(r.unknown_word("light_group", &LIGHT_GROUP.names()).into()),
+            }
+        }
+        let extent = Self::parts_box(CsgOp::Union, &parts);
+        let kind = ObjectKind::Csg(CsgOp::Union, parts.into());
+        let mut object = Box::new(Self::new(kind, "light_group", source, defaults));
+        object.weight().check(source)?;
+        object.bulk.get_or_insert_default().extent = Some(extent);
+        object.rare.light_group = Some(global);
+        for step in steps {
+            object.transform_by(&step);
+        }
+        Ok(object)
+    }
+
+    /// Reads what stands between the braces of a light; `source` is the block's place.
+    pub(super) fn read_light(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
+        let lit = LightSource::read(r, source, defaults)?;
+        Ok(Box::new(Self::new(ObjectKind::Light(Arc::new(lit)), "light_source", source, defaults)))
+    }
+}
