@@ -1,7 +1,7 @@
 //! Cameras as a ray needs them: vectors in world space and angles in radians; nothing to look at, no degrees, no defaults.
 
 use super::perspective::Window;
-use super::{cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
+use super::{Lens, cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
 use crate::math::{DVec2, DVec3, Ray};
 use serde::Serialize;
 
@@ -12,6 +12,9 @@ pub struct Eye {
     pub frame: Frame,
     /// How it projects.
     pub projection: Projection,
+    /// What blurs, if anything does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lens: Option<Lens>,
 }
 
 /// The vectors of a camera, in world space.
@@ -58,7 +61,7 @@ pub enum Projection {
 
 impl Frame {
     /// The unit vectors of right, up, ahead, and the lengths they had.
-    pub(super) fn axes(&self) -> ([DVec3; 3], DVec3) {
+    pub fn axes(&self) -> ([DVec3; 3], DVec3) {
         let vectors = [self.right, self.up, self.direction];
         (vectors.map(DVec3::normalize_or_zero), DVec3::from_array(vectors.map(DVec3::length)))
     }

@@ -3,6 +3,7 @@
 mod cylinder;
 mod eye;
 mod fisheye;
+mod focal_blur;
 mod lecture;
 mod omnimax;
 mod orthographic;
@@ -14,6 +15,7 @@ mod ultra_wide_angle;
 pub mod words;
 
 pub use eye::{Eye, Frame, Projection, View};
+pub use focal_blur::{FocalBlur, Lens};
 pub use lecture::LectureCamera;
 pub use perspective::Window;
 pub use povray::{Kind, PovrayCamera};
@@ -23,6 +25,7 @@ use crate::math::Transform;
 use crate::source::Span;
 use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt, Thing};
+use focal_blur::BLUR_ROWS;
 use serde::Serialize;
 use words::{LECTURE, LECTURE_ROWS, POVRAY, POVRAY_ROWS};
 
@@ -79,6 +82,7 @@ impl Camera {
                     }
                 }
                 next if read_row(POVRAY_ROWS, &mut povray, next, r)? => {}
+                next if read_row(BLUR_ROWS, &mut povray, next, r)? => {}
                 Next::Word(word) | Next::Block(word) if POVRAY.leaves_out(word) => {
                     undrawn.push(r.keep_undrawn(word)?);
                 }

@@ -1,6 +1,7 @@
 //! POV-Ray's camera. The order of its words does not matter (measured on 3.7): all are collected, then `angle` sets the length of
 //! `direction`, `look_at` turns everything, and transforms come last.
 
+use super::FocalBlur;
 use super::eye::{Eye, Frame, Projection};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Transform, fp};
@@ -33,6 +34,8 @@ pub struct PovrayCamera {
     pub sized: bool,
     /// Where the angle was written.
     pub angle_span: Span,
+    /// What is not in focus is blurred.
+    pub blur: FocalBlur,
     /// Applied to all of it in the end.
     pub transform: Transform,
     /// What was said and is not drawn yet.
@@ -55,6 +58,7 @@ impl Default for PovrayCamera {
             vertical_angle: None,
             sized: false,
             angle_span: Span::NONE,
+            blur: FocalBlur::default(),
             transform: Transform::IDENTITY,
             undrawn: vec![],
         }
@@ -152,7 +156,9 @@ impl PovrayCamera {
         let t = &self.transform;
         let (direction, right, up) = (t.vector(direction), t.vector(right), t.vector(up));
         let frame = Frame { origin: t.point(self.location), direction, right, up };
-        Eye { frame, projection: self.projection() }
+        let blur = FocalBlur { focal_point: t.point(self.blur.focal_point), ..self.blur };
+        let lens = blur.lens(frame.origin, direction.normalize_or_zero());
+        Eye { frame, projection: self.projection(), lens }
     }
 
     fn projection(&self) -> Projection {

@@ -1,10 +1,11 @@
 //! The words of the cameras: what the readers obey and the manual lists.
 
 use super::lecture::{LectureCamera, read_field_of_view};
+use super::focal_blur::BLUR_ROWS;
 use super::povray::{Kind, PovrayCamera};
 use crate::value::Kind::{Float, Nothing, Vector};
 use crate::value::Vocabulary;
-use crate::value::words::{Row, set, specs, word};
+use crate::value::words::{Row, joined, set, specs, word};
 
 /// How [`POVRAY`]'s words are read.
 pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
@@ -47,16 +48,11 @@ pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
 pub const POVRAY: Vocabulary = Vocabulary {
     block: "camera",
     summary: "where the picture is taken from; x to the right, y up, z away from you",
-    words: specs!(POVRAY_ROWS),
+    words: &joined::<{ POVRAY_ROWS.len() + BLUR_ROWS.len() }>(specs!(POVRAY_ROWS), specs!(BLUR_ROWS)),
     moves: true,
     idle: &[],
     not_drawn: &[
         "mesh_camera",
-        "aperture",
-        "blur_samples",
-        "focal_point",
-        "confidence",
-        "variance",
         "normal",
         "bokeh",
         "smooth",

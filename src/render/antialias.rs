@@ -3,7 +3,7 @@
 
 use super::tiles::{Pixel, Workers};
 use super::trace::{Sample, Setup, Tracer};
-use super::{Cancelled, Options, Rays, Region};
+use super::{Cancelled, Options, Rays, Region, blur};
 use crate::math::fp;
 
 /// A pixel that differs gets GRID² samples and keeps the one that it had.
@@ -11,7 +11,7 @@ const GRID: usize = 3;
 /// Differences are judged after this (`Antialias_Gamma`).
 const GAMMA: f64 = 2.5;
 
-/// Draws a region of the picture.
+/// Draws a region of the picture. What is blurred needs no second pass.
 pub(super) fn draw(
     setup: &Setup,
     workers: &Workers,
@@ -23,6 +23,10 @@ pub(super) fn draw(
         tracer.begin(number(options, x, y), 0);
         pixel(&tracer.see(x as f64 + 0.5, y as f64 + 0.5))
     };
+    if let Some(lens) = &setup.world.eye.lens {
+        let blurred = |tracer: &mut Tracer, x: usize, y: usize| blur::pixel(tracer, lens, number(options, x, y), x, y);
+        return workers.draw(setup, region, rays, |tracer, x, y| finished(blurred(tracer, x, y)));
+    }
     let Some(threshold) = threshold(options) else {
         return workers.draw(setup, region, rays, |tracer, x, y| finished(once(tracer, x, y)));
     };
@@ -42,8 +46,9 @@ fn threshold(options: &Options) -> Option<f64> {
 }
 
 /// How many pixels both passes have.
-pub(super) fn total(options: &Options, region: Region) -> usize {
-    let interface = threshold(options).map_or(0, |_| {
+pub(super) fn total(setup: &Setup, options: &Options, region: Region) -> usize {
+    let twice = threshold(options).filter(|_| setup.world.eye.lens.is_none());
+    let interface = twice.map_or(0, |_| {
         let area = with_border(options, region);
         area.width * area.height
     });

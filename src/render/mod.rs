@@ -2,6 +2,7 @@
 
 mod antialias;
 mod area;
+mod blur;
 mod dispersion;
 mod mirror;
 mod output;
@@ -134,7 +135,7 @@ pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Fr
         return Ok((frame, rays));
     }
     let setup = Setup::new(world, options);
-    let workers = Workers::new(options.threads, antialias::total(options, region), watch);
+    let workers = Workers::new(options.threads, antialias::total(&setup, options, region), watch);
     let pixels = antialias::draw(&setup, &workers, options, region, &mut rays)?;
     for (row, line) in pixels.chunks(region.width).enumerate() {
         let start = (region.y + row) * width + region.x;

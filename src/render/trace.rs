@@ -5,9 +5,9 @@ use super::refract::{Interface, Interiors, copied, reflect};
 use super::shading_point::{Coat, ShadingPoint};
 use super::{Options, Rays, Watch};
 use crate::atmosphere::Veil;
-use crate::camera::View;
+use crate::camera::{Lens, View};
 use crate::color::{Rgb, gray};
-use crate::math::{DVec3, Range, Ray, rng, tolerance};
+use crate::math::{DVec2, DVec3, Range, Ray, rng, tolerance};
 use crate::world::{Intersection, ObjectInfo, World};
 use smallvec::SmallVec;
 
@@ -43,6 +43,8 @@ impl Quality {
 pub(super) struct Setup<'w> {
     pub world: &'w World,
     pub view: View,
+    /// Of the camera: unit vectors right, up and ahead.
+    axes: [DVec3; 3],
     pub quality: Quality,
     frame: u32,
     /// The picture keeps alpha.
@@ -62,7 +64,8 @@ impl<'w> Setup<'w> {
         if let Some(origin) = view.origin().filter(|_| asks_inside) {
             start = around(world, origin);
         }
-        Self { world, view, quality, frame: options.frame, alpha: options.alpha, start, asks_inside }
+        let (axes, _) = world.eye.frame.axes();
+        Self { world, view, axes, quality, frame: options.frame, alpha: options.alpha, start, asks_inside }
     }
 }
 
@@ -195,9 +198,18 @@ impl<'w> Tracer<'w> {
 
     /// The light through a point of the picture, in pixels from its top left corner.
     pub fn see(&mut self, x: f64, y: f64) -> Sample {
+        self.setup.view.ray(x, y).map_or(Sample::NOTHING, |ray| self.look(ray))
+    }
+
+    /// The same through a place of a lens, which is two numbers in [0, 1).
+    pub fn see_through(&mut self, x: f64, y: f64, lens: &Lens, place: DVec2) -> Sample {
+        let ray = self.setup.view.ray(x, y).map(|ray| lens.through(&ray, place, &self.setup.axes));
+        ray.map_or(Sample::NOTHING, |ray| self.look(ray))
+    }
+
+    fn look(&mut self, ray: Ray) -> Sample {
         self.rays.camera += 1;
         let Setup { world, view, start, asks_inside, .. } = self.setup;
-        let Some(ray) = view.ray(x, y) else { return Sample::NOTHING };
         let inside = match view.origin() {
             None if *asks_inside => around(world, ray.origin),
             _ => copied(start),

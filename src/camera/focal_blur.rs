@@ -1,0 +1,158 @@
+//! `aperture`, `blur_samples`, `focal_point` …: what is not in focus is blurred (manual, "Focal Blur").
+
+use super::povray::PovrayCamera;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{DVec2, DVec3, Ray, fp};
+use crate::value::Kind::{Float, Vector};
+use crate::value::Reader;
+use crate::value::words::{Row, set, word};
+use serde::Serialize;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+/// A lens.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FocalBlur {
+    /// Four times the radius of the lens (measured on POV-Ray 3.7); 0: all is in focus.
+    pub aperture: f64,
+    /// What is in focus, and all that lies as far ahead.
+    pub focal_point: DVec3,
+    /// So many rays a pixel at least and at most.
+    pub samples: [u32; 2],
+    /// How sure it has to be that a pixel is as smooth as `variance` says, from 0 to 1.
+    pub confidence: f64,
+    /// No more rays are cast where the mean of those so far is this exact; 0: all are.
+    pub variance: f64,
+}
+
+impl Default for FocalBlur {
+    fn default() -> Self {
+        Self { aperture: 0.0, focal_point: DVec3::ZERO, samples: [0, 0], confidence: 0.9, variance: 1.0 / 128.0 }
+    }
+}
+
+/// How its words are read.
+pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
+    word("aperture", Float, "0", "with `blur_samples`, how much is blurred that is not in focus: four times the lens's radius")
+        .sets(|s, r| set(&mut s.blur.aperture, r.float())),
+    word("focal_point", Vector, "<0, 0, 0>", "what is in focus, and all that lies as far ahead")
+        .sets(|s, r| set(&mut s.blur.focal_point, r.vector())),
+    word("blur_samples", Float, "0", "how many rays a pixel, or two numbers: at least and at most; 0 blurs nothing")
+        .sets(|s, r| s.blur.read_samples(r)),
+    word("confidence", Float, "0.9", "how sure it has to be that a pixel is as exact as `variance` says, from 0 to 1")
+        .sets(|s, r| set(&mut s.blur.confidence, r.float().map(|c| c.clamp(0.0, 0.999_999)))),
+    word("variance", Float, "1/128", "how exact a pixel has to be; 0 casts all rays")
+        .sets(|s, r| set(&mut s.blur.variance, r.float().map(f64::abs))),
+];
+
+/// So many rays a pixel are more than anyone waits for.
+const MOST: f64 = 1e6;
+
+impl FocalBlur {
+    fn read_samples(&mut self, r: &mut dyn Reader) -> Result<()> {
+        let at = r.span();
+        let first = r.float()?;
+        let second = r.optional_float()?;
+        let (least, most) = second.map_or((0.0, first), |second| (first.min(second), first.max(second)));
+        if !(0.0..=MOST).contains(&least) || !(0.0..=MOST).contains(&most) {
+            let message = format!("`blur_samples` takes 0 to {MOST} rays a pixel, found {}", if least < 0.0 { least } else { most });
+            return Err(Diagnostic::new(codes::BAD_CAMERA, at, message).help("20 is a draft, 200 is smooth").into());
+        }
+        self.samples = [least as u32, most as u32];
+        Ok(())
+    }
+
+    /// As a ray needs it, if anything is blurred; `origin` and `ahead`, which has length 1, are the camera's, all in one space.
+    pub(super) fn lens(&self, origin: DVec3, ahead: DVec3) -> Option<Lens> {
+        let distance = (self.focal_point - origin).dot(ahead);
+        if self.aperture == 0.0 || self.samples[1] == 0 || distance == 0.0 || !distance.is_finite() {
+            return None;
+        }
+        let [least, most] = self.samples;
+        // A quarter is enough to judge a pixel by, unless the author wants more.
+        let least = if least == 0 { most.div_ceil(4).min(most).max(4) } else { least };
+        Some(Lens {
+            radius: self.aperture.abs() / 4.0,
+            distance,
+            samples: [least.min(most), most],
+            error: (self.variance > 0.0).then(|| self.variance / quantile(self.confidence)),
+        })
+    }
+}
+
+/// A lowered lens.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Lens {
+    /// In world space.
+    pub radius: f64,
+    /// How far ahead of the eye all is in focus.
+    pub distance: f64,
+    /// So many rays a pixel at least and at most.
+    pub samples: [u32; 2],
+    /// The mean of a pixel may have this standard error; `None`: all rays are cast.
+    pub error: Option<f64>,
+}
+
+impl Lens {
+    /// The ray that goes through a place of the lens and meets a ray through its middle where things are in focus; `place` is two
+    /// numbers in [0, 1), `axes` are the unit vectors right, up and ahead.
+    pub fn through(&self, ray: &Ray, place: DVec2, axes: &[DVec3; 3]) -> Ray {
+        let [right, up, ahead] = *axes;
+        let focus = ray.at(self.distance / ray.dir.dot(ahead));
+        let at = on_disc(place) * self.radius;
+        let origin = ray.origin + right * at.x + up * at.y;
+        Ray::new(origin, (focus - origin).normalize_or(ray.dir))
+    }
+}
+
+/// A place on the unit disc for one of the unit square, which keeps areas and neighbours (Shirley and Chiu 1997).
+fn on_disc(place: DVec2) -> DVec2 {
+    let p = place * 2.0 - 1.0;
+    if p == DVec2::ZERO {
+        return p;
+    }
+    let (r, angle) = if p.x.abs() > p.y.abs() {
+        (p.x, FRAC_PI_4 * (p.y / p.x))
+    } else {
+        (p.y, FRAC_PI_2 - FRAC_PI_4 * (p.x / p.y))
+    };
+    let (sin, cos) = fp::sin_cos(angle);
+    DVec2::new(cos, sin) * r
+}
+
+/// How many standard errors a mean is off at most, with this probability: the inverse of erf, times √2, by Winitzki's formula (A handy
+/// approximation for the error function and its inverse, 2008; 0.2 % off).
+fn quantile(confidence: f64) -> f64 {
+    const A: f64 = 0.147;
+    let log = fp::ln(1.0 - confidence * confidence);
+    let half = 2.0 / (std::f64::consts::PI * A) + log / 2.0;
+    (2.0 * ((half * half - log / A).sqrt() - half)).sqrt().max(1e-3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_meet_in_focus_and_fill_the_lens() {
+        let lens = Lens { radius: 0.5, distance: 4.0, samples: [1, 1], error: None };
+        let ray = Ray::new(DVec3::ZERO, DVec3::new(0.6, 0.0, 0.8));
+        let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+        let mut second_moment = 0.0;
+        for i in 0..10_000 {
+            let place = DVec2::new(f64::from(i % 100) + 0.5, f64::from(i / 100) + 0.5) / 100.0;
+            let bent = lens.through(&ray, place, &axes);
+            let t = (4.0 - bent.origin.z) / bent.dir.z;
+            assert!(bent.at(t).distance(DVec3::new(3.0, 0.0, 4.0)) < 1e-12);
+            second_moment += bent.origin.length_squared() / 10_000.0;
+        }
+        // ∫r²·2r/R² = R²/2
+        assert!((second_moment - 0.125).abs() < 1e-4, "{second_moment}");
+    }
+
+    #[test]
+    fn quantiles_of_the_normal_distribution() {
+        for (confidence, wanted) in [(0.9, 1.6449), (0.99, 2.5758), (0.5, 0.6745)] {
+            assert!((quantile(confidence) - wanted).abs() < 0.01, "{confidence} {}", quantile(confidence));
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! Focal blur: many rays a pixel, each through another place of the lens and of the pixel (manual, "Focal Blur").
+
+use super::tiles::Pixel;
+use super::trace::Tracer;
+use crate::camera::Lens;
+use crate::math::{DVec2, rng};
+
+/// Steps of the row of points that fills a square, and a lens, most evenly: powers of 1/φ, where φ⁵ = φ + 1 (Roberts 2018, "R4").
+const STEPS: [f64; 4] = [0.856_674_883_854_502_9, 0.733_891_856_627_126, 0.628_706_721_038_087_1, 0.538_597_257_223_610_2];
+/// It is asked again whether a pixel is exact enough after so many rays.
+const ASK_EVERY: u32 = 4;
+
+/// The mean of the rays of a pixel, as many as it takes.
+pub(super) fn pixel(tracer: &mut Tracer, lens: &Lens, number: u64, x: usize, y: usize) -> Pixel {
+    // Each pixel begins elsewhere in the row.
+    let start = [0, 1, 2, 3].map(|dimension| rng::unit(&[number, dimension, PURPOSE]));
+    let (mut mean, mut spread) = ([0.0; 4], [0.0; 4]);
+    for i in 0..lens.samples[1] {
+        let at = |dimension: usize| (start[dimension] + STEPS[dimension] * f64::from(i)).fract();
+        tracer.begin(number, u64::from(i));
+        let sample = tracer.see_through(x as f64 + at(0), y as f64 + at(1), lens, DVec2::new(at(2), at(3)));
+        let count = f64::from(i + 1);
+        for (c, value) in [sample.rgb.x, sample.rgb.y, sample.rgb.z, sample.passed].into_iter().enumerate() {
+            // Mean and sum of squares about it, one value at a time (Welford 1962).
+            let before = mean[c];
+            mean[c] += (value - before) / count;
+            spread[c] += (value - before) * (value - mean[c]);
+        }
+        let exact = |error: f64| spread.iter().all(|spread| *spread <= error * error * count * (count - 1.0));
+        let asked = i + 1 >= lens.samples[0] && (i + 1) % ASK_EVERY == 0;
+        if asked && lens.error.is_some_and(exact) {
+            break;
+        }
+    }
+    mean.map(|c| c as f32)
+}
+
+/// Tells these random numbers from all others of a pixel.
+const PURPOSE: u64 = 0x626c_7572;
