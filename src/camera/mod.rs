@@ -27,7 +27,7 @@ use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt, Thing};
 use focal_blur::BLUR_ROWS;
 use serde::Serialize;
-use words::{LECTURE, LECTURE_ROWS, POVRAY, POVRAY_ROWS};
+use words::{KIND_ROWS, LECTURE, LECTURE_ROWS, POVRAY, POVRAY_ROWS};
 
 /// Any camera.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -82,6 +82,7 @@ impl Camera {
                     }
                 }
                 next if read_row(POVRAY_ROWS, &mut povray, next, r)? => {}
+                next if read_row(KIND_ROWS, &mut povray, next, r)? => {}
                 next if read_row(BLUR_ROWS, &mut povray, next, r)? => {}
                 Next::Word(word) | Next::Block(word) if POVRAY.leaves_out(word) => {
                     undrawn.push(r.keep_undrawn(word)?);

@@ -4,9 +4,9 @@
 use crate::math::{DVec2, DVec3, fp};
 
 /// The angle to the axis at a distance from the middle of the disc, which is 1 at its edge: fitted, to 0.001°.
-const ANGLE: [f64; 3] = [1.4113, -0.0944, 0.2568];
+const ANGLE: [f64; 3] = [1.411_262, -0.094_374, 0.256_732];
 /// Where that angle is 45°. A picture that is wider than the disc down to there shows that and no more.
-const LOWEST: f64 = 0.5583;
+const LOWEST: f64 = 0.558_292;
 
 /// The direction.
 pub(super) fn direction(at: DVec2, lengths: DVec3) -> Option<DVec3> {

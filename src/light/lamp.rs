@@ -17,6 +17,8 @@ pub struct Lamp {
     pub shadowless: bool,
     /// Distance of full strength, and how fast it fades from there.
     pub fade: Option<(f64, f64)>,
+    /// Does the air take from it on its way (`media_attenuation`)?
+    pub attenuated: bool,
     /// The grid of lights about its location; never a single one.
     pub area: Option<Area>,
     /// Where its axis goes, length 1.
@@ -47,6 +49,7 @@ impl Lamp {
             color: light.color,
             shadowless: light.shadowless,
             fade,
+            attenuated: light.media_attenuation,
             area: (light.spreads && light.area.size != [1; 2]).then(|| light.area.clone()),
             axis: axis(light.location, light.point_at),
             parallel: light.parallel || matches!(light.beam, Beam::Cylinder(_)),

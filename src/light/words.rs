@@ -21,13 +21,18 @@ pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
         .sets(|s, r| set(&mut s.fade_power, finite(r))),
     word("media_interaction", Flag, "on", "it lights up media, which are not drawn yet")
         .sets(|s, r| set(&mut s.media_interaction, r.flag())),
-    word("media_attenuation", Flag, "off", "media, which are not drawn yet, take from it on its way")
+    word("media_attenuation", Flag, "off", "fog takes from it on its way, and media, which are not drawn yet")
         .sets(|s, r| set(&mut s.media_attenuation, r.flag())),
 ];
 
 /// What holds an object; the scene reads it.
 const LIGHT_PARTS: &[WordSpec] = &[
-    word("looks_like", Block, "", "an object that is seen at its place and casts no shadow; that lies about the origin"),
+    word(
+        "looks_like",
+        Block,
+        "",
+        "an object that is seen at its place and casts no shadow; that lies about the origin",
+    ),
     word("projected_through", Block, "", "an object: only what passes it shines, and nothing before it is in the way"),
 ];
 

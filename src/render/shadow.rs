@@ -11,7 +11,13 @@ use std::ops::ControlFlow;
 
 impl Tracer<'_> {
     /// The part of the light that comes through to a point, in shadows that are soft or hard.
-    pub(super) fn reaching(&mut self, light: &LightSource, point: DVec3, arriving: &Arriving, inside: &Interiors) -> Rgb {
+    pub(super) fn reaching(
+        &mut self,
+        light: &LightSource,
+        point: DVec3,
+        arriving: &Arriving,
+        inside: &Interiors,
+    ) -> Rgb {
         match &light.lamp.area {
             Some(area) => self.from_area(light, area, point, arriving, inside),
             None => self.unshadowed(light, point, arriving, inside),
@@ -42,15 +48,16 @@ impl Tracer<'_> {
         if world.geometry.any(&ray, range, blocks) {
             return Rgb::ZERO;
         }
-        if !see_through {
+        let hazy = light.lamp.attenuated && self.is_hazy();
+        if !see_through && !hazy {
             return Rgb::ONE;
         }
         let filters = |id: u32| {
             let object = &world.objects[id as usize];
             object.shadow && !object.opaque
         };
-        if world.colors_light {
-            return self.colored(&ray, range, filters, inside.clone());
+        if world.colors_light || hazy {
+            return self.colored(&ray, range, filters, inside.clone(), hazy);
         }
         let mut light = Rgb::ONE;
         let _ = world.geometry.visit(&ray, range, filters, &mut |found| {
@@ -61,8 +68,16 @@ impl Tracer<'_> {
     }
 
     /// What comes through if light also changes between surfaces: those are taken from the nearest to the farthest. What a
-    /// ray leaves takes its share of the way from the surface before (measured on 3.7).
-    fn colored(&self, ray: &Ray, range: Range, filters: impl Fn(u32) -> bool, mut inside: Interiors) -> Rgb {
+    /// ray leaves takes its share of the way from the surface before; of a light that is `media_attenuation`, fog takes its share of each
+    /// stretch (measured on 3.7).
+    fn colored(
+        &mut self,
+        ray: &Ray,
+        range: Range,
+        filters: impl Fn(u32) -> bool,
+        mut inside: Interiors,
+        hazy: bool,
+    ) -> Rgb {
         let world = self.setup.world;
         let mut surfaces = vec![];
         let _ = world.geometry.visit(ray, range, filters, &mut |found| {
@@ -74,10 +89,13 @@ impl Tracer<'_> {
         for found in surfaces {
             let own = world.parts[found.leaf.id as usize].interior;
             let interior = &world.interiors[own as usize];
+            if hazy {
+                light *= self.stretch(ray, before, found.t(), &inside);
+            }
             light *= shading_point::pass(world, ray, &found, !self.setup.quality.real);
             if let Some(at) = inside.iter().rposition(|&i| i == own) {
                 inside.remove(at);
-                light *= self.faded(own, found.t() - before);
+                light *= self.shaded(own, found.t() - before);
             } else {
                 inside.push(own);
             }
@@ -88,6 +106,11 @@ impl Tracer<'_> {
             }
             before = found.t();
         }
-        light
+        if hazy { light * self.stretch(ray, before, range.max + tolerance::SHADOW, &inside) } else { light }
+    }
+
+    /// What the air leaves of light along a stretch of a ray.
+    fn stretch(&mut self, ray: &Ray, from: f64, to: f64, inside: &Interiors) -> Rgb {
+        self.veil(&Ray::new(ray.at(from), ray.dir), to - from, inside).passes
     }
 }

@@ -6,7 +6,7 @@
 //! disc { <0, 1, 0>, <0, 1, 0>, 1, 0.5 pigment { color rgb <0.8, 0.8, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, extent, finite};
+use super::{HalfSpaces, Hit, Hits, Kernel, Readable, extent, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
@@ -86,6 +86,10 @@ impl Kernel for Disc {
 
     fn reaches_beyond(&self) -> bool {
         true
+    }
+
+    fn half_spaces(&self) -> HalfSpaces {
+        smallvec::smallvec![(self.normal, self.normal.dot(self.center))]
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {

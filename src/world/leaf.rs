@@ -98,7 +98,7 @@ impl Leaf {
         let solid = match self.inverse {
             _ if self.shape.is_patch() => Aabb::EMPTY,
             true => Aabb::INFINITE,
-            // A disc's inside is a half-space, but POV-Ray cuts an intersection to the disc's own box.
+            false if self.shape.reaches_beyond() => Aabb::INFINITE,
             false => surface,
         };
         (surface, solid)

@@ -11,8 +11,17 @@ use std::path::Path;
 pub const SIZE: (usize, usize) = (128, 96);
 
 /// Pages whose every heading has a picture, or is one of these.
-const PAGES: &[&str] =
-    &["scene.md", "shapes.md", "objects.md", "cameras.md", "lights.md", "pigments.md", "finishes.md", "settings.md"];
+const PAGES: &[&str] = &[
+    "scene.md",
+    "shapes.md",
+    "objects.md",
+    "cameras.md",
+    "lights.md",
+    "atmosphere.md",
+    "pigments.md",
+    "finishes.md",
+    "settings.md",
+];
 const TEXT: &[&str] =
     &["Not drawn yet", "What counts of a pixel", "Words of all patterns of numbers", "Warps", "Pictures"];
 

@@ -5,7 +5,7 @@ use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp, bitm
 use crate::syntax::word::contextual;
 use crate::value::Spec;
 use crate::value::words::TRANSFORMS;
-use crate::{camera, interpreter, light, scene, shape, texture};
+use crate::{atmosphere, camera, interpreter, light, scene, shape, texture};
 
 pub(super) fn scene() -> String {
     let shapes = list(shape::SPECS.iter().map(|s| s.name));
@@ -46,12 +46,55 @@ pub(super) fn objects() -> String {
 }
 
 pub(super) fn cameras() -> String {
+    let kinds = camera::words::KINDS.iter().map(|kind| {
+        // (Shapes and patterns have these names too.)
+        let more = if matches!(kind.name, "cylinder" | "spherical") { " camera" } else { "" };
+        format!("## {}{more}\n\nWith the word {}: {}.\n\n", kind.name, code(kind.name), kind.summary)
+    });
+    let blur = "What is not as far ahead as `focal_point` is blurred. More rays a pixel make it smoother: as many as the pixel needs, \
+                up to the number of `blur_samples`.\n\n";
     section(&camera::words::POVRAY, "POV-Ray's camera", &[])
+        + &kinds.collect::<String>()
+        + &format!("## Focal blur\n\n{blur}{}", word_table(camera::words::BLUR, &[]))
         + &section(&camera::words::LECTURE, "durer's own camera", contextual("camera"))
 }
 
 pub(super) fn lights() -> String {
-    section(&light::words::LIGHT, "light_source", &[])
+    let kinds = [
+        (
+            "spotlight",
+            "`spotlight`",
+            "it shines into a cone about the line to `point_at`; `radius` and `falloff` are angles from that line",
+        ),
+        (
+            "cylinder light",
+            "`cylinder`",
+            "it shines along a tube; `radius` and `falloff` are lengths, and the light is parallel",
+        ),
+        ("parallel", "`parallel`", "its light comes from the plane through its place, across the line to `point_at`"),
+        (
+            "area_light",
+            "`area_light`",
+            "a grid of lights about its place, whose shadows are soft; `adaptive 1` makes it quick",
+        ),
+        ("looks_like", "`looks_like`", "an object about the origin is seen in the light's place"),
+        (
+            "projected_through",
+            "`projected_through`",
+            "light falls only where it has passed an object, which is not seen itself",
+        ),
+    ];
+    let kinds = kinds.map(|(title, word, text)| format!("## {title}\n\n{word}: {text}.\n\n")).concat();
+    section(&light::words::LIGHT, "light_source", &[]) + &kinds + &section(&scene::LIGHT_GROUP, "light_group", &[])
+}
+
+pub(super) fn atmosphere() -> String {
+    let fog = "Of several fogs each covers what lies behind it. It is not in what is not `hollow`, and not seen with `--quality 8` and \
+               less. Light on its way to a surface goes through it freely, but for lights with `media_attenuation on`.\n\n";
+    section(&atmosphere::SKY_SPHERE, "sky_sphere", &[])
+        + &section(&atmosphere::FOG, "fog", &[])
+        + fog
+        + &section(&atmosphere::RAINBOW, "rainbow", &[])
 }
 
 pub(super) fn colors() -> String {

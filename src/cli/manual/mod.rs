@@ -27,6 +27,7 @@ pub fn pages() -> Vec<Page> {
         page("objects.md", "Objects and transforms", language::objects()),
         page("cameras.md", "Cameras", language::cameras()),
         page("lights.md", "Lights", language::lights()),
+        page("atmosphere.md", "Sky, fog, rainbows", language::atmosphere()),
         page("colors.md", "Colours", language::colors()),
         page("pigments.md", "Pigments and patterns", language::pigments()),
         page("finishes.md", "Textures, finishes, interiors", language::finishes()),

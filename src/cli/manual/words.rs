@@ -5,7 +5,7 @@ use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp, bitm
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
 use crate::value::words::TRANSFORMS;
 use crate::value::{Spec, Vocabulary, WordSpec};
-use crate::{camera, function, interpreter, light, scene, shape, texture};
+use crate::{atmosphere, camera, function, interpreter, light, scene, shape, texture};
 use std::collections::BTreeMap;
 
 /// Words that stand in no table of a block, and the chapter about them.
@@ -84,12 +84,16 @@ fn add_words(index: &mut Index, words: &'static [WordSpec], place: &str) {
 
 fn blocks(index: &mut Index) {
     use texture::words::{FINISH, IMAGE_MAP, INTERIOR, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
-    let blocks: [(&'static Vocabulary, &str, &str); 13] = [
+    let blocks: [(&'static Vocabulary, &str, &str); 17] = [
         (&interpreter::STATEMENTS, "the scene", "scene.md"),
         (&scene::words::MODIFIERS, "objects", "objects.md"),
         (&camera::words::POVRAY, "`camera`", "cameras.md"),
         (&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
         (&light::words::LIGHT, "`light_source`", "lights.md"),
+        (&scene::LIGHT_GROUP, "`light_group`", "lights.md#light_group"),
+        (&atmosphere::SKY_SPHERE, "`sky_sphere`", "atmosphere.md"),
+        (&atmosphere::FOG, "`fog`", "atmosphere.md"),
+        (&atmosphere::RAINBOW, "`rainbow`", "atmosphere.md"),
         (&PIGMENT, "`pigment`", "pigments.md"),
         (&IMAGE_MAP, "`image_map`", "pigments.md#image_map"),
         (&TEXTURE, "`texture`", "finishes.md"),

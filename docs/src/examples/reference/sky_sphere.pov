@@ -1,0 +1,10 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+sky_sphere {
+  pigment { gradient y color_map { [0 srgb <0.85, 0.88, 0.9>] [0.6 srgb <0.25, 0.4, 0.75>] } }
+  pigment { bozo turbulence 0.6 scale <0.4, 0.15, 0.4> color_map { [0.5 rgbt 1] [0.9 rgbt <1, 1, 1, 0.2>] } }
+}
+camera { location <0, 1.6, -8> right x*image_width/image_height look_at <0, 1.8, 0> angle 60 }
+light_source { <-40, 50, -60> rgb 1 }
+plane { y, 0 pigment { srgb <0.45, 0.55, 0.3> } }
+#for (I, 1, 9) cone { <4 - mod(I*3, 8), 0, I*4 - 4>, 0.9, <4 - mod(I*3, 8), 3, I*4 - 4>, 0 pigment { srgb <0.2, 0.4, 0.2> } } #end

@@ -1,0 +1,5 @@
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <1,2,-6> look_at <0,.5,0> }
+#declare T = texture { pigment { rgb <.8,.6,.3> } finish { ambient .1 diffuse .7 specular .3 reflection .2 } }
+#declare F = plane { y, 0 pigment { checker rgb 1 rgb .4 } finish { reflection .15 } }
+light_source { <3,6,-4> rgb <1,.8,.6> area_light 3*x,2*y,6,7 adaptive 1 } sphere { <0,1,0>,1 pigment { checker rgbf <1,.5,.5,.9> rgbt .3 scale .3 } interior { ior 1.3 caustics .5 } } F

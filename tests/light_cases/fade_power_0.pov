@@ -1,0 +1,4 @@
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <1,2,-6> look_at <0,.5,0> }
+plane { y, 0 pigment { checker rgb 1 rgb .4 } }
+light_source { <3,6,-4> rgb 1 } sphere { <0,1,0>,1 pigment { rgbt .9 } interior { fade_distance 2 fade_power 0 } }

@@ -1,0 +1,5 @@
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <1,2,-6> look_at <0,.5,0> }
+#declare T = texture { pigment { rgb <.8,.6,.3> } finish { ambient .1 diffuse .7 specular .3 reflection .2 } }
+#declare F = plane { y, 0 pigment { checker rgb 1 rgb .4 } finish { reflection .15 } }
+fog { distance 6 rgb <.6,.7,.8> } light_source { <5,8,-6> rgb 1 } sphere { <0,1,0>,1 pigment { rgbt .9 } interior { ior 1.3 fade_distance 1 fade_power 2 } } cylinder { -2*x,2*x,.4 hollow pigment { rgbf <1,.6,.6,.8> } } F

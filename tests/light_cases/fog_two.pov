@@ -1,0 +1,5 @@
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <1,2,-6> look_at <0,.5,0> }
+#declare T = texture { pigment { rgb <.8,.6,.3> } finish { ambient .1 diffuse .7 specular .3 reflection .2 } }
+#declare F = plane { y, 0 pigment { checker rgb 1 rgb .4 } finish { reflection .15 } }
+fog { distance 16 rgbf <.6,.7,.8,.3> } fog { distance 30 fog_type 2 fog_alt 2 rgb <1,.4,.2> rotate 20*z } light_source { <5,8,-6> rgb 1 } sphere { <0,1,0>,1 texture { T } } F
