@@ -309,7 +309,7 @@ impl<'w> Tracer<'w> {
                     let path =
                         Path { inside: copied(&path.inside), weight: path.weight * coat.pass.max_element(), ..*path };
                     let split = self.split(&path, (shading, coat), interface, samples);
-                    *rgb += through * coat.share * fade * (coat.pass * split.passing + split.total);
+                    *rgb += through * coat.share * fade * coat.pass * split;
                     continue;
                 }
             };
