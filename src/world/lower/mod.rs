@@ -236,6 +236,9 @@ impl Lowering {
         if !interior.undrawn.is_empty() {
             Arc::make_mut(&mut interior).undrawn.clear();
         }
+        if !interior.has_ior && interior.dispersion != 1.0 {
+            Arc::make_mut(&mut interior).dispersion = 1.0;
+        }
         self.interiors.push(interior);
         self.filled.push(!hollow);
         self.interiors.len() as u32 - 1
