@@ -38,7 +38,8 @@ impl Tracer<'_> {
             interface.cross(&mut inside, own);
             self.rays.transmitted += 1;
             let ray = Ray::new(shading.point, dir);
-            light += share * self.follow(Path { ray, level: path.level + 1, inside, hue: Some(hue), ..*path }).rgb;
+            let (level, hue) = (path.level + 1, Some(hue));
+            light += share * self.follow(Path { ray, level, inside, hue, passed: true, ..*path }).rgb;
         }
         if kept != Rgb::ZERO {
             self.rays.reflected += 1;

@@ -290,8 +290,8 @@ impl Lowering {
 
     fn add_object(&mut self, flags: Flags, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, .. } = flags;
-        let info = ObjectInfo { shadow: !no_shadow, image: !no_image, reflection: !no_reflection, opaque, interior };
-        self.add_info(info)
+        let (shadow, image, reflection) = (!no_shadow, !no_image, !no_reflection);
+        self.add_info(ObjectInfo { shadow, image, through: image, reflection, opaque, interior })
     }
 
     fn add_info(&mut self, info: ObjectInfo) -> u32 {
