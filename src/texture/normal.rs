@@ -49,6 +49,8 @@ pub struct Normal {
     pub accuracy: f64,
     /// `uv_mapping` stands in the normal itself: then bumps do not turn with the object (measured on POV-Ray 3.7).
     pub stays: bool,
+    /// `uv_mapping` stands in the texture: then the pigment sees bumps in the texture's space, as within a map (measured on POV-Ray 3.7).
+    pub framed: bool,
     /// `no_bump_scale` switches it off: bumps that are scaled get deeper too.
     pub bump_scale: bool,
 }
@@ -61,6 +63,7 @@ impl Default for Normal {
             amount: 0.5,
             accuracy: 0.02,
             stays: false,
+            framed: false,
             bump_scale: true,
         }
     }
@@ -189,7 +192,7 @@ impl Normal {
     pub fn is_flat(&self) -> bool {
         match &self.relief {
             Relief::Normals(parts) => parts.iter().all(Normal::is_flat),
-            _ => matches!(self.pattern.kind, Kind::Plain) || self.amount == 0.0,
+            _ => matches!(self.pattern.kind, Kind::Plain) || (self.amount == 0.0 && !self.framed),
         }
     }
 }
