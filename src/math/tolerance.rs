@@ -6,6 +6,10 @@ pub const SURFACE: f64 = 1e-4;
 /// A shadow ray ignores hits nearer than this to either of its ends, in world units (measured on POV-Ray 3.7).
 pub const SHADOW: f64 = 1e-3;
 
+/// No ray meets a plane farther away than this, in world units (measured on POV-Ray 3.7, which draws other shapes there or not, as their
+/// transforms have it).
+pub const PLANE_ENDS: f64 = 1e7;
+
 /// How far from a flat face or a round wall a point may be and still change sides, in units of the shape's own space.
 /// Seen in what POV-Ray's `inside()` answers: a plane reaches this much beyond its surface, closed cylinders and cones
 /// end this much before theirs, open ones this much behind their ends. So surfaces that lie in one another come out alike.

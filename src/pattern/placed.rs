@@ -21,6 +21,9 @@ pub enum Kind {
     Cells(CellPattern),
     /// `average`: all entries of the map at once, by their weights.
     Average,
+    /// Places on the surface, (u, v, 0), stand for points, and the first entry of the map shows: what a block with `uv_mapping` is
+    /// to a pigment or normal that begins with it (see [`Pattern::around`]).
+    Surface,
 }
 
 /// A pattern with all that is said of it, but for its colours.
@@ -37,9 +40,10 @@ pub struct Pattern {
     pub noise: Option<NoiseGenerator>,
     /// `uv_mapping`: it sees the place on the surface, (u, v, 0), instead of the point.
     pub uv: bool,
-    /// It was mapped by uv when its block ended: nothing moves it any more (measured on POV-Ray 3.7).
+    /// Of what was mapped by uv when its block ended: the space around the surface. What moves it later moves this one, which shows
+    /// only if a pattern is named over it: that one sees the map of one entry that is left (measured on POV-Ray 3.7).
     #[serde(skip)]
-    pub fixed: bool,
+    pub around: Option<Box<Space>>,
 }
 
 impl Kind {
@@ -47,7 +51,7 @@ impl Kind {
         match self {
             Kind::Field(pattern) => pattern.read_own(next, r),
             Kind::Cells(pattern) => pattern.read_own(next, r),
-            Kind::Plain | Kind::Average => Ok(false),
+            Kind::Plain | Kind::Average | Kind::Surface => Ok(false),
         }
     }
 }
@@ -60,7 +64,7 @@ impl Usual for Pattern {
             space: Space { inner: vec![], transform: Seldom::USUAL, turbulence: None },
             noise: None,
             uv: false,
-            fixed: false,
+            around: None,
         };
         &PLAIN
     }
@@ -150,16 +154,33 @@ impl Pattern {
         self.kind == Kind::Average
     }
 
-    /// Moves it after all it has been moved before, unless it is fixed.
+    /// Moves it after all it has been moved before.
     pub fn transform(&mut self, by: &Transform) {
-        if !self.fixed {
-            self.space.then(by);
-        }
+        self.around.as_deref_mut().unwrap_or(&mut self.space).then(by);
     }
 
     /// The end of the block that it stands in.
     pub fn end(&mut self) {
-        self.fixed |= self.uv;
+        if self.uv {
+            self.around.get_or_insert_default();
+        }
+    }
+
+    /// The surface around what was mapped by uv, which from now on sees points; `None` if it was not.
+    pub fn take_around(&mut self) -> Option<Self> {
+        let space = *self.around.take()?;
+        self.uv = false;
+        Some(Self { kind: Kind::Surface, space, ..Self::default() })
+    }
+
+    /// Undoes [`Self::take_around`].
+    pub fn put_around(&mut self, around: Self) {
+        (self.uv, self.around) = (true, Some(Box::new(around.space)));
+    }
+
+    /// Does it ask where the point lies on its shape?
+    pub fn asks_uv(&self) -> bool {
+        self.uv || self.kind == Kind::Surface
     }
 }
 

@@ -50,7 +50,7 @@ struct Number {
 impl PatternProgram {
     /// Lowers a pattern.
     pub fn new(pattern: &Pattern) -> Self {
-        Self { uv: pattern.uv, way: way(pattern), value: value(pattern) }
+        Self { uv: pattern.asks_uv(), way: way(pattern), value: value(pattern) }
     }
 
     /// Is there no pattern, and everything the same?
@@ -113,7 +113,7 @@ impl Number {
 fn value(pattern: &Pattern) -> Value {
     let modifiers = pattern.modifiers;
     match &pattern.kind {
-        Kind::Plain => Value::Plain,
+        Kind::Plain | Kind::Surface => Value::Plain,
         Kind::Average => Value::Average,
         Kind::Cells(cells) => Value::Cells(Box::new((cells.clone(), modifiers))),
         Kind::Field(field) => {
@@ -125,6 +125,9 @@ fn value(pattern: &Pattern) -> Value {
 
 /// What was written last is undone first.
 fn way(pattern: &Pattern) -> Box<[Move]> {
+    if pattern.kind == Kind::Surface {
+        return Box::default();
+    }
     let space = &pattern.space;
     let mut way = vec![];
     let mut affine = space.transform.inv;

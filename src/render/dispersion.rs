@@ -9,26 +9,19 @@ use super::trace::{Path, Tracer, bounce};
 use crate::color::Rgb;
 use crate::math::Ray;
 
-/// What a place shows through its many colours.
-pub(super) struct Split {
-    /// The light that passes the surface.
-    pub passing: Rgb,
-    /// The light that the border mirrors, where some colours can't pass.
-    pub total: Rgb,
-}
-
 impl Tracer<'_> {
-    /// Follows white light into the colours that it splits into at the border of what it meets, as one coat bends it.
+    /// Follows white light into the colours that it splits into at the border of what it meets, as one coat bends it. Those that
+    /// can't pass are mirrored together, as white light; the coat takes its share of them too (measured on 3.7).
     pub(super) fn split(
         &mut self,
         path: &Path,
         (shading, coat): (&ShadingPoint, &Coat),
         interface: &Interface,
         samples: u32,
-    ) -> Split {
+    ) -> Rgb {
         let own = shading.part.interior;
-        let mut split = Split { passing: Rgb::ZERO, total: Rgb::ZERO };
-        // The colours that can't pass; they stay together, as white light (measured on 3.7).
+        let mut light = Rgb::ZERO;
+        // The colours that can't pass.
         let mut kept = Rgb::ZERO;
         for i in 0..samples {
             if self.stopped() {
@@ -45,16 +38,16 @@ impl Tracer<'_> {
             interface.cross(&mut inside, own);
             self.rays.transmitted += 1;
             let ray = Ray::new(shading.point, dir);
-            split.passing +=
-                share * self.follow(Path { ray, level: path.level + 1, inside, hue: Some(hue), ..*path }).rgb;
+            let (level, hue) = (path.level + 1, Some(hue));
+            light += share * self.follow(Path { ray, level, inside, hue, passed: true, ..*path }).rgb;
         }
         if kept != Rgb::ZERO {
             self.rays.reflected += 1;
             let ray = Ray::new(shading.point, bounce(path.ray.dir, coat.normal, shading.smooth));
             let inside = path.inside.clone();
-            split.total = kept * self.follow(Path { ray, level: path.level + 1, mirrored: true, inside, ..*path }).rgb;
+            light += kept * self.follow(Path { ray, level: path.level + 1, mirrored: true, inside, ..*path }).rgb;
         }
-        split
+        light
     }
 }
 

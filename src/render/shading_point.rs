@@ -125,7 +125,7 @@ impl<'w> Painter<'w, '_> {
         }
     }
 
-    /// Without light, the lowest layer alone is seen (measured on POV-Ray 3.7).
+    /// Without light, the last layer that is looked at is seen alone (measured on POV-Ray 3.7).
     fn coat(
         &mut self,
         material: &'w Material,
@@ -135,8 +135,7 @@ impl<'w> Painter<'w, '_> {
     ) -> Coat<'w> {
         let mut layers = SmallVec::<[ShadedLayer; 2]>::new();
         let mut pass = Rgb::ONE;
-        let hidden = if self.quality.lit { 0 } else { material.layers.len() - 1 };
-        for layer in &material.layers[hidden..] {
+        for layer in &material.layers {
             let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
             let quick = !self.quality.real;
             let (normal, seen, weight) = match bumps.map(|bumps| self.bumped(bumps, ctx, frame)) {
@@ -153,6 +152,10 @@ impl<'w> Painter<'w, '_> {
             let color = layer.color(&seen, quick);
             let cos = -ctx.ray.dot(normal);
             let opacity = color.opacity(self.opacity_by_color);
+            if !self.quality.lit {
+                layers.clear();
+            }
+            let weight = if self.quality.lit { weight } else { Rgb::ONE };
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos };
             pass *= color.passing();
             // The mirror takes nothing where there is no pigment (measured on POV-Ray 3.7).
@@ -173,13 +176,14 @@ impl<'w> Painter<'w, '_> {
     /// The normal with bumps: into the space of its texture by Mᵀ, back by M⁻ᵀ. What is in the entry of a map begins with one of length
     /// 1, and its pigment sees it as it is in there (all measured on POV-Ray 3.7).
     fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
-        let place = self.placed.place.as_deref().filter(|_| !bumps.stays);
+        let within = frame.is_some() || bumps.framed;
+        let place = self.placed.place.as_deref().filter(|_| within || !bumps.stays);
         let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
         let local = frame.map_or(local, |frame| frame.inside(local).normalize_or(local));
         let inner = bumps.perturb(ctx, local);
         let outer = frame.map_or(inner, |frame| frame.outside(inner));
         let lit = place.map_or(outer, |m| m.normal(outer));
-        let seen = if frame.is_some() { inner } else { lit };
+        let seen = if within { inner } else { lit };
         Bumped { lit, seen: if bumps.keeps_length() { seen } else { seen.normalize_or(seen) } }
     }
 }
@@ -275,9 +279,12 @@ pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) 
         return outside.pass;
     }
     let surface = found.surface(ray);
+    let from_inside = ray.dir.dot(surface.normal) > 0.0;
+    // Patterns see it from where the ray comes, as elsewhere (measured on POV-Ray 3.7).
+    let normal = if from_inside { -surface.normal } else { surface.normal };
     let mut pass = Rgb::ZERO;
-    of_materials(world, found, &surface, ray.dir.dot(surface.normal) > 0.0, |placed, share| {
-        let (material, ctx) = texture_context(world, placed, found, &surface, surface.normal, ray);
+    of_materials(world, found, &surface, from_inside, |placed, share| {
+        let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
         pass += share * pass_of(material, &ctx, quick);
     });
     pass

@@ -102,6 +102,8 @@ pub(super) struct Path {
     pub weight: f64,
     /// Has it been mirrored?
     pub mirrored: bool,
+    /// Has it passed a surface?
+    pub passed: bool,
     /// What it is in.
     pub inside: Interiors,
     /// Where it stands in the spectrum, from 0 for red to 1 for violet; `None` for white light.
@@ -214,7 +216,7 @@ impl<'w> Tracer<'w> {
             None if *asks_inside => around(world, ray.origin),
             _ => copied(start),
         };
-        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, inside, hue: None })
+        self.follow(Path { ray, level: 1, weight: 1.0, mirrored: false, passed: false, inside, hue: None })
     }
 
     /// Follows a ray through all that lets it pass; only mirrors and dispersion recurse.
@@ -309,7 +311,7 @@ impl<'w> Tracer<'w> {
                     let path =
                         Path { inside: copied(&path.inside), weight: path.weight * coat.pass.max_element(), ..*path };
                     let split = self.split(&path, (shading, coat), interface, samples);
-                    *rgb += through * coat.share * fade * (coat.pass * split.passing + split.total);
+                    *rgb += through * coat.share * fade * coat.pass * split;
                     continue;
                 }
             };
@@ -330,6 +332,7 @@ impl<'w> Tracer<'w> {
             self.rays.reflected += 1;
             return;
         }
+        path.passed = true;
         // Straight on it stays on its level (measured on 3.7).
         path.level += u32::from(border.interface.bends());
         if self.setup.asks_inside {
@@ -343,6 +346,8 @@ impl<'w> Tracer<'w> {
         let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
         if path.mirrored {
             world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].reflection)
+        } else if path.passed {
+            world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].through)
         } else {
             world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].image)
         }
@@ -403,7 +408,7 @@ impl<'w> Tracer<'w> {
             let out = bounce(path.ray.dir, mirrored.normal, shading.smooth);
             let ray = Ray::new(shading.point, out);
             let (level, weight, inside) = (path.level + 1, mirrored.weight, copied(&path.inside));
-            let light = self.follow(Path { ray, level, weight, mirrored: true, inside, hue: path.hue }).rgb;
+            let light = self.follow(Path { ray, level, weight, mirrored: true, inside, ..*path }).rgb;
             sum += mirror::answer(&mirrors, shading.point, incoming, mirrored, out, light);
         }
         sum

@@ -64,29 +64,38 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     Ok(Texture { layers })
 }
 
-/// Reads what stands between the braces of a `material`.
+/// No layers yet.
+fn nothing() -> Arc<Texture> {
+    Arc::new(Texture { layers: vec![] })
+}
+
+/// Reads what stands between the braces of a `material` of something that is filled so far with `interior`.
 ///
 /// # Errors
 /// With the place of what is not understood, and what was expected there.
-pub fn read_material(r: &mut dyn Reader, defaults: &Defaults) -> Result<Material> {
-    let mut out = Material::default();
+pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<Arc<Interior>>) -> Result<Material> {
+    let mut out = Material { interior, ..Material::default() };
     loop {
         match r.next()? {
             Next::End => return Ok(out),
             Next::Thing("material") => {
                 if let Some(declared) = r.thing::<Material>()? {
-                    out = (*declared).clone();
+                    out = Material { interior: declared.interior.clone().or(out.interior), ..(*declared).clone() };
                 }
             }
-            Next::Block("texture") | Next::Thing("texture") => out.texture = Some(Arc::new(read_layers(r, defaults)?)),
+            Next::Block("texture") | Next::Thing("texture") => {
+                let layers = read_layers(r, defaults)?.layers;
+                Arc::make_mut(out.texture.get_or_insert_with(nothing)).layers.extend(layers);
+            }
             Next::Block("interior_texture") => {
                 r.take()?;
-                out.interior_texture = Some(Arc::new(Texture::read(r, &defaults.texture)?));
+                let layers = Texture::read(r, &defaults.texture)?.layers;
+                Arc::make_mut(out.interior_texture.get_or_insert_with(nothing)).layers.extend(layers);
                 r.leave()?;
             }
             Next::Block("interior") => {
                 r.take()?;
-                out.interior = Some(Arc::new(Interior::read(r)?));
+                out.interior = Some(Arc::new(Interior::read(r, out.interior.as_deref())?));
                 r.leave()?;
             }
             Next::Thing("interior") => out.interior = r.thing::<Interior>()?,

@@ -178,7 +178,7 @@ impl Kernel for Plane {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         // t = (d - n·p₀) / n·v; parallel rays divide by zero, and no infinity or NaN is in the range
         let t = (self.distance - self.normal.dot(ray.origin)) / self.normal.dot(ray.dir);
-        range.contains(t).then(|| Hit::at(t))
+        (range.contains(t) && t <= tolerance::PLANE_ENDS).then(|| Hit::at(t))
     }
 
     fn inside(&self, p: DVec3) -> bool {
@@ -196,6 +196,9 @@ impl Kernel for Plane {
             return Crossing::Unknown;
         }
         let t = (self.distance - self.normal.dot(ray.origin)) / slope;
+        if t > tolerance::PLANE_ENDS {
+            return Crossing::Unknown;
+        }
         let (enter, leave) = if slope > 0.0 { (f64::NEG_INFINITY, t) } else { (t, f64::INFINITY) };
         Crossing::Through([End::at(enter), End::at(leave)])
     }

@@ -223,7 +223,9 @@ impl Texture {
         for layer in &mut self.layers {
             map_by_uv(&mut layer.pigment.pattern);
             if let Some(normal) = &mut layer.normal {
-                map_by_uv(&mut Arc::make_mut(normal).pattern);
+                let normal = Arc::make_mut(normal);
+                map_by_uv(&mut normal.pattern);
+                normal.framed = true;
             }
             if let Some(choice) = &mut layer.choice {
                 map_by_uv(&mut choice.pattern);

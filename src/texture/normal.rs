@@ -49,6 +49,8 @@ pub struct Normal {
     pub accuracy: f64,
     /// `uv_mapping` stands in the normal itself: then bumps do not turn with the object (measured on POV-Ray 3.7).
     pub stays: bool,
+    /// `uv_mapping` stands in the texture: then the pigment sees bumps in the texture's space, as within a map (measured on POV-Ray 3.7).
+    pub framed: bool,
     /// `no_bump_scale` switches it off: bumps that are scaled get deeper too.
     pub bump_scale: bool,
 }
@@ -61,6 +63,7 @@ impl Default for Normal {
             amount: 0.5,
             accuracy: 0.02,
             stays: false,
+            framed: false,
             bump_scale: true,
         }
     }
@@ -73,10 +76,11 @@ impl Normal {
     /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, base: Option<&Normal>, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
-        let mut out = match r.thing::<Normal>()? {
+        let begun = match r.thing::<Normal>()? {
             Some(declared) => (*declared).clone(),
             None => base.cloned().unwrap_or_default(),
         };
+        let mut out = begun.opened();
         if let Some(on) = uv {
             (out.pattern.uv, out.stays) = (on, out.stays || on);
         }
@@ -86,8 +90,34 @@ impl Normal {
                 next => out.read_element(r, next, defaults)?,
             }
         }
+        out = out.closed();
         out.pattern.end();
         Ok(out)
+    }
+
+    /// A normal that was mapped by uv, as the surface and the only entry of its map.
+    fn opened(mut self) -> Self {
+        match self.pattern.take_around() {
+            Some(pattern) => Self {
+                pattern,
+                relief: Relief::Normals(Blend::Map(Arc::new(Map { entries: vec![(0.0, self)] }))),
+                ..Self::default()
+            },
+            None => self,
+        }
+    }
+
+    /// Undoes [`Self::opened`], if nobody has named another pattern or map. (What else is said of the surface does not show.)
+    fn closed(self) -> Self {
+        match &self.relief {
+            Relief::Normals(Blend::Map(map)) if self.pattern.kind == Kind::Surface && map.entries.len() == 1 => {
+                let mut inner = map.entries[0].1.clone();
+                inner.pattern.put_around(self.pattern);
+                inner.bump_scale &= self.bump_scale;
+                inner
+            }
+            _ => self,
+        }
     }
 
     fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
@@ -148,7 +178,7 @@ impl Normal {
     /// Does it ask where the point lies on its shape?
     pub fn asks_uv(&self) -> bool {
         let inner = matches!(&self.relief, Relief::Normals(parts) if parts.iter().any(Normal::asks_uv));
-        self.pattern.uv || inner
+        self.pattern.asks_uv() || inner
     }
 
     /// As [`Texture::is_plainly`].
@@ -162,7 +192,7 @@ impl Normal {
     pub fn is_flat(&self) -> bool {
         match &self.relief {
             Relief::Normals(parts) => parts.iter().all(Normal::is_flat),
-            _ => matches!(self.pattern.kind, Kind::Plain) || self.amount == 0.0,
+            _ => matches!(self.pattern.kind, Kind::Plain) || (self.amount == 0.0 && !self.framed),
         }
     }
 }

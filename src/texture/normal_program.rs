@@ -21,6 +21,8 @@ pub struct NormalProgram {
     accuracy: f64,
     /// Bumps do not turn with the object.
     pub stays: bool,
+    /// The pigment sees them in the texture's space.
+    pub framed: bool,
     /// Bumps that are scaled get deeper too.
     bump_scale: bool,
 }
@@ -60,9 +62,9 @@ impl NormalProgram {
             Relief::Slopes(map) => ReliefProgram::Slopes(map.clone()),
             Relief::Normals(parts) => ReliefProgram::Normals(parts.map(Self::new)),
         };
-        let &Normal { amount, accuracy, stays, bump_scale, .. } = normal;
+        let &Normal { amount, accuracy, stays, framed, bump_scale, .. } = normal;
         let (pattern, space) = (PatternProgram::new(&normal.pattern), normal.pattern.space.clone());
-        Self { pattern, space, relief, amount, accuracy, stays, bump_scale }
+        Self { pattern, space, relief, amount, accuracy, stays, framed, bump_scale }
     }
 
     /// The normal with its bumps, at a point in the space around; `n` in the same space, of any length. Each space turns it by

@@ -57,7 +57,7 @@ impl Pigment {
         let uv = read_uv_mapping(r)?;
         let declared = r.thing::<Pigment>()?;
         let mut after_name = declared.is_some();
-        let mut pigment = declared.map_or_else(|| base.clone(), |declared| (*declared).clone());
+        let mut pigment = declared.map_or_else(|| base.clone(), |declared| (*declared).clone()).opened();
         if let Some(on) = uv {
             pigment.pattern.uv = on;
         }
@@ -69,12 +69,44 @@ impl Pigment {
             }
             after_name = false;
         }
+        if uv == Some(true) && base.quick_color.is_some() {
+            // What is said here is said of what lies on the surface, which the default one hides (measured on POV-Ray 3.7).
+            pigment.quick_color = base.quick_color.clone();
+        }
+        pigment = pigment.closed();
         pigment.finish();
         // (A pattern that nobody gave takes no room.)
         if pigment.pattern.uv {
             pigment.pattern.end();
         }
         Ok(pigment)
+    }
+
+    /// A pigment that was mapped by uv, as the surface and the only entry of its map.
+    fn opened(mut self) -> Self {
+        if self.pattern.around.is_none() {
+            return self;
+        }
+        let (around, quick_color) = (self.pattern.take_around(), self.quick_color.take());
+        let map = Map { entries: vec![(0.0, self)] };
+        Self {
+            pattern: around.map_or(Seldom::USUAL, Seldom::new),
+            paint: Paint::Pigments(Blend::Map(Arc::new(map))),
+            quick_color,
+        }
+    }
+
+    /// Undoes [`Self::opened`], if nobody has named another pattern or map.
+    fn closed(self) -> Self {
+        match &self.paint {
+            Paint::Pigments(Blend::Map(map)) if self.pattern.kind == Kind::Surface && map.entries.len() == 1 => {
+                let mut inner = map.entries[0].1.clone();
+                inner.pattern.put_around((*self.pattern).clone());
+                inner.quick_color = self.quick_color;
+                inner
+            }
+            _ => self,
+        }
     }
 
     /// Behind a declared pigment's name, `uv_mapping` begins a pigment of its own, which is black (measured on POV-Ray 3.7).
@@ -121,6 +153,8 @@ impl Pigment {
                 r.take()?;
                 self.paint = Paint::Image(Arc::new(ImageMap::read(r)?));
                 self.forget_pattern();
+                // A pattern that is named over it later begins still (measured on POV-Ray 3.7).
+                self.pattern.modifiers.frequency = Some(0.0);
                 r.leave()
             }
             Next::Thing("color_map") => {
@@ -154,9 +188,13 @@ impl Pigment {
         }
     }
 
-    /// Has it no colours but those that its pattern brings along, which another pattern takes away?
+    /// Has it no colours but those that its pattern brings along, or a picture, which another pattern takes away?
     fn shows_defaults(&self) -> bool {
-        matches!((&self.pattern.kind, &self.paint), (Kind::Field(field), Paint::Colors(map)) if map.entries == field.default_colors())
+        match (&self.pattern.kind, &self.paint) {
+            (_, Paint::Image(_)) => true,
+            (Kind::Field(field), Paint::Colors(map)) => map.entries == field.default_colors(),
+            _ => false,
+        }
     }
 
     /// A pattern of numbers without a map shows colours of its own.
@@ -201,7 +239,7 @@ impl Pigment {
     /// Does it ask where the point lies on its shape?
     pub fn asks_uv(&self) -> bool {
         let inner = matches!(&self.paint, Paint::Pigments(parts) if parts.iter().any(Pigment::asks_uv));
-        self.pattern.uv || inner
+        self.pattern.asks_uv() || inner
     }
 
     /// Does no light pass anywhere?

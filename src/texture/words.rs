@@ -225,8 +225,12 @@ pub const REFLECTION: Vocabulary = Vocabulary {
 
 /// How [`INTERIOR`]'s words are read.
 pub(super) const INTERIOR_ROWS: &[Row<Interior>] = &[
-    word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond")
-        .sets(|s, r| set(&mut s.ior, r.float())),
+    word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond").sets(
+        |s, r| {
+            s.has_ior = true;
+            set(&mut s.ior, r.float())
+        },
+    ),
     word(
         "dispersion",
         Float,

@@ -139,7 +139,7 @@ fn asks_uv(layer: &texture::Layer) -> bool {
     let choice = layer.choice.as_ref();
     layer.pigment.asks_uv()
         || layer.normal.as_ref().is_some_and(|normal| normal.asks_uv())
-        || choice.is_some_and(|c| c.pattern.uv || c.parts.iter().any(|part| part.layers.iter().any(asks_uv)))
+        || choice.is_some_and(|c| c.pattern.asks_uv() || c.parts.iter().any(|part| part.layers.iter().any(asks_uv)))
 }
 
 fn lower_choice(choice: &texture::Choice, shared: &mut dyn SharedParts) -> Choice {

@@ -139,8 +139,10 @@ impl PlacedMaterial {
 pub struct ObjectInfo {
     /// Does it cast shadows?
     pub shadow: bool,
-    /// Does the camera see it, also through others?
+    /// Does the camera see it?
     pub image: bool,
+    /// Does it see it through others?
+    pub through: bool,
     /// Do mirrors show it?
     pub reflection: bool,
     /// Does no light pass anywhere?

@@ -12,7 +12,7 @@ from random_scenes import Scene
 
 FAMILIES = GIVEN + [
     "pictures", "uv", "blends", "angles", "insides", "materials", "prisms", "defaults", "declared", "loops", "cameras", "settings",
-    "lights", "colors", "sizes", "quality", "curved",
+    "lights", "colors", "sizes", "quality", "curved", "meshes", "letters", "blobs",
 ]
 
 # How many entries the list of a pattern takes.
@@ -226,7 +226,79 @@ class Scenes(Scene):
         squares = f"<{self.f(0.7, 1.3)}, {self.f(0.7, 1.3)}, {self.f(0.7, 1.3)}>"
         return f"quadric {{ {squares}, {self.v(-0.6, 0.6)}, {self.v(-1, 1)}, {self.f(-1, -0.1)}"
 
+    def list_of(self, word, rows):
+        return f"{word} {{ {len(rows)}, {', '.join(rows)} }}"
+
+    def mesh(self):
+        """Triangles at random, or an octahedron with an inside; some with textures of their own."""
+        solid = self.chance(0.5)
+        if solid:
+            corners = [f"<{a * self.f(0.6, 1.2)}, {b * self.f(0.6, 1.2)}, {c * self.f(0.6, 1.2)}>"
+                       for a, b, c in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (-1, 0, 0), (0, -1, 0), (0, 0, -1))]
+            faces = [(i, j, k) for i in (0, 3) for j in (1, 4) for k in (2, 5)]
+        else:
+            corners = [self.v(-1, 1) for _ in range(6)]
+            faces = [tuple(self.r.sample(range(6), 3)) for _ in range(self.r.randrange(1, 7))]
+        inside = f"inside_vector {self.v(-1, 1)}" if solid else ""
+        return (self.old_mesh if self.chance(0.5) else self.new_mesh)(corners, faces) + inside
+
+    def old_mesh(self, corners, faces):
+        smooth, on_surface, textured = self.chance(0.4), self.chance(0.4), self.chance(0.5)
+        out = "mesh { "
+        for face in faces:
+            points = [corners[i] for i in face]
+            if smooth:
+                points = [row for point in points for row in (point, point.replace("0.0", "0.3"))]
+            word = "smooth_triangle" if smooth else "triangle"
+            uv = f" uv_vectors <{self.f(0, 1)}, 0>, <1, {self.f(0, 1)}>, <0, 1>" if on_surface else ""
+            paint = self.pick("", " texture { MeshA }", " texture { MeshB }", " texture_list { MeshA, MeshB, MeshA }") if textured else ""
+            out += f"{word} {{ {', '.join(points)}{uv}{paint} }} "
+        return out
+
+    def new_mesh(self, corners, faces):
+        out = "mesh2 { " + self.list_of("vertex_vectors", corners)
+        if self.chance(0.5):
+            out += " " + self.list_of("normal_vectors", [self.pick(corner, corner, self.v(-1, 1)) for corner in corners])
+        if self.chance(0.5):
+            out += " " + self.list_of("uv_vectors", [f"<{self.f(0, 1)}, {self.f(0, 1)}>" for _ in corners])
+        textures = [f"texture {{ {self.texture_body(0)} }}" for _ in range(2)] if self.chance(0.5) else []
+        if textures:
+            out += f" texture_list {{ {len(textures)}, {' '.join(textures)} }}"
+        many = self.pick(1, 3)
+        paint = lambda: "".join(f", {self.r.randrange(2)}" for _ in range(many)) if textures else ""
+        return out + " " + self.list_of("face_indices", [f"<{a}, {b}, {c}>{paint()}" for a, b, c in faces]) + " "
+
+    def letters(self):
+        font, string = self.pick("timrom", "cyrvetic", "crystal"), self.pick("o", "B", "ab", "x8", "Q")
+        return f'text {{ ttf "{font}.ttf" "{string}" {self.f(0.1, 0.8)}, {self.pick(0, 0, "0.1*x", "<0.1, 0.2, 0>")}'
+
+    def blob(self):
+        parts = []
+        for _ in range(self.r.randrange(1, 5)):
+            paint = self.texture(1) if self.chance(0.3) else ""
+            place = self.move(0.4) if self.chance(0.3) else ""
+            if self.chance(0.7):
+                parts.append(f"sphere {{ {self.v(-0.6, 0.6)}, {self.f(0.5, 1.2)}, {self.f(-0.5, 2)} {paint} {place} }}")
+            else:
+                parts.append(f"cylinder {{ {self.v(-1, 0)}, {self.v(0, 1)}, {self.f(0.3, 0.8)}, {self.f(0.2, 2)} {paint} {place} }}")
+        return f"blob {{ threshold {self.f(0.1, 0.8)} {' '.join(parts)} {self.pick('', 'sturm')}"
+
+    def newer(self, solid):
+        """A mesh, letters or a blob; None where none of them is wanted."""
+        if self.has("meshes") and self.chance(0.3):
+            while True:
+                text = self.mesh()
+                if not solid or "inside_vector" in text:
+                    return text
+        if self.has("letters") and self.chance(0.2):
+            return self.letters()
+        if self.has("blobs") and self.chance(0.3):
+            return self.blob()
+        return None
+
     def shape(self):
+        if newer := self.newer(False):
+            return newer
         if self.has("curved") and self.chance(0.5):
             return self.curved()
         if self.chance(0.15):
@@ -236,6 +308,8 @@ class Scenes(Scene):
         return super().shape()
 
     def solid(self):
+        if newer := self.newer(True):
+            return newer
         if self.has("curved") and self.chance(0.4):
             while True:
                 text = self.curved_solid()
@@ -352,6 +426,9 @@ class Scenes(Scene):
             out.append(line)
         head = out[:3]
         rest = out[3:]
+        if self.has("meshes"):
+            for name in ("MeshA", "MeshB"):
+                head.insert(2, f"#declare {name} = texture {{ {self.texture_body(0)} }}")
         if self.has("defaults"):
             plain = f"texture {{ {self.texture_body(0)} }}"
             head.append(f"#default {{ {self.pick(plain, f'pigment {{ {self.pigment()} }}', self.finish())} }}")

@@ -29,7 +29,10 @@ BARE = (
     "no_shadow no_image no_reflection double_illuminate hollow inverse open metallic conserve_energy shadowless uv_mapping "
     "cutaway_textures once no_bump_scale sine_wave triangle_wave ramp_wave scallop_wave cubic_wave fresnel albedo"
 ).split()
-OBJECTS = "sphere box cylinder cone torus disc triangle smooth_triangle polygon plane union intersection difference merge object".split()
+OBJECTS = (
+    "sphere box cylinder cone torus disc triangle smooth_triangle polygon plane quadric cubic quartic poly polynomial superellipsoid lathe sor "
+    "prism mesh mesh2 text blob union intersection difference merge object"
+).split()
 VALUE = r"(?:(?:srgb|rgbf|rgbt|rgbft|rgb|color)\s*)*(?:<[^<>]*>|-?[\d.]+(?:/\d+)?(?:e-?\d+)?)(?:\s*\*\s*(?:[xyz]\b|[\d.]+))?"
 
 
@@ -142,6 +145,11 @@ class Judge:
             same += alone is not None and abs(alone[y, x] - ours[y, x]).max() <= 2
         return bool(chosen) and same * 2 > len(chosen)
 
+    @staticmethod
+    def moved(text):
+        """The scene with its camera a billionth away."""
+        return re.sub(r"(camera \{[^}]*)\}", r"\1 translate <1e-9, 2e-9, 1e-9> }", text, count=1)
+
     def differs(self, text):
         """The share of pixels that differ; 0 where POV-Ray does not know it itself."""
         try:
@@ -154,8 +162,7 @@ class Judge:
                 share = self.tool.apart(theirs, ours)
                 if share < self.share:
                     return 0.0
-                moved = re.sub(r"(camera \{[^}]*)\}", r"\1 translate <1e-9, 2e-9, 1e-9> }", text, count=1)
-                other = self.povray(moved, folder)
+                other = self.povray(self.moved(text), folder)
                 if other is None or self.tool.apart(theirs, other) > share / 4 or self.by_order(text, folder, theirs, ours):
                     return 0.0
                 return share

@@ -220,13 +220,13 @@ impl Object {
             }
             Next::Block("interior") => {
                 r.take()?;
-                self.rare.interior = Some(Arc::new(Interior::read(r)?));
+                self.rare.interior = Some(Arc::new(Interior::read(r, self.rare.interior.as_deref())?));
                 r.leave()?;
             }
             Next::Thing("interior") => self.rare.interior = r.thing::<Interior>()?,
             Next::Block("material") => {
                 r.take()?;
-                let material = read_material(r, defaults)?;
+                let material = read_material(r, defaults, self.rare.interior.clone())?;
                 r.leave()?;
                 self.set_material(&material);
             }
@@ -248,25 +248,17 @@ impl Object {
         match next {
             Next::Block("texture") | Next::Thing("texture") => {
                 let texture = read_layers(r, defaults)?;
-                self.texture = Some(Painted::new(Arc::new(texture), &self.transform));
+                self.texture = Some(self.layered(self.texture.as_ref(), Arc::new(texture)));
             }
             Next::Block("interior_texture") => {
                 r.take()?;
                 let texture = Texture::read(r, &defaults.texture)?;
                 r.leave()?;
-                self.rare.interior_texture = Some(Painted::new(Arc::new(texture), &self.transform));
+                self.rare.interior_texture = Some(self.layered(self.rare.interior_texture.as_ref(), Arc::new(texture)));
             }
             _ => {
-                // The texture so far, its moves applied, because what is read now has not been moved.
                 let mut texture = match &self.texture {
-                    Some(painted) => {
-                        let mut texture = (*painted.texture).clone();
-                        let place = painted.place(&self.transform);
-                        if !self.rare.flags.uv_mapping && *place != Transform::IDENTITY {
-                            texture.transform(place);
-                        }
-                        texture
-                    }
+                    Some(painted) => self.taken_along(painted),
                     None => (*defaults.texture).clone(),
                 };
                 if !texture.read_part(r, next, &defaults.texture)? {
@@ -276,6 +268,29 @@ impl Object {
             }
         }
         Ok(true)
+    }
+
+    /// The texture so far, its moves applied, because what is read now has not been moved.
+    fn taken_along(&self, painted: &Painted) -> Texture {
+        let mut texture = (*painted.texture).clone();
+        let place = painted.place(&self.transform);
+        if !self.rare.flags.uv_mapping && *place != Transform::IDENTITY {
+            texture.transform(place);
+        }
+        texture
+    }
+
+    /// Further layers on what the object itself shows so far, wherever that was said (measured on POV-Ray 3.7).
+    fn layered(&self, below: Option<&Painted>, texture: Arc<Texture>) -> Painted {
+        let layers = match below {
+            Some(below) => {
+                let mut all = self.taken_along(below);
+                all.layers.extend(texture.layers.iter().cloned());
+                Arc::new(all)
+            }
+            None => texture,
+        };
+        Painted::new(layers, &self.transform)
     }
 
     fn read_bound(&mut self, word: &'static str, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
@@ -314,13 +329,14 @@ impl Object {
     }
 
     fn set_material(&mut self, material: &Material) {
-        let painted = |t: &Arc<Texture>| Painted::new(t.clone(), &self.transform);
-        let body = Arc::make_mut(&mut self.body);
-        body.texture = material.texture.as_ref().map(painted).or(body.texture.take());
-        if material.interior_texture.is_some() || material.interior.is_some() {
-            let rare = &mut *body.rare;
-            rare.interior_texture = material.interior_texture.as_ref().map(painted).or(rare.interior_texture.take());
-            rare.interior = material.interior.clone().or(rare.interior.take());
+        if let Some(texture) = &material.texture {
+            self.texture = Some(self.layered(self.texture.as_ref(), texture.clone()));
+        }
+        if let Some(texture) = &material.interior_texture {
+            self.rare.interior_texture = Some(self.layered(self.rare.interior_texture.as_ref(), texture.clone()));
+        }
+        if let Some(interior) = &material.interior {
+            self.rare.interior = Some(interior.clone());
         }
     }
 }

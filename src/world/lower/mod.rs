@@ -234,6 +234,9 @@ impl Lowering {
         if !interior.undrawn.is_empty() {
             Arc::make_mut(&mut interior).undrawn.clear();
         }
+        if !interior.has_ior && interior.dispersion != 1.0 {
+            Arc::make_mut(&mut interior).dispersion = 1.0;
+        }
         self.interiors.push(interior);
         self.filled.push(!hollow);
         self.interiors.len() as u32 - 1
@@ -285,8 +288,8 @@ impl Lowering {
 
     fn add_object(&mut self, flags: Flags, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, .. } = flags;
-        let info = ObjectInfo { shadow: !no_shadow, image: !no_image, reflection: !no_reflection, opaque, interior };
-        self.add_info(info)
+        let (shadow, image, reflection) = (!no_shadow, !no_image, !no_reflection);
+        self.add_info(ObjectInfo { shadow, image, through: image, reflection, opaque, interior })
     }
 
     fn add_info(&mut self, info: ObjectInfo) -> u32 {

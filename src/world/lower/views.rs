@@ -14,8 +14,9 @@ impl Lowering {
         }
     }
 
-    /// Adds a node; where parts in it are seen by some rays only, one for rays from the camera and one for those from mirrors, and one
-    /// for all others. (Which parts such rays see was measured on POV-Ray 3.7.)
+    /// Adds a node; where parts in it are seen by some rays only, one for rays from the camera, one for those that have passed something,
+    /// one for those from mirrors, and one for all others. (Which parts such rays see was measured on POV-Ray 3.7: a union hides its
+    /// parts with `no_image` behind others only.)
     fn add_each_view(&mut self, node: SolidNode, heap: &mut Heap) {
         let mut node = match node.into_parts() {
             NodeParts::Many(parts) => return parts.into_iter().for_each(|part| self.add_each_view(part, heap)),
@@ -23,17 +24,28 @@ impl Lowering {
         };
         let info = |object: u32| self.objects[object as usize];
         let mut rest = info(node.object);
-        let of_camera = ObjectInfo { shadow: false, reflection: false, interior: ObjectInfo::VIEW, ..rest };
-        let of_mirrors = ObjectInfo { shadow: false, image: false, interior: ObjectInfo::VIEW, ..rest };
+        let none = ObjectInfo {
+            shadow: false,
+            image: false,
+            through: false,
+            reflection: false,
+            interior: ObjectInfo::VIEW,
+            ..rest
+        };
+        let of_camera = ObjectInfo { image: rest.image, ..none };
+        let of_passed = ObjectInfo { through: rest.through, ..none };
+        let of_mirrors = ObjectInfo { reflection: rest.reflection, ..none };
         let hidden_from_camera = |kind: &SolidKind, part| matches!(kind, SolidKind::Merge(_)) && !info(part).image;
         let for_camera = if rest.image { node.seen(&hidden_from_camera) } else { None };
+        let for_passed = if rest.through { node.seen(&|_, part| !info(part).image) } else { None };
         let for_mirrors = if rest.reflection { node.seen(&|_, part| !info(part).reflection) } else { None };
         rest.image &= for_camera.is_none();
+        rest.through &= for_passed.is_none();
         rest.reflection &= for_mirrors.is_none();
-        if for_camera.is_some() || for_mirrors.is_some() {
+        if for_camera.is_some() || for_passed.is_some() || for_mirrors.is_some() {
             node.object = self.add_info(rest);
         }
-        for (view, info) in [(for_camera, of_camera), (for_mirrors, of_mirrors)] {
+        for (view, info) in [(for_camera, of_camera), (for_passed, of_passed), (for_mirrors, of_mirrors)] {
             if let Some(mut view) = view {
                 view.object = self.add_info(info);
                 heap.add(view);
