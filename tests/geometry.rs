@@ -39,7 +39,8 @@ impl Dice {
     fn solid(&mut self) -> Shape {
         let (p, size) = (self.vector(1.0), self.between(0.2, 1.0));
         let q = p + self.vector(1.0) + DVec3::Y * 0.1;
-        match self.below(12) {
+        match self.below(13) {
+            12 => self.sweep(),
             6 => self.superellipsoid(),
             7 => self.lathe(),
             8 => self.sor(),
@@ -53,6 +54,13 @@ impl Dice {
             4 => Shape::from(Cone::new(p, 0.0, p + DVec3::X, size, false)),
             _ => Shape::from(Torus { major: 0.6 + size, minor: self.between(0.05, 0.55) }),
         }
+    }
+
+    /// Balls in a row; the way of the ball may turn sharply and cross itself.
+    fn sweep(&mut self) -> Shape {
+        let kind = [Sweep::Linear, Sweep::BSpline, Sweep::Cubic][self.below(3)];
+        let balls: Vec<(DVec3, f64)> = (0..4 + self.below(5)).map(|_| (self.vector(1.2), self.between(0.1, 0.4))).collect();
+        Shape::from(SphereSweep::new(kind, &balls))
     }
 
     /// From square to pointed; a star's tips have no normal.

@@ -18,6 +18,7 @@ mod quadric;
 mod smooth_triangle;
 mod sor;
 mod sphere;
+mod sphere_sweep;
 mod spline;
 mod superellipsoid;
 #[cfg(test)]
@@ -44,6 +45,7 @@ pub use quadric::Quadric;
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
+pub use sphere_sweep::{SphereSweep, Sweep};
 pub use spline::{Curve, Interpolation};
 pub use superellipsoid::Superellipsoid;
 pub use text::Text;
@@ -368,7 +370,7 @@ pub trait Readable: Sized + 'static {
 
 shapes! {
     Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob Quadric Cubic Quartic Poly
-    Polynomial Superellipsoid Lathe Sor Prism
+    Polynomial Superellipsoid Lathe Sor Prism SphereSweep
 }
 
 /// An error unless all these are finite numbers.
