@@ -56,6 +56,16 @@ impl Dice {
         }
     }
 
+    /// Sixteen points anywhere, some of them the same.
+    fn patch(&mut self) -> Shape {
+        let mut points: [DVec3; 16] = std::array::from_fn(|_| self.vector(1.0));
+        if self.below(3) == 0 {
+            points[..4].fill(DVec3::Y);
+        }
+        let flatness = [0.0, self.between(0.0, 0.3)][self.below(2)];
+        Shape::from(BicubicPatch::new(points, self.below(4) as u32, self.below(4) as u32, flatness))
+    }
+
     /// Balls in a row; the way of the ball may turn sharply and cross itself.
     fn sweep(&mut self) -> Shape {
         let kind = [Sweep::Linear, Sweep::BSpline, Sweep::Cubic][self.below(3)];
@@ -137,7 +147,8 @@ impl Dice {
     fn shape(&mut self) -> Shape {
         let (p, q, r) = (self.vector(1.0), self.vector(1.0), self.vector(1.0));
         let flat = Triangle::new(p, q, r);
-        match self.below(19) {
+        match self.below(21) {
+            11 => self.patch(),
             0 => Shape::from(Disc::new(p, q, 1.0, 0.3)),
             1 => Shape::from(Plane::new(q, self.between(-1.0, 1.0)).unwrap()),
             2 => Shape::from(flat),

@@ -2,6 +2,7 @@
 //! a row in the table below.
 
 mod algebraic;
+mod bicubic_patch;
 mod blob;
 mod cone;
 mod cuboid;
@@ -29,6 +30,7 @@ mod triangle;
 mod turned;
 
 pub use algebraic::{Algebraic, Cubic, Poly, Polynomial, Quartic};
+pub use bicubic_patch::BicubicPatch;
 pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
@@ -247,6 +249,11 @@ pub trait Kernel {
         false
     }
 
+    /// Is it a surface that `clipped_by` does not cut?
+    fn is_never_clipped(&self) -> bool {
+        false
+    }
+
     /// Does it depend on the steps by which it was moved which side is which?
     fn remembers_moves(&self) -> bool {
         false
@@ -279,6 +286,7 @@ macro_rules! shapes {
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
+            fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
             fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
         }
 
@@ -370,7 +378,7 @@ pub trait Readable: Sized + 'static {
 
 shapes! {
     Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob Quadric Cubic Quartic Poly
-    Polynomial Superellipsoid Lathe Sor Prism SphereSweep
+    Polynomial Superellipsoid Lathe Sor Prism SphereSweep BicubicPatch
 }
 
 /// An error unless all these are finite numbers.
