@@ -39,8 +39,9 @@ impl Dice {
     fn solid(&mut self) -> Shape {
         let (p, size) = (self.vector(1.0), self.between(0.2, 1.0));
         let q = p + self.vector(1.0) + DVec3::Y * 0.1;
-        match self.below(13) {
+        match self.below(14) {
             12 => self.sweep(),
+            13 => Shape::from(Ovus::new(self.between(0.2, 1.0), self.between(0.0, 1.2))),
             6 => self.superellipsoid(),
             7 => self.lathe(),
             8 => self.sor(),
@@ -343,6 +344,32 @@ proptest! {
         let w = v.any_orthogonal_vector();
         let cosine = m.normal(v).normalize().dot(m.vector(w).normalize());
         prop_assert!(cosine.abs() < tolerance, "{cosine}");
+    }
+
+    /// A fractal's surface is where its inside begins and ends, and no hit is lost or found elsewhere.
+    #[test]
+    fn fractals_have_a_surface_where_their_inside_ends(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let mut fractal = JuliaFractal::new(std::array::from_fn(|_| dice.between(-0.7, 0.7)));
+        fractal.algebra = [Algebra::Quaternion, Algebra::Hypercomplex][dice.below(2)];
+        fractal.function = [Function::Sqr, Function::Cube][dice.below(2)];
+        fractal.max_iteration = 2 + dice.below(6);
+        let fractal = Shape::from(fractal);
+        for _ in 0..4 {
+            let ray = dice.ray();
+            let all = hits(&fractal, &ray, Range::ALL);
+            prop_assert!(all.len().is_multiple_of(2), "{fractal:?} {ray:?} {all:?}");
+            let first = all.iter().map(|h| h.t).find(|t| *t > 0.0);
+            let closest = fractal.closest(&ray, Range::FORWARD).map(|h| h.t);
+            let near = |a: f64, b: f64| (a - b).abs() * ray.dir.length() < 1e-9 * (1.0 + ray.origin.length());
+            prop_assert!(first.zip(closest).is_none_or(|(a, b)| near(a, b)), "{fractal:?} {ray:?} {first:?} {closest:?}");
+            for hit in &all {
+                let (p, step) = (ray.at(hit.t), ray.dir.normalize() * 1e-8);
+                prop_assert!(fractal.bounds().contains(p) && fractal.normal(p, hit).is_finite());
+                let differ = fractal.inside(p + step) != fractal.inside(p - step);
+                prop_assert!(differ || p.length() > 0.99, "{fractal:?} {ray:?} {hit:?}");
+            }
+        }
     }
 
     /// Where the inside of a tree of closed solids begins or ends along a ray, there is a hit, and only there.

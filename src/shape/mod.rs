@@ -10,8 +10,10 @@ mod cylinder;
 mod disc;
 mod extent;
 mod frustum;
+mod julia_fractal;
 mod lathe;
 mod mesh;
+mod ovus;
 mod plane;
 mod polygon;
 mod prism;
@@ -38,8 +40,10 @@ pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use extent::{HUGE, moved_box};
 pub use frustum::Frustum;
+pub use julia_fractal::{Algebra, Function, JuliaFractal};
 pub use lathe::Lathe;
 pub use mesh::{Mesh, Mesh2, TriangleMesh};
+pub use ovus::Ovus;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
 pub use prism::Prism;
@@ -378,7 +382,7 @@ pub trait Readable: Sized + 'static {
 
 shapes! {
     Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob Quadric Cubic Quartic Poly
-    Polynomial Superellipsoid Lathe Sor Prism SphereSweep BicubicPatch
+    Polynomial Superellipsoid Lathe Sor Prism SphereSweep BicubicPatch JuliaFractal Ovus
 }
 
 /// An error unless all these are finite numbers.
