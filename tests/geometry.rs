@@ -70,7 +70,8 @@ impl Dice {
     /// Balls in a row; the way of the ball may turn sharply and cross itself.
     fn sweep(&mut self) -> Shape {
         let kind = [Sweep::Linear, Sweep::BSpline, Sweep::Cubic][self.below(3)];
-        let balls: Vec<(DVec3, f64)> = (0..4 + self.below(5)).map(|_| (self.vector(1.2), self.between(0.1, 0.4))).collect();
+        let balls: Vec<(DVec3, f64)> =
+            (0..4 + self.below(5)).map(|_| (self.vector(1.2), self.between(0.1, 0.4))).collect();
         Shape::from(SphereSweep::new(kind, &balls))
     }
 

@@ -40,7 +40,7 @@ fn the_dump_shows_what_is_not_drawn() {
         sky_sphere { pigment { gradient y color_map { [0 rgb 0.25] [1 rgbt <0, 0, 1, 0.5>] } } }
         camera { fisheye angle 160 location <0, 0, -5> look_at 0 aperture 0.4 focal_point <0, 0, 0.75> }
         light_source { 5*y, rgb 1 area_light 4*x, <0, 0, 4>, 5, 6 adaptive 2 jitter spotlight point_at <1, 2, 3> }
-        ovus { 0.65, 1.5 pigment { Red } }
+        parametric { 0.65, 1.5 pigment { Red } }
         #declare Dust = media { scattering { 3, rgb 0.125 } };
         sphere {
           0, 1 hollow photons { target 0.75 }

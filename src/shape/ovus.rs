@@ -64,14 +64,14 @@ impl Ovus {
     }
 
     /// How the point lies in the plane through the axis, seen from the middle of the arc.
-    fn from_middle(&self, p: DVec3) -> DVec2 {
+    fn off_middle(&self, p: DVec3) -> DVec2 {
         DVec2::new(fp::hypot(p.x, p.z) + self.middle.x, p.y - self.middle.y)
     }
 
     /// Is the point of the torus in the band?
     fn is_band(&self, p: DVec3, [low, high]: [f64; 2]) -> bool {
         // Of the two arcs of a closed torus it is the one that curves towards the axis.
-        let here = self.from_middle(p);
+        let here = self.off_middle(p);
         let other = DVec2::new(here.x - 2.0 * self.middle.x, here.y);
         let off = |q: DVec2| (q.length() - self.arc).abs();
         (low..=high).contains(&p.y) && off(here) <= off(other)
@@ -95,7 +95,9 @@ impl Ovus {
             let torus = Torus { major: self.middle.x, minor: self.arc };
             torus.hits(&Ray::new(ray.origin - up, ray.dir), Range::ALL, &mut candidates);
             let band = [self.ends[0] - slack, self.ends[1] + slack];
-            all.extend(candidates.iter().map(|hit| Hit::on(hit.t, BAND)).filter(|hit| self.is_band(ray.at(hit.t), band)));
+            all.extend(
+                candidates.iter().map(|hit| Hit::on(hit.t, BAND)).filter(|hit| self.is_band(ray.at(hit.t), band)),
+            );
         }
         let first = all.iter().min_by(|a, b| a.t.total_cmp(&b.t))?;
         let last = all.iter().max_by(|a, b| a.t.total_cmp(&b.t))?;
@@ -136,7 +138,8 @@ impl Readable for Ovus {
 
 impl Kernel for Ovus {
     fn bounds(&self) -> Aabb {
-        let widest = if (self.ends[0]..=self.ends[1]).contains(&self.middle.y) { self.arc - self.middle.x } else { 0.0 };
+        let widest =
+            if (self.ends[0]..=self.ends[1]).contains(&self.middle.y) { self.arc - self.middle.x } else { 0.0 };
         let across = match self.arc {
             0.0 => self.top,
             _ => widest.max(self.bottom).max(self.top),
@@ -161,7 +164,7 @@ impl Kernel for Ovus {
         match p.y {
             y if y <= self.ends[0] => self.ball(BOTTOM).inside(p),
             y if y >= self.ends[1] => self.ball(TOP).inside(p),
-            _ => self.from_middle(p).length_squared() <= self.arc * self.arc,
+            _ => self.off_middle(p).length_squared() <= self.arc * self.arc,
         }
     }
 
@@ -170,7 +173,7 @@ impl Kernel for Ovus {
             let n = p - self.ball(hit.part).center;
             return if n == DVec3::ZERO { DVec3::Y } else { n };
         }
-        let (across, from) = (fp::hypot(p.x, p.z), self.from_middle(p));
+        let (across, from) = (fp::hypot(p.x, p.z), self.off_middle(p));
         let out = if across > 0.0 { from.x / across } else { 0.0 };
         DVec3::new(p.x * out, from.y, p.z * out)
     }

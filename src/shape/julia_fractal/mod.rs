@@ -106,14 +106,14 @@ impl JuliaFractal {
     /// Is it inside, and how far around it do all points share that?
     fn look(&self, p: DVec3, trail: &mut Trail) -> (bool, f64) {
         let (rule, exit) = (self.rule(), self.radius() * self.radius());
-        let escapes = rule.escapes(self.lifted(p), self.parameter, exit, self.rounds(), 3, trail);
+        let escapes = rule.escapes([self.lifted(p), self.parameter], exit, [self.rounds(), 3], trail);
         // (The slice may be steep: its points are further apart than those that are seen.)
         (!escapes, rule.clearance(trail, escapes, exit) * self.slice[3].abs())
     }
 
     fn holds(&self, p: DVec3, trail: &mut Trail) -> bool {
         let (rule, exit) = (self.rule(), self.radius() * self.radius());
-        !rule.escapes(self.lifted(p), self.parameter, exit, self.rounds(), 0, trail)
+        !rule.escapes([self.lifted(p), self.parameter], exit, [self.rounds(), 0], trail)
     }
 
     /// Tells each hit in the range, ascending; true ends the search.
@@ -175,7 +175,7 @@ impl JuliaFractal {
     /// The round after which h is largest, of those that count.
     fn last_round(&self, p: DVec3) -> usize {
         let mut trail = Trail::new();
-        self.rule().escapes(self.lifted(p), self.parameter, f64::INFINITY, self.rounds(), 0, &mut trail);
+        self.rule().escapes([self.lifted(p), self.parameter], f64::INFINITY, [self.rounds(), 0], &mut trail);
         let length2 = |k: &usize| trail[*k].iter().map(|x| x * x).sum::<f64>();
         (0..trail.len()).max_by(|i, k| length2(i).total_cmp(&length2(k))).unwrap_or(0)
     }
@@ -214,8 +214,13 @@ impl Readable for JuliaFractal {
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("quaternion", Kind::Nothing, "", "calculates with quaternions, of which only `sqr` and `cube` are known; so it is without it")
-            .sets(|j, _| set(&mut j.algebra, Ok(Algebra::Quaternion))),
+        word(
+            "quaternion",
+            Kind::Nothing,
+            "",
+            "calculates with quaternions, of which only `sqr` and `cube` are known; so it is without it",
+        )
+        .sets(|j, _| set(&mut j.algebra, Ok(Algebra::Quaternion))),
         word("hypercomplex", Kind::Nothing, "", "calculates with pairs of complex numbers")
             .sets(|j, _| set(&mut j.algebra, Ok(Algebra::Hypercomplex))),
         word("max_iteration", Kind::Float, "20", "how many points of a row must stay near").sets(|j, r| {
@@ -224,8 +229,13 @@ impl Readable for JuliaFractal {
         }),
         word("precision", Kind::Float, "20", "more finds smaller things and takes longer")
             .sets(|j, r| set(&mut j.precision, r.float().map(|n| n.clamp(1.0, MOST_PRECISE)))),
-        word("slice", Kind::Vectors, "<0, 0, 0, 1>, 0", "a direction in four dimensions, and how far from the origin it is cut across that")
-            .sets(Self::read_slice),
+        word(
+            "slice",
+            Kind::Vectors,
+            "<0, 0, 0, 1>, 0",
+            "a direction in four dimensions, and how far from the origin it is cut across that",
+        )
+        .sets(Self::read_slice),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -287,7 +297,7 @@ impl JuliaFractal {
         finite(span, &[], &[distance])?;
         let length = slice.iter().map(|x| x * x).sum::<f64>().sqrt();
         let unit = slice.map(|x| x / length);
-        if !(unit[3].abs() > 1e-9) {
+        if unit[3].is_nan() || unit[3].abs() <= 1e-9 {
             let message = "the fourth number of this `slice` is 0: such a slice can't be laid into space";
             return Diagnostic::err(codes::BAD_ARGUMENT, span, message);
         }
@@ -298,7 +308,11 @@ impl JuliaFractal {
 
 impl Kernel for JuliaFractal {
     fn bounds(&self) -> Aabb {
-        if self.rounds() == 0 { Aabb::EMPTY } else { Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.radius() * (1.0 + 2e-6)) }
+        if self.rounds() == 0 {
+            Aabb::EMPTY
+        } else {
+            Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.radius() * (1.0 + 2e-6))
+        }
     }
 
     fn extent(&self, m: &Transform) -> Aabb {
@@ -363,7 +377,13 @@ mod tests {
     #[test]
     fn as_pov_ray_traces() {
         let slice = "slice <.2,.3,.4,1> 0.2";
-        traced(&format!("{C} quaternion sqr max_iteration 8"), 0.1, 0.2, -0.367282507, [-0.749882, -0.016865, 0.661357]);
+        traced(
+            &format!("{C} quaternion sqr max_iteration 8"),
+            0.1,
+            0.2,
+            -0.367282507,
+            [-0.749882, -0.016865, 0.661357],
+        );
         traced(&format!("{C} cube max_iteration 8"), 0.1, 0.2, -0.842641290, [-0.877058, -0.421655, -0.230166]);
         traced(&format!("{C} hypercomplex max_iteration 8"), 0.1, 0.2, -0.362928556, [-0.989031, -0.104070, -0.104817]);
         traced(&format!("{C} max_iteration 8 {slice}"), 0.1, 0.2, -0.3860056, [-0.97510, -0.12615, 0.18237]);
@@ -387,7 +407,12 @@ mod tests {
 
     #[test]
     fn steps_never_pass_the_surface() {
-        for text in [C, "<0.2,0.1,0.59,-0.2> hypercomplex", "<-0.03,0.5,-0.2,-0.5> cube", "<-0.1,0.1,0.7,0.1> slice <.5,0,.4,1> 0.1"] {
+        for text in [
+            C,
+            "<0.2,0.1,0.59,-0.2> hypercomplex",
+            "<-0.03,0.5,-0.2,-0.5> cube",
+            "<-0.1,0.1,0.7,0.1> slice <.5,0,.4,1> 0.1",
+        ] {
             let fractal = read::<JuliaFractal>(&format!("{text} max_iteration 9")).0.unwrap();
             let mut trail = Trail::new();
             for k in 0..400 {

@@ -66,7 +66,8 @@ impl Rule {
             }
             Rule::Pair(f) => {
                 let both = pair(h).map(|z| f.value_and_slope(z));
-                let back = |[a, b]: [Complex; 2]| [0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (b.y - a.y), 0.5 * (a.x - b.x)];
+                let back =
+                    |[a, b]: [Complex; 2]| [0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (b.y - a.y), 0.5 * (a.x - b.x)];
                 let turn = |d: Four| {
                     let [a, b] = pair(d);
                     back([a * both[0].1, b * both[1].1])
@@ -77,7 +78,7 @@ impl Rule {
     }
 
     /// Writes down the lengths from h₀ on, `count` rounds, but only `more` behind the first that is longer than √`exit`. Is there one?
-    pub fn escapes(self, h: Four, c: Four, exit: f64, count: usize, more: usize, trail: &mut Trail) -> bool {
+    pub fn escapes(self, [h, c]: [Four; 2], exit: f64, [count, more]: [usize; 2], trail: &mut Trail) -> bool {
         trail.clear();
         match self {
             Rule::Pair(f) => {

@@ -58,7 +58,12 @@ pub struct SphereSweep {
 const KINDS: [WordSpec; 3] = [
     word("linear_spline", Kind::Nothing, "", "straight tubes join the balls"),
     word("b_spline", Kind::Nothing, "", "a smooth way near the balls, of which four or more are needed"),
-    word("cubic_spline", Kind::Nothing, "", "a smooth way through all balls but the first and the last, which only give directions"),
+    word(
+        "cubic_spline",
+        Kind::Nothing,
+        "",
+        "a smooth way through all balls but the first and the last, which only give directions",
+    ),
 ];
 
 impl Sweep {
@@ -72,7 +77,9 @@ impl Sweep {
         }
         // Weighted sums of balls, in sixths.
         let mixed = |w: &[(DVec3, f64)], by: [f64; 4]| {
-            let sum = |(c, r): (DVec3, f64), ((center, radius), by): (&(DVec3, f64), f64)| (c + *center * by, r + radius * by);
+            let sum = |(c, r): (DVec3, f64), ((center, radius), by): (&(DVec3, f64), f64)| {
+                (c + *center * by, r + radius * by)
+            };
             let (c, r) = w.iter().zip(by).fold((DVec3::ZERO, 0.0), sum);
             (c / 6.0, r / 6.0)
         };
@@ -94,7 +101,8 @@ impl SphereSweep {
         let bounds = pieces.iter().map(Piece::bounds).fold(Aabb::EMPTY, Aabb::union);
         // (Measured on POV-Ray 3.7, which forgets that a radius may be negative.)
         let reach = if kind == Sweep::Cubic { 2.0 } else { 1.0 };
-        let around = |(center, radius): &(DVec3, f64)| Aabb { min: *center - reach * radius, max: *center + reach * radius };
+        let around =
+            |(center, radius): &(DVec3, f64)| Aabb { min: *center - reach * radius, max: *center + reach * radius };
         let extent = balls.iter().map(around).fold(Aabb::EMPTY, Aabb::union);
         Self { kind, pieces, bvh, bounds, extent }
     }
@@ -171,7 +179,11 @@ impl Readable for SphereSweep {
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.pieces.iter().all(|piece| piece.radii[..=piece.degree].iter().all(|r| *r == 0.0)) {
-            r.report(Diagnostic::new(codes::NO_SURFACE, span, "this `sphere_sweep` has no surface: all its radii are 0"));
+            r.report(Diagnostic::new(
+                codes::NO_SURFACE,
+                span,
+                "this `sphere_sweep` has no surface: all its radii are 0",
+            ));
         }
         Ok(())
     }
@@ -255,7 +267,8 @@ mod tests {
 
     #[test]
     fn as_pov_ray_traces() {
-        let (level, up) = (Ray::new(DVec3::new(-5.0, 0.8, 0.02), DVec3::X), Ray::new(DVec3::new(1.1, -5.0, 0.2), DVec3::Y));
+        let (level, up) =
+            (Ray::new(DVec3::new(-5.0, 0.8, 0.02), DVec3::X), Ray::new(DVec3::new(1.1, -5.0, 0.2), DVec3::Y));
         let b_spline = format!("b_spline {BALLS}");
         // (Begun within the first stretch, POV-Ray's `trace` misses the gap behind it.)
         let hits = all(&read::<SphereSweep>(&b_spline).0.unwrap(), &level);
@@ -279,17 +292,23 @@ mod tests {
         );
         let linear = "linear_spline 3 <-1,0,0> .4 <1,0,0> .3 <1,1.5,0> .5";
         let ray = Ray::new(DVec3::new(-5.0, 0.05, 0.02), DVec3::X);
-        traced(linear, ray, &[(-1.396358424, [-0.990896, 0.125, 0.05]), (1.308782458, [0.988999, -0.133333, 0.064058])]);
+        traced(
+            linear,
+            ray,
+            &[(-1.396358424, [-0.990896, 0.125, 0.05]), (1.308782458, [0.988999, -0.133333, 0.064058])],
+        );
         // One ball in the other.
-        traced("linear_spline 2 0 1 <0.3,0,0> 0.2", ray, &[
-            (-0.998548947, [-0.998549, 0.05, 0.02]),
-            (0.998548947, [0.998549, 0.05, 0.02]),
-        ]);
+        traced(
+            "linear_spline 2 0 1 <0.3,0,0> 0.2",
+            ray,
+            &[(-0.998548947, [-0.998549, 0.05, 0.02]), (0.998548947, [0.998549, 0.05, 0.02])],
+        );
     }
 
     #[test]
     fn extents_as_measured() {
-        let extent = |kind: &str| read::<SphereSweep>(&format!("{kind} {BALLS}")).0.unwrap().extent(&Transform::IDENTITY);
+        let extent =
+            |kind: &str| read::<SphereSweep>(&format!("{kind} {BALLS}")).0.unwrap().extent(&Transform::IDENTITY);
         assert_eq!(extent("b_spline").min, DVec3::new(-2.4, -1.3, -0.5));
         assert_eq!(extent("cubic_spline").min, DVec3::new(-2.8, -1.6, -1.0));
         assert_eq!(extent("linear_spline").max, DVec3::new(2.2, 2.0, 1.2));

@@ -237,7 +237,10 @@ mod tests {
         let cone = Piece::straight((DVec3::ZERO, 0.0), (DVec3::X * 4.0, 1.0));
         let tangent = 0.25 / (1.0_f64 - 0.0625).sqrt();
         let [[near, far]] = covers(&cone, [2.0, -5.0, 0.0], DVec3::Y)[..] else { unreachable!() };
-        assert!((near - 5.0 + 2.0 * tangent).abs() < 1e-15 && (far - 5.0 - 2.0 * tangent).abs() < 1e-15, "{near} {far}");
+        assert!(
+            (near - 5.0 + 2.0 * tangent).abs() < 1e-15 && (far - 5.0 - 2.0 * tangent).abs() < 1e-15,
+            "{near} {far}"
+        );
         assert!(cone.holds(DVec3::new(2.0, 0.516, 0.0)) && !cone.holds(DVec3::new(2.0, 0.517, 0.0)));
         assert!(!cone.holds(DVec3::new(-0.1, 0.0, 0.0)));
     }
