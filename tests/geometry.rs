@@ -39,7 +39,9 @@ impl Dice {
     fn solid(&mut self) -> Shape {
         let (p, size) = (self.vector(1.0), self.between(0.2, 1.0));
         let q = p + self.vector(1.0) + DVec3::Y * 0.1;
-        match self.below(12) {
+        match self.below(14) {
+            12 => self.sweep(),
+            13 => Shape::from(Ovus::new(self.between(0.2, 1.0), self.between(0.0, 1.2))),
             6 => self.superellipsoid(),
             7 => self.lathe(),
             8 => self.sor(),
@@ -53,6 +55,24 @@ impl Dice {
             4 => Shape::from(Cone::new(p, 0.0, p + DVec3::X, size, false)),
             _ => Shape::from(Torus { major: 0.6 + size, minor: self.between(0.05, 0.55) }),
         }
+    }
+
+    /// Sixteen points anywhere, some of them the same.
+    fn patch(&mut self) -> Shape {
+        let mut points: [DVec3; 16] = std::array::from_fn(|_| self.vector(1.0));
+        if self.below(3) == 0 {
+            points[..4].fill(DVec3::Y);
+        }
+        let flatness = [0.0, self.between(0.0, 0.3)][self.below(2)];
+        Shape::from(BicubicPatch::new(points, self.below(4) as u32, self.below(4) as u32, flatness))
+    }
+
+    /// Balls in a row; the way of the ball may turn sharply and cross itself.
+    fn sweep(&mut self) -> Shape {
+        let kind = [Sweep::Linear, Sweep::BSpline, Sweep::Cubic][self.below(3)];
+        let balls: Vec<(DVec3, f64)> =
+            (0..4 + self.below(5)).map(|_| (self.vector(1.2), self.between(0.1, 0.4))).collect();
+        Shape::from(SphereSweep::new(kind, &balls))
     }
 
     /// From square to pointed; a star's tips have no normal.
@@ -129,7 +149,8 @@ impl Dice {
     fn shape(&mut self) -> Shape {
         let (p, q, r) = (self.vector(1.0), self.vector(1.0), self.vector(1.0));
         let flat = Triangle::new(p, q, r);
-        match self.below(19) {
+        match self.below(21) {
+            11 => self.patch(),
             0 => Shape::from(Disc::new(p, q, 1.0, 0.3)),
             1 => Shape::from(Plane::new(q, self.between(-1.0, 1.0)).unwrap()),
             2 => Shape::from(flat),
@@ -324,6 +345,32 @@ proptest! {
         let w = v.any_orthogonal_vector();
         let cosine = m.normal(v).normalize().dot(m.vector(w).normalize());
         prop_assert!(cosine.abs() < tolerance, "{cosine}");
+    }
+
+    /// A fractal's surface is where its inside begins and ends, and no hit is lost or found elsewhere.
+    #[test]
+    fn fractals_have_a_surface_where_their_inside_ends(seed: u64) {
+        let mut dice = Dice::new(seed);
+        let mut fractal = JuliaFractal::new(std::array::from_fn(|_| dice.between(-0.7, 0.7)));
+        fractal.algebra = [Algebra::Quaternion, Algebra::Hypercomplex][dice.below(2)];
+        fractal.function = [Function::Sqr, Function::Cube][dice.below(2)];
+        fractal.max_iteration = 2 + dice.below(6);
+        let fractal = Shape::from(fractal);
+        for _ in 0..4 {
+            let ray = dice.ray();
+            let all = hits(&fractal, &ray, Range::ALL);
+            prop_assert!(all.len().is_multiple_of(2), "{fractal:?} {ray:?} {all:?}");
+            let first = all.iter().map(|h| h.t).find(|t| *t > 0.0);
+            let closest = fractal.closest(&ray, Range::FORWARD).map(|h| h.t);
+            let near = |a: f64, b: f64| (a - b).abs() * ray.dir.length() < 1e-9 * (1.0 + ray.origin.length());
+            prop_assert!(first.zip(closest).is_none_or(|(a, b)| near(a, b)), "{fractal:?} {ray:?} {first:?} {closest:?}");
+            for hit in &all {
+                let (p, step) = (ray.at(hit.t), ray.dir.normalize() * 1e-8);
+                prop_assert!(fractal.bounds().contains(p) && fractal.normal(p, hit).is_finite());
+                let differ = fractal.inside(p + step) != fractal.inside(p - step);
+                prop_assert!(differ || p.length() > 0.99, "{fractal:?} {ray:?} {hit:?}");
+            }
+        }
     }
 
     /// Where the inside of a tree of closed solids begins or ends along a ray, there is a hit, and only there.

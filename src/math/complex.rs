@@ -1,6 +1,7 @@
 //! Complex numbers, so far as fractals need them.
 
-use std::ops::{Add, Div, Mul};
+use super::fp;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A complex number, x + iy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +28,35 @@ impl Complex {
         self.x * self.x + self.y * self.y
     }
 
+    /// i·z.
+    pub fn turned(self) -> Self {
+        Self::new(-self.y, self.x)
+    }
+
+    /// eᶻ.
+    pub fn exp(self) -> Self {
+        let (sin, cos) = fp::sin_cos(self.y);
+        fp::exp(self.x) * Self::new(cos, sin)
+    }
+
+    /// The logarithm with an imaginary part between -π and π.
+    pub fn ln(self) -> Self {
+        Self::new(0.5 * fp::ln(self.length_squared()), fp::atan2(self.y, self.x))
+    }
+
+    /// The square root with a real part that is not negative.
+    pub fn sqrt(self) -> Self {
+        let length = self.length_squared().sqrt();
+        let (x, y) = (0.5 * (length + self.x), 0.5 * (length - self.x));
+        Self::new(x.max(0.0).sqrt(), y.max(0.0).sqrt().copysign(self.y))
+    }
+
+    /// sinh and cosh.
+    pub fn sinh_cosh(self) -> (Self, Self) {
+        let ((sin, cos), (sinh, cosh)) = (fp::sin_cos(self.y), (fp::sinh(self.x), fp::cosh(self.x)));
+        (Self::new(sinh * cos, cosh * sin), Self::new(cosh * cos, sinh * sin))
+    }
+
     /// z to the n-th, by squares.
     pub fn power(self, mut n: u32) -> Self {
         let (mut result, mut base) = (Self::new(1.0, 0.0), self);
@@ -45,6 +75,20 @@ impl Add for Complex {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self::new(self.x + other.x, self.y + other.y)
+    }
+}
+
+impl Sub for Complex {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y)
+    }
+}
+
+impl Neg for Complex {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y)
     }
 }
 
@@ -85,5 +129,18 @@ mod tests {
     fn powers_by_squares() {
         let z = Complex::new(0.6, -0.7);
         assert!((z.power(5).x - (z * z * z * z * z).x).abs() < 1e-15);
+    }
+
+    #[test]
+    fn inverse_to_each_other() {
+        for (x, y) in [(0.6, -0.7), (-1.3, 0.2), (-0.4, -2.0)] {
+            let z = Complex::new(x, y);
+            let near = |w: Complex| assert!((w - z).length_squared() < 1e-28, "{w:?} {z:?}");
+            near(z.ln().exp());
+            near(z.exp().ln());
+            near(z.sqrt().square());
+            let (sinh, cosh) = z.sinh_cosh();
+            near((sinh + cosh).ln());
+        }
     }
 }

@@ -35,23 +35,15 @@ impl Object {
             }
         }
         r.leave()?;
-        object.kind = ObjectKind::Undrawn(Arc::new(Undrawn { bounds: about(word, &said), said }));
+        object.kind = ObjectKind::Undrawn(Arc::new(Undrawn { bounds: about(word), said }));
         Ok(object)
     }
 }
 
 /// A box about where the shape is.
-fn about(word: &str, said: &[RawItem]) -> Aabb {
-    let (mut all, mut count) = (Aabb::EMPTY, 0);
-    for part in said {
-        part.visit_vectors(&mut |v| {
-            all = all.union(Aabb::from_points([v.xyz()]));
-            count += 1;
-        });
-    }
+fn about(word: &str) -> Aabb {
     match word {
         "height_field" => Aabb { min: DVec3::ZERO, max: DVec3::ONE },
-        "bicubic_patch" | "sphere_sweep" if count > 1 => all,
         _ => Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE },
     }
 }

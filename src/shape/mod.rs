@@ -2,6 +2,7 @@
 //! a row in the table below.
 
 mod algebraic;
+mod bicubic_patch;
 mod blob;
 mod cone;
 mod cuboid;
@@ -9,8 +10,10 @@ mod cylinder;
 mod disc;
 mod extent;
 mod frustum;
+mod julia_fractal;
 mod lathe;
 mod mesh;
+mod ovus;
 mod plane;
 mod polygon;
 mod prism;
@@ -18,6 +21,7 @@ mod quadric;
 mod smooth_triangle;
 mod sor;
 mod sphere;
+mod sphere_sweep;
 mod spline;
 mod superellipsoid;
 #[cfg(test)]
@@ -28,6 +32,7 @@ mod triangle;
 mod turned;
 
 pub use algebraic::{Algebraic, Cubic, Poly, Polynomial, Quartic};
+pub use bicubic_patch::BicubicPatch;
 pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
@@ -35,8 +40,10 @@ pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use extent::{HUGE, moved_box};
 pub use frustum::Frustum;
+pub use julia_fractal::{Algebra, Function, JuliaFractal};
 pub use lathe::Lathe;
 pub use mesh::{Mesh, Mesh2, TriangleMesh};
+pub use ovus::Ovus;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
 pub use prism::Prism;
@@ -44,6 +51,7 @@ pub use quadric::Quadric;
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
+pub use sphere_sweep::{SphereSweep, Sweep};
 pub use spline::{Curve, Interpolation};
 pub use superellipsoid::Superellipsoid;
 pub use text::Text;
@@ -245,6 +253,11 @@ pub trait Kernel {
         false
     }
 
+    /// Is it a surface that `clipped_by` does not cut?
+    fn is_never_clipped(&self) -> bool {
+        false
+    }
+
     /// Does it depend on the steps by which it was moved which side is which?
     fn remembers_moves(&self) -> bool {
         false
@@ -277,6 +290,7 @@ macro_rules! shapes {
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
+            fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
             fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
         }
 
@@ -368,7 +382,7 @@ pub trait Readable: Sized + 'static {
 
 shapes! {
     Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob Quadric Cubic Quartic Poly
-    Polynomial Superellipsoid Lathe Sor Prism
+    Polynomial Superellipsoid Lathe Sor Prism SphereSweep BicubicPatch JuliaFractal Ovus
 }
 
 /// An error unless all these are finite numbers.

@@ -131,9 +131,9 @@ impl Search<'_> {
 }
 
 /// The roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root is there twice. Its
-/// degree, at most 7, is one less than their number. `found` is told each; true ends the search.
+/// degree, at most 11, is one less than their number. `found` is told each; true ends the search.
 pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
-    debug_assert!((2..=8).contains(&b.len()));
+    debug_assert!((2..=12).contains(&b.len()));
     // (Most pieces of a curve are not met.)
     if sign_changes(b) == 0 {
         return;
@@ -142,7 +142,11 @@ pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
         found(b0 / (b0 - b1));
         return;
     }
-    let mut padded = [0.0; 8];
+    if b.len() <= 8 { padded_roots::<8>(b, found) } else { padded_roots::<12>(b, found) }
+}
+
+fn padded_roots<const N: usize>(b: &[f64], found: Found) {
+    let mut padded = [0.0; N];
     padded[..b.len()].copy_from_slice(b);
     let size = b.iter().fold(0.0, |size: f64, b| size.max(b.abs()));
     let noise = tolerance::POLYNOMIAL * size;

@@ -45,14 +45,14 @@ pub struct TriangleMesh {
 }
 
 /// A ray as the test wants it: seen along its longest axis, sheared so that it runs along that.
-struct Sheared {
+pub(super) struct Sheared {
     origin: DVec3,
     axes: [usize; 3],
     shear: DVec3,
 }
 
 impl Sheared {
-    fn new(ray: &Ray) -> Self {
+    pub(super) fn new(ray: &Ray) -> Self {
         let z = ray.dir.abs().max_position();
         // (Which way round does not matter: the signs of all three areas change together.)
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
@@ -61,7 +61,7 @@ impl Sheared {
     }
 
     /// t and the weights of the second and third corner, where the line meets the triangle.
-    fn meet(&self, corners: [DVec3; 3]) -> Option<(f64, DVec2)> {
+    pub(super) fn meet(&self, corners: [DVec3; 3]) -> Option<(f64, DVec2)> {
         let [x, y, z] = self.axes;
         let from = corners.map(|corner| corner - self.origin);
         let [a, b, c] = from.map(|p| DVec2::new(p[x] - self.shear.x * p[z], p[y] - self.shear.y * p[z]));

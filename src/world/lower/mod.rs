@@ -200,7 +200,8 @@ impl Lowering {
         if object.rare.flags.inverse {
             node = node.inverted();
         }
-        if !clip.is_empty() {
+        let clips = !matches!(&object.kind, ObjectKind::Shape(shape) if shape.is_never_clipped());
+        if clips && !clip.is_empty() {
             node = node.clipped(clip);
         }
         Ok(Some(Solid { node, opaque }))

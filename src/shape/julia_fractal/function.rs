@@ -1,0 +1,203 @@
+//! What is done to a number in each round: functions of complex numbers and their derivatives.
+
+use crate::math::Complex;
+use crate::value::words::word;
+use crate::value::{Kind, WordSpec};
+use serde::Serialize;
+
+/// A function of complex numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Function {
+    /// z²
+    Sqr,
+    /// z³
+    Cube,
+    /// eᶻ
+    Exp,
+    /// 1/z
+    Reciprocal,
+    /// sin z
+    Sin,
+    /// its inverse
+    Asin,
+    /// sinh z
+    Sinh,
+    /// its inverse
+    Asinh,
+    /// cos z
+    Cos,
+    /// its inverse
+    Acos,
+    /// cosh z
+    Cosh,
+    /// its inverse
+    Acosh,
+    /// tan z
+    Tan,
+    /// its inverse
+    Atan,
+    /// tanh z
+    Tanh,
+    /// its inverse
+    Atanh,
+    /// the logarithm
+    Ln,
+    /// z to the power x + iy
+    Pwr(f64, f64),
+}
+
+use Function::*;
+
+/// Those that have no arguments, and their words.
+pub const WORDS: [(&str, Function); 17] = [
+    ("sqr", Sqr),
+    ("cube", Cube),
+    ("exp", Exp),
+    ("reciprocal", Reciprocal),
+    ("sin", Sin),
+    ("asin", Asin),
+    ("sinh", Sinh),
+    ("asinh", Asinh),
+    ("cos", Cos),
+    ("acos", Acos),
+    ("cosh", Cosh),
+    ("acosh", Acosh),
+    ("tan", Tan),
+    ("atan", Atan),
+    ("tanh", Tanh),
+    ("atanh", Atanh),
+    ("ln", Ln),
+];
+
+const fn applied(name: &'static str, summary: &'static str) -> WordSpec {
+    word(name, Kind::Nothing, "", summary)
+}
+
+/// The words that choose one.
+pub const FUNCTIONS: [WordSpec; 18] = [
+    applied("sqr", "each round is h²; so it is without any function"),
+    applied("cube", "each round is h³; of hypercomplex numbers h², as in POV-Ray"),
+    applied("exp", "each round is eʰ"),
+    applied("reciprocal", "each round is 1/h"),
+    applied("sin", "each round is sin h"),
+    applied("asin", "each round is asin h"),
+    applied("sinh", "each round is sinh h"),
+    applied("asinh", "each round is asinh h"),
+    applied("cos", "each round is cos h"),
+    applied("acos", "each round is acos h"),
+    applied("cosh", "each round is cosh h"),
+    applied("acosh", "each round is acosh h"),
+    applied("tan", "each round is tan h"),
+    applied("atan", "each round is atan h"),
+    applied("tanh", "each round is tanh h"),
+    applied("atanh", "each round is atanh h"),
+    applied("ln", "each round is the logarithm of h"),
+    word("pwr", Kind::Block, "", "`pwr(x, y)`: each round is h to the power x + iy"),
+];
+
+const ONE: Complex = Complex::new(1.0, 0.0);
+
+/// -i·z
+fn turned_back(z: Complex) -> Complex {
+    -z.turned()
+}
+
+/// asinh z = ln(z + √(z² + 1)), and its derivative.
+fn asinh(z: Complex) -> (Complex, Complex) {
+    let root = (z.square() + ONE).sqrt();
+    ((z + root).ln(), ONE / root)
+}
+
+/// acosh z = ln(z + √(z + 1)·√(z - 1)), and its derivative.
+fn acosh(z: Complex) -> (Complex, Complex) {
+    let root = (z + ONE).sqrt() * (z - ONE).sqrt();
+    ((z + root).ln(), ONE / root)
+}
+
+/// atanh z = (ln(1 + z) - ln(1 - z))/2, and its derivative.
+fn atanh(z: Complex) -> (Complex, Complex) {
+    (0.5 * ((ONE + z).ln() - (ONE - z).ln()), ONE / (ONE - z.square()))
+}
+
+/// g(z) = -i·f(i·z) has the derivative f'(i·z): so sin comes from sinh, and its inverse from the other.
+fn around(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
+    let (value, slope) = f(z.turned());
+    (turned_back(value), slope)
+}
+
+fn tanh(z: Complex) -> (Complex, Complex) {
+    let (sinh, cosh) = z.sinh_cosh();
+    let value = sinh / cosh;
+    (value, ONE - value.square())
+}
+
+impl Function {
+    /// f(z) and f'(z).
+    pub fn value_and_slope(self, z: Complex) -> (Complex, Complex) {
+        match self {
+            Sqr => (z.square(), 2.0 * z),
+            Cube => (z.square() * z, 3.0 * z.square()),
+            Exp => (z.exp(), z.exp()),
+            Reciprocal => (ONE / z, -(ONE / z.square())),
+            Sinh => z.sinh_cosh(),
+            Cosh => {
+                let (sinh, cosh) = z.sinh_cosh();
+                (cosh, sinh)
+            }
+            Sin => around(|z| z.sinh_cosh(), z),
+            Cos => {
+                // cos z = cosh(i·z), and its derivative is i·sinh(i·z) = -sin z.
+                let (sinh, cosh) = z.turned().sinh_cosh();
+                (cosh, sinh.turned())
+            }
+            Tan => around(tanh, z),
+            Tanh => tanh(z),
+            Asin => around(asinh, z),
+            Acos => {
+                let (asin, slope) = around(asinh, z);
+                (Complex::new(std::f64::consts::FRAC_PI_2, 0.0) - asin, -slope)
+            }
+            Atan => around(atanh, z),
+            Asinh => asinh(z),
+            Acosh => acosh(z),
+            Atanh => atanh(z),
+            Ln => (z.ln(), ONE / z),
+            Pwr(x, y) => {
+                let power = Complex::new(x, y);
+                let value = (power * z.ln()).exp();
+                (value, power * value / z)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_are_those_of_finite_differences() {
+        let all = WORDS.iter().map(|(_, f)| *f).chain([Pwr(2.5, -0.3)]);
+        for f in all {
+            for (x, y) in [(0.3, 0.7), (-0.4, 0.2), (0.8, -1.1)] {
+                let at = |x: f64, y: f64| f.value_and_slope(Complex::new(x, y));
+                let slope = at(x, y).1;
+                let along_x = 5e5 * (at(x + 1e-6, y).0 - at(x - 1e-6, y).0);
+                let along_y = turned_back(5e5 * (at(x, y + 1e-6).0 - at(x, y - 1e-6).0));
+                let near = |a: Complex| (a - slope).length_squared() < 1e-16 * (1.0 + slope.length_squared());
+                assert!(near(along_x) && near(along_y), "{f:?} {slope:?} {along_x:?} {along_y:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn inverses() {
+        let both = [(Sin, Asin), (Cos, Acos), (Sinh, Asinh), (Cosh, Acosh), (Tan, Atan), (Tanh, Atanh), (Exp, Ln)];
+        for (f, inverse) in both {
+            let z = Complex::new(0.4, 0.3);
+            let back = f.value_and_slope(inverse.value_and_slope(z).0).0;
+            assert!((back - z).length_squared() < 1e-28, "{f:?} {back:?}");
+        }
+    }
+}

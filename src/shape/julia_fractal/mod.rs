@@ -1,0 +1,448 @@
+//! `julia_fractal { <c> function max_iteration precision slice … }`: points of four dimensions that stay near the origin however often h
+//! becomes f(h) + c (manual, "Julia Fractal").
+//!
+//! Seen is a slice of three dimensions. Rays walk as Hart, Sandin and Kauffman do (Ray tracing deterministic 3-D fractals, 1989): from
+//! each place as far as no point of the surface can be. How far that is follows from how far the rounds can carry two neighbours apart, which
+//! is proved for h² and h³; for other functions the steps are 1/`precision` long, as in POV-Ray 3.7.
+//!
+//! ```pov
+//! julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 100 translate y pigment { color rgb <0.4, 0.7, 0.6> } }
+//! ```
+
+mod function;
+mod orbit;
+
+pub use function::Function;
+
+use super::{Hit, Hits, Kernel, Paints, Readable, finite, moved_box};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::source::Span;
+use crate::value::words::{Row, read_row, set, specs_of, word};
+use crate::value::{Kind, Next, Param, Reader, Spec, Value, WordSpec};
+use function::{FUNCTIONS, WORDS};
+use orbit::{Four, Rule, Trail};
+use serde::Serialize;
+
+/// Nobody sees more rounds than these, and points inside take all of them.
+const MOST_ROUNDS: usize = 1000;
+/// Steps are no shorter than one part in so many.
+const MOST_PRECISE: f64 = 1000.0;
+/// Of the precision: how much shorter the shortest step is where steps are as long as they can be.
+const SHORT: f64 = 1.0 / 500.0;
+
+/// Two ways to calculate with four numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Algebra {
+    /// Hamilton's.
+    Quaternion,
+    /// Pairs of complex numbers.
+    Hypercomplex,
+}
+
+/// A slice of a fractal.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JuliaFractal {
+    /// What is added in each round.
+    pub parameter: Four,
+    /// How to calculate.
+    pub algebra: Algebra,
+    /// What is done in each round.
+    pub function: Function,
+    /// How many points of a row must be near the origin, the first included.
+    pub max_iteration: usize,
+    /// Where steps are counted, so many to a unit.
+    pub precision: f64,
+    /// The slice is perpendicular to this, of length 1 …
+    pub slice: Four,
+    /// … and so far from the origin.
+    pub distance: f64,
+}
+
+impl JuliaFractal {
+    /// That of h² + c in quaternions.
+    pub fn new(parameter: Four) -> Self {
+        Self {
+            parameter,
+            algebra: Algebra::Quaternion,
+            function: Function::Sqr,
+            max_iteration: 20,
+            precision: 20.0,
+            slice: [0.0, 0.0, 0.0, 1.0],
+            distance: 0.0,
+        }
+    }
+
+    fn rule(&self) -> Rule {
+        match (self.algebra, self.function) {
+            (Algebra::Quaternion, Function::Cube) => Rule::Cube,
+            (Algebra::Quaternion, _) => Rule::Square,
+            // (POV-Ray 3.7 squares here, too.)
+            (Algebra::Hypercomplex, Function::Cube) => Rule::Pair(Function::Sqr),
+            (Algebra::Hypercomplex, function) => Rule::Pair(function),
+        }
+    }
+
+    /// Beyond it is outside: 1 + |c| for quaternions, 4 for others (measured on POV-Ray 3.7).
+    fn radius(&self) -> f64 {
+        match self.algebra {
+            Algebra::Quaternion => 1.0 + self.parameter.iter().map(|x| x * x).sum::<f64>().sqrt(),
+            Algebra::Hypercomplex => 4.0,
+        }
+    }
+
+    /// How many rounds a point inside must stay.
+    fn rounds(&self) -> usize {
+        self.max_iteration.saturating_sub(1).min(MOST_ROUNDS)
+    }
+
+    /// The point of the slice above one of three dimensions.
+    fn lifted(&self, p: DVec3) -> Four {
+        let [x, y, z, w] = self.slice;
+        [p.x, p.y, p.z, (self.distance - x * p.x - y * p.y - z * p.z) / w]
+    }
+
+    /// Is it inside, and how far around it do all points share that?
+    fn look(&self, p: DVec3, trail: &mut Trail) -> (bool, f64) {
+        let (rule, exit) = (self.rule(), self.radius() * self.radius());
+        let escapes = rule.escapes([self.lifted(p), self.parameter], exit, [self.rounds(), 3], trail);
+        // (The slice may be steep: its points are further apart than those that are seen.)
+        (!escapes, rule.clearance(trail, escapes, exit) * self.slice[3].abs())
+    }
+
+    fn holds(&self, p: DVec3, trail: &mut Trail) -> bool {
+        let (rule, exit) = (self.rule(), self.radius() * self.radius());
+        !rule.escapes([self.lifted(p), self.parameter], exit, [self.rounds(), 0], trail)
+    }
+
+    /// Tells each hit in the range, ascending; true ends the search.
+    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
+        if self.rounds() == 0 {
+            return;
+        }
+        let length = ray.dir.length();
+        let v = ray.dir / length;
+        let middle = -ray.origin.dot(v);
+        let o = ray.origin + middle * v;
+        // A trifle more than the ball, which is all there is where c is 0; it is no surface of others.
+        let radius = self.radius() * if self.algebra == Algebra::Quaternion { 1.0 + 1e-6 } else { 1.0 - 1e-6 };
+        let half2 = radius * radius - o.length_squared();
+        if half2.is_nan() || half2 <= 0.0 {
+            return;
+        }
+        let half = half2.sqrt();
+        let (from, to) = ((range.min * length - middle).max(-half), (range.max * length - middle).min(half));
+        if from >= to {
+            return;
+        }
+        let at = |s: f64| o + v * s;
+        let mut trail = Trail::new();
+        // (In a huge ball, not too many.)
+        let shortest = (if self.rule().is_proved() { SHORT } else { 1.0 } / self.precision).max(1e-6 * radius);
+        let (mut s, mut before) = (from, None);
+        loop {
+            let (inside, clearance) = self.look(at(s), &mut trail);
+            if let Some((last, was_inside)) = before
+                && was_inside != inside
+            {
+                let t = (self.between(&at, last, s, was_inside, &mut trail) + middle) / length;
+                if range.contains(t) && found(t) {
+                    return;
+                }
+            }
+            if s >= to {
+                return;
+            }
+            before = Some((s, inside));
+            s = (s + clearance.max(shortest)).min(to);
+        }
+    }
+
+    /// Where a line goes in or out between two places.
+    fn between(&self, at: &impl Fn(f64) -> DVec3, mut lo: f64, mut hi: f64, first: bool, trail: &mut Trail) -> f64 {
+        while hi - lo > 1e-11 * (1.0 + lo.abs()) {
+            let middle = 0.5 * (lo + hi);
+            if self.holds(at(middle), trail) == first {
+                lo = middle;
+            } else {
+                hi = middle;
+            }
+        }
+        0.5 * (lo + hi)
+    }
+
+    /// The round after which h is largest, of those that count.
+    fn last_round(&self, p: DVec3) -> usize {
+        let mut trail = Trail::new();
+        self.rule().escapes([self.lifted(p), self.parameter], f64::INFINITY, [self.rounds(), 0], &mut trail);
+        let length2 = |k: &usize| trail[*k].iter().map(|x| x * x).sum::<f64>();
+        (0..trail.len()).max_by(|i, k| length2(i).total_cmp(&length2(k))).unwrap_or(0)
+    }
+
+    /// The gradient of |h|² after some rounds, in four dimensions; its fourth number is left out, even where the slice makes it depend on
+    /// the others (measured on POV-Ray 3.7).
+    fn gradient(&self, p: DVec3, rounds: usize) -> DVec3 {
+        let rule = self.rule();
+        let mut h = self.lifted(p);
+        let mut turns = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+        for _ in 0..rounds {
+            (h, turns) = rule.moved(h, self.parameter, turns);
+            // (Only the direction matters.)
+            let size = turns.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+            turns = turns.map(|turn| turn.map(|x| x / size));
+        }
+        turns.map(|turn| turn.iter().zip(h).map(|(a, b)| a * b).sum()).into()
+    }
+}
+
+impl Readable for JuliaFractal {
+    const SPEC: Spec = Spec {
+        name: "julia_fractal",
+        summary: "a slice of a fractal of four dimensions",
+        params: &[Param { name: "<c>", kind: Kind::Vectors, summary: "four numbers: what is added in each round" }],
+        words: &{
+            let own: [WordSpec; 5] = specs_of(Self::WORDS);
+            let mut words = [own[0]; 23];
+            let mut i = 0;
+            while i < 23 {
+                words[i] = if i < 5 { own[i] } else { FUNCTIONS[i - 5] };
+                i += 1;
+            }
+            words
+        },
+    };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word(
+            "quaternion",
+            Kind::Nothing,
+            "",
+            "calculates with quaternions, of which only `sqr` and `cube` are known; so it is without it",
+        )
+        .sets(|j, _| set(&mut j.algebra, Ok(Algebra::Quaternion))),
+        word("hypercomplex", Kind::Nothing, "", "calculates with pairs of complex numbers")
+            .sets(|j, _| set(&mut j.algebra, Ok(Algebra::Hypercomplex))),
+        word("max_iteration", Kind::Float, "20", "how many points of a row must stay near").sets(|j, r| {
+            // (A cast stops at 0 and at the largest number.)
+            set(&mut j.max_iteration, r.float().map(|n| n as usize))
+        }),
+        word("precision", Kind::Float, "20", "more finds smaller things and takes longer")
+            .sets(|j, r| set(&mut j.precision, r.float().map(|n| n.clamp(1.0, MOST_PRECISE)))),
+        word(
+            "slice",
+            Kind::Vectors,
+            "<0, 0, 0, 1>, 0",
+            "a direction in four dimensions, and how far from the origin it is cut across that",
+        )
+        .sets(Self::read_slice),
+    ];
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        Ok(Self::new(read_four(r)?))
+    }
+
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader, _: &mut dyn Paints) -> Result<bool> {
+        let Next::Word(name) = next else { return Ok(false) };
+        if name == "pwr" {
+            let span = r.take()?;
+            let power = r.numbers_in_parentheses(2)?;
+            finite(span, &[], &power)?;
+            self.function = Function::Pwr(power[0], power[1]);
+            return Ok(true);
+        }
+        match WORDS.iter().find(|(word, _)| *word == name) {
+            Some((_, function)) => {
+                r.take()?;
+                self.function = *function;
+                Ok(true)
+            }
+            None => read_row(Self::WORDS, self, next, r),
+        }
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        if self.algebra == Algebra::Quaternion && !matches!(self.function, Function::Sqr | Function::Cube) {
+            let message = "quaternions know only `sqr` and `cube`";
+            let help = "write `hypercomplex` before the function";
+            return Err(Diagnostic::new(codes::BAD_ARGUMENT, span, message).help(help).into());
+        }
+        if self.rounds() == 0 {
+            let message = "a `julia_fractal` with `max_iteration` less than 2 has no surface";
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, message));
+        }
+        Ok(())
+    }
+}
+
+/// Four numbers; one stands for all, and zeros for those that miss.
+fn read_four(r: &mut dyn Reader) -> Result<Four> {
+    let (value, span) = r.value()?;
+    let four = match value {
+        Value::Float(x) => [x; 4],
+        Value::Vector(v) if v.len <= 4 => std::array::from_fn(|i| if i < usize::from(v.len) { v.c[i] } else { 0.0 }),
+        other => {
+            let message = format!("expected a vector of four numbers, found {}", other.describe());
+            return Diagnostic::err(codes::WRONG_TYPE, span, message);
+        }
+    };
+    finite(span, &[], &four)?;
+    Ok(four)
+}
+
+impl JuliaFractal {
+    fn read_slice(&mut self, r: &mut dyn Reader) -> Result<()> {
+        let span = r.span();
+        let (slice, distance) = (read_four(r)?, r.float()?);
+        finite(span, &[], &[distance])?;
+        let length = slice.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let unit = slice.map(|x| x / length);
+        if unit[3].is_nan() || unit[3].abs() <= 1e-9 {
+            let message = "the fourth number of this `slice` is 0: such a slice can't be laid into space";
+            return Diagnostic::err(codes::BAD_ARGUMENT, span, message);
+        }
+        (self.slice, self.distance) = (unit, distance);
+        Ok(())
+    }
+}
+
+impl Kernel for JuliaFractal {
+    fn bounds(&self) -> Aabb {
+        if self.rounds() == 0 {
+            Aabb::EMPTY
+        } else {
+            Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.radius() * (1.0 + 2e-6))
+        }
+    }
+
+    fn extent(&self, m: &Transform) -> Aabb {
+        moved_box(m, &Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.radius()))
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.search(ray, range, &mut |t| {
+            out.push(Hit::at(t));
+            false
+        });
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut first = None;
+        self.search(ray, range, &mut |t| {
+            first = Some(Hit::at(t));
+            true
+        });
+        first
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        p.length() <= self.radius() && self.holds(p, &mut Trail::new())
+    }
+
+    /// The direction in which h grows fastest after the last round; so in POV-Ray 3.7, but for functions other than `sqr` and `cube`,
+    /// where its directions do not belong to the surface. There it is the round that leads out.
+    fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
+        let rounds = if self.rule().is_proved() { self.rounds() + 1 } else { self.last_round(p) };
+        let n = self.gradient(p, rounds);
+        let n = if n.is_finite() && n != DVec3::ZERO { n } else { self.gradient(p, 0) };
+        if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }
+    }
+
+    /// POV-Ray has no mapping for it.
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        p.truncate()
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::testing::{all, read};
+
+    /// `trace()` of POV-Ray 3.7 from (-5, y, z) along x: where first, and the normal.
+    fn traced(text: &str, y: f64, z: f64, x: f64, normal: [f64; 3]) {
+        let fractal = read::<JuliaFractal>(text).0.unwrap();
+        let ray = Ray::new(DVec3::new(-5.0, y, z), DVec3::X);
+        let hit = fractal.closest(&ray, Range::FORWARD).unwrap();
+        let n = fractal.normal(ray.at(hit.t), &hit).normalize();
+        assert!((ray.at(hit.t).x - x).abs() < 3e-7 && n.distance(normal.into()) < 3e-5, "{text} {hit:?} {n}");
+    }
+
+    const C: &str = "<-0.083,0.0,-0.83,-0.025>";
+
+    #[test]
+    fn as_pov_ray_traces() {
+        let slice = "slice <.2,.3,.4,1> 0.2";
+        traced(
+            &format!("{C} quaternion sqr max_iteration 8"),
+            0.1,
+            0.2,
+            -0.367282507,
+            [-0.749882, -0.016865, 0.661357],
+        );
+        traced(&format!("{C} cube max_iteration 8"), 0.1, 0.2, -0.842641290, [-0.877058, -0.421655, -0.230166]);
+        traced(&format!("{C} hypercomplex max_iteration 8"), 0.1, 0.2, -0.362928556, [-0.989031, -0.104070, -0.104817]);
+        traced(&format!("{C} max_iteration 8 {slice}"), 0.1, 0.2, -0.3860056, [-0.97510, -0.12615, 0.18237]);
+        traced(&format!("{C} cube max_iteration 8 {slice}"), 0.1, 0.2, -0.7559081, [-0.48684, 0.00245, -0.87349]);
+        let sphere = "hypercomplex sqr max_iteration 3";
+        traced(&format!("<-0.083,0.1,-0.83,-0.025> {sphere}"), 0.1, 0.3, -1.084363418, [-0.821592, 0.073122, 0.565367]);
+    }
+
+    #[test]
+    fn all_hits_as_pov_ray_finds_them() {
+        let fractal = read::<JuliaFractal>(&format!("{C} max_iteration 8 precision 1000")).0.unwrap();
+        let ray = Ray::new(DVec3::new(0.1, -5.0, 0.2), DVec3::Y * 2.0);
+        let want = [0.962490147, 0.839721512, 0.802569119, 0.653626900, 0.493652024];
+        let want: Vec<f64> = want.iter().map(|y| -y).chain(want.iter().rev().copied()).collect();
+        let hits = all(&fractal, &ray);
+        assert!(hits.len() == want.len(), "{hits:?}");
+        for (hit, y) in hits.iter().zip(want) {
+            assert!((ray.at(hit.t).y - y).abs() < 2e-7, "{hit:?} {y}");
+        }
+    }
+
+    #[test]
+    fn steps_never_pass_the_surface() {
+        for text in [
+            C,
+            "<0.2,0.1,0.59,-0.2> hypercomplex",
+            "<-0.03,0.5,-0.2,-0.5> cube",
+            "<-0.1,0.1,0.7,0.1> slice <.5,0,.4,1> 0.1",
+        ] {
+            let fractal = read::<JuliaFractal>(&format!("{text} max_iteration 9")).0.unwrap();
+            let mut trail = Trail::new();
+            for k in 0..400 {
+                let at = |m: usize| (k * m % 101) as f64 / 50.0 - 1.0;
+                let p = DVec3::new(at(13), at(29), at(43));
+                let (inside, clearance) = fractal.look(p, &mut trail);
+                for j in 0..20 {
+                    let around = |m: usize| (j * m % 37) as f64 / 18.0 - 1.0;
+                    let q = p + DVec3::new(around(5), around(7), around(11)).normalize() * clearance * 0.999;
+                    assert_eq!(fractal.holds(q, &mut trail), inside, "{text} {p} {q} {clearance}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn extents_and_reading() {
+        let extent = |text: &str| read::<JuliaFractal>(text).0.unwrap().extent(&Transform::IDENTITY).max.x;
+        assert!((extent(C) - 1.834514).abs() < 1e-6 && extent(&format!("{C} hypercomplex exp")) == 4.0);
+        assert!((extent("0.1") - 1.2).abs() < 1e-12 && (extent("<0.3,0.4,0>") - 1.5).abs() < 1e-12);
+        let code = |text: &str| read::<JuliaFractal>(text).0.unwrap_err().code;
+        assert_eq!(code("0 slice <1,0,0,0> 0"), codes::BAD_ARGUMENT);
+        assert_eq!(code("0 slice <0,0,0,0> 0"), codes::BAD_ARGUMENT);
+        assert_eq!(code("0 exp"), codes::BAD_ARGUMENT);
+        assert_eq!(code("NaN"), codes::NOT_FINITE);
+        assert_eq!(code("0 hypercomplex pwr <1,inf>"), codes::NOT_FINITE);
+        assert_eq!(read::<JuliaFractal>("0 max_iteration -1").1[0].code, codes::NO_SURFACE);
+        let huge = read::<JuliaFractal>("<1e200,0,0,0> max_iteration 1e9 precision 1e99").0.unwrap();
+        assert!(all(&huge, &Ray::new(DVec3::NEG_X * 1e3, DVec3::X)).len() < 9);
+        let flat = read::<JuliaFractal>("0 hypercomplex pwr <2,1>").0.unwrap();
+        assert_eq!(flat.function, Function::Pwr(2.0, 1.0));
+    }
+}
