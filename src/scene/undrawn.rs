@@ -50,7 +50,6 @@ fn about(word: &str, said: &[RawItem]) -> Aabb {
         });
     }
     match word {
-        "height_field" => Aabb { min: DVec3::ZERO, max: DVec3::ONE },
         "bicubic_patch" | "sphere_sweep" if count > 1 => all,
         _ => Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE },
     }

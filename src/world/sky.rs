@@ -56,18 +56,17 @@ impl Sky {
     pub fn toward(&self, dir: DVec3, quick: bool, noise: NoiseGenerator, waves: usize) -> Veil {
         let Color { rgb, transmit, .. } = self.background;
         // (What a background filters is of its own colour, which is not behind the picture.)
-        let behind = Veil {
-            adds: rgb * (1.0 - transmit),
-            passes: Rgb::splat(transmit) + self.background.filter * rgb,
-        };
+        let behind = Veil { adds: rgb * (1.0 - transmit), passes: Rgb::splat(transmit) + self.background.filter * rgb };
         if self.layers.is_empty() {
             return behind;
         }
         let p = self.place.inverse_point(dir);
         let ctx = TextureContext { waves, world: dir, ray: dir, normal: DVec3::ZERO, ..TextureContext::free(p, noise) };
-        let colors = self.layers.iter().rev().map(|layer| match layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color) {
-            LayerColor::Solid(color) => *color,
-            LayerColor::PigmentProgram(pigment) => pigment.at(&ctx),
+        let colors = self.layers.iter().rev().map(|layer| {
+            match layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color) {
+                LayerColor::Solid(color) => *color,
+                LayerColor::PigmentProgram(pigment) => pigment.at(&ctx),
+            }
         });
         if self.by_share { self.by_share(colors, behind) } else { self.layered(colors, behind) }
     }
@@ -102,8 +101,7 @@ mod tests {
 
     fn seen(by_share: bool) -> Rgb {
         let color = |rgb, filter| Color { rgb: Rgb::from_array(rgb), filter, transmit: 0.2 };
-        let pigments =
-            vec![Pigment::solid(color([0.3, 0.6, 0.9], 0.3)), Pigment::solid(color([0.5, 1.0, 0.2], 0.5))];
+        let pigments = vec![Pigment::solid(color([0.3, 0.6, 0.9], 0.3)), Pigment::solid(color([0.5, 1.0, 0.2], 0.5))];
         let mut scene = Scene {
             background: Some(Color::opaque(Rgb::new(1.0, 0.8, 0.6))),
             sky_sphere: Some(SkySphere { pigments, ..SkySphere::default() }),

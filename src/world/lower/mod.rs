@@ -8,9 +8,7 @@ mod views;
 
 use super::geometry::Heap;
 use super::leaf::place;
-use super::{
-    Geometry, Leaf, LightSource, Material, ObjectInfo, Part, PlacedMaterial, RarePart, Sky, SolidNode, World,
-};
+use super::{Geometry, Leaf, LightSource, Material, ObjectInfo, Part, PlacedMaterial, RarePart, Sky, SolidNode, World};
 use crate::color::Gamma;
 use crate::color::Rgb;
 use crate::diagnostic::Result;
