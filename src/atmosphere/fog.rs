@@ -157,10 +157,9 @@ impl Fog {
 
 /// All fogs in one: each by itself adds its colour, and takes from what lies behind (measured on POV-Ray 3.7).
 pub fn veil_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Veil {
-    fogs.iter().map(|fog| fog.veil(ray, length, noise)).fold(Veil::NONE, |all, one| Veil {
-        adds: all.adds + one.adds,
-        passes: all.passes * one.passes,
-    })
+    fogs.iter()
+        .map(|fog| fog.veil(ray, length, noise))
+        .fold(Veil::NONE, |all, one| Veil { adds: all.adds + one.adds, passes: all.passes * one.passes })
 }
 
 #[cfg(test)]

@@ -80,7 +80,12 @@ const RAINBOW_ROWS: &[Row<Rainbow>] = &[
 ];
 
 const RAINBOW_PARTS: &[WordSpec] = &[
-    word("color_map", Block, "", "the colours from the inner edge, 0, to the outer, 1; `transmit` leaves so much clear"),
+    word(
+        "color_map",
+        Block,
+        "",
+        "the colours from the inner edge, 0, to the outer, 1; `transmit` leaves so much clear",
+    ),
     word("colour_map", Block, "", "the same"),
 ];
 
@@ -229,11 +234,7 @@ mod tests {
         close(seen(&[bow(color(0.0, 0.0))], 0.0, plane), [0.41154, 0.42644, 0.50745]);
         close(seen(&[bow(color(0.3, 0.0))], 0.0, plane), [0.36485, 0.40894, 0.50162]);
         close(seen(&[bow(color(0.3, 0.5))], 0.0, plane), [0.54, 0.4275, 0.4175]);
-        let arc = Rainbow {
-            arc_angle: 120f64.to_radians(),
-            falloff_angle: 30f64.to_radians(),
-            ..bow(color(0.3, 0.5))
-        };
+        let arc = Rainbow { arc_angle: 120f64.to_radians(), falloff_angle: 30f64.to_radians(), ..bow(color(0.3, 0.5)) };
         close(seen(std::slice::from_ref(&arc), 30.0, plane), [0.64774, 0.44197, 0.37263]);
         let near = Rainbow { distance: 30.0, ..bow(color(0.0, 0.0)) };
         close(seen(&[bow(color(0.0, 0.0)), near], 0.0, plane), [0.37366, 0.42171, 0.52403]);

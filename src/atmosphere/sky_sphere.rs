@@ -42,7 +42,12 @@ pub const SKY_SPHERE: Vocabulary = Vocabulary {
     block: "sky_sphere",
     summary: "the sky: pigments that see directions, points at a distance of 1 from the origin, in place of places",
     words: &[
-        word("pigment", Block, "", "the sky; of several, each lies over those before it, and shows them where it is clear"),
+        word(
+            "pigment",
+            Block,
+            "",
+            "the sky; of several, each lies over those before it, and shows them where it is clear",
+        ),
         word("emission", Color, "1", "a factor of its light, one number or one for each channel"),
     ],
     moves: true,
@@ -88,7 +93,11 @@ impl SkySphere {
             }
         }
         if sky.pigments.is_empty() {
-            r.report(Diagnostic::new(codes::EMPTY_BLOCK, source, "this `sky_sphere` holds no `pigment`: it shows nothing"));
+            r.report(Diagnostic::new(
+                codes::EMPTY_BLOCK,
+                source,
+                "this `sky_sphere` holds no `pigment`: it shows nothing",
+            ));
         }
         Ok(sky)
     }

@@ -32,8 +32,13 @@ impl Default for FocalBlur {
 
 /// How its words are read.
 pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
-    word("aperture", Float, "0", "with `blur_samples`, how much is blurred that is not in focus: four times the lens's radius")
-        .sets(|s, r| set(&mut s.blur.aperture, r.float())),
+    word(
+        "aperture",
+        Float,
+        "0",
+        "with `blur_samples`, how much is blurred that is not in focus: four times the lens's radius",
+    )
+    .sets(|s, r| set(&mut s.blur.aperture, r.float())),
     word("focal_point", Vector, "<0, 0, 0>", "what is in focus, and all that lies as far ahead")
         .sets(|s, r| set(&mut s.blur.focal_point, r.vector())),
     word("blur_samples", Float, "0", "how many rays a pixel, or two numbers: at least and at most; 0 blurs nothing")
@@ -54,7 +59,10 @@ impl FocalBlur {
         let second = r.optional_float()?;
         let (least, most) = second.map_or((0.0, first), |second| (first.min(second), first.max(second)));
         if !(0.0..=MOST).contains(&least) || !(0.0..=MOST).contains(&most) {
-            let message = format!("`blur_samples` takes 0 to {MOST} rays a pixel, found {}", if least < 0.0 { least } else { most });
+            let message = format!(
+                "`blur_samples` takes 0 to {MOST} rays a pixel, found {}",
+                if least < 0.0 { least } else { most }
+            );
             return Err(Diagnostic::new(codes::BAD_CAMERA, at, message).help("20 is a draft, 200 is smooth").into());
         }
         self.samples = [least as u32, most as u32];
@@ -110,11 +118,8 @@ fn on_disc(place: DVec2) -> DVec2 {
     if p == DVec2::ZERO {
         return p;
     }
-    let (r, angle) = if p.x.abs() > p.y.abs() {
-        (p.x, FRAC_PI_4 * (p.y / p.x))
-    } else {
-        (p.y, FRAC_PI_2 - FRAC_PI_4 * (p.x / p.y))
-    };
+    let (r, angle) =
+        if p.x.abs() > p.y.abs() { (p.x, FRAC_PI_4 * (p.y / p.x)) } else { (p.y, FRAC_PI_2 - FRAC_PI_4 * (p.x / p.y)) };
     let (sin, cos) = fp::sin_cos(angle);
     DVec2::new(cos, sin) * r
 }

@@ -1,7 +1,7 @@
 //! The words of the cameras: what the readers obey and the manual lists.
 
-use super::lecture::{LectureCamera, read_field_of_view};
 use super::focal_blur::BLUR_ROWS;
+use super::lecture::{LectureCamera, read_field_of_view};
 use super::povray::{Kind, PovrayCamera};
 use crate::value::Kind::{Float, Nothing, Vector};
 use crate::value::Vocabulary;
@@ -24,8 +24,13 @@ pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
     word("sky", Vector, "<0, 1, 0>", "which way `look_at` keeps upright").sets(|s, r| set(&mut s.sky, r.vector())),
     word("look_at", Vector, "", "the point in the middle of the picture")
         .sets(|s, r| set(&mut s.look_at, r.vector().map(Some))),
-    word("angle", Float, "", "how much is seen from left to right, in degrees; and of a `spherical` camera, from bottom to top")
-        .sets(PovrayCamera::read_angle),
+    word(
+        "angle",
+        Float,
+        "",
+        "how much is seen from left to right, in degrees; and of a `spherical` camera, from bottom to top",
+    )
+    .sets(PovrayCamera::read_angle),
     word("perspective", Nothing, "", "rays from one point through a flat window: this kind of camera it is anyway")
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Perspective))),
     word("orthographic", Nothing, "", "parallel rays: nothing gets smaller with the distance")
@@ -38,8 +43,13 @@ pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Omnimax))),
     word("panoramic", Nothing, "", "half a turn on a cylinder; takes no `angle`")
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Panoramic))),
-    word("cylinder", Float, "", "on a cylinder, upright (1, 3) or lying (2, 4); with types 3 and 4 the eye moves along it")
-        .sets(PovrayCamera::read_cylinder),
+    word(
+        "cylinder",
+        Float,
+        "",
+        "on a cylinder, upright (1, 3) or lying (2, 4); with types 3 and 4 the eye moves along it",
+    )
+    .sets(PovrayCamera::read_cylinder),
     word("spherical", Nothing, "", "longitude and latitude; `angle` takes two numbers, 360 and 180 if none is said")
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Spherical))),
 ];
@@ -51,12 +61,7 @@ pub const POVRAY: Vocabulary = Vocabulary {
     words: &joined::<{ POVRAY_ROWS.len() + BLUR_ROWS.len() }>(specs!(POVRAY_ROWS), specs!(BLUR_ROWS)),
     moves: true,
     idle: &[],
-    not_drawn: &[
-        "mesh_camera",
-        "normal",
-        "bokeh",
-        "smooth",
-    ],
+    not_drawn: &["mesh_camera", "normal", "bokeh", "smooth"],
 };
 
 /// How [`LECTURE`]'s words are read.

@@ -17,17 +17,8 @@ use crate::value::{Next, Reader, Thing, Value, given};
 use std::sync::Arc;
 
 /// Blocks that may be declared, and whose kind is not read yet.
-const LATER: &[&str] = &[
-    "media",
-    "density",
-    "density_map",
-    "warp",
-    "radiosity",
-    "photons",
-    "pattern",
-    "array",
-    "texture_list",
-];
+const LATER: &[&str] =
+    &["media", "density", "density_map", "warp", "radiosity", "photons", "pattern", "array", "texture_list"];
 
 impl<'a> Interpreter<'a> {
     /// The next complete value. No directive and no macro behind it runs.

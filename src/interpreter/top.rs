@@ -90,7 +90,8 @@ impl Interpreter<'_> {
             self.scene.undrawn.push(said);
             return Ok(());
         }
-        const OTHERS: [&str; 7] = ["camera", "background", "sky_sphere", "fog", "rainbow", "global_settings", "default"];
+        const OTHERS: [&str; 7] =
+            ["camera", "background", "sky_sphere", "fog", "rainbow", "global_settings", "default"];
         if !OTHERS.contains(&word) {
             return Err(self.stray_block(word).into());
         }

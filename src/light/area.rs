@@ -44,8 +44,13 @@ impl Default for Area {
 
 /// How the words of an area are read.
 pub(super) const AREA_ROWS: &[Row<Light>] = &[
-    word("area_light", Vector, "", "two sides and how many lights stand along each: `4*x, 4*z, 5, 5`; it casts soft shadows")
-        .sets(Light::read_area),
+    word(
+        "area_light",
+        Vector,
+        "",
+        "two sides and how many lights stand along each: `4*x, 4*z, 5, 5`; it casts soft shadows",
+    )
+    .sets(Light::read_area),
     word("adaptive", Float, "", "asks only corners where they agree, after so many halvings; 1 is mostly enough")
         .sets(|s, r| set(&mut s.area.adaptive, r.float().map(|level| Some(level.clamp(0.0, 64.0) as u32)))),
     word("jitter", Nothing, "", "moves the lights at random: grain in place of steps")

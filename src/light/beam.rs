@@ -48,8 +48,13 @@ impl Beam {
 pub(super) const BEAM_ROWS: &[Row<Light>] = &[
     word("spotlight", Nothing, "", "it shines into a cone").sets(|s, _| set(&mut s.beam, Ok(Beam::SPOTLIGHT))),
     word("cylinder", Nothing, "", "it shines along a tube").sets(|s, _| set(&mut s.beam, Ok(Beam::CYLINDER))),
-    word("radius", Float, "30 or 0.75", "behind `spotlight` or `cylinder`: within it, it is as bright as in the middle")
-        .sets(|s, r| s.read_edge("radius", r, |edge| &mut edge.radius)),
+    word(
+        "radius",
+        Float,
+        "30 or 0.75",
+        "behind `spotlight` or `cylinder`: within it, it is as bright as in the middle",
+    )
+    .sets(|s, r| s.read_edge("radius", r, |edge| &mut edge.radius)),
     word("falloff", Float, "45 or 1", "behind `spotlight` or `cylinder`: from here on it is dark")
         .sets(|s, r| s.read_edge("falloff", r, |edge| &mut edge.falloff)),
     word("tightness", Float, "0", "behind `spotlight` or `cylinder`: how fast it fades from the middle on")

@@ -27,7 +27,12 @@ pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
 
 /// What holds an object; the scene reads it.
 const LIGHT_PARTS: &[WordSpec] = &[
-    word("looks_like", Block, "", "an object that is seen at its place and casts no shadow; that lies about the origin"),
+    word(
+        "looks_like",
+        Block,
+        "",
+        "an object that is seen at its place and casts no shadow; that lies about the origin",
+    ),
     word("projected_through", Block, "", "an object: only what passes it shines, and nothing before it is in the way"),
 ];
 

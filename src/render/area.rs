@@ -52,7 +52,8 @@ impl Tracer<'_> {
     fn piece(&mut self, shadow: &mut Shadow, low: [u32; 2], high: [u32; 2], level: u32) -> Rgb {
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.one(shadow, cell));
         let single = (0..2).all(|i| high[i] - low[i] <= 1);
-        let settled = shadow.area.adaptive.is_some_and(|least| level >= least) && agree(&corners, shadow.arriving.light);
+        let settled =
+            shadow.area.adaptive.is_some_and(|least| level >= least) && agree(&corners, shadow.arriving.light);
         if single || settled || self.stopped() {
             return corners.iter().sum::<Rgb>() * 0.25;
         }

@@ -6,7 +6,8 @@ use crate::camera::Lens;
 use crate::math::{DVec2, rng};
 
 /// Steps of the row of points that fills a square, and a lens, most evenly: powers of 1/φ, where φ⁵ = φ + 1 (Roberts 2018, "R4").
-const STEPS: [f64; 4] = [0.856_674_883_854_502_9, 0.733_891_856_627_126, 0.628_706_721_038_087_1, 0.538_597_257_223_610_2];
+const STEPS: [f64; 4] =
+    [0.856_674_883_854_502_9, 0.733_891_856_627_126, 0.628_706_721_038_087_1, 0.538_597_257_223_610_2];
 /// It is asked again whether a pixel is exact enough after so many rays.
 const ASK_EVERY: u32 = 4;
 

@@ -5,8 +5,8 @@ use super::refract::Interiors;
 use super::shading_point::{ShadedLayer, ShadingPoint};
 use super::trace::Tracer;
 use crate::color::Rgb;
-use crate::math::{DVec3, fp};
 use crate::light::Arriving;
+use crate::math::{DVec3, fp};
 use crate::world::{Layer, LightSource, Lobe};
 use std::f64::consts::FRAC_PI_2;
 

@@ -11,7 +11,13 @@ use std::ops::ControlFlow;
 
 impl Tracer<'_> {
     /// The part of the light that comes through to a point, in shadows that are soft or hard.
-    pub(super) fn reaching(&mut self, light: &LightSource, point: DVec3, arriving: &Arriving, inside: &Interiors) -> Rgb {
+    pub(super) fn reaching(
+        &mut self,
+        light: &LightSource,
+        point: DVec3,
+        arriving: &Arriving,
+        inside: &Interiors,
+    ) -> Rgb {
         match &light.lamp.area {
             Some(area) => self.from_area(light, area, point, arriving, inside),
             None => self.unshadowed(light, point, arriving, inside),

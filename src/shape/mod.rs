@@ -8,10 +8,13 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod extent;
+mod formula;
 mod frustum;
 mod height_field;
+mod isosurface;
 mod lathe;
 mod mesh;
+mod parametric;
 mod plane;
 mod polygon;
 mod prism;
@@ -35,10 +38,13 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use extent::{HUGE, moved_box};
+pub use formula::{Container, Formula};
 pub use frustum::Frustum;
 pub use height_field::HeightField;
+pub use isosurface::Isosurface;
 pub use lathe::Lathe;
 pub use mesh::{Mesh, Mesh2, TriangleMesh};
+pub use parametric::Parametric;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
 pub use prism::Prism;
@@ -383,7 +389,7 @@ pub trait Readable: Sized + 'static {
 
 shapes! {
     Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob Quadric Cubic Quartic Poly
-    Polynomial Superellipsoid Lathe Sor Prism HeightField
+    Polynomial Superellipsoid Lathe Sor Prism HeightField Isosurface Parametric
 }
 
 /// An error unless all these are finite numbers.

@@ -272,8 +272,7 @@ impl Interpreter<'_> {
 
 /// Every word that some block takes, as far as a table tells what belongs behind it.
 fn kind_of(word: &str) -> Option<Kind> {
-    let tables =
-        [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
+    let tables = [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
     let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
 }
