@@ -1,8 +1,10 @@
 //! Properties of shapes, of what CSG makes of them, and of the hierarchy, over random scenes.
 #![allow(clippy::unwrap_used)]
 
+use durer::function::{Body, Function, Graph, Id, Operation, Program, numeric};
 use durer::math::{DVec2, DVec3, Range, Ray, Transform, fp, rng};
 use durer::shape::*;
+use durer::syntax::ast::Operator;
 use durer::world::{Geometry, Intersection, Intersections, Leaf, SolidNode};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
@@ -39,9 +41,10 @@ impl Dice {
     fn solid(&mut self) -> Shape {
         let (p, size) = (self.vector(1.0), self.between(0.2, 1.0));
         let q = p + self.vector(1.0) + DVec3::Y * 0.1;
-        match self.below(14) {
+        match self.below(15) {
             12 => self.sweep(),
             13 => Shape::from(Ovus::new(self.between(0.2, 1.0), self.between(0.0, 1.2))),
+            14 => self.isosurface(),
             6 => self.superellipsoid(),
             7 => self.lathe(),
             8 => self.sor(),
@@ -145,12 +148,63 @@ impl Dice {
         Shape::from(Quartic::new(4, terms))
     }
 
+    /// a·x² + b·y² + c·z² + d·sin(k·x)·sin(k·y) - 0.6 < 0, in a box or a ball.
+    fn isosurface(&mut self) -> Shape {
+        let (factors, k) = (DVec3::splat(1.1) + self.vector(0.5), self.between(0.0, 9.0));
+        let wave = self.between(0.0, 0.4);
+        let function = formula(|g, [x, y, z]| {
+            let squares = [(x, factors.x), (y, factors.y), (z, factors.z)].map(|(x, factor)| {
+                let square = two(g, Operator::Mul, x, x);
+                scaled(g, factor, square)
+            });
+            let waves = [x, y].map(|x| {
+                let x = scaled(g, k, x);
+                g.add(Operation::One(numeric::find("sin").unwrap(), x))
+            });
+            let waves = two(g, Operator::Mul, waves[0], waves[1]);
+            let waves = scaled(g, wave, waves);
+            squares.into_iter().fold(waves, |sum, square| two(g, Operator::Add, sum, square))
+        });
+        let container = match self.below(2) {
+            0 => Container::Box(Cuboid::new(DVec3::splat(-0.9), DVec3::new(1.0, 0.7, 0.9))),
+            _ => Container::Sphere(Sphere { center: DVec3::X * 0.1, radius: 0.9 }),
+        };
+        let mut surface = Isosurface::new(function);
+        (surface.threshold, surface.container) = (0.6, container);
+        (surface.accuracy, surface.max_trace) = (1e-6, u32::MAX);
+        Shape::from(surface)
+    }
+
+    fn height_field(&mut self) -> Shape {
+        let (width, depth) = (2 + self.below(20), 2 + self.below(20));
+        let heights = (0..width * depth).map(|_| (self.unit() * 65535.0) as u16).collect();
+        let water = [0.0, self.unit()][self.below(2)];
+        Shape::from(HeightField::new(width, heights, self.below(2) == 0, water))
+    }
+
+    /// <u, a·u·v + b·sin(k·u), v>
+    fn parametric(&mut self) -> Shape {
+        let (twist, wave, k) = (self.between(-0.5, 0.5), self.between(0.0, 0.4), self.between(1.0, 4.0));
+        let height = formula(|g, [u, v, _]| {
+            let product = two(g, Operator::Mul, u, v);
+            let product = scaled(g, twist, product);
+            let turned = scaled(g, k, u);
+            let sine = g.add(Operation::One(numeric::find("sin").unwrap(), turned));
+            let sine = scaled(g, wave, sine);
+            two(g, Operator::Add, product, sine)
+        });
+        let functions = [formula(|_, [u, _, _]| u), height, formula(|_, [_, v, _]| v)];
+        Shape::from(Parametric::new(functions, DVec2::new(-0.8, -0.9), DVec2::new(0.7, 1.0)))
+    }
+
     /// Any shape.
     fn shape(&mut self) -> Shape {
         let (p, q, r) = (self.vector(1.0), self.vector(1.0), self.vector(1.0));
         let flat = Triangle::new(p, q, r);
         match self.below(21) {
             11 => self.patch(),
+            12 => self.height_field(),
+            13 => self.parametric(),
             0 => Shape::from(Disc::new(p, q, 1.0, 0.3)),
             1 => Shape::from(Plane::new(q, self.between(-1.0, 1.0)).unwrap()),
             2 => Shape::from(flat),
@@ -255,6 +309,24 @@ fn is_flat_at(shape: &Shape, p: DVec3, n: DVec3, step: f64) -> bool {
     let around = [e1, -e1, e2, -e2, e1 + e2, e1 - e2].map(|e| p + e * (2.0 * step));
     let side = |q: &DVec3, sign: f64| shape.inside(*q + n * (sign * step));
     around.iter().all(|q| side(q, 1.0) == side(&around[0], 1.0) && side(q, -1.0) == side(&around[0], -1.0))
+}
+
+fn two(g: &mut Graph, op: Operator, a: Id, b: Id) -> Id {
+    g.add(Operation::Binary(op, a, b))
+}
+
+fn scaled(g: &mut Graph, factor: f64, x: Id) -> Id {
+    let factor = g.constant(factor);
+    two(g, Operator::Mul, factor, x)
+}
+
+/// A function of three numbers.
+fn formula(make: impl FnOnce(&mut Graph, [Id; 3]) -> Id) -> Formula {
+    let mut graph = Graph::default();
+    let parameters = [0, 1, 2].map(|i| graph.add(Operation::Parameter(i)));
+    graph.result = make(&mut graph, parameters);
+    let body = Body::Numeric(Program::new(graph, 3).unwrap());
+    Formula::new(Function { parameters: ["x", "y", "z"].map(Into::into).into(), body })
 }
 
 proptest! {

@@ -232,6 +232,12 @@ for you."
     NOT_FLAT "W0304" "the points of a polygon are not in one plane"
 "A `polygon` is flat: all its points lie in one plane, to 1e-10, and not all on one line. One that is not is left out, as
 POV-Ray does. Split it into triangles."
+    NOT_POSITIVE "W0310" "a number of a shape must be more than 0"
+"Some numbers mean something above 0 alone: `accuracy`, `max_gradient` and `max_trace` of an `isosurface`. For any other the usual number is
+taken, as POV-Ray does."
+    TOO_STEEP "W0311" "an isosurface is steeper than its `max_gradient` says"
+"POV-Ray searches for an isosurface by steps that `max_gradient` allows; where the function is steeper, it shows holes. durer bounds the
+function itself where it can and shows none, but a scene that shall look alike in both needs a `max_gradient` that is large enough."
     BLACK_PICTURE "W0400" "the picture is black all over"
 "Something is seen, but no light comes from it: the scene has no `light_source`, or the light stands inside of an object, or all that
 is seen is black. An object without a `pigment` is black.

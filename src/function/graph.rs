@@ -84,7 +84,7 @@ pub(super) fn operate(op: Operator, a: f64, b: f64) -> f64 {
 }
 
 /// The same for intervals; `same` says that both are one number.
-fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool) -> Interval {
+pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool) -> Interval {
     use Operator::*;
     let sure = |yes: bool, no: bool| match (yes, no) {
         (true, _) => Interval::point(1.0),
@@ -130,7 +130,7 @@ impl Callee {
         }
     }
 
-    fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {
+    pub(super) fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {
         match self {
             Callee::Sampler(sampler) => sampler.bounds(component, arguments),
             Callee::Function(function) => match &function.body {

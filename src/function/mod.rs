@@ -9,11 +9,13 @@ pub mod internal;
 mod interval;
 pub mod numeric;
 mod program;
+mod slope;
 mod spline;
 
 pub use graph::{Callee, Graph, Id, Operation};
 pub use interval::Interval;
 pub use program::Program;
+pub use slope::Slope;
 pub use spline::{Spline, SplineKind};
 
 use crate::value::Thing;

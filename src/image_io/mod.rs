@@ -21,4 +21,4 @@ pub use density::Voxels;
 pub use encode::{Encoding, encode};
 pub use format::Format;
 pub use frame::Frame;
-pub use picture::{Picture, Stored};
+pub use picture::{Picture, Stored, kept_gray};

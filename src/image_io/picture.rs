@@ -1,6 +1,7 @@
 //! A picture that a scene shows: its numbers, and what its file says of them beside.
 
 use super::{Decoded, Pixels, Samples, decode_bytes};
+use crate::color::GRAY_WEIGHTS;
 use crate::diagnostic::Result;
 use crate::diagnostic::file;
 use crate::source::ReadError;
@@ -58,6 +59,12 @@ impl Picture {
         let indices = indices.filter(|indices| indices.len() == pixels.width * pixels.height);
         Ok(Self { pixels, stored, indices, gray_bytes })
     }
+}
+
+/// What POV-Ray keeps of a gray in a png of grays: the lower byte, after the weights have made it less (measured on POV-Ray 3.7).
+pub fn kept_gray(gray: f32) -> f32 {
+    let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
+    (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
 }
 
 /// What a png's chunks say of its numbers, its palette's numbers, and whether it names a colour that is clear, which counts

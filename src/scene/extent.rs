@@ -66,7 +66,7 @@ fn outer_side(part: &Object, taken_away: bool) -> Aabb {
                 let normal = part.transform.normal(normal).normalize();
                 half_space(if inverse { -normal } else { normal }, point)
             }
-            _ if inverse => Aabb::INFINITE,
+            _ if inverse || shape.solid_bounds().is_some() => Aabb::INFINITE,
             _ => part.extent(),
         },
         _ if inverse => Aabb::INFINITE,

@@ -43,7 +43,6 @@ impl Object {
 /// A box about where the shape is.
 fn about(word: &str) -> Aabb {
     match word {
-        "height_field" => Aabb { min: DVec3::ZERO, max: DVec3::ONE },
         _ => Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE },
     }
 }

@@ -9,11 +9,15 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod extent;
+mod formula;
 mod frustum;
+mod height_field;
+mod isosurface;
 mod julia_fractal;
 mod lathe;
 mod mesh;
 mod ovus;
+mod parametric;
 mod plane;
 mod polygon;
 mod prism;
@@ -39,11 +43,15 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use extent::{HUGE, moved_box};
+pub use formula::{Container, Formula};
 pub use frustum::Frustum;
+pub use height_field::HeightField;
+pub use isosurface::Isosurface;
 pub use julia_fractal::{Algebra, Function, JuliaFractal};
 pub use lathe::Lathe;
 pub use mesh::{Mesh, Mesh2, TriangleMesh};
 pub use ovus::Ovus;
+pub use parametric::Parametric;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
 pub use prism::Prism;
@@ -182,6 +190,11 @@ pub trait Kernel {
     /// Appends every hit with `range.min < t < range.max`, in any order.
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
 
+    /// The same of a part of a CSG object, or of what is clipped, of which POV-Ray may know but the first few (measured on 3.7).
+    fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.hits(ray, range, out);
+    }
+
     /// The nearest hit in the range.
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
@@ -205,6 +218,12 @@ pub trait Kernel {
     /// Half-spaces that its surface and its inside lie in, if it has flat faces or round walls.
     fn half_spaces(&self) -> HalfSpaces {
         self.as_half_space().into_iter().collect()
+    }
+
+    /// The smallest box around its inside, of shapes whose inside reaches out of their bounds and is not cut to those in POV-Ray
+    /// either.
+    fn solid_bounds(&self) -> Option<Aabb> {
+        None
     }
 
     /// Does its inside reach out of its bounds?
@@ -276,11 +295,13 @@ macro_rules! shapes {
             fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => Kernel::bounds(&**s)),* } }
             fn bounds_under(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.bounds_under(m)),* } }
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
+            fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits_as_part(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn any(&self, ray: &Ray, range: Range) -> bool { match self { $(Shape::$name(s) => s.any(ray, range)),* } }
             fn extent(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.extent(m)),* } }
             fn as_half_space(&self) -> Option<HalfSpace> { match self { $(Shape::$name(s) => s.as_half_space()),* } }
             fn half_spaces(&self) -> HalfSpaces { match self { $(Shape::$name(s) => s.half_spaces()),* } }
+            fn solid_bounds(&self) -> Option<Aabb> { match self { $(Shape::$name(s) => s.solid_bounds()),* } }
             fn reaches_beyond(&self) -> bool { match self { $(Shape::$name(s) => s.reaches_beyond()),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
             fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
@@ -382,7 +403,7 @@ pub trait Readable: Sized + 'static {
 
 shapes! {
     Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob Quadric Cubic Quartic Poly
-    Polynomial Superellipsoid Lathe Sor Prism SphereSweep BicubicPatch JuliaFractal Ovus
+    Polynomial Superellipsoid Lathe Sor Prism HeightField Isosurface Parametric SphereSweep BicubicPatch JuliaFractal Ovus
 }
 
 /// An error unless all these are finite numbers.

@@ -143,7 +143,7 @@ impl<'a> Gathered<'a> {
             }
             _ => {
                 let mut all = Intersections::new();
-                child.hits(ray, self.range, &mut all);
+                child.hits_as(true, ray, self.range, &mut all);
                 self.hits.extend(all.into_iter().map(|found| (found, number)));
             }
         }

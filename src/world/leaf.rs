@@ -84,6 +84,11 @@ impl Leaf {
         self.shape.hits(&self.local(ray), range, out);
     }
 
+    /// The same where it is a part of others, or clipped.
+    pub(super) fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.shape.hits_as_part(&self.local(ray), range, out);
+    }
+
     pub(super) fn inside(&self, p: DVec3) -> bool {
         let local = self.place.as_ref().map_or(p, |m| m.inverse_point(p));
         !self.shape.is_patch() && self.shape.inside(local) != self.inverse
@@ -99,7 +104,11 @@ impl Leaf {
             _ if self.shape.is_patch() => Aabb::EMPTY,
             true => Aabb::INFINITE,
             false if self.shape.reaches_beyond() => Aabb::INFINITE,
-            false => surface,
+            false => match (self.shape.solid_bounds(), &self.place) {
+                (None, _) => surface,
+                (Some(solid), Some(m)) => loosened(m.aabb(&solid)),
+                (Some(solid), None) => loosened(solid),
+            },
         };
         (surface, solid)
     }

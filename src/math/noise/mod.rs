@@ -34,7 +34,17 @@ pub enum NoiseGenerator {
 }
 
 impl NoiseGenerator {
-    /// What `noise_generator` calls it.
+    /// No shorter than the gradient of [`noise`] anywhere: its longest ones, found by climbing from the steepest of a million
+    /// places, have 2.98, 1.46 and 1.58.
+    pub fn steepest(self) -> f64 {
+        match self.number() {
+            1 => 3.2,
+            2 => 1.6,
+            _ => 1.75,
+        }
+    }
+
+    /// Its number in scenes.
     pub fn number(self) -> u8 {
         match self {
             Self::Original => 1,

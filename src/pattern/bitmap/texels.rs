@@ -1,7 +1,7 @@
 //! The pixels of a picture in the numbers of the scene.
 
-use crate::color::{GRAY_WEIGHTS, Gamma};
-use crate::image_io::{Picture, Samples, Stored, spread};
+use crate::color::Gamma;
+use crate::image_io::{Picture, Samples, Stored, kept_gray, spread};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -73,12 +73,6 @@ impl Texels {
         .map(f64::from);
         if self.premultiplied && a != 0.0 { [r / a, g / a, b / a, a] } else { [r, g, b, a] }
     }
-}
-
-/// What POV-Ray keeps of a gray in a png of grays: the lower byte, after the weights have made it less (measured on POV-Ray 3.7).
-fn kept_gray(gray: f32) -> f32 {
-    let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
-    (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
 }
 
 /// From a file's numbers to those of a scene, whose colours relate to light by `scene`. `decodes` tells whether files that

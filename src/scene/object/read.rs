@@ -14,7 +14,7 @@ use crate::value::{Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
 
 /// Words of objects that are known but not drawn yet.
-pub const NOT_DRAWN: &[&str] = &["height_field", "isosurface", "parametric"];
+pub const NOT_DRAWN: &[&str] = &[];
 
 /// The word of a CSG block.
 fn csg_op(word: &str) -> Option<CsgOp> {

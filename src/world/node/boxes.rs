@@ -85,6 +85,7 @@ impl SolidNode {
         let around = match &self.kind {
             // (A plane's box is flat.)
             SolidKind::Leaf(_) if !bvh::fits(&surface) => Aabb::INFINITE,
+            SolidKind::Leaf(leaf) if leaf.shape.solid_bounds().is_some() => Aabb::INFINITE,
             SolidKind::Leaf(_) => surface,
             SolidKind::Union(c) | SolidKind::Merge(c) => c.iter().map(Self::reach).fold(Aabb::EMPTY, Aabb::union),
             SolidKind::Intersection(children) => {

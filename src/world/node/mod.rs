@@ -193,16 +193,25 @@ impl SolidNode {
 
     /// Appends every hit in the range, in no particular order.
     pub fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
+        self.hits_as(false, ray, range, out);
+    }
+
+    /// The same, of a part of others or not; see [`Kernel::hits_as_part`].
+    pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         let first = out.len();
         match &self.kind {
             SolidKind::Leaf(leaf) => {
                 let mut hits = Hits::new();
-                leaf.hits(ray, range, &mut hits);
+                if part || !self.is_whole() {
+                    leaf.hits_as_part(ray, range, &mut hits);
+                } else {
+                    leaf.hits(ray, range, &mut hits);
+                }
                 out.extend(hits.into_iter().map(|hit| Intersection { hit, leaf, object: self.object }));
             }
             SolidKind::Union(_) => {
                 self.each_child(ray, range, |_, child, range| {
-                    child.hits(ray, range, out);
+                    child.hits_as(part, ray, range, out);
                     range
                 });
                 out[first..].iter_mut().for_each(|found| found.object = self.object);

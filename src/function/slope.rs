@@ -1,0 +1,293 @@
+//! Bounds of a function and of its derivatives over a box: forward-mode differentiation in interval arithmetic (Moore, "Interval Analysis",
+//! 1966, chapter 11).
+
+use super::graph::{Callee, Graph, Operation, operator_bounds};
+use super::{Body, Function, Interval, numeric};
+use crate::math::noise::NoiseGenerator;
+use crate::math::{DVec3, fp};
+use crate::syntax::ast::Operator;
+use smallvec::SmallVec;
+use std::sync::atomic::Ordering;
+
+const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
+const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
+
+/// Where a value lies, and where its gradient does: in a box, or at most so far from one. Jumps have gradients without bounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slope {
+    /// The value.
+    pub value: Interval,
+    /// The box: derivatives by each of up to three parameters.
+    pub by: [Interval; 3],
+    /// How far from the box.
+    pub around: f64,
+}
+
+impl Slope {
+    /// A number.
+    pub fn constant(x: f64) -> Self {
+        Self::flat(Interval::point(x))
+    }
+
+    /// The parameter of this number, which lies in the interval.
+    pub fn parameter(i: usize, value: Interval) -> Self {
+        let mut by = [ZERO; 3];
+        if let Some(by) = by.get_mut(i) {
+            *by = ONE;
+        }
+        Self { value, by, around: 0.0 }
+    }
+
+    fn flat(value: Interval) -> Self {
+        Self { value, by: [ZERO; 3], around: 0.0 }
+    }
+
+    fn steep(value: Interval) -> Self {
+        Self { value, by: [Interval::ALL; 3], around: 0.0 }
+    }
+
+    /// Bounds of the derivative along a direction; infinite where nothing is known.
+    pub fn along(&self, d: DVec3) -> Interval {
+        let [x, y, z] = [0, 1, 2].map(|i| times(self.by[i], Interval::point(d[i])));
+        let sum = plus(plus(x, y), z);
+        let far = self.around * d.length();
+        Interval { lo: sum.lo - far, hi: sum.hi + far }
+    }
+
+    /// Does it not change at all?
+    fn is_flat(&self) -> bool {
+        self.by == [ZERO; 3] && self.around == 0.0
+    }
+
+    /// By the chain rule: of a function with this value, whose derivative by this one lies there.
+    fn chain(&self, value: Interval, derivative: Interval) -> Self {
+        let most = derivative.lo.abs().max(derivative.hi.abs());
+        let around = if self.around == 0.0 { 0.0 } else { self.around * most };
+        Self { value, by: self.by.map(|by| times(derivative, by)), around }
+    }
+
+    fn plus(&self, value: Interval, other: &Self, sign: f64) -> Self {
+        let by = |i: usize| plus(self.by[i], if sign < 0.0 { -other.by[i] } else { other.by[i] });
+        Self { value, by: [by(0), by(1), by(2)], around: self.around + other.around }
+    }
+
+    /// A function of two whose derivatives by each lie there.
+    fn both(value: Interval, a: &Self, by_a: Interval, b: &Self, by_b: Interval) -> Self {
+        a.chain(value, by_a).plus(value, &b.chain(value, by_b), 1.0)
+    }
+
+    fn hull(&self, other: &Self) -> Self {
+        let by = |i: usize| self.by[i].hull(other.by[i]);
+        Self { value: self.value.hull(other.value), by: [by(0), by(1), by(2)], around: self.around.max(other.around) }
+    }
+}
+
+/// The product, exactly 0 where one of them is.
+fn times(a: Interval, b: Interval) -> Interval {
+    if a == ZERO || b == ZERO { ZERO } else { a * b }
+}
+
+fn plus(a: Interval, b: Interval) -> Interval {
+    match () {
+        _ if a == ZERO => b,
+        _ if b == ZERO => a,
+        _ => a + b,
+    }
+}
+
+impl Graph {
+    /// Bounds of the result and its derivatives, while the parameters lie there. `room` is filled with those of all operations.
+    pub fn slope(&self, parameters: &[Slope], room: &mut Vec<Slope>) -> Slope {
+        room.clear();
+        for node in &self.nodes {
+            let slope = self.slope_of(node, parameters, room);
+            room.push(slope);
+        }
+        room.get(self.result as usize).copied().unwrap_or(Slope::steep(Interval::ALL))
+    }
+
+    fn slope_of(&self, node: &Operation, parameters: &[Slope], all: &[Slope]) -> Slope {
+        let at = |id: &u32| &all[*id as usize];
+        match node {
+            Operation::Constant(bits) => Slope::constant(f64::from_bits(*bits)),
+            Operation::Parameter(i) => parameters[*i as usize],
+            Operation::One(row, a) => of_one(&numeric::TABLE[*row as usize], at(a)),
+            Operation::Two(row, a, b) => of_two(&numeric::TABLE[*row as usize], at(a), at(b)),
+            Operation::Binary(op, a, b) => of_operator(*op, at(a), at(b), a == b),
+            Operation::Choice(condition, yes, no) => match at(condition).value {
+                c if !c.contains(0.0) => *at(yes),
+                c if c.lo == 0.0 && c.hi == 0.0 => *at(no),
+                _ => at(yes).hull(at(no)),
+            },
+            Operation::Call(callee, component, list) => {
+                let list: SmallVec<[Slope; 10]> = list.iter().map(|id| *at(id)).collect();
+                of_call(&self.callees[*callee as usize], *component as usize, &list)
+            }
+        }
+    }
+}
+
+impl Function {
+    /// Bounds of the number it gives, and of its derivatives, over a box of its parameters. `room` is for its own use.
+    pub fn slope(&self, parameters: &[Interval], room: &mut Vec<Slope>) -> Slope {
+        let list: SmallVec<[Slope; 4]> =
+            parameters.iter().enumerate().map(|(i, &value)| Slope::parameter(i, value)).collect();
+        match &self.body {
+            Body::Numeric(program) => program.graph().slope(&list, room),
+            Body::Sampled(sampler) => Slope::steep(sampler.bounds(0, parameters)),
+        }
+    }
+}
+
+fn of_operator(op: Operator, a: &Slope, b: &Slope, same: bool) -> Slope {
+    let value = operator_bounds(op, a.value, b.value, same);
+    match op {
+        Operator::Add => a.plus(value, b, 1.0),
+        Operator::Sub if same => Slope::constant(0.0),
+        Operator::Sub => a.plus(value, b, -1.0),
+        Operator::Mul if same => a.chain(value, a.value + a.value),
+        Operator::Mul => Slope::both(value, a, b.value, b, a.value),
+        Operator::Div if b.is_flat() => a.chain(value, b.value.recip()),
+        // (a/b)' = (a' - (a/b)·b') / b
+        Operator::Div => Slope::both(value, a, b.value.recip(), b, -times(value, b.value.recip())),
+        _ => Slope::flat(value),
+    }
+}
+
+/// A function of one number: its derivative over an interval.
+fn of_one(row: &numeric::Numeric, a: &Slope) -> Slope {
+    let value = (row.bounds)(a.value, a.value);
+    if a.is_flat() {
+        return Slope::flat(value);
+    }
+    let x = a.value;
+    let derivative = match row.name {
+        "abs" if x.lo >= 0.0 => ONE,
+        "abs" if x.hi <= 0.0 => -ONE,
+        "abs" => Interval { lo: -1.0, hi: 1.0 },
+        "sin" => x.cos(),
+        "cos" => -x.sin(),
+        "exp" => value,
+        "ln" if x.lo > 0.0 => x.recip(),
+        "log" if x.lo > 0.0 => x.recip() * Interval::point(std::f64::consts::LOG10_E),
+        "sqrt" if x.lo > 0.0 => Interval::point(0.5) * value.recip(),
+        // (Steep without end at 0.)
+        "sqrt" if x.hi > 0.0 => Interval { lo: 0.5 / x.hi.sqrt(), hi: f64::INFINITY }.widened(),
+        "sinh" => (numeric_bounds("cosh"))(x, x),
+        "cosh" => (numeric_bounds("sinh"))(x, x),
+        "tanh" => ONE + -value.square(),
+        "atan" => (ONE + x.square()).recip(),
+        "asinh" => (ONE + x.square()).growing(f64::sqrt).recip(),
+        "degrees" => Interval::point(1f64.to_degrees()),
+        "radians" => Interval::point(1f64.to_radians()),
+        // (A step inside is a jump.)
+        "floor" | "ceil" | "int" if value.lo == value.hi => ZERO,
+        _ => Interval::ALL,
+    };
+    a.chain(value, derivative)
+}
+
+fn numeric_bounds(name: &str) -> fn(Interval, Interval) -> Interval {
+    numeric::find(name).map_or(|_, _| Interval::ALL, |row| numeric::TABLE[row as usize].bounds)
+}
+
+/// A function of two numbers.
+fn of_two(row: &numeric::Numeric, a: &Slope, b: &Slope) -> Slope {
+    let value = (row.bounds)(a.value, b.value);
+    if a.is_flat() && b.is_flat() {
+        return Slope::flat(value);
+    }
+    let (x, y) = (a.value, b.value);
+    match row.name {
+        "max" if x.lo >= y.hi => *a,
+        "max" if y.lo >= x.hi => *b,
+        "min" if x.hi <= y.lo => *a,
+        "min" if y.hi <= x.lo => *b,
+        "max" | "min" => Slope { value, ..a.hull(b) },
+        "pow" if b.is_flat() && y.lo == y.hi => {
+            let less = Interval::point(y.lo - 1.0);
+            let power = if y.lo == 1.0 { ONE } else { (row.bounds)(x, less) };
+            a.chain(value, times(y, power))
+        }
+        // The angle of (y, x) turns by (y·dx - x·dy)/(x² + y²). Where it jumps by a full turn, what is made of it does not, mostly.
+        "atan2" => {
+            let over = (x.square() + y.square()).recip();
+            Slope::both(angle(x, y), a, times(y, over), b, -times(x, over))
+        }
+        "mod" if b.is_flat() && y.lo == y.hi && y.lo != 0.0 => {
+            let turns = [(x.lo / y.lo).trunc(), (x.hi / y.lo).trunc()];
+            let one_turn = turns[0] == turns[1] && (x.lo >= 0.0) == (x.hi >= 0.0);
+            let size = y.lo.abs();
+            if one_turn {
+                Slope { value: x + Interval::point(-turns[0] * y.lo), ..*a }
+            } else {
+                Slope::steep(Interval {
+                    lo: if x.lo < 0.0 { -size } else { 0.0 },
+                    hi: if x.hi > 0.0 { size } else { 0.0 },
+                })
+            }
+        }
+        _ => Slope::steep(value),
+    }
+}
+
+/// atan2 over a box.
+fn angle(y: Interval, x: Interval) -> Interval {
+    if y.contains(0.0) && x.lo <= 0.0 {
+        return Interval::new(-3.2, 3.2);
+    }
+    let corners = [(y.lo, x.lo), (y.lo, x.hi), (y.hi, x.lo), (y.hi, x.hi)];
+    let all = corners.map(|(y, x)| Interval::point(fp::atan2(y, x)));
+    all.into_iter().reduce(Interval::hull).unwrap_or(Interval::ALL).widened()
+}
+
+fn of_call(callee: &Callee, component: usize, list: &[Slope]) -> Slope {
+    let values: SmallVec<[Interval; 10]> = list.iter().map(|slope| slope.value).collect();
+    let noisy = matches!(callee, Callee::SceneNoise(_))
+        || matches!(callee, Callee::Internal(i) if i.number == 78 || i.number == 76);
+    if noisy && list.len() >= 3 {
+        return of_noise(callee, list, &values);
+    }
+    if let Callee::Function(function) = callee
+        && let Body::Numeric(program) = &function.body
+    {
+        return program.graph().slope(list, &mut vec![]);
+    }
+    let value = callee.bounds(component, &values);
+    if list.iter().all(Slope::is_flat) { Slope::flat(value) } else { Slope::steep(value) }
+}
+
+/// Noise changes at most so much from the middle of a box on.
+fn of_noise(callee: &Callee, list: &[Slope], values: &[Interval]) -> Slope {
+    let [a, b, c, ..] = list else { return Slope::steep(Interval::TRUTH) };
+    let generator = match (callee, values.get(3)) {
+        (Callee::SceneNoise(generator), _) => f64::from(generator.load(Ordering::Relaxed)),
+        (_, Some(generator)) => generator.lo,
+        _ => f64::from(NoiseGenerator::default().number()),
+    };
+    let steepest = NoiseGenerator::from_number(generator).steepest();
+    let middle: SmallVec<[f64; 4]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
+    let half = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
+    let near = callee.call(0, &middle);
+    let (lo, hi) = ((near - steepest * half).max(0.0), (near + steepest * half).min(1.0));
+    let value = if lo <= hi { Interval { lo, hi } } else { Interval::TRUTH };
+    let around = steepest * longest([a, b, c]);
+    if around.is_finite() { Slope { around, ..Slope::flat(value) } } else { Slope::steep(value) }
+}
+
+/// How much longer three numbers make a step of the parameters at most.
+fn longest(numbers: [&Slope; 3]) -> f64 {
+    let size = |i: &Interval| i.lo.abs().max(i.hi.abs());
+    let turns = numbers.iter().map(|n| n.around * n.around).sum::<f64>().sqrt();
+    let alone = |(i, n): (usize, &&Slope)| (0..3).all(|k| k == i || n.by[k] == ZERO);
+    let by = numbers.iter().enumerate().map(|(i, n)| size(&n.by[i]));
+    if numbers.iter().enumerate().all(alone) {
+        // Each of the parameters goes into its own number: the largest factor counts.
+        return by.fold(0.0, f64::max) + turns;
+    }
+    let all = numbers.iter().flat_map(|n| n.by.iter().map(|by| size(by).powi(2)));
+    all.sum::<f64>().sqrt() + turns
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,92 @@
+use super::*;
+use crate::function::{Id, numeric};
+use proptest::prelude::*;
+
+/// A recipe for one operation: which kind, and which operands.
+type Recipe = Vec<(u8, u32, u32, f64)>;
+
+fn graph(recipe: &Recipe) -> Graph {
+    let mut graph = Graph::default();
+    let mut ids: Vec<Id> = (0..3).map(|i| graph.add(Operation::Parameter(i))).collect();
+    let rows =
+        ["abs", "sin", "cos", "exp", "sqrt", "atan", "tanh", "max", "min", "atan2", "floor", "sinh", "asinh", "mod"];
+    for &(kind, a, b, x) in recipe {
+        let pick = |i: u32| ids[i as usize % ids.len()];
+        let (a, b) = (pick(a), pick(b));
+        let ops = [Operator::Add, Operator::Sub, Operator::Mul, Operator::Div];
+        let id = match kind % 20 {
+            0 => graph.constant(x),
+            k @ 1..=4 => graph.add(Operation::Binary(ops[k as usize - 1], a, b)),
+            5 => {
+                let power = graph.constant((x * 2.0).round());
+                graph.add(Operation::Two(numeric::find("pow").unwrap(), a, power))
+            }
+            k => {
+                let row = numeric::find(rows[k as usize - 6]).unwrap();
+                match numeric::TABLE[row as usize].kernel {
+                    numeric::Kernel::One(_) => graph.add(Operation::One(row, a)),
+                    _ => graph.add(Operation::Two(row, a, b)),
+                }
+            }
+        };
+        ids.push(id);
+    }
+    graph.result = ids[ids.len() - 1];
+    graph
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, max_global_rejects: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// What a function rises by between two points of a box is at most its slope times their distance.
+    #[test]
+    fn chords_lie_in_slopes(
+        recipe in prop::collection::vec((any::<u8>(), any::<u32>(), any::<u32>(), -2.0..2.0), 1..12),
+        corner in prop::array::uniform3(-2.0..2.0),
+        size in prop::array::uniform3(0.0..0.3),
+        inner in prop::array::uniform3(0.0..1.0),
+        other in prop::array::uniform3(0.0..1.0),
+    ) {
+        let graph = graph(&recipe);
+        let boxes = [0, 1, 2].map(|i| Interval::new(corner[i], corner[i] + size[i]));
+        let at = |s: [f64; 3]| [0, 1, 2].map(|i: usize| f64::min(corner[i] + s[i] * size[i], boxes[i].hi));
+        let (p, q) = (at(inner), at(other));
+        let value = |p: &[f64; 3]| crate::function::program::slow(&graph, p);
+        let list = [0, 1, 2].map(|i| Slope::parameter(i, boxes[i]));
+        let slope = graph.slope(&list, &mut vec![]);
+        let (a, b) = (value(&p), value(&q));
+        let d = DVec3::from_array(q) - DVec3::from_array(p);
+        let rise = slope.along(d);
+        prop_assume!(a.is_finite() && b.is_finite() && rise.lo.is_finite() && rise.hi.is_finite());
+        let every = (0..=8).all(|k| {
+            let r = (DVec3::from_array(p) + d * (f64::from(k) / 8.0)).to_array();
+            (0..graph.nodes.len() as Id).all(|id| {
+                let mut part = graph.clone();
+                part.result = id;
+                crate::function::program::slow(&part, &r).is_finite()
+            })
+        });
+        prop_assume!(every);
+        // (atan2 jumps by a full turn, and mostly what is made of it does not.)
+        let turns = graph.nodes.iter().any(|n| matches!(n, Operation::Two(row, ..) if numeric::TABLE[*row as usize].name == "atan2"));
+        prop_assume!(!turns);
+        let slack = 1e-9 * (1.0 + a.abs() + b.abs());
+        prop_assert!(slope.value.contains(a) && slope.value.contains(b));
+        prop_assert!(b - a >= rise.lo - slack && b - a <= rise.hi + slack, "{a} {b} {rise:?} {graph:?}");
+    }
+}
+
+#[test]
+fn noise_is_no_steeper_than_said() {
+    use crate::math::noise::noise;
+    for generator in [NoiseGenerator::Original, NoiseGenerator::RangeCorrected, NoiseGenerator::Perlin] {
+        let at = |k: usize, m: usize| (k * m % 99_991) as f64 / 999.91 - 50.0;
+        for k in 0..20_000 {
+            let (p, step) =
+                (DVec3::new(at(k, 7), at(k, 1009), at(k, 7919)), DVec3::new(at(k, 31), at(k, 13), at(k, 17)));
+            let q = p + step.normalize_or(DVec3::X) * 1e-3;
+            let rate = (noise(q, generator) - noise(p, generator)).abs() / 1e-3;
+            assert!(rate < generator.steepest(), "{generator:?} {p} {q}");
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! The functions that shapes are made of, and the container in which such shapes end.
+
+use super::{Cuboid, Kernel, Readable, Sphere};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::{Function, Gives, Interval, Slope};
+use crate::math::{Aabb, DVec3, Range, Ray};
+use crate::value::{Next, Reader, downcast};
+use serde::{Serialize, Serializer};
+use std::sync::Arc;
+
+/// A function that gives a number.
+#[derive(Clone, Debug)]
+pub struct Formula(Arc<Function>);
+
+impl PartialEq for Formula {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Serialize for Formula {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.parameters.iter())
+    }
+}
+
+impl Formula {
+    /// Of as many numbers as `names` names.
+    ///
+    /// # Errors
+    /// With the place of what else stands there.
+    pub fn read(r: &mut dyn Reader, names: &str) -> Result<Self> {
+        if !matches!(r.next()?, Next::Function | Next::Thing("function")) {
+            return Err(r.unexpected(&format!("`function {{ … }}` of {names}")).into());
+        }
+        let (thing, at) = r.take_thing()?;
+        let Some(function) = downcast::<Function>(&thing) else {
+            return Diagnostic::err(codes::WRONG_TYPE, at, format!("expected `function {{ … }}` of {names}"));
+        };
+        if function.gives() != Gives::Number {
+            return Diagnostic::new(codes::WRONG_TYPE, at, "this function does not give a number")
+                .help("declare it, and take a part of what it gives: `function { F(x, y, z).gray }`")
+                .into();
+        }
+        // (A function has the parameters x, y and z unless it names others; those of a surface call the first two u and v.)
+        match function.arity() {
+            3 => Ok(Self(function)),
+            n => {
+                let message = format!("this function shall have the parameters {names}; it takes {n} of its own");
+                Diagnostic::new(codes::WRONG_COUNT, at, message)
+                    .help("leave the parameters out: `function { … }`")
+                    .into()
+            }
+        }
+    }
+
+    /// For tests: of a function at hand, which takes three numbers.
+    pub fn new(function: Function) -> Self {
+        Self(Arc::new(function))
+    }
+
+    /// The value at a point.
+    pub fn at(&self, p: DVec3) -> f64 {
+        self.0.call(&[p.x, p.y, p.z])[0]
+    }
+
+    /// Bounds in a box; `room` is for its own use.
+    pub fn slope(&self, b: &Aabb, room: &mut Vec<Slope>) -> Slope {
+        let side = |axis: usize| Interval { lo: b.min[axis], hi: b.max[axis] };
+        self.0.slope(&[side(0), side(1), side(2)], room)
+    }
+}
+
+/// What a shape ends at that has no end by itself.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Container {
+    /// A `box`.
+    Box(Cuboid),
+    /// A `sphere`.
+    Sphere(Sphere),
+}
+
+impl Default for Container {
+    fn default() -> Self {
+        Self::Box(Cuboid::new(DVec3::NEG_ONE, DVec3::ONE))
+    }
+}
+
+impl Container {
+    /// Reads `{ box { … } }` or `{ sphere { … } }`, from the opening brace on.
+    ///
+    /// # Errors
+    /// With the place of what is not understood, and what was expected there.
+    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+        r.take()?;
+        let container = match r.next()? {
+            Next::Block("box") => {
+                r.take()?;
+                Self::Box(Cuboid::read(r)?)
+            }
+            Next::Block("sphere") => {
+                r.take()?;
+                Self::Sphere(Sphere::read(r)?)
+            }
+            _ => return Err(r.unexpected("`sphere { … }` or `box { … }`").into()),
+        };
+        r.leave()?;
+        r.leave()?;
+        Ok(container)
+    }
+
+    /// The box around it.
+    pub fn bounds(&self) -> Aabb {
+        match self {
+            Self::Box(b) => b.bounds(),
+            Self::Sphere(s) => s.bounds(),
+        }
+    }
+
+    /// Is the point in it?
+    pub fn contains(&self, p: DVec3) -> bool {
+        match self {
+            Self::Box(b) => b.bounds().contains(p),
+            Self::Sphere(s) => p.distance_squared(s.center) <= s.radius * s.radius,
+        }
+    }
+
+    /// From where to where a line is in it.
+    pub fn stretch(&self, ray: &Ray) -> Option<(f64, f64)> {
+        match self {
+            Self::Box(b) => b.bounds().slabs(ray, Range::ALL).filter(|(near, far)| near.is_finite() && far.is_finite()),
+            Self::Sphere(s) => {
+                let d2 = ray.dir.length_squared();
+                let middle = (s.center - ray.origin).dot(ray.dir) / d2;
+                let half = (s.radius * s.radius - ray.at(middle).distance_squared(s.center)) / d2;
+                (half >= 0.0).then(|| (middle - half.sqrt(), middle + half.sqrt()))
+            }
+        }
+    }
+
+    /// The outward normal at a point of its surface.
+    pub fn normal(&self, p: DVec3) -> DVec3 {
+        match self {
+            Self::Box(b) => {
+                // The face that the point is nearest to, measured by the size of the box.
+                let b = b.bounds();
+                let place = (p - b.center()) / b.size();
+                let axis =
+                    [0, 1, 2].into_iter().max_by(|&i, &j| place[i].abs().total_cmp(&place[j].abs())).unwrap_or(1);
+                DVec3::AXES[axis] * place[axis].signum()
+            }
+            Self::Sphere(s) => p - s.center,
+        }
+    }
+}
+
+/// A number above 0; for any other the usual one is taken, as in POV-Ray.
+pub fn positive(r: &mut dyn Reader, word: &str, usual: f64) -> Result<f64> {
+    let (at, x) = (r.span(), r.float()?);
+    if x > 0.0 {
+        return Ok(x);
+    }
+    let message = format!("`{word}` must be more than 0, found {x}: it is {usual}, as without it");
+    r.report(Diagnostic::new(codes::NOT_POSITIVE, at, message));
+    Ok(usual)
+}

@@ -1,0 +1,293 @@
+//! Heights in rows, and how a line passes them: a pyramid of least and largest heights tells what it passes over or under as a whole
+//! (Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", 2008).
+
+use crate::math::{DVec2, DVec3, Range, Ray};
+
+/// Heights of 1 are this many steps.
+pub const STEPS: f64 = 65536.0;
+/// Cells along a side of the smallest squares whose heights the pyramid knows.
+const BLOCK: usize = 4;
+
+/// Corners of cells in rows: x grows along a row, z from row to row.
+#[derive(Debug, PartialEq)]
+pub struct Grid {
+    /// Cells along x.
+    pub across: usize,
+    /// Cells along z.
+    pub deep: usize,
+    heights: Box<[u16]>,
+    pyramid: Vec<Level>,
+}
+
+/// Squares of one size.
+#[derive(Debug, PartialEq)]
+struct Level {
+    across: usize,
+    /// Cells along a square's side.
+    size: usize,
+    /// Least and largest height in each.
+    ranges: Box<[[u16; 2]]>,
+}
+
+/// A cell, and which of its triangles: the one at its lower or at its upper corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Along x.
+    pub i: usize,
+    /// Along z.
+    pub k: usize,
+    /// The triangle of the corners (1, 1), (1, 0) and (0, 1).
+    pub upper: bool,
+}
+
+/// A ray whose units are cells and steps of height, and where it is over or in the grid.
+struct Line<'v> {
+    o: DVec3,
+    d: DVec3,
+    inverse: DVec2,
+    /// In the grid's box.
+    near: f64,
+    far: f64,
+    /// Where hits count.
+    range: Range,
+    visit: &'v mut dyn FnMut(f64, Place) -> bool,
+}
+
+impl Grid {
+    /// Of rows with `width` heights each, two at least in each direction.
+    pub fn new(width: usize, heights: Vec<u16>) -> Self {
+        let (across, deep) = (width.max(2) - 1, (heights.len() / width.max(1)).max(2) - 1);
+        let mut grid = Self { across, deep, heights: heights.into(), pyramid: vec![] };
+        grid.pyramid.push(grid.blocks());
+        while let Some(level) = grid.pyramid.last().filter(|level| level.ranges.len() > 1) {
+            grid.pyramid.push(level.next());
+        }
+        grid
+    }
+
+    /// The height of a corner in steps.
+    pub fn at(&self, i: usize, k: usize) -> f64 {
+        f64::from(self.heights[k * (self.across + 1) + i])
+    }
+
+    /// The least and the largest height, in steps.
+    pub fn range(&self) -> [f64; 2] {
+        self.pyramid.last().map_or([0.0; 2], |level| level.ranges[0].map(f64::from))
+    }
+
+    fn blocks(&self) -> Level {
+        let (across, deep) = (self.across.div_ceil(BLOCK), self.deep.div_ceil(BLOCK));
+        let range = |place: usize| {
+            let (i, k) = (place % across * BLOCK, place / across * BLOCK);
+            let rows = (k..=(k + BLOCK).min(self.deep)).map(|k| k * (self.across + 1));
+            let all = rows.flat_map(|row| &self.heights[row + i..=row + (i + BLOCK).min(self.across)]);
+            all.fold([u16::MAX, 0], |[lo, hi], &h| [lo.min(h), hi.max(h)])
+        };
+        Level { across, size: BLOCK, ranges: (0..across * deep).map(range).collect() }
+    }
+
+    /// Heights over the corners of a cell: at (0, 0), (1, 0), (0, 1) and (1, 1).
+    pub fn corners(&self, i: usize, k: usize) -> [f64; 4] {
+        [self.at(i, k), self.at(i + 1, k), self.at(i, k + 1), self.at(i + 1, k + 1)]
+    }
+
+    /// The place under a point, in cells; those outside count to the nearest cell.
+    pub fn place(&self, x: f64, z: f64) -> (Place, DVec2) {
+        let (i, k) = ((x as usize).min(self.across - 1), (z as usize).min(self.deep - 1));
+        let rest = DVec2::new(x - i as f64, z - k as f64).clamp(DVec2::ZERO, DVec2::ONE);
+        (Place { i, k, upper: rest.x + rest.y > 1.0 }, rest)
+    }
+
+    /// The height of a triangle's plane there.
+    pub fn height(&self, place: Place, rest: DVec2) -> f64 {
+        let slope = self.slope(place);
+        let Place { i, k, upper } = place;
+        if upper { self.at(i + 1, k + 1) + slope.dot(rest - 1.0) } else { self.at(i, k) + slope.dot(rest) }
+    }
+
+    /// How much a triangle rises from cell to cell, along x and z.
+    pub fn slope(&self, place: Place) -> DVec2 {
+        let [h00, h10, h01, h11] = self.corners(place.i, place.k);
+        if place.upper { DVec2::new(h11 - h01, h11 - h10) } else { DVec2::new(h10 - h00, h01 - h00) }
+    }
+
+    /// Tells where a ray, given in cells and steps, meets the surface: ascending, until `visit` says that it has enough.
+    pub fn meet(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(f64, Place) -> bool) {
+        let (o, d) = (ray.origin, ray.dir);
+        let mut line =
+            Line { o, d, inverse: DVec2::new(1.0 / d.x, 1.0 / d.z), near: range.min, far: range.max, range, visit };
+        let Some(top) = self.pyramid.len().checked_sub(1) else { return };
+        let [lo, hi] = self.range();
+        let below = (lo - 1.0 - o.y) / d.y;
+        let above = (hi + 1.0 - o.y) / d.y;
+        let (mut near, mut far) = (below.min(above), below.max(above));
+        if d.y == 0.0 {
+            if o.y < lo - 1.0 || o.y > hi + 1.0 {
+                return;
+            }
+            (near, far) = (f64::NEG_INFINITY, f64::INFINITY);
+        }
+        let whole = self.under(&line, [0, 0], [self.across, self.deep]);
+        (line.near, line.far) = (near.max(whole.0), far.min(whole.1));
+        if line.near < line.far && line.near.is_finite() && line.far.is_finite() {
+            self.descend(top, 0, 0, &mut line);
+        }
+    }
+
+    /// Passes a square of a level; true if there is enough.
+    fn descend(&self, level: usize, a: usize, b: usize, line: &mut Line) -> bool {
+        let Level { across, size, ranges } = &self.pyramid[level];
+        let from = [a * size, b * size];
+        let to = [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)];
+        let (near, far) = self.under(line, from, to);
+        let (near, far) = (near.max(line.near).max(line.range.min), far.min(line.far).min(line.range.max));
+        let [lo, hi] = ranges[b * across + a].map(f64::from);
+        let (y0, y1) = (line.o.y + line.d.y * near, line.o.y + line.d.y * far);
+        // (A little more than that, because of rounding.)
+        if near > far || y0.min(y1) > hi + 1e-3 || y0.max(y1) < lo - 1e-3 {
+            return false;
+        }
+        if level == 0 {
+            return self.pass_cells(from, to, line);
+        }
+        let below = &self.pyramid[level - 1];
+        let (flip_x, flip_z) = (usize::from(line.d.x < 0.0), usize::from(line.d.z < 0.0));
+        // No line passes both of the middle ones.
+        [(0, 0), (1, 0), (0, 1), (1, 1)].into_iter().any(|(x, z)| {
+            let (a, b) = (2 * a + (x ^ flip_x), 2 * b + (z ^ flip_z));
+            a < below.across && b < below.ranges.len() / below.across && self.descend(level - 1, a, b, line)
+        })
+    }
+
+    /// Passes the cells of a block one by one. Whether the line is over or under the surface is asked where it crosses the cells' edges
+    /// and diagonals alone, and both sides of an edge get the same answer: nothing slips through between them.
+    fn pass_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> bool {
+        let (enter, leave) = self.under(line, from, to);
+        let (mut t, end) = (enter.max(line.near), leave.min(line.far));
+        let (x, z) = (line.o.x + line.d.x * t, line.o.z + line.d.z * t);
+        let mut i = (x.max(0.0) as usize).clamp(from[0], to[0] - 1);
+        let mut k = (z.max(0.0) as usize).clamp(from[1], to[1] - 1);
+        let mut over = self.over(i, k, t, line);
+        loop {
+            let next_x = if line.d.x == 0.0 { f64::INFINITY } else { line.x_at(i + usize::from(line.d.x > 0.0)) };
+            let next_z = if line.d.z == 0.0 { f64::INFINITY } else { line.z_at(k + usize::from(line.d.z > 0.0)) };
+            let next = next_x.min(next_z).min(end).max(t);
+            let over_next = self.over(i, k, next, line);
+            if self.pass_cell(i, k, [t, next], [over, over_next], line) {
+                return true;
+            }
+            if next >= end {
+                return false;
+            }
+            let moved = if next_x <= next_z {
+                step(&mut i, line.d.x, from[0], to[0])
+            } else {
+                step(&mut k, line.d.z, from[1], to[1])
+            };
+            if !moved {
+                return false;
+            }
+            (t, over) = (next, over_next);
+        }
+    }
+
+    /// From where to where a line is over a rectangle of cells. One that runs along its upper side is not, but at the end of the field.
+    fn under(&self, line: &Line, from: [usize; 2], to: [usize; 2]) -> (f64, f64) {
+        let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut narrow = |o: f64, d: f64, a: f64, b: f64, ends: [usize; 2], last: usize| {
+            let is_in = o >= ends[0] as f64 && (o < ends[1] as f64 || o == last as f64);
+            if d != 0.0 {
+                (near, far) = (near.max(a.min(b)), far.min(a.max(b)));
+            } else if !(is_in && o <= ends[1] as f64) {
+                far = f64::NEG_INFINITY;
+            }
+        };
+        let (o, d) = (line.o, line.d);
+        narrow(o.x, d.x, line.x_at(from[0]), line.x_at(to[0]), [from[0], to[0]], self.across);
+        narrow(o.z, d.z, line.z_at(from[1]), line.z_at(to[1]), [from[1], to[1]], self.deep);
+        (near, far)
+    }
+
+    /// Between two places of a line in a cell.
+    fn pass_cell(&self, i: usize, k: usize, t: [f64; 2], over: [f64; 2], line: &mut Line) -> bool {
+        let diagonal = ((i + k + 1) as f64 - line.o.x - line.o.z) / (line.d.x + line.d.z);
+        if !(diagonal > t[0] && diagonal < t[1]) {
+            let (_, rest) = line.rest(i, k, 0.5 * (t[0] + t[1]));
+            return line.cross(Place { i, k, upper: rest.x + rest.y > 1.0 }, t, over);
+        }
+        let [_, h10, h01, _] = self.corners(i, k);
+        let (y, rest) = line.rest(i, k, diagonal);
+        let middle = y - (h10 + (h01 - h10) * rest.y);
+        let first = line.d.x + line.d.z < 0.0;
+        line.cross(Place { i, k, upper: first }, [t[0], diagonal], [over[0], middle])
+            || line.cross(Place { i, k, upper: !first }, [diagonal, t[1]], [middle, over[1]])
+    }
+
+    /// How far over the surface the line is at the edge of a cell, or in it.
+    fn over(&self, i: usize, k: usize, t: f64, line: &Line) -> f64 {
+        let (y, rest) = line.rest(i, k, t);
+        let along = |a: f64, b: f64, s: f64| a + (b - a) * s;
+        let edge = |i: usize| along(self.at(i, k), self.at(i, k + 1), rest.y);
+        let row = |k: usize| along(self.at(i, k), self.at(i + 1, k), rest.x);
+        y - match () {
+            _ if line.d.x != 0.0 && t == line.x_at(i) => edge(i),
+            _ if line.d.x != 0.0 && t == line.x_at(i + 1) => edge(i + 1),
+            _ if line.d.z != 0.0 && t == line.z_at(k) => row(k),
+            _ if line.d.z != 0.0 && t == line.z_at(k + 1) => row(k + 1),
+            _ => self.height(Place { i, k, upper: rest.x + rest.y > 1.0 }, rest),
+        }
+    }
+}
+
+impl Level {
+    /// That of squares twice as large.
+    fn next(&self) -> Self {
+        let deep = self.ranges.len() / self.across;
+        let (across, half_deep) = (self.across.div_ceil(2), deep.div_ceil(2));
+        let range = |place: usize| {
+            let (a, b) = (place % across * 2, place / across * 2);
+            let rows = (b..(b + 2).min(deep)).map(|b| b * self.across);
+            let all = rows.flat_map(|row| &self.ranges[row + a..row + (a + 2).min(self.across)]);
+            all.fold([u16::MAX, 0], |[lo, hi], range| [lo.min(range[0]), hi.max(range[1])])
+        };
+        Self { across, size: self.size * 2, ranges: (0..across * half_deep).map(range).collect() }
+    }
+}
+
+impl Line<'_> {
+    fn x_at(&self, i: usize) -> f64 {
+        (i as f64 - self.o.x) * self.inverse.x
+    }
+
+    fn z_at(&self, k: usize) -> f64 {
+        (k as f64 - self.o.z) * self.inverse.y
+    }
+
+    /// Its height, and where it is over a cell.
+    fn rest(&self, i: usize, k: usize, t: f64) -> (f64, DVec2) {
+        let p = self.o + self.d * t;
+        (p.y, DVec2::new(p.x - i as f64, p.z - k as f64).clamp(DVec2::ZERO, DVec2::ONE))
+    }
+
+    /// Tells the place where it goes through a plane, if it is over it at one end and under it at the other.
+    fn cross(&mut self, place: Place, t: [f64; 2], over: [f64; 2]) -> bool {
+        if (over[0] < 0.0) == (over[1] < 0.0) {
+            return false;
+        }
+        let t = t[0] + (t[1] - t[0]) * (over[0] / (over[0] - over[1]));
+        self.range.contains(t) && (self.visit)(t, place)
+    }
+}
+
+/// To the next cell; false at the end.
+fn step(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
+    if d > 0.0 {
+        *i += 1;
+        *i < to
+    } else if *i > from {
+        *i -= 1;
+        true
+    } else {
+        false
+    }
+}

@@ -1,0 +1,332 @@
+//! `isosurface { function { … } … }`: all points where a function of x, y and z has one value.
+//!
+//! Inside, the function is less than `threshold`. It ends at `contained_by`, a box or a sphere: where the solid reaches out of that, its face
+//! closes it, unless `open` is said. durer bounds the function and its gradient by interval arithmetic, and so needs no `max_gradient`; only
+//! for functions that nothing is known of (patterns, pigments, splines, most of those behind `functions.inc`) it searches by that, as
+//! POV-Ray always does, and a value that is too small makes holes.
+//!
+//! ```pov
+//! isosurface { function { x*x + y*y + z*z - 1 + 0.3*sin(8*x)*sin(8*y)*sin(8*z) } contained_by { sphere { 0, 1.2 } } pigment { color rgb <0.9, 0.6, 0.2> } }
+//! ```
+
+mod cells;
+mod search;
+
+use super::formula::{self, Container, Formula};
+use super::{Hit, Hits, Kernel, Paints, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::Interval;
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
+use crate::source::Span;
+use crate::value::words::{Row, read_row, set, specs, word};
+use crate::value::{Kind, Next, Param, Reader, Spec};
+use cells::Cells;
+use search::Search;
+use serde::Serialize;
+use std::sync::{Arc, OnceLock};
+
+const SURFACE: u32 = 0;
+const FACE: u32 = 1;
+/// Parts of a cell's diagonal beyond which `accuracy` is not obeyed: where the gradient is known, and where it is not.
+const FINEST: f64 = 1e-7;
+const COARSEST: f64 = 1e-3;
+/// Points along each side of the container where the gradient is looked at.
+const POINTS: usize = 12;
+/// How much longer the gradient must be than was said before that is told.
+const STEEPER: f64 = 1.5;
+
+/// The surface of a function.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Isosurface {
+    /// Of x, y and z.
+    pub function: Formula,
+    /// Its value on the surface; less is inside.
+    pub threshold: f64,
+    /// Where it ends.
+    pub container: Container,
+    /// Whether it has no faces where it reaches out of that.
+    pub open: bool,
+    /// The length of the steps by which normals are found; details smaller than this may be lost.
+    pub accuracy: f64,
+    /// The longest gradient, where nothing is known of the function.
+    pub max_gradient: f64,
+    /// How many hits of one ray count.
+    pub max_trace: u32,
+    /// Whether POV-Ray adapts `max_gradient`: `evaluate` was said.
+    pub adapts: bool,
+    #[serde(skip)]
+    cells: Lazy,
+}
+
+/// Made when the first ray asks.
+#[derive(Clone, Debug, Default)]
+struct Lazy(Arc<OnceLock<Cells>>);
+
+impl PartialEq for Lazy {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Isosurface {
+    /// With the values that POV-Ray's manual gives for what is not said.
+    pub fn new(function: Formula) -> Self {
+        Self {
+            function,
+            threshold: 0.0,
+            container: Container::default(),
+            open: false,
+            accuracy: 0.001,
+            max_gradient: 1.1,
+            max_trace: 1,
+            adapts: false,
+            cells: Lazy::default(),
+        }
+    }
+
+    fn cells(&self) -> &Cells {
+        self.cells.0.get_or_init(|| Cells::new(&self.function, self.threshold, self.container.bounds()))
+    }
+
+    /// Below 0 inside. What is no number is outside, and tells nothing of how far.
+    fn value(&self, p: DVec3) -> f64 {
+        let value = self.function.at(p) - self.threshold;
+        if value.is_nan() { self.accuracy * self.max_gradient } else { value }
+    }
+
+    /// Tells each hit in the range, ascending, until `found` says that it has enough.
+    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(Hit) -> bool) {
+        let Some((enter, leave)) = self.container.stretch(ray) else { return };
+        if !(enter < range.max && leave > range.min) {
+            return;
+        }
+        // Counted from where it enters, so that a far eye loses nothing.
+        let near = Ray::new(ray.at(enter), ray.dir);
+        let mut tell = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on(t + enter, part));
+        let value = |t: f64| self.value(near.at(t));
+        let to = leave - enter;
+        let within = Range { min: range.min - enter, max: range.max - enter };
+        let mut known = None;
+        if range.min <= enter && !self.open {
+            let first = value(0.0);
+            if first < 0.0 && tell(0.0, FACE) {
+                return;
+            }
+            known = Some((0.0, first));
+        }
+        if self.pass(&near, to, within, known, &mut |t| tell(t, SURFACE)) {
+            return;
+        }
+        if !self.open && leave < range.max && value(to) < 0.0 {
+            tell(to, FACE);
+        }
+    }
+
+    /// Passes the cells up to `to` that reach into a range; `known` is a place whose value is known. Pieces are the same for every range,
+    /// and so are the hits in them.
+    fn pass(
+        &self,
+        near: &Ray,
+        to: f64,
+        within: Range,
+        mut known: Option<(f64, f64)>,
+        found: &mut dyn FnMut(f64) -> bool,
+    ) -> bool {
+        let value = &|t: f64| self.value(near.at(t));
+        let cells = self.cells();
+        let length = near.dir.length();
+        let unknown = self.max_gradient * length;
+        let unknown = Interval { lo: -unknown, hi: unknown };
+        // Steps of what is unknown are as many as it is steep.
+        let apart = |least: f64| (0.25 * self.accuracy).max(cells.side() * least) / length;
+        let (fine, coarse) = (apart(FINEST), apart(COARSEST));
+        let exact = 1e-10 * cells.side() / length;
+        let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64| {
+            let first = known.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
+            let last = (b, value(b));
+            known = Some(last);
+            Search { value, apart, exact }.between(first, last, rate, found)
+        };
+        // Cells of which nothing is known are passed as one.
+        let mut run: Option<(f64, f64)> = None;
+        let ended = cells.pass(near, 0.0, to, &mut |a, b, gradient| {
+            if a > within.max && run.is_none() {
+                return true;
+            }
+            let rate = gradient.map(|gradient| gradient.along(near.dir, length, unknown));
+            if rate.is_some_and(|rate| rate.lo == unknown.lo || rate.hi == unknown.hi) {
+                run = Some((run.map_or(a, |run| run.0), b));
+                return false;
+            }
+            run.take().is_some_and(|run| piece(run, unknown, coarse))
+                || rate.is_some_and(|rate| piece((a, b), rate, fine))
+        });
+        ended || run.is_some_and(|run| piece(run, unknown, coarse))
+    }
+
+    /// The longest gradient found near the surface: where its value changes its sign between two points of a lattice.
+    fn steepest(&self) -> f64 {
+        let b = self.container.bounds();
+        let step = b.size() / POINTS as f64;
+        let at = |i: usize, j: usize, k: usize| b.min + step * (DVec3::new(i as f64, j as f64, k as f64) + 0.5);
+        let row = |j: usize, k: usize| (0..POINTS).map(move |i| at(i, j, k));
+        let mut found = 0.0;
+        for (j, k) in (0..POINTS).flat_map(|k| (0..POINTS).map(move |j| (j, k))) {
+            let mut before = f64::NAN;
+            for p in row(j, k) {
+                let value = self.function.at(p) - self.threshold;
+                if before * value < 0.0 && self.container.contains(p) {
+                    let slant = self.slant(p - DVec3::X * (0.5 * step.x), 1e-4 * step.x).length();
+                    found = if slant > found { slant } else { found };
+                }
+                before = value;
+            }
+        }
+        found
+    }
+
+    /// By the differences along a step, as POV-Ray finds it (measured on 3.7).
+    fn slant(&self, p: DVec3, step: f64) -> DVec3 {
+        let here = self.function.at(p);
+        let rise = |axis: DVec3| self.function.at(p + axis * step) - here;
+        DVec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z)) / step
+    }
+}
+
+impl Readable for Isosurface {
+    const SPEC: Spec = Spec {
+        name: "isosurface",
+        summary: "all points where a function of x, y and z has one value",
+        params: &[Param {
+            name: "function { … }",
+            kind: Kind::Block,
+            summary: "a function of x, y and z; less than the threshold inside",
+        }],
+        words: &crate::value::words::joined::<8>(
+            &[word("contained_by", Kind::Block, "box { -1, 1 }", "a box or a sphere in braces, at which it ends")],
+            specs!(Self::WORDS),
+        ),
+    };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word("threshold", Kind::Float, "0", "the function's value on the surface")
+            .sets(|s, r| set(&mut s.threshold, r.float())),
+        word("open", Kind::Flag, "off", "it has no faces where it reaches out of its container")
+            .sets(|s, r| set(&mut s.open, r.flag())),
+        word(
+            "accuracy",
+            Kind::Float,
+            "0.001",
+            "how small details are that may be lost, and how long the steps that find normals",
+        )
+        .sets(|s, r| set(&mut s.accuracy, formula::positive(r, "accuracy", 0.001))),
+        word("max_gradient", Kind::Float, "1.1", "how steep the function is, where durer can't know it")
+            .sets(|s, r| set(&mut s.max_gradient, formula::positive(r, "max_gradient", 1.1))),
+        word(
+            "evaluate",
+            Kind::Float,
+            "",
+            "three numbers, by which POV-Ray adapts `max_gradient`: the first, times the second, stands for it",
+        )
+        .sets(|s, r| {
+            let (least, factor, _) = (r.float()?, r.float()?, r.float()?);
+            s.adapts = true;
+            s.max_gradient = (least * factor).abs().max(f64::MIN_POSITIVE);
+            Ok(())
+        }),
+        word("max_trace", Kind::Float, "1", "how many hits of one ray count in CSG and for what is clipped")
+            .sets(|s, r| set(&mut s.max_trace, formula::positive(r, "max_trace", 1.0).map(|n| (n as u32).max(1)))),
+        word("all_intersections", Kind::Nothing, "", "all hits of a ray count")
+            .sets(|s, _| set(&mut s.max_trace, Ok(u32::MAX))),
+    ];
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        Formula::read(r, "x, y and z").map(Self::new)
+    }
+
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader, _: &mut dyn Paints) -> Result<bool> {
+        if next == Next::Block("contained_by") {
+            self.container = Container::read(r)?;
+            return Ok(true);
+        }
+        read_row(Self::WORDS, self, next, r)
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        let b = self.container.bounds();
+        finite(span, &[b.min, b.max], &[self.threshold, self.max_gradient, self.accuracy])?;
+        let found = if self.adapts { 0.0 } else { self.steepest() };
+        if found > STEEPER * self.max_gradient {
+            let (said, found) = (self.max_gradient, (found * 100.0).ceil() / 100.0);
+            let message = format!("this `isosurface` has a gradient of {found} and more, its `max_gradient` is {said}");
+            let help = format!("POV-Ray will show holes; write `max_gradient {found}`");
+            r.report(Diagnostic::new(codes::TOO_STEEP, span, message).help(help));
+        }
+        Ok(())
+    }
+}
+
+impl Kernel for Isosurface {
+    fn bounds(&self) -> Aabb {
+        self.container.bounds()
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.search(ray, range, &mut |hit| {
+            out.push(hit);
+            false
+        });
+    }
+
+    /// The first so many in front of the ray's origin, as `max_trace` says, and all behind it.
+    fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        if self.max_trace == u32::MAX {
+            return self.hits(ray, range, out);
+        }
+        let mut seen = 0;
+        let counted = Range { min: range.min.min(tolerance::SURFACE), max: range.max };
+        self.search(ray, counted, &mut |hit| {
+            if range.contains(hit.t) {
+                out.push(hit);
+            }
+            seen += u32::from(hit.t > tolerance::SURFACE);
+            seen >= self.max_trace
+        });
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut first = None;
+        self.search(ray, range, &mut |hit| {
+            first = Some(hit);
+            true
+        });
+        first
+    }
+
+    fn inside(&self, p: DVec3) -> bool {
+        self.container.contains(p) && self.function.at(p) < self.threshold
+    }
+
+    fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
+        if hit.part == FACE {
+            return self.container.normal(p);
+        }
+        let n = self.slant(p, self.accuracy);
+        if n.is_finite() && n != DVec3::ZERO {
+            return n;
+        }
+        let n = self.slant(p, 1e-3 * self.accuracy);
+        if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }
+    }
+
+    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
+        p.truncate()
+    }
+
+    fn uv_mapped(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,72 @@
+//! Where a function of one number is 0, by bounds of its derivative.
+
+use crate::function::Interval;
+
+/// A place on the line, and the function's value there.
+pub type Point = (f64, f64);
+
+/// A function on a line.
+pub struct Search<'a> {
+    /// The value.
+    pub value: &'a dyn Fn(f64) -> f64,
+    /// Roots nearer together than this may count as none.
+    pub apart: f64,
+    /// Roots are known as well as this.
+    pub exact: f64,
+}
+
+impl Search<'_> {
+    /// Tells all roots between two places, ascending, until `found` says that it has enough. The derivative lies in `rate` there.
+    ///
+    /// From an end on, the value can't come to 0 sooner than by the rate: what is left between both ends is halved (as in Kalra and Barr,
+    /// "Guaranteed Ray Intersections with Implicit Surfaces", 1989).
+    pub fn between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
+        let differ = (a.1 < 0.0) != (b.1 < 0.0);
+        // How quickly the value can come nearer to 0, forwards from a and backwards from b.
+        let from_a = if a.1 < 0.0 { rate.hi } else { -rate.lo };
+        let from_b = if b.1 < 0.0 { -rate.lo } else { rate.hi };
+        let reach = |value: f64, speed: f64| if speed > 0.0 { value.abs() / speed } else { f64::INFINITY };
+        let (lo, hi) = (a.0 + reach(a.1, from_a), b.0 - reach(b.1, from_b));
+        if !differ && (hi - lo).is_nan() | (hi - lo <= self.apart) {
+            return false;
+        }
+        let one_way = if a.1 < 0.0 { rate.lo >= 0.0 } else { rate.hi <= 0.0 };
+        let (lo, hi) = (lo.clamp(a.0, b.0), hi.clamp(a.0, b.0));
+        if differ && (one_way || hi - lo <= self.apart) {
+            return found(self.root(a, b));
+        }
+        let middle = 0.5 * (lo + hi);
+        let m = (middle, (self.value)(middle));
+        self.between(a, m, rate, found) || self.between(m, b, rate, found)
+    }
+
+    /// The root between two places with values of different signs: by the secant, of which an end that stays is halved ("Illinois", Dowell
+    /// and Jarratt, 1971), and by halves where that does not help. Where the function jumps, it is the place behind the jump.
+    fn root(&self, a: Point, b: Point) -> f64 {
+        let before = a.1 < 0.0;
+        let ((mut a, mut fa), (mut b, mut fb)) = (a, b);
+        let mut last = a;
+        for step in 0..80 {
+            let mut s = b - fb * (b - a) / (fb - fa);
+            if step > 20 || !(s > a.min(b) && s < a.max(b)) {
+                s = 0.5 * (a + b);
+            }
+            let value = (self.value)(s);
+            if (b - a).abs() <= self.exact {
+                return a.max(b);
+            }
+            let is_behind = (value < 0.0) != before;
+            if value == 0.0 || ((s - last).abs() <= self.exact && (is_behind || (s - a.max(b)).abs() > self.exact)) {
+                return s;
+            }
+            if (value < 0.0) == (fb < 0.0) {
+                fa *= 0.5;
+            } else {
+                (a, fa) = (b, fb);
+            }
+            (b, fb) = (s, value);
+            last = s;
+        }
+        b
+    }
+}

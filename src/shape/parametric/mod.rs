@@ -1,0 +1,209 @@
+//! `parametric { function { … } function { … } function { … } <u1, v1>, <u2, v2> … }`: the points whose x, y and z are functions of u and v.
+//!
+//! It is a sheet without an inside, and ends at `contained_by`, a box or a sphere. durer bounds the functions by interval arithmetic;
+//! `max_gradient` counts only for functions that nothing is known of, and `precompute` changes nothing.
+//!
+//! ```pov
+//! parametric {
+//!   function { sin(u)*cos(v) } function { sin(u)*sin(v) } function { cos(u)*(1 + 0.2*sin(3*v)) } <0, 0>, <pi, 2*pi>
+//!   contained_by { box { -1.3, 1.3 } } pigment { color rgb <0.3, 0.6, 0.9> }
+//! }
+//! ```
+
+mod patches;
+
+use super::formula::{Container, Formula};
+use super::{Hit, Hits, Kernel, Paints, Readable, finite};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
+use crate::source::Span;
+use crate::value::words::{Row, read_row, set, specs, word};
+use crate::value::{Kind, Next, Param, Reader, Spec};
+use patches::Patches;
+use serde::Serialize;
+use std::sync::{Arc, OnceLock};
+
+/// A sheet.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Parametric {
+    /// x, y and z, of u and v.
+    pub functions: [Formula; 3],
+    /// Least u and v.
+    pub from: DVec2,
+    /// Largest u and v.
+    pub to: DVec2,
+    /// Where it ends.
+    pub container: Container,
+    /// How small details are that may be lost.
+    pub accuracy: f64,
+    /// The largest derivative, where nothing is known of a function.
+    pub max_gradient: f64,
+    #[serde(skip)]
+    patches: Lazy,
+}
+
+/// Made when the first ray asks.
+#[derive(Clone, Debug, Default)]
+struct Lazy(Arc<OnceLock<Patches>>);
+
+impl PartialEq for Lazy {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Parametric {
+    /// Between two corners of the (u, v) plane, with the usual values of the rest.
+    pub fn new(functions: [Formula; 3], a: DVec2, b: DVec2) -> Self {
+        Self {
+            functions,
+            from: a.min(b),
+            to: a.max(b),
+            container: Container::default(),
+            accuracy: 0.001,
+            max_gradient: 1.0,
+            patches: Lazy::default(),
+        }
+    }
+
+    /// The point of (u, v).
+    fn point(&self, uv: DVec2) -> DVec3 {
+        let p = uv.extend(0.0);
+        DVec3::from_array([0, 1, 2].map(|i| self.functions[i].at(p)))
+    }
+
+    fn patches(&self) -> &Patches {
+        self.patches.0.get_or_init(|| Patches::new(self))
+    }
+
+    fn search(&self, ray: &Ray, range: Range, nearest: bool, found: &mut dyn FnMut(Hit)) {
+        let Some((enter, leave)) = self.container.stretch(ray) else { return };
+        let (min, max) = (range.min.max(enter), range.max.min(leave));
+        if min >= max {
+            return;
+        }
+        // Counted from where it enters, so that a far eye loses nothing.
+        let near = Ray::new(ray.at(enter), ray.dir);
+        let within = Range { min: min - enter, max: max - enter };
+        self.patches().meet(self, &near, within, nearest, &mut |t, uv| {
+            let t = t + enter;
+            if range.contains(t) {
+                found(Hit { t, part: 0, uv });
+            }
+        });
+    }
+}
+
+impl Readable for Parametric {
+    const SPEC: Spec = Spec {
+        name: "parametric",
+        summary: "the points whose x, y and z are functions of u and v",
+        params: &[
+            Param { name: "function { … }", kind: Kind::Block, summary: "x, as a function of u and v; then y and z" },
+            Param { name: "<u1, v1>", kind: Kind::Vector2, summary: "where u and v begin" },
+            Param { name: "<u2, v2>", kind: Kind::Vector2, summary: "where they end" },
+        ],
+        words: &crate::value::words::joined::<4>(
+            &[
+                word("contained_by", Kind::Block, "box { -1, 1 }", "a box or a sphere in braces, at which it ends"),
+                word("precompute", Kind::Block, "", "changes nothing: durer always looks at pieces first"),
+            ],
+            specs!(Self::WORDS),
+        ),
+    };
+
+    const WORDS: &'static [Row<Self>] = &[
+        word("accuracy", Kind::Float, "0.001", "how small details are that may be lost")
+            .sets(|s, r| set(&mut s.accuracy, super::formula::positive(r, "accuracy", 0.001))),
+        word("max_gradient", Kind::Float, "1", "how steep the functions are, where durer can't know it")
+            .sets(|s, r| set(&mut s.max_gradient, super::formula::positive(r, "max_gradient", 1.0))),
+    ];
+
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut next = || Formula::read(r, "u and v");
+        let functions = [next()?, next()?, next()?];
+        let span = r.span();
+        let (a, b) = (r.vector2()?, r.vector2()?);
+        finite(span, &[a.extend(0.0), b.extend(0.0)], &[])?;
+        Ok(Self::new(functions, a, b))
+    }
+
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader, _: &mut dyn Paints) -> Result<bool> {
+        match next {
+            Next::Block("contained_by") => self.container = Container::read(r)?,
+            Next::Word("precompute") => {
+                r.take()?;
+                r.float()?;
+                while r.next()? == Next::Value {
+                    r.value()?;
+                }
+            }
+            _ => return read_row(Self::WORDS, self, next, r),
+        }
+        Ok(true)
+    }
+
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        let b = self.container.bounds();
+        finite(span, &[b.min, b.max], &[])?;
+        if self.from.x == self.to.x || self.from.y == self.to.y {
+            let message = "this `parametric` has no surface: its u or v begins where it ends";
+            r.report(Diagnostic::new(codes::NO_SURFACE, span, message));
+        }
+        Ok(())
+    }
+}
+
+impl Kernel for Parametric {
+    fn bounds(&self) -> Aabb {
+        self.container.bounds()
+    }
+
+    fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.search(ray, range, false, &mut |hit| {
+            // A place on the edge of two pieces is on both.
+            if out.iter().all(|other| (other.t - hit.t).abs() > 1e-9 * (1.0 + hit.t.abs())) {
+                out.push(hit);
+            }
+        });
+    }
+
+    /// The first one in front of the ray's origin, and those behind it.
+    fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.hits(ray, Range { max: range.max.min(tolerance::SURFACE), ..range }, out);
+        let first = self.closest(ray, Range { min: tolerance::SURFACE, max: range.max });
+        out.extend(first.filter(|hit| range.contains(hit.t)));
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut first = None;
+        self.search(ray, range, true, &mut |hit| first = Some(hit));
+        first
+    }
+
+    fn inside(&self, _: DVec3) -> bool {
+        false
+    }
+
+    fn is_patch(&self) -> bool {
+        true
+    }
+
+    /// ∂p/∂u × ∂p/∂v (measured on POV-Ray 3.7), by differences.
+    fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
+        let step = (self.to - self.from) * 1e-6;
+        let along = |step: DVec2| {
+            let (a, b) = ((hit.uv - step).max(self.from), (hit.uv + step).min(self.to));
+            self.point(b) - self.point(a)
+        };
+        let n = along(DVec2::new(step.x, 0.0)).cross(along(DVec2::new(0.0, step.y)));
+        n.try_normalize().unwrap_or(DVec3::Y)
+    }
+
+    fn uv(&self, _: DVec3, hit: &Hit) -> DVec2 {
+        hit.uv
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,226 @@
+//! A parametric surface in pieces, each with bounds of its points and of how they move with u and v; and where a ray meets a piece (after
+//! Toth, "On Ray Tracing Parametric Surfaces", 1985: Newton's method where interval arithmetic says that it converges, and halves elsewhere).
+
+use super::Parametric;
+use crate::function::Slope;
+use crate::math::bvh::{self, Bvh};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use std::cell::Cell;
+use std::ops::ControlFlow;
+
+/// Pieces are halved until each is so small a part of the whole,
+const PARTS: f64 = 24.0;
+/// or has been halved so often.
+const DEPTH: u32 = 13;
+/// And so often more where a ray comes.
+const MORE: u32 = 24;
+
+/// Pieces, and a hierarchy of their boxes.
+#[derive(Debug)]
+pub struct Patches {
+    bvh: Bvh,
+    patches: Vec<Patch>,
+}
+
+/// Where points lie while u and v lie between two corners.
+#[derive(Clone, Copy, Debug)]
+struct Patch {
+    from: DVec2,
+    to: DVec2,
+    bounds: Aabb,
+    /// The point in the middle, its derivatives by u and v, and how far these are from that anywhere, in each coordinate.
+    middle: DVec3,
+    by: [DVec3; 2],
+    off: [DVec3; 2],
+}
+
+impl Patch {
+    fn new(of: &Parametric, from: DVec2, to: DVec2, room: &mut Vec<Slope>) -> Self {
+        let uv = (from + to) * 0.5;
+        let middle = of.point(uv);
+        let half = (to - from) * 0.5;
+        let (mut bounds, mut by, mut off) = (Aabb::INFINITE, [DVec3::ZERO; 2], [DVec3::ZERO; 2]);
+        let wanted = Aabb { min: from.extend(0.0), max: to.extend(0.0) };
+        for (axis, function) in of.functions.iter().enumerate() {
+            let slope = function.slope(&wanted, room);
+            let mut reach = 0.0;
+            for side in 0..2 {
+                let unit = [DVec3::X, DVec3::Y][side];
+                let rate = slope.along(unit);
+                let known = rate.lo.is_finite() && rate.hi.is_finite();
+                let (lo, hi) = if known { (rate.lo, rate.hi) } else { (-of.max_gradient, of.max_gradient) };
+                by[side][axis] = 0.5 * (lo + hi);
+                off[side][axis] = 0.5 * (hi - lo);
+                reach += half[side] * lo.abs().max(hi.abs());
+            }
+            // By the values themselves, and by how far the middle's value can change.
+            bounds.min[axis] = slope.value.lo.max(middle[axis] - reach);
+            bounds.max[axis] = slope.value.hi.min(middle[axis] + reach);
+        }
+        let size = 1e-12 * (1.0 + bounds.size().max_element());
+        Self { from, to, bounds: bounds.grown(size), middle, by, off }
+    }
+
+    /// Both halves, along the side on which points lie farther apart.
+    fn halves(&self, of: &Parametric, room: &mut Vec<Slope>) -> [Self; 2] {
+        let size = self.to - self.from;
+        let length = |side: usize| (self.by[side].abs() + self.off[side]).length() * size[side];
+        let side = usize::from(length(1) > length(0));
+        let middle = 0.5 * (self.from[side] + self.to[side]);
+        let (mut to, mut from) = (self.to, self.from);
+        (to[side], from[side]) = (middle, middle);
+        [Self::new(of, self.from, to, room), Self::new(of, from, self.to, room)]
+    }
+}
+
+/// A line through the origin of a frame in which it has but one coordinate.
+struct Line<'a> {
+    of: &'a Parametric,
+    ray: &'a Ray,
+    /// Two directions across the line.
+    across: [DVec3; 2],
+    range: Range,
+    /// How far hits still count.
+    far: Cell<f64>,
+    /// Whether they count no farther than the nearest so far.
+    nearest: bool,
+    /// Pieces smaller than this are not halved.
+    smallest: f64,
+}
+
+/// What is known of a line and a piece.
+enum Verdict {
+    Misses,
+    Meets(DVec2),
+    Open,
+}
+
+impl Patches {
+    /// Those of a surface in its container.
+    pub fn new(of: &Parametric) -> Self {
+        let mut room = vec![];
+        let container = of.container.bounds();
+        let largest = container.size().max_element() / PARTS;
+        let mut patches = vec![];
+        let mut open = vec![(Patch::new(of, of.from, of.to, &mut room), 0)];
+        while let Some((patch, depth)) = open.pop() {
+            if patch.bounds.intersection(container).is_empty() || patch.middle.is_nan() && depth == DEPTH {
+                continue;
+            }
+            let size = patch.bounds.size().max_element();
+            if depth == DEPTH || size < largest && patch.bends() < 0.3 {
+                patches.push(Patch { bounds: patch.bounds.intersection(container), ..patch });
+                continue;
+            }
+            open.extend(patch.halves(of, &mut room).map(|half| (half, depth + 1)));
+        }
+        patches.retain(|patch| bvh::fits(&patch.bounds));
+        let (bvh, order) = Bvh::build(patches.iter().map(|patch| patch.bounds));
+        let patches = order.into_iter().map(|i| patches[i as usize]).collect();
+        Self { bvh, patches }
+    }
+
+    /// Tells where a ray meets the surface, in any order; or, for the `nearest`, each that is nearer than all before.
+    pub fn meet(&self, of: &Parametric, ray: &Ray, range: Range, nearest: bool, found: &mut dyn FnMut(f64, DVec2)) {
+        let first = ray.dir.normalize_or_zero().any_orthogonal_vector().normalize_or_zero();
+        let across = [first, ray.dir.cross(first).normalize_or_zero()];
+        let smallest = (0.25 * of.accuracy).max(5e-5 * of.container.bounds().size().max_element());
+        let line = Line { of, ray, across, range, far: Cell::new(range.max), nearest, smallest };
+        let mut room = vec![];
+        self.bvh.traverse(ray, range, |i, _| {
+            line.meet(&self.patches[i], MORE, &mut room, found);
+            ControlFlow::Continue(line.far.get())
+        });
+    }
+}
+
+impl Patch {
+    /// How much the derivatives change in it, as a part of themselves.
+    fn bends(&self) -> f64 {
+        let part = |side: usize| self.off[side].length() / self.by[side].length();
+        part(0).max(part(1))
+    }
+}
+
+impl Line<'_> {
+    fn meet(&self, patch: &Patch, depth: u32, room: &mut Vec<Slope>, found: &mut dyn FnMut(f64, DVec2)) {
+        if patch.bounds.slabs(self.ray, Range { max: self.far.get(), ..self.range }).is_none() {
+            return;
+        }
+        match self.judge(patch) {
+            Verdict::Misses => {}
+            Verdict::Meets(uv) => self.tell(self.of.point(uv), uv, found),
+            Verdict::Open if depth == 0 || patch.bounds.size().max_element() < self.smallest => {
+                self.tell(patch.middle, (patch.from + patch.to) * 0.5, found);
+            }
+            Verdict::Open => {
+                for half in patch.halves(self.of, room) {
+                    self.meet(&half, depth - 1, room, found);
+                }
+            }
+        }
+    }
+
+    fn tell(&self, p: DVec3, uv: DVec2, found: &mut dyn FnMut(f64, DVec2)) {
+        let t = (p - self.ray.origin).dot(self.ray.dir) / self.ray.dir.length_squared();
+        if p.is_finite() && self.of.container.contains(p) && self.range.contains(t) && t < self.far.get() {
+            found(t, uv);
+            if self.nearest {
+                self.far.set(t);
+            }
+        }
+    }
+
+    /// Where a point lies beside the line.
+    fn beside(&self, p: DVec3) -> DVec2 {
+        DVec2::new(self.across[0].dot(p), self.across[1].dot(p))
+    }
+
+    /// With Y the inverse of the derivatives in the middle, x - Y·F(x) comes nearer to a root by the factor by which Y·F' differs from 1.
+    fn judge(&self, patch: &Patch) -> Verdict {
+        let (a, b) = (self.beside(patch.by[0]), self.beside(patch.by[1]));
+        let det = a.perp_dot(b);
+        let half = (patch.to - patch.from) * 0.5;
+        // Rows of Y, in units of the piece's half sides.
+        let y0 = DVec2::new(b.y, -b.x) / (det * half.x);
+        let y1 = DVec2::new(-a.y, a.x) / (det * half.y);
+        let spread = |i: usize| {
+            let c = self.across.map(|n| n.abs().dot(patch.off[i]) * half[i]);
+            DVec2::from_array(c)
+        };
+        let (s0, s1) = (spread(0), spread(1));
+        let row = |y: DVec2| y.abs().dot(s0) + y.abs().dot(s1);
+        let (q0, q1) = (row(y0), row(y1));
+        if !(q0 < 1e3 && q1 < 1e3) {
+            return Verdict::Open;
+        }
+        let miss = self.beside(patch.middle - self.ray.origin);
+        let step = DVec2::new(y0.dot(miss), y1.dot(miss));
+        // A root x of the piece is -step + (what differs): nearer to -step than q.
+        if !(step.x.abs() <= 1.0 + q0 + 1e-9 && step.y.abs() <= 1.0 + q1 + 1e-9) {
+            return Verdict::Misses;
+        }
+        if q0.max(q1) > 0.7 {
+            return Verdict::Open;
+        }
+        self.approach(patch, [y0 * half.x, y1 * half.y], half)
+    }
+
+    fn approach(&self, patch: &Patch, y: [DVec2; 2], half: DVec2) -> Verdict {
+        let middle = (patch.from + patch.to) * 0.5;
+        let mut uv = middle;
+        for _ in 0..60 {
+            let miss = self.beside(self.of.point(uv) - self.ray.origin);
+            let step = DVec2::new(y[0].dot(miss), y[1].dot(miss));
+            let next = (uv - step).clamp(patch.from - half * 1e-6, patch.to + half * 1e-6);
+            let moved = ((next - uv) / half).abs().max_element();
+            uv = next;
+            if moved < 1e-12 {
+                // At an edge where it would go on, there is no root here.
+                let rest = (step / half).abs().max_element();
+                return if rest < 1e-7 { Verdict::Meets(uv.clamp(patch.from, patch.to)) } else { Verdict::Misses };
+            }
+        }
+        Verdict::Open
+    }
+}
