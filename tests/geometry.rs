@@ -425,7 +425,7 @@ proptest! {
         let mut dice = Dice::new(seed);
         let mut fractal = JuliaFractal::new(std::array::from_fn(|_| dice.between(-0.7, 0.7)));
         fractal.algebra = [Algebra::Quaternion, Algebra::Hypercomplex][dice.below(2)];
-        fractal.function = [Function::Sqr, Function::Cube][dice.below(2)];
+        fractal.function = [durer::shape::Function::Sqr, durer::shape::Function::Cube][dice.below(2)];
         fractal.max_iteration = 2 + dice.below(6);
         let fractal = Shape::from(fractal);
         for _ in 0..4 {

@@ -146,7 +146,7 @@ fn is_plain_block(source: Span, sources: &Sources) -> bool {
 
 /// Does no ray meet any of its surfaces?
 fn is_nothing(object: &Object) -> bool {
-    if object.weight().shapes() > SHAPES || !is_drawn(object) {
+    if object.weight().shapes() > SHAPES {
         return false;
     }
     // (A transform that can't be undone is told when the world is built.)
@@ -156,15 +156,6 @@ fn is_nothing(object: &Object) -> bool {
         return true;
     }
     bounds.is_finite() && is_missed(&probe, &bounds, FEW) && is_missed(&probe, &bounds, MANY)
-}
-
-/// Are all its parts shapes whose surfaces are known?
-fn is_drawn(object: &Object) -> bool {
-    let bound = object.rare.clipped_by.iter().flat_map(|c| c.iter());
-    match &object.kind {
-        ObjectKind::Undrawn(_) => false,
-        _ => parts(object).iter().chain(bound).all(is_drawn),
-    }
 }
 
 /// Do all rays along the axes, so many across each side of the box, miss it?

@@ -4,7 +4,7 @@
 
 use super::{CsgOp, Object, ObjectKind};
 use crate::math::{Aabb, DVec3};
-use crate::shape::{HUGE, Kernel, moved_box};
+use crate::shape::{HUGE, Kernel};
 
 impl Object {
     /// The box around the object where it is now.
@@ -12,7 +12,6 @@ impl Object {
         let own = match &self.kind {
             ObjectKind::Shape(shape) => shape.extent(&self.transform),
             ObjectKind::Csg(..) => self.bulk.as_ref().and_then(|bulk| bulk.extent).unwrap_or(HUGE),
-            ObjectKind::Undrawn(shape) => moved_box(&self.transform, &shape.bounds),
             ObjectKind::Light(_) => HUGE,
         };
         let bounds = [&self.rare.clipped_by, &self.rare.bounded_by].into_iter().flatten();

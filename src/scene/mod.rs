@@ -5,17 +5,13 @@ mod extent;
 mod object;
 mod settings;
 mod surface;
-mod undrawn;
 mod weight;
 pub mod words;
 
 pub use alike::Alike;
-pub use object::{
-    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, NOT_DRAWN, Object, ObjectBody, ObjectKind, Rare, is_object,
-};
+pub use object::{Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, Rare, is_object};
 pub use settings::Settings;
 pub use surface::{Painted, read_layers, read_material};
-pub use undrawn::Undrawn;
 pub use weight::Weight;
 
 use crate::atmosphere::{Fog, Rainbow, SkySphere};

@@ -22,8 +22,7 @@ const PAGES: &[&str] = &[
     "finishes.md",
     "settings.md",
 ];
-const TEXT: &[&str] =
-    &["Not drawn yet", "What counts of a pixel", "Words of all patterns of numbers", "Warps", "Pictures"];
+const TEXT: &[&str] = &["What counts of a pixel", "Words of all patterns of numbers", "Warps", "Pictures"];
 
 /// A page with its examples.
 pub struct Illustrated {

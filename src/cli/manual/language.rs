@@ -9,17 +9,13 @@ use crate::{atmosphere, camera, interpreter, light, scene, shape, texture};
 
 pub(super) fn scene() -> String {
     let shapes = list(shape::SPECS.iter().map(|s| s.name));
-    let later = list(scene::NOT_DRAWN);
-    section(&interpreter::STATEMENTS, "Outside of all braces", &[])
-        + &format!("[Shapes](shapes.md): {shapes}.\n\n")
-        + &format!("Shapes that are read and not drawn yet: {later}.\n")
+    section(&interpreter::STATEMENTS, "Outside of all braces", &[]) + &format!("[Shapes](shapes.md): {shapes}.\n")
 }
 
 pub(super) fn shapes() -> String {
     let intro = "Behind what is listed here, every shape takes what [any object](objects.md) takes.\n\n";
     let each = shape::SPECS.iter().map(|spec| shape_section(spec)).collect::<String>();
-    let later = list(scene::NOT_DRAWN);
-    format!("{intro}{each}## Not drawn yet\n\n{later}.\n")
+    intro.to_string() + &each
 }
 
 fn shape_section(spec: &Spec) -> String {

@@ -140,7 +140,6 @@ fn families(index: &mut Index) {
     add_words(index, Modifiers::WORDS, "[patterns](pigments.md)");
     add_words(index, Turbulent::WORDS, "[patterns](pigments.md)");
     add_words(index, TRANSFORMS, "[transforms](objects.md#transforms)");
-    scene::NOT_DRAWN.iter().for_each(|word| add(index, word, "[a shape](shapes.md#not-drawn-yet), not drawn yet"));
 }
 
 fn values(index: &mut Index) {

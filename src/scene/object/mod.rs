@@ -4,7 +4,7 @@ mod carried;
 mod light;
 mod read;
 
-use super::{Defaults, Painted, Undrawn, Weight};
+use super::{Defaults, Painted, Weight};
 use crate::math::{Aabb, Transform};
 use crate::shape::{Kernel, Shape, moved_box};
 use crate::source::Span;
@@ -15,7 +15,7 @@ use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 pub use light::{LIGHT_GROUP, LightSource};
-pub use read::{NOT_DRAWN, is_object};
+pub use read::is_object;
 
 /// What an object is made of.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -27,8 +27,6 @@ pub enum ObjectKind {
     Csg(CsgOp, Arc<[Object]>),
     /// A light, which a union may carry along.
     Light(Arc<LightSource>),
-    /// A shape that is not drawn yet.
-    Undrawn(Arc<Undrawn>),
 }
 
 /// How a CSG object is made of its parts.

@@ -13,9 +13,6 @@ use crate::value::words::{is_row, read_row};
 use crate::value::{Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
 
-/// Words of objects that are known but not drawn yet.
-pub const NOT_DRAWN: &[&str] = &[];
-
 /// The word of a CSG block.
 fn csg_op(word: &str) -> Option<CsgOp> {
     Some(match word {
@@ -33,7 +30,6 @@ pub fn is_object(word: &str) -> bool {
     matches!(word, "object" | "light_source" | "light_group")
         || csg_op(word).is_some()
         || shape::SPECS.iter().any(|s| s.name == word)
-        || NOT_DRAWN.contains(&word)
 }
 
 impl Object {
@@ -45,7 +41,6 @@ impl Object {
     /// With the place of what is not understood, and what was expected there.
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         match r.next()? {
-            Next::Block(word) if NOT_DRAWN.contains(&word) => Self::read_undrawn(word, r, defaults),
             Next::Block(word) => {
                 let source = r.take()?;
                 let object = Self::read_block(word, source, r, defaults)?;

@@ -85,7 +85,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
 /// The surfaces of one object by itself.
 pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
     let texture = object.default_texture.clone();
-    let mut lowering = Lowering { asked: true, default_texture: texture, ..Lowering::default() };
+    let mut lowering = Lowering { default_texture: texture, ..Lowering::default() };
     let solid = lowering.lower_object(object, &Inherited::default())?;
     let mut heap = Heap::default();
     heap.extend(solid.map(|solid| solid.node));
@@ -133,8 +133,6 @@ struct Solid {
 
 #[derive(Default)]
 struct Lowering {
-    /// Are rays of scripts all that will meet this?
-    asked: bool,
     /// For shapes of the outermost object at hand that say nothing.
     default_texture: Arc<Texture>,
     parts: Vec<Part>,
@@ -185,12 +183,6 @@ impl Lowering {
             ObjectKind::Shape(shape) => {
                 Some(self.lower_shape(object, &shape.under(&own.place.now, own.place.before.as_deref()), &own)?)
             }
-            // Scripts that ask get an answer; nothing is seen.
-            ObjectKind::Undrawn(shape) if self.asked => {
-                let stand_in = Shape::filling(&shape.bounds);
-                Some(self.lower_shape(object, &stand_in, &own)?)
-            }
-            ObjectKind::Undrawn(_) => None,
             ObjectKind::Csg(op, parts) => self.lower_csg(*op, parts, &own)?,
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
