@@ -67,7 +67,7 @@ fn things_that_are_many_are_small() {
         ("pattern::Pattern", size_of::<pattern::Pattern>(), 168),
         ("world::SolidNode", size_of::<world::SolidNode>(), 48),
         ("world::Part", size_of::<world::Part>(), 48),
-        ("world::ObjectInfo", size_of::<world::ObjectInfo>(), 8),
+        ("world::ObjectInfo", size_of::<world::ObjectInfo>(), 12),
         ("world::Material", size_of::<world::Material>(), 48),
         ("world::Layer", size_of::<world::Layer>(), 80),
     ];

@@ -20,13 +20,19 @@ pub struct FocalBlur {
     pub samples: [u32; 2],
     /// How sure it has to be that a pixel is as smooth as `variance` says, from 0 to 1.
     pub confidence: f64,
-    /// No more rays are cast where the mean of those so far is this exact; 0: all are.
+    /// No more rays are cast where the variance of the mean of those so far is no more than this; 0: all are.
     pub variance: f64,
 }
 
+/// Of scenes that say nothing: about as many rays are cast then as POV-Ray 3.7 was seen to cast, which are many more than with the 1/128
+/// of its manual.
+const USUAL_VARIANCE: f64 = 1e-5;
+/// So many rays are cast at least, if that is not said either (measured on POV-Ray 3.7).
+const USUAL_LEAST: u32 = 7;
+
 impl Default for FocalBlur {
     fn default() -> Self {
-        Self { aperture: 0.0, focal_point: DVec3::ZERO, samples: [0, 0], confidence: 0.9, variance: 1.0 / 128.0 }
+        Self { aperture: 0.0, focal_point: DVec3::ZERO, samples: [0, 0], confidence: 0.9, variance: USUAL_VARIANCE }
     }
 }
 
@@ -45,7 +51,7 @@ pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
         .sets(|s, r| s.blur.read_samples(r)),
     word("confidence", Float, "0.9", "how sure it has to be that a pixel is as exact as `variance` says, from 0 to 1")
         .sets(|s, r| set(&mut s.blur.confidence, r.float().map(|c| c.clamp(0.0, 0.999_999)))),
-    word("variance", Float, "1/128", "how exact a pixel has to be; 0 casts all rays")
+    word("variance", Float, "1/100000", "how exact a pixel has to be: the variance of its mean; 0 casts all rays")
         .sets(|s, r| set(&mut s.blur.variance, r.float().map(f64::abs))),
 ];
 
@@ -76,13 +82,13 @@ impl FocalBlur {
             return None;
         }
         let [least, most] = self.samples;
-        // A quarter is enough to judge a pixel by, unless the author wants more.
-        let least = if least == 0 { most.div_ceil(4).min(most).max(4) } else { least };
+        let least = if least == 0 { USUAL_LEAST } else { least };
         Some(Lens {
             radius: self.aperture.abs() / 4.0,
             distance,
             samples: [least.min(most), most],
-            error: (self.variance > 0.0).then(|| self.variance / quantile(self.confidence)),
+            variance: self.variance,
+            quantile: quantile(self.confidence),
         })
     }
 }
@@ -96,11 +102,22 @@ pub struct Lens {
     pub distance: f64,
     /// So many rays a pixel at least and at most.
     pub samples: [u32; 2],
-    /// The mean of a pixel may have this standard error; `None`: all rays are cast.
-    pub error: Option<f64>,
+    /// The mean of a pixel may have this variance; 0: all rays are cast.
+    pub variance: f64,
+    /// Of the normal distribution, for the probability with which it has to have no more.
+    pub quantile: f64,
 }
 
 impl Lens {
+    /// Are `count` rays enough, of which one channel has this sum of squares about its mean? By the upper limit of the variance's confidence
+    /// interval, as POV-Ray 3.7 was seen to stop: s²·(n - 1)/χ², where χ² is by Wilson and Hilferty (The distribution of chi-square, 1931).
+    pub fn suffices(&self, count: u32, squares: f64) -> bool {
+        let (n, k) = (f64::from(count), 2.0 / (9.0 * f64::from(count.max(2) - 1)));
+        let root = 1.0 - k - self.quantile * k.sqrt();
+        let chi_squared = (n - 1.0) * root * root * root;
+        squares <= self.variance * n * chi_squared
+    }
+
     /// The ray that goes through a place of the lens and meets a ray through its middle where things are in focus; `place` is two
     /// numbers in [0, 1), `axes` are the unit vectors right, up and ahead.
     pub fn through(&self, ray: &Ray, place: DVec2, axes: &[DVec3; 3]) -> Ray {
@@ -124,13 +141,14 @@ fn on_disc(place: DVec2) -> DVec2 {
     DVec2::new(cos, sin) * r
 }
 
-/// How many standard errors a mean is off at most, with this probability: the inverse of erf, times √2, by Winitzki's formula (A handy
-/// approximation for the error function and its inverse, 2008; 0.2 % off).
-fn quantile(confidence: f64) -> f64 {
+/// The quantile of the normal distribution: the inverse of erf, times √2, by Winitzki's formula (A handy approximation for the error
+/// function and its inverse, 2008; 0.2 % off).
+fn quantile(probability: f64) -> f64 {
     const A: f64 = 0.147;
-    let log = fp::ln(1.0 - confidence * confidence);
+    let x = 2.0 * probability - 1.0;
+    let log = fp::ln(1.0 - x * x);
     let half = 2.0 / (std::f64::consts::PI * A) + log / 2.0;
-    (2.0 * ((half * half - log / A).sqrt() - half)).sqrt().max(1e-3)
+    x.signum() * (2.0 * ((half * half - log / A).sqrt() - half)).sqrt()
 }
 
 #[cfg(test)]
@@ -139,7 +157,7 @@ mod tests {
 
     #[test]
     fn rays_meet_in_focus_and_fill_the_lens() {
-        let lens = Lens { radius: 0.5, distance: 4.0, samples: [1, 1], error: None };
+        let lens = Lens { radius: 0.5, distance: 4.0, samples: [1, 1], variance: 0.0, quantile: 0.0 };
         let ray = Ray::new(DVec3::ZERO, DVec3::new(0.6, 0.0, 0.8));
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let mut second_moment = 0.0;
@@ -155,8 +173,24 @@ mod tests {
     }
 
     #[test]
+    fn stops_where_pov_ray_does() {
+        // Seen with `confidence 0.975 variance 1/255`: one white ray is enough of 23, but not of 19; half of them not of 35.
+        let blur = FocalBlur {
+            aperture: 1.0,
+            confidence: 0.975,
+            variance: 1.0 / 255.0,
+            samples: [0, 37],
+            ..FocalBlur::default()
+        };
+        let lens = blur.lens(DVec3::NEG_Z, DVec3::Z).unwrap();
+        let squares = |n: f64, white: f64| white * (n - white) / n;
+        assert!(lens.suffices(23, squares(23.0, 1.0)) && !lens.suffices(19, squares(19.0, 1.0)));
+        assert!(!lens.suffices(35, squares(35.0, 17.0)) && lens.suffices(7, 0.0));
+    }
+
+    #[test]
     fn quantiles_of_the_normal_distribution() {
-        for (confidence, wanted) in [(0.9, 1.6449), (0.99, 2.5758), (0.5, 0.6745)] {
+        for (confidence, wanted) in [(0.9, 1.2816), (0.975, 1.9600), (0.5, 0.0), (0.1, -1.2816)] {
             assert!((quantile(confidence) - wanted).abs() < 0.01, "{confidence} {}", quantile(confidence));
         }
     }

@@ -27,9 +27,8 @@ pub(super) fn pixel(tracer: &mut Tracer, lens: &Lens, number: u64, x: usize, y: 
             mean[c] += (value - before) / count;
             spread[c] += (value - before) * (value - mean[c]);
         }
-        let exact = |error: f64| spread.iter().all(|spread| *spread <= error * error * count * (count - 1.0));
-        let asked = i + 1 >= lens.samples[0] && (i + 1) % ASK_EVERY == 0;
-        if asked && lens.error.is_some_and(exact) {
+        let asked = i + 1 >= lens.samples[0] && (i + 1 - lens.samples[0]) % ASK_EVERY == 0;
+        if asked && spread.iter().all(|squares| lens.suffices(i + 1, *squares)) {
             break;
         }
     }

@@ -30,7 +30,7 @@ impl Tracer<'_> {
         }
         let mut sum = shading.sum(|shaded| shaded.weight * glow(shaded));
         let world = self.setup.world;
-        for &number in &world.lit_by[shading.part.lights as usize] {
+        for &number in &world.lit_by[shading.part.lights() as usize] {
             sum += self.answer(&world.lights[number as usize], dir, shading, inside);
         }
         sum

@@ -40,6 +40,8 @@ struct Centered {
     center: DVec3,
     /// Of a closed surface: the box around it. Empty if there is no surface.
     ends: Option<Aabb>,
+    /// Is it an ellipsoid that is filled?
+    convex: bool,
 }
 
 impl Quadric {
@@ -57,8 +59,9 @@ impl Quadric {
         let c = center.dot(at_center) + constant;
         let has_center = determinant.abs() > 1e-9;
         let h = if has_center { DVec3::ZERO } else { h };
-        let mut centered = Centered { q, h, c, center, ends: None };
+        let mut centered = Centered { q, h, c, center, ends: None, convex: false };
         centered.ends = centered.box_around().filter(|_| has_center);
+        centered.convex = centered.ends.is_some_and(|b| !b.is_empty()) && centered.definite() > 0.0;
         Self { squares, mixed, linear, constant, centered }
     }
 
@@ -167,10 +170,14 @@ impl Kernel for Quadric {
     }
 
     fn is_convex(&self) -> bool {
-        self.centered.ends.is_some_and(|b| !b.is_empty()) && !self.reaches_beyond()
+        self.centered.convex
     }
 
     fn crossing(&self, ray: &Ray) -> Crossing {
+        // (Between the nappes of a cone lies what is not in it.)
+        if !self.centered.convex {
+            return Crossing::Unknown;
+        }
         self.roots(ray).map_or(Crossing::Misses, |(t1, t2)| Crossing::Through([End::at(t1), End::at(t2)]))
     }
 

@@ -59,7 +59,7 @@ pub struct World {
     pub filled: Vec<bool>,
     /// All lights.
     pub lights: Vec<LightSource>,
-    /// By [`Part::lights`]: which lights shine on it.
+    /// By [`RarePart::lights`]: which lights shine on it.
     pub lit_by: Vec<Box<[u32]>>,
     /// What rays see that hit nothing.
     pub sky: Sky,
@@ -99,8 +99,6 @@ pub struct Part {
     pub rare: Option<Box<RarePart>>,
     /// Number of what fills it.
     pub interior: u32,
-    /// Number of the set of lights that shine on it; 0: those of no group.
-    pub lights: u32,
     /// Light from behind counts as light from the front.
     pub double_illuminate: bool,
     /// Its textures see places on the surface, (u, v, 0), instead of points (`uv_mapping` of the object).
@@ -114,6 +112,8 @@ pub struct Part {
 pub struct RarePart {
     /// The textures that the shape carries itself; number 1 is the first.
     pub carried: Box<[PlacedMaterial]>,
+    /// Number of the set of lights that shine on it; 0: those of no group.
+    pub lights: u32,
     /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
     pub cut: Option<u32>,
 }
@@ -125,6 +125,13 @@ pub struct PlacedMaterial {
     pub material: u32,
     /// World from texture; `None` where both are the same or it does not matter.
     pub place: Option<Arc<Transform>>,
+}
+
+impl Part {
+    /// Number of the set of lights that shine on it.
+    pub fn lights(&self) -> u32 {
+        self.rare.as_ref().map_or(0, |rare| rare.lights)
+    }
 }
 
 impl PlacedMaterial {

@@ -58,3 +58,10 @@ pub fn of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
         }
     }
 }
+
+/// Of a pot file, rows of so many palette numbers as higher bytes: those of the right half are the lower bytes of the left one.
+pub fn of_halves(all: &[u16], width: usize) -> Vec<u16> {
+    let half = width / 2;
+    let row = |row: &[u16]| (0..half).map(|x| row[x] | row[x + width - half] >> 8).collect::<Vec<_>>();
+    all.chunks_exact(width).flat_map(row).collect()
+}

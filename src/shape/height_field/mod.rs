@@ -25,7 +25,7 @@ use grid::{Grid, Place, STEPS};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Names of file formats, which change nothing: the bytes tell.
+/// Names of file formats. The bytes tell what a file is; `pot` alone says how it is meant.
 const FORMATS: &[&str] = &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
 
 /// A landscape.
@@ -40,6 +40,9 @@ pub struct HeightField {
     /// `gamma`: how the file's numbers stand to heights.
     #[serde(skip)]
     gamma: Option<Gamma>,
+    /// Of a picture that is written `pot`: its right half holds the lower bytes of its left half.
+    #[serde(skip)]
+    is_pot: bool,
     #[serde(skip)]
     picture: Option<Arc<Picture>>,
     /// `None` where there is no cell.
@@ -56,7 +59,7 @@ impl HeightField {
         let size = [width, heights.len().checked_div(width).unwrap_or(0)];
         let is_there = size[0] > 1 && size[1] > 1;
         let grid = is_there.then(|| Arc::new(Grid::new(width, heights)));
-        Self { size, smooth, water_level, gamma: None, picture: None, grid, place: None }
+        Self { size, smooth, water_level, gamma: None, is_pot: false, picture: None, grid, place: None }
     }
 
     /// In cells and steps of height.
@@ -161,17 +164,21 @@ impl Readable for HeightField {
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut is_pot = false;
         while let Next::Word(word) = r.next()?
             && FORMATS.contains(&word)
         {
             r.take()?;
+            is_pot = word == "pot";
         }
         match r.next()? {
             Next::Function => read_function(r),
             _ => {
                 let picture = r.picture()?;
-                let size = [picture.pixels.width, picture.pixels.height];
-                Ok(Self { size, picture: Some(picture), ..Self::new(0, vec![], false, 0.0) })
+                let is_pot = is_pot && picture.indices.is_some();
+                let width = picture.pixels.width / if is_pot { 2 } else { 1 };
+                let size = [width, picture.pixels.height];
+                Ok(Self { size, is_pot, picture: Some(picture), ..Self::new(0, vec![], false, 0.0) })
             }
         }
     }
@@ -182,7 +189,9 @@ impl Readable for HeightField {
             && width > 1
             && height > 1
         {
-            self.grid = Some(Arc::new(Grid::new(width, heights::of_picture(&picture, self.gamma))));
+            let all = heights::of_picture(&picture, self.gamma);
+            let heights = if self.is_pot { heights::of_halves(&all, picture.pixels.width) } else { all };
+            self.grid = Some(Arc::new(Grid::new(width, heights)));
         }
         if self.grid.is_none() {
             let message = format!("a `height_field` of {width} by {height} heights has no surface");

@@ -93,3 +93,12 @@ fn numbers_of_pictures() {
     assert_eq!(heights::of_picture(&palette, None), [512, 1280]);
     assert_eq!([-0.25, 0.5, 1.4, f64::NAN].map(heights::wrapped), [49_153, 32_767, 26_213, 0]);
 }
+
+#[test]
+fn halves_of_a_pot_file() {
+    // Seen in POV-Ray 3.7: 9 and 15 make 2304 + 15.
+    assert_eq!(
+        heights::of_halves(&[9 << 8, 10 << 8, 0, 15 << 8, 1 << 8, 2 << 8, 3 << 8, 4 << 8], 4),
+        [2304, 2575, 259, 516]
+    );
+}

@@ -272,9 +272,10 @@ impl Lowering {
         let interior = own.interior.unwrap_or_else(|| self.add_air(own.flags.hollow));
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, .. } = own.flags;
-        let rare = (cut.is_some() || !carried.is_empty()).then(|| Box::new(RarePart { carried, cut }));
         let lights = own.lights;
-        self.parts.push(Part { outside, inside, rare, interior, lights, double_illuminate, uv, source: object.source });
+        let is_rare = cut.is_some() || lights != 0 || !carried.is_empty();
+        let rare = is_rare.then(|| Box::new(RarePart { carried, lights, cut }));
+        self.parts.push(Part { outside, inside, rare, interior, double_illuminate, uv, source: object.source });
         let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
         Ok(Solid { node: SolidNode::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }
