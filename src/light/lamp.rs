@@ -77,6 +77,8 @@ impl Lamp {
             Profile::Round => 1.0,
             // A beam without an axis shines nowhere (measured on POV-Ray 3.7).
             _ if self.axis == DVec3::ZERO => 0.0,
+            // (Behind a parallel light, a cone is seen from its back.)
+            profile if self.parallel => profile.share(ahead.signum(), beside, ahead),
             profile => profile.share(-from.dot(self.axis), beside, ahead),
         };
         let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };

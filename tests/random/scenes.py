@@ -12,7 +12,7 @@ from random_scenes import Scene
 
 FAMILIES = GIVEN + [
     "pictures", "uv", "blends", "angles", "insides", "materials", "prisms", "defaults", "declared", "loops", "cameras", "settings",
-    "lights", "colors", "sizes", "quality", "curved", "meshes", "letters", "blobs",
+    "lights", "colors", "sizes", "quality", "curved", "meshes", "letters", "blobs", "eyes", "lamps", "air",
 ]
 
 # How many entries the list of a pattern takes.
@@ -371,6 +371,64 @@ class Scenes(Scene):
             words.append(f"rotate {self.v(-20, 20)} translate {self.v(-0.4, 0.4)}")
         return f"camera {{ {' '.join(words)} }}"
 
+    def eye(self):
+        """A camera of another kind."""
+        kind = self.pick(
+            "orthographic", f"orthographic angle {self.f(20, 60)}", f"orthographic right {self.f(2, 6)}*x up {self.f(2, 5)}*y",
+            f"fisheye angle {self.f(60, 300)}", f"ultra_wide_angle angle {self.f(40, 200)}", "panoramic", "omnimax",
+            f"cylinder {self.pick(1, 2)} angle {self.f(40, 200)}", f"cylinder {self.pick(3, 4)} right 4*x up 3*y angle {self.f(40, 160)}",
+            "spherical", f"spherical angle {self.f(60, 360)} {self.f(40, 180)}",
+        )
+        sky = f"sky {self.v(-1, 1)}" if self.chance(0.3) else ""
+        moved = f"rotate {self.v(-20, 20)} translate {self.v(-0.4, 0.4)}" if self.chance(0.3) else ""
+        place = f"<{self.f(-2, 2)}, {self.f(0, 3)}, {self.f(-6, -3)}>"
+        return f"camera {{ {kind} location {place} {sky} look_at {self.v(-0.3, 0.3)} {moved} }}"
+
+    def lamp(self):
+        """A light of another kind, none of which is random."""
+        edge = lambda a, b, c: f"radius {self.f(0, a)} falloff {self.f(a, b)} tightness {self.pick(0, 1, self.f(0, c))}"
+        kind = self.pick("", f"spotlight {edge(15, 40, 20)}", f"cylinder {edge(1, 3, 3)}", "parallel", f"parallel spotlight {edge(20, 40, 5)}")
+        if kind:
+            kind += f" point_at {self.v(-0.5, 0.5)}"
+        if self.chance(0.4):
+            n, m = self.r.randrange(2, 6), self.r.randrange(2, 6)
+            kind += f" area_light {self.v(-1, 1)}, {self.v(-1, 1)}, {n}, {m} {self.pick('', 'adaptive 0', 'adaptive 1')}"
+            kind += self.pick("", "", " circular", " circular orient", " area_illumination", " area_illumination circular")
+        if self.chance(0.2):
+            kind += f" looks_like {{ sphere {{ 0, {self.f(0.1, 0.6)} {self.texture()} }} }}"
+        if self.chance(0.1):
+            kind += f" projected_through {{ {self.solid()} translate <0, 1.5, -2> }} }}"
+        fade = self.pick("", f"fade_distance {self.f(2, 9)} fade_power {self.pick(1, 2, 3)}")
+        fog = "media_attenuation on" if self.has("air") and self.chance(0.3) else ""
+        moved = f"rotate {self.v(-20, 20)}" if self.chance(0.2) else ""
+        return f"light_source {{ <{self.f(-6, 6)}, {self.f(2, 6)}, {self.f(-7, -3)}> {self.color()} {kind} {fade} {fog} {moved} }}"
+
+    def haze(self):
+        """What lies between and behind the surfaces."""
+        out = []
+        if self.chance(0.6):
+            pigments = self.joined(self.r.randrange(1, 3), lambda: f"pigment {{ {self.pigment(0, 0.6)} }}")
+            bright = self.pick("", "", f"emission {self.f(0, 2)}", f"emission rgb {self.v(0, 2)}")
+            # (POV-Ray crashes where a sky asks for uv.)
+            out.append(f"sky_sphere {{ {pigments.replace('uv_mapping', '')} {bright} {self.move(0.5) if self.chance(0.4) else ''} }}")
+        for _ in range(self.r.randrange(0, 3)):
+            ground = f"fog_type 2 fog_offset {self.f(-1, 1)} fog_alt {self.f(0.1, 2)}" if self.chance(0.5) else ""
+            tilt = self.pick("", "", f"up {self.v(-1, 1)}", f"rotate {self.v(-90, 90)}") if ground else ""
+            stir = f"turbulence {self.pick(self.f(0, 1), self.v(0, 1))} turb_depth {self.f(0, 1)}" if self.chance(0.4) else ""
+            out.append(f"fog {{ distance {self.f(3, 30)} {self.color(0.5)} {ground} {tilt} {stir} }}")
+        if self.chance(0.3):
+            arc = self.pick("", f"arc_angle {self.f(90, 300)} falloff_angle {self.f(10, 90)} up {self.v(-1, 1)}")
+            colors = f"[0 {self.color(0.5)}] [0.5 {self.color(0.5)}] [1 {self.color(0.5)}]"
+            far = self.pick("", f"distance {self.f(3, 30)}")
+            out.append(f"rainbow {{ direction {self.v(-1, 1)}+2*z angle {self.f(5, 40)} width {self.f(5, 30)} {far} color_map {{ {colors} }} {arc} }}")
+        return out
+
+    def grouped(self):
+        """Lights that shine on something alone."""
+        things = self.joined(self.r.randrange(1, 3), lambda: f"{self.shape()} {self.modifiers()} }}")
+        lights = self.joined(self.r.randrange(1, 3), self.lamp)
+        return f"light_group {{ {lights} {things} {self.pick('', 'global_lights on', 'global_lights off')} }}"
+
     def light(self):
         fade = self.pick("", f"fade_distance {self.f(2, 9)} fade_power {self.pick(1, 2, 3, self.f(0.5, 4))}")
         moved = f"rotate {self.v(-20, 20)}" if self.chance(0.2) else ""
@@ -424,10 +482,14 @@ class Scenes(Scene):
         for line in lines:
             if line.startswith("camera") and self.has("cameras"):
                 line = self.camera()
+            if line.startswith("camera") and self.has("eyes") and self.chance(0.8):
+                line = self.eye()
             if line.startswith("global_settings") and self.has("settings"):
                 line = line[:-1] + self.settings() + " }"
             if line.startswith("light_source") and self.has("lights"):
                 line = "\n".join(self.light() for _ in range(self.r.randrange(1, 5)))
+            elif line.startswith("light_source") and self.has("lamps"):
+                line = "\n".join(self.lamp() for _ in range(self.r.randrange(1, 3)))
             out.append(line)
         head = out[:3]
         rest = out[3:]
@@ -446,6 +508,10 @@ class Scenes(Scene):
             rest.insert(0, f"object {{ Thing {self.move(1)} }}")
         if self.has("loops"):
             rest.append(self.looped())
+        if self.has("lamps") and self.chance(0.3):
+            rest.append(self.grouped())
+        if self.has("air"):
+            rest += self.haze()
         text = "\n".join(head + rest) + "\n"
         if "assumed_gamma" not in text:
             # POV-Ray wants to know the gamma before it takes one of these.

@@ -138,8 +138,8 @@ impl Isosurface {
         let unknown = self.max_gradient * length;
         let unknown = Interval { lo: -unknown, hi: unknown };
         // Steps of what is unknown are as many as it is steep.
-        let apart = |least: f64| (0.25 * self.accuracy).max(cells.side() * least) / length;
-        let (fine, coarse) = (apart(FINEST), apart(COARSEST));
+        let apart = |exact: f64, least: f64| exact.max(cells.side() * least) / length;
+        let (fine, coarse) = (apart(0.25 * self.accuracy, FINEST), apart(self.accuracy, COARSEST));
         let exact = 1e-10 * cells.side() / length;
         let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64| {
             let first = known.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));

@@ -29,7 +29,7 @@ const MOST_ROUNDS: usize = 1000;
 /// Steps are no shorter than one part in so many.
 const MOST_PRECISE: f64 = 1000.0;
 /// Of the precision: how much shorter the shortest step is where steps are as long as they can be.
-const SHORT: f64 = 1.0 / 500.0;
+const SHORT: f64 = 1.0 / 60.0;
 
 /// Two ways to calculate with four numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
