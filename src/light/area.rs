@@ -3,7 +3,7 @@
 
 use super::{Light, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::DVec3;
+use crate::math::{DVec3, fp};
 use crate::value::Kind::{Flag, Float, Nothing, Vector};
 use crate::value::Reader;
 use crate::value::words::{Row, set, word};
@@ -100,7 +100,7 @@ impl Area {
         let (mut u, mut v) = (place(0), place(1));
         if self.circular && (u != 0.0 || v != 0.0) {
             // A square about the middle becomes a circle.
-            let shrink = u.abs().max(v.abs()) / u.hypot(v);
+            let shrink = u.abs().max(v.abs()) / fp::hypot(u, v);
             (u, v) = (u * shrink, v * shrink);
         }
         let [a, b] = if self.orient { self.facing(toward) } else { self.axes };

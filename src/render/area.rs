@@ -33,7 +33,7 @@ enum Known {
 impl Tracer<'_> {
     /// The part of the light that comes through from a grid of lights. It is halved both ways down to single lights, and what counts of a
     /// piece is the mean of its corners; so those within a grid count twice and four times as much as those at its edges.
-    pub(super) fn from_area(
+    pub(super) fn through_area(
         &mut self,
         light: &LightSource,
         area: &Area,

@@ -27,7 +27,7 @@ pub(super) fn pixel(tracer: &mut Tracer, lens: &Lens, number: u64, x: usize, y: 
             mean[c] += (value - before) / count;
             spread[c] += (value - before) * (value - mean[c]);
         }
-        let asked = i + 1 >= lens.samples[0] && (i + 1 - lens.samples[0]) % ASK_EVERY == 0;
+        let asked = i + 1 >= lens.samples[0] && (i + 1 - lens.samples[0]).is_multiple_of(ASK_EVERY);
         if asked && spread.iter().all(|squares| lens.suffices(i + 1, *squares)) {
             break;
         }

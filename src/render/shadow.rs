@@ -19,7 +19,7 @@ impl Tracer<'_> {
         inside: &Interiors,
     ) -> Rgb {
         match &light.lamp.area {
-            Some(area) => self.from_area(light, area, point, arriving, inside),
+            Some(area) => self.through_area(light, area, point, arriving, inside),
             None => self.unshadowed(light, point, arriving, inside),
         }
     }

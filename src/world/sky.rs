@@ -44,7 +44,7 @@ impl Sky {
             quick: pigment.quick().map(|quick| LayerColor::new(&quick)),
         });
         let by_share = scene.settings.sky_by_share;
-        Self { background, layers: layers.collect(), emission: *emission, place: transform.clone(), by_share }
+        Self { background, layers: layers.collect(), emission: *emission, place: *transform, by_share }
     }
 
     /// Is none of it in a picture that keeps alpha, but in mirrors?
