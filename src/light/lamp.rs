@@ -23,6 +23,8 @@ pub struct Lamp {
     pub area: Option<Area>,
     /// Where its axis goes, length 1.
     axis: DVec3,
+    /// How far away the place is that it points at.
+    aim: f64,
     /// Is all of its light parallel to its axis?
     parallel: bool,
     profile: Profile,
@@ -52,6 +54,7 @@ impl Lamp {
             attenuated: light.media_attenuation,
             area: (light.spreads && light.area.size != [1; 2]).then(|| light.area.clone()),
             axis: axis(light.location, light.point_at),
+            aim: light.location.distance(light.point_at),
             parallel: light.parallel || matches!(light.beam, Beam::Cylinder(_)),
             profile: Profile::of(&light.beam),
         }
@@ -59,26 +62,27 @@ impl Lamp {
 
     /// What arrives at a point from the light that stands at `offset` from its location.
     pub fn shine_on(&self, p: DVec3, offset: DVec3) -> Arriving {
-        let source = self.location + offset;
-        let ahead = (p - source).dot(self.axis);
+        // (A tube is that of the middle of a grid: measured on POV-Ray 3.7.)
+        let ahead = (p - self.location).dot(self.axis);
         let (from, distance) = match self.parallel {
-            // From a place on the plane through its location.
-            true => match (-self.axis * ahead + offset, offset == DVec3::ZERO) {
-                (_, true) => (-self.axis, ahead),
-                (way, false) => (way / way.length(), way.length()),
-            },
+            true if offset == DVec3::ZERO => (-self.axis, ahead),
+            // Each light of a grid shines in a direction of its own, from its place to the one that all point at.
+            true => {
+                let from = (offset - self.axis * self.aim).normalize_or(-self.axis);
+                (from, (p - self.location - offset).dot(self.axis) / -from.dot(self.axis))
+            }
             false => {
-                let way = source - p;
+                let way = self.location + offset - p;
                 (way / way.length(), way.length())
             }
         };
-        let beside = (p - source - self.axis * ahead).length();
+        let beside = (p - self.location - self.axis * ahead).length();
         let share = match self.profile {
             Profile::Round => 1.0,
             // A beam without an axis shines nowhere (measured on POV-Ray 3.7).
             _ if self.axis == DVec3::ZERO => 0.0,
             // (Behind a parallel light, a cone is seen from its back.)
-            profile if self.parallel => profile.share(ahead.signum(), beside, ahead),
+            profile if self.parallel && offset == DVec3::ZERO => profile.share(ahead.signum(), beside, ahead),
             profile => profile.share(-from.dot(self.axis), beside, ahead),
         };
         let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };

@@ -78,7 +78,8 @@ impl Tracer<'_> {
             Known::Many(map) => map.get(&cell).copied(),
         };
         known.unwrap_or_else(|| {
-            let offset = self.offset(shadow.area, cell, -shadow.arriving.from);
+            let toward = -shadow.arriving.from;
+            let offset = self.offset(shadow.area, cell, toward);
             let ray = shadow.light.lamp.shine_on(shadow.point, offset);
             let passed = self.unshadowed(shadow.light, shadow.point, &ray, shadow.inside);
             match &mut shadow.known {

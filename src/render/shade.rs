@@ -51,7 +51,8 @@ impl Tracer<'_> {
         let [n, m] = area.size;
         let mut sum = Rgb::ZERO;
         for cell in (0..m).flat_map(|j| (0..n).map(move |i| [i, j])) {
-            let offset = self.offset(area, cell, -arriving.from);
+            let toward = -arriving.from;
+            let offset = self.offset(area, cell, toward);
             let one = light.lamp.shine_on(shading.point, offset);
             sum += self.answer_to(&one, light, dir, shading, |_| passed);
         }
