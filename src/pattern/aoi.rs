@@ -30,6 +30,9 @@ impl Readable for Aoi {
 
 impl Field for Aoi {
     fn value(&self, at: &TextureContext) -> f64 {
+        if !at.has_surface() {
+            return 0.0;
+        }
         1.0 - fp::acos(-at.normal.normalize_or_zero().dot(at.ray)) / PI
     }
 }

@@ -15,7 +15,8 @@ pub struct TextureContext {
     /// The same place in world space.
     pub world: DVec3,
     /// The surface's normal in world space, turned towards the eye, length 1. Pigments see that of their texture's `normal { }`, which
-    /// `no_bump_scale` leaves as long as the bumps make it (measured on POV-Ray 3.7).
+    /// `no_bump_scale` leaves as long as the bumps make it (measured on POV-Ray 3.7). Zero where there is no surface: in the sky, in a
+    /// function.
     pub normal: DVec3,
     /// The direction of the ray that sees it, in world space; length 1.
     pub ray: DVec3,
@@ -31,7 +32,12 @@ impl TextureContext {
 
     /// A point that lies on nothing: what functions ask about. They do not know the scene's number of waves, as in POV-Ray.
     pub fn free(p: DVec3, noise: NoiseGenerator) -> Self {
-        Self { p, uv: DVec2::new(p.x, p.y), world: p, normal: DVec3::Y, ray: DVec3::NEG_Y, noise, waves: Self::WAVES }
+        Self { p, uv: DVec2::new(p.x, p.y), world: p, normal: DVec3::ZERO, ray: DVec3::NEG_Y, noise, waves: Self::WAVES }
+    }
+
+    /// Does it lie on a surface? Without one, patterns that ask how it is turned are 0 (measured on POV-Ray 3.7).
+    pub fn has_surface(&self) -> bool {
+        self.normal != DVec3::ZERO
     }
 
     /// The same place seen from another space.

@@ -99,6 +99,9 @@ fn within(x: f64, [low, high]: [f64; 2]) -> f64 {
 
 impl Field for Slope {
     fn value(&self, at: &TextureContext) -> f64 {
+        if !at.has_surface() {
+            return 0.0;
+        }
         let towards = match self.towards {
             Towards::Direction(direction) => direction,
             Towards::Point(point) => point - at.world,

@@ -61,7 +61,7 @@ impl Sky {
             return behind;
         }
         let p = self.place.inverse_point(dir);
-        let ctx = TextureContext { waves, world: dir, ray: dir, normal: DVec3::ZERO, ..TextureContext::free(p, noise) };
+        let ctx = TextureContext { waves, world: dir, ray: dir, ..TextureContext::free(p, noise) };
         let colors = self.layers.iter().rev().map(|layer| {
             match layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color) {
                 LayerColor::Solid(color) => *color,

@@ -469,7 +469,9 @@ class Scenes(Scene):
         move = f"scale {size} translate {away}"
         lines, lights = [], []
         for line in rest.split("\n"):
-            (lights if line.startswith("light_source") or not line.strip() or line.startswith("background") else lines).append(line)
+            # (What lies behind and between things is not put into a union.)
+            apart = ("light_source", "background", "sky_sphere", "fog", "rainbow")
+            (lights if line.startswith(apart) or not line.strip() else lines).append(line)
         moved = [line[:-1].rstrip() + f" {move} }}" if line.startswith("light_source") else line for line in lights]
         body = "\n".join(lines)
         if "#" in body or not body.strip():
