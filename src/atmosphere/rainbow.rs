@@ -39,13 +39,16 @@ pub struct Rainbow {
     pub color_map: Option<Arc<ColorMap>>,
 }
 
+/// Of a rainbow that tells none (measured on POV-Ray 3.7): what lies behind shows as if nothing were before it.
+const USUAL_DISTANCE: f64 = 1e7;
+
 impl Default for Rainbow {
     fn default() -> Self {
         Self {
             direction: DVec3::ZERO,
             angle: 0.0,
             width: 0.0,
-            distance: Veil::FAR,
+            distance: USUAL_DISTANCE,
             jitter: 0.0,
             up: DVec3::Y,
             arc_angle: std::f64::consts::TAU,

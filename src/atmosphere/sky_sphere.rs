@@ -56,7 +56,8 @@ pub const SKY_SPHERE: Vocabulary = Vocabulary {
 };
 
 impl SkySphere {
-    /// Reads what stands between the braces; `source` is the block's place. Pigments begin with the default one.
+    /// Reads what stands between the braces; `source` is the block's place. Pigments begin
+    /// plain and black whatever the default is, which only those in their maps begin with (measured on POV-Ray 3.7).
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -77,7 +78,7 @@ impl SkySphere {
                 }
                 Next::Block("pigment") => {
                     r.take()?;
-                    sky.pigments.push(Pigment::read(r, &defaults.layers[0].pigment, defaults)?);
+                    sky.pigments.push(Pigment::read(r, &Pigment::default(), defaults)?);
                     r.leave()?;
                 }
                 Next::Word("emission") => {

@@ -1,12 +1,12 @@
 //! Cameras as a ray needs them: vectors in world space and angles in radians; nothing to look at, no degrees, no defaults.
 
 use super::perspective::Window;
-use super::{Lens, cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
+use super::{Bumps, Lens, cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
 use crate::math::{DVec2, DVec3, Ray};
 use serde::Serialize;
 
 /// A lowered camera.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Eye {
     /// Where it is and where it looks.
     pub frame: Frame,
@@ -15,6 +15,9 @@ pub struct Eye {
     /// What blurs, if anything does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<Lens>,
+    /// What turns the rays as bumps turn a surface's normal, if anything does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bumps: Option<Bumps>,
 }
 
 /// The vectors of a camera, in world space.
@@ -69,7 +72,15 @@ impl Frame {
 
 /// The rays of one picture of a size.
 #[derive(Clone, Debug)]
-pub enum View {
+pub struct View {
+    rays: Rays,
+    bumps: Option<Bumps>,
+    /// The picture, in pixels.
+    size: DVec2,
+}
+
+#[derive(Clone, Debug)]
+enum Rays {
     /// Those of most cameras.
     Window(Window),
     /// Those of all others.
@@ -78,58 +89,60 @@ pub enum View {
 
 /// Rays that no flat window gives.
 #[derive(Clone, Debug)]
-pub struct Bent {
+struct Bent {
     projection: Projection,
     origin: DVec3,
     /// Unit vectors: right, up, ahead.
     axes: [DVec3; 3],
     /// Lengths: the picture's width and height, and that of the direction.
     lengths: DVec3,
-    /// The picture, in pixels.
-    size: DVec2,
 }
 
 impl Eye {
     /// The rays of a picture of so many pixels.
     pub fn view(&self, width: usize, height: usize) -> View {
         let frame = self.frame;
-        match self.projection {
-            Projection::Perspective => View::Window(Window::of(&frame, width, height)),
+        let rays = match self.projection {
+            Projection::Perspective => Rays::Window(Window::of(&frame, width, height)),
             Projection::Lecture { tan_x, tan_y } => {
-                View::Window(super::lecture::window(&frame, (tan_x, tan_y), width, height))
+                Rays::Window(super::lecture::window(&frame, (tan_x, tan_y), width, height))
             }
             projection => {
                 let (axes, lengths) = frame.axes();
-                let size = DVec2::new(width as f64, height as f64);
-                View::Bent(Box::new(Bent { projection, origin: frame.origin, axes, lengths, size }))
+                Rays::Bent(Box::new(Bent { projection, origin: frame.origin, axes, lengths }))
             }
-        }
+        };
+        View { rays, bumps: self.bumps.clone(), size: DVec2::new(width as f64, height as f64) }
     }
 }
 
 impl View {
     /// The unit ray through a point of the picture, in pixels from its top left corner; `None` where the camera sees nothing.
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
-        match self {
-            View::Window(window) => Some(window.ray(x, y)),
-            View::Bent(bent) => bent.ray(x, y),
-        }
+        // -½ to ½, to the right and up
+        let at = || DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
+        let (ray, place) = match &self.rays {
+            Rays::Window(window) if self.bumps.is_none() => return Some(window.ray(x, y)),
+            Rays::Window(window) => (window.ray(x, y), at()),
+            Rays::Bent(bent) => bent.ray(at())?,
+        };
+        Some(self.bumps.as_ref().map_or(ray, |bumps| bumps.turn(ray, place)))
     }
 
     /// Where all rays begin; `None` if each begins elsewhere.
     pub fn origin(&self) -> Option<DVec3> {
-        match self {
-            View::Window(window) => Some(window.origin),
-            View::Bent(bent) if bent.moves() => None,
-            View::Bent(bent) => Some(bent.origin),
+        match &self.rays {
+            Rays::Window(window) => Some(window.origin),
+            Rays::Bent(bent) if bent.moves() => None,
+            Rays::Bent(bent) => Some(bent.origin),
         }
     }
 
-    /// The flat window, of a camera that has one.
+    /// The flat window, of a camera that has one and no bumps.
     pub fn window(&self) -> Option<&Window> {
-        match self {
-            View::Window(window) => Some(window),
-            View::Bent(_) => None,
+        match &self.rays {
+            Rays::Window(window) if self.bumps.is_none() => Some(window),
+            _ => None,
         }
     }
 }
@@ -140,24 +153,40 @@ impl Bent {
         matches!(self.projection, Projection::Orthographic | Projection::Cylinder(3 | 4, _))
     }
 
-    fn ray(&self, x: f64, y: f64) -> Option<Ray> {
-        // -½ to ½, to the right and up
-        let at = DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
+    /// The ray through a place of the picture, from -½ to ½ to the right and up, and where bumps are asked.
+    fn ray(&self, at: DVec2) -> Option<(Ray, DVec2)> {
         let lengths = self.lengths;
-        // Origin and direction along right, up, ahead.
-        let (origin, dir) = match self.projection {
-            Projection::Perspective | Projection::Lecture { .. } => (DVec2::ZERO, None),
+        let sight = match self.projection {
+            // (These have a window.)
+            Projection::Perspective | Projection::Lecture { .. } => return None,
             Projection::Orthographic => orthographic::ray(at, lengths),
-            Projection::Fisheye(angle) => (DVec2::ZERO, fisheye::direction(at, lengths, angle)),
-            Projection::UltraWideAngle(angle) => (DVec2::ZERO, Some(ultra_wide_angle::direction(at, lengths, angle))),
-            Projection::Omnimax => (DVec2::ZERO, omnimax::direction(at, lengths)),
-            Projection::Panoramic => (DVec2::ZERO, Some(panoramic::direction(at, lengths))),
+            Projection::Fisheye(angle) => fisheye::ray(at, lengths, angle)?,
+            Projection::UltraWideAngle(angle) => ultra_wide_angle::ray(at, lengths, angle),
+            Projection::Omnimax => omnimax::ray(at, lengths)?,
+            Projection::Panoramic => panoramic::ray(at, lengths),
             Projection::Cylinder(kind, angle) => cylinder::ray(kind, at, lengths, angle),
-            Projection::Spherical(angles) => (DVec2::ZERO, Some(spherical::direction(at, angles))),
+            Projection::Spherical(angles) => spherical::ray(at, angles),
         };
-        let dir = dir?;
+        let Sight { origin, dir, place } = sight;
         let [right, up, ahead] = self.axes;
         let world = right * dir.x + up * dir.y + ahead * dir.z;
-        Some(Ray::new(self.origin + right * origin.x + up * origin.y, world.try_normalize()?))
+        Some((Ray::new(self.origin + right * origin.x + up * origin.y, world.try_normalize()?), place))
+    }
+}
+
+/// What a projection makes of a place of the picture.
+pub(super) struct Sight {
+    /// Where the ray begins, along right and up.
+    pub(super) origin: DVec2,
+    /// Along right, up and ahead; of any length.
+    pub(super) dir: DVec3,
+    /// Where bumps are asked.
+    pub(super) place: DVec2,
+}
+
+impl Sight {
+    /// A ray that begins at the eye.
+    pub(super) fn from_eye(dir: DVec3, place: DVec2) -> Self {
+        Self { origin: DVec2::ZERO, dir, place }
     }
 }

@@ -67,7 +67,7 @@ impl LectureCamera {
         };
         let t = &self.transform;
         let frame = Frame { origin: t.point(self.eye), direction: -t.vector(w), right: t.vector(u), up: t.vector(v) };
-        Eye { frame, projection: Projection::Lecture { tan_x, tan_y }, lens: None }
+        Eye { frame, projection: Projection::Lecture { tan_x, tan_y }, lens: None, bumps: None }
     }
 }
 

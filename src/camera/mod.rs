@@ -1,5 +1,6 @@
 //! `camera`: POV-Ray's (manual, "Camera") and the lecture's; and what a ray needs of them, [`Eye`].
 
+mod bumps;
 mod cylinder;
 mod eye;
 mod fisheye;
@@ -14,6 +15,7 @@ mod spherical;
 mod ultra_wide_angle;
 pub mod words;
 
+pub use bumps::Bumps;
 pub use eye::{Eye, Frame, Projection, View};
 pub use focal_blur::{FocalBlur, Lens};
 pub use lecture::LectureCamera;
@@ -22,11 +24,14 @@ pub use povray::{Kind, PovrayCamera};
 
 use crate::diagnostic::Result;
 use crate::math::Transform;
+use crate::math::noise::NoiseGenerator;
 use crate::source::Span;
+use crate::texture::{Normal, Texture};
 use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt, Thing};
 use focal_blur::BLUR_ROWS;
 use serde::Serialize;
+use std::sync::Arc;
 use words::{KIND_ROWS, LECTURE, LECTURE_ROWS, POVRAY, POVRAY_ROWS};
 
 /// Any camera.
@@ -56,7 +61,7 @@ impl Camera {
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
-    pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
+    pub fn read(r: &mut dyn Reader, source: Span, defaults: &Texture) -> Result<Self> {
         let mut povray = PovrayCamera::default();
         if let Some(declared) = r.thing::<Camera>()? {
             match &*declared {
@@ -84,6 +89,12 @@ impl Camera {
                 next if read_row(POVRAY_ROWS, &mut povray, next, r)? => {}
                 next if read_row(KIND_ROWS, &mut povray, next, r)? => {}
                 next if read_row(BLUR_ROWS, &mut povray, next, r)? => {}
+                Next::Thing("normal") => povray.normal = r.thing::<Normal>()?,
+                Next::Block("normal") => {
+                    r.take()?;
+                    povray.normal = Some(Arc::new(Normal::read(r, defaults.layers[0].normal.as_deref(), defaults)?));
+                    r.leave()?;
+                }
                 Next::Word(word) | Next::Block(word) if POVRAY.leaves_out(word) => {
                     undrawn.push(r.keep_undrawn(word)?);
                 }
@@ -116,10 +127,13 @@ impl Camera {
         if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::names()).into()) }
     }
 
-    /// As a ray needs it.
-    pub fn eye(&self) -> Eye {
+    /// As a ray needs it; `noise` and `waves` are the scene's, for a `normal`.
+    pub fn eye(&self, noise: NoiseGenerator, waves: usize) -> Eye {
         match self {
-            Camera::Povray(camera) => camera.eye(),
+            Camera::Povray(camera) => {
+                let bumps = camera.normal.as_deref().map(|normal| Bumps::new(normal, noise, waves));
+                Eye { bumps, ..camera.eye() }
+            }
             Camera::Lecture(camera) => camera.eye(),
         }
     }

@@ -1,24 +1,25 @@
 //! `omnimax`: half a turn in a disc for cinemas with a dome; what lies more than 45° below the axis is black (manual, "Omnimax"; all
 //! numbers fitted on POV-Ray 3.7).
 
-use crate::math::{DVec2, DVec3, fp};
+use super::eye::Sight;
+use super::fisheye::on_disc;
+use crate::math::{DVec2, DVec3};
 
 /// The angle to the axis at a distance from the middle of the disc, which is 1 at its edge: fitted, to 0.001°.
 const ANGLE: [f64; 3] = [1.411_262, -0.094_374, 0.256_732];
 /// Where that angle is 45°. A picture that is wider than the disc down to there shows that and no more.
 const LOWEST: f64 = 0.558_292;
 
-/// The direction.
-pub(super) fn direction(at: DVec2, lengths: DVec3) -> Option<DVec3> {
+/// The ray.
+pub(super) fn ray(at: DVec2, lengths: DVec3) -> Option<Sight> {
     let p = in_disc(at, lengths.x / lengths.y);
     let r = p.length();
     if r > 1.0 {
         return None;
     }
     let angle = r * (ANGLE[0] + r * r * (ANGLE[1] + r * r * ANGLE[2]));
-    let (sin, cos) = fp::sin_cos(angle);
-    let dir = (p.normalize_or_zero() * sin).extend(cos);
-    (dir.y + dir.z >= 0.0).then_some(dir)
+    let sight = on_disc(p, angle);
+    (sight.dir.y + sight.dir.z >= 0.0).then_some(sight)
 }
 
 /// Where a place of the picture is in the disc, whose upper edge is the picture's if that is wider than high.

@@ -1,11 +1,13 @@
 //! `panoramic`: half a turn about the axis that goes up, on a cylinder (manual, "Panoramic"). It takes no `angle`: the lengths of `right`,
 //! `up` and `direction` say how far it is stretched (formula fitted on POV-Ray 3.7).
 
+use super::eye::Sight;
 use crate::math::{DVec2, DVec3, fp};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The direction, not normalised.
-pub(super) fn direction(at: DVec2, lengths: DVec3) -> DVec3 {
+/// The ray. Bumps are asked at the angles to the right and to the horizon.
+pub(super) fn ray(at: DVec2, lengths: DVec3) -> Sight {
     let (sin, cos) = fp::sin_cos(PI * at.x);
-    lengths * DVec3::new(sin, fp::tan(PI * at.y), cos)
+    let place = DVec2::new(FRAC_PI_2 - PI * at.x, PI * at.y);
+    Sight::from_eye(lengths * DVec3::new(sin, fp::tan(PI * at.y), cos), place)
 }

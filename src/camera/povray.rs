@@ -6,8 +6,10 @@ use super::eye::{Eye, Frame, Projection};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;
+use crate::texture::Normal;
 use crate::value::{RawItem, Reader};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// As it was written.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -36,6 +38,9 @@ pub struct PovrayCamera {
     pub angle_span: Span,
     /// What is not in focus is blurred.
     pub blur: FocalBlur,
+    /// What turns its rays.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub normal: Option<Arc<Normal>>,
     /// Applied to all of it in the end.
     pub transform: Transform,
     /// What was said and is not drawn yet.
@@ -59,6 +64,7 @@ impl Default for PovrayCamera {
             sized: false,
             angle_span: Span::NONE,
             blur: FocalBlur::default(),
+            normal: None,
             transform: Transform::IDENTITY,
             undrawn: vec![],
         }
@@ -158,7 +164,7 @@ impl PovrayCamera {
         let frame = Frame { origin: t.point(self.location), direction, right, up };
         let blur = FocalBlur { focal_point: t.point(self.blur.focal_point), ..self.blur };
         let lens = blur.lens(frame.origin, direction.normalize_or_zero());
-        Eye { frame, projection: self.projection(), lens }
+        Eye { frame, projection: self.projection(), lens, bumps: None }
     }
 
     fn projection(&self) -> Projection {

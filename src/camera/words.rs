@@ -3,7 +3,7 @@
 use super::focal_blur::BLUR_ROWS;
 use super::lecture::{LectureCamera, read_field_of_view};
 use super::povray::{Kind, PovrayCamera};
-use crate::value::Kind::{Float, Nothing, Vector};
+use crate::value::Kind::{Block, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
 
@@ -61,6 +61,14 @@ pub(super) const KIND_ROWS: &[Row<PovrayCamera>] = &[
 /// How a camera projects, for the manual.
 pub const KINDS: &[WordSpec] = specs!(KIND_ROWS);
 
+/// What turns rays.
+const BUMPS: &[WordSpec] = &[word(
+    "normal",
+    Block,
+    "",
+    "turns the rays as bumps turn a surface's normal; the pattern lies in the picture, which goes from -0.5 to 0.5",
+)];
+
 /// What blurs, for the manual.
 pub const BLUR: &[WordSpec] = specs!(BLUR_ROWS);
 
@@ -68,13 +76,13 @@ pub const BLUR: &[WordSpec] = specs!(BLUR_ROWS);
 pub const POVRAY: Vocabulary = Vocabulary {
     block: "camera",
     summary: "where the picture is taken from; x to the right, y up, z away from you",
-    words: &joined::<{ POVRAY_ROWS.len() + KINDS.len() + BLUR.len() }>(
-        specs!(POVRAY_ROWS),
+    words: &joined::<{ POVRAY_ROWS.len() + BUMPS.len() + KINDS.len() + BLUR.len() }>(
+        &joined::<{ POVRAY_ROWS.len() + BUMPS.len() }>(specs!(POVRAY_ROWS), BUMPS),
         &joined::<{ KINDS.len() + BLUR.len() }>(KINDS, BLUR),
     ),
     moves: true,
     idle: &[],
-    not_drawn: &["mesh_camera", "normal", "bokeh", "smooth"],
+    not_drawn: &["mesh_camera", "bokeh", "smooth"],
 };
 
 /// How [`LECTURE`]'s words are read.

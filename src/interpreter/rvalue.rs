@@ -118,7 +118,7 @@ impl<'a> Interpreter<'a> {
             "fog" => self.inside(|r, _| Fog::read(r)),
             "rainbow" => self.inside(|r, at| Rainbow::read(r, at)),
             "sky_sphere" => self.inside(|r, at| SkySphere::read(r, &defaults.texture, at)),
-            "camera" => self.inside(|r, at| Camera::read(r, at)),
+            "camera" => self.inside(|r, at| Camera::read(r, at, &defaults.texture)),
             "transform" => self.inside(|r, _| Ok(TransformThing(r.transform_block()?))),
             _ => Err(self.unexpected_token("something that can be declared").into()),
         }
@@ -144,7 +144,8 @@ impl<'a> Interpreter<'a> {
                 }
                 Next::Block("camera") => {
                     let at = self.take()?;
-                    self.scene.camera = Camera::read(self, at)?;
+                    let defaults = self.defaults.clone();
+                    self.scene.camera = Camera::read(self, at, &defaults.texture)?;
                     self.leave()?;
                 }
                 _ => {

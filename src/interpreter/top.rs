@@ -98,7 +98,8 @@ impl Interpreter<'_> {
         let at = self.take()?;
         match word {
             "camera" => {
-                self.scene.camera = Camera::read(self, at)?;
+                let defaults = self.defaults.clone();
+                self.scene.camera = Camera::read(self, at, &defaults.texture)?;
                 self.scene.cameras.push(at);
             }
             "background" => {

@@ -32,7 +32,15 @@ impl TextureContext {
 
     /// A point that lies on nothing: what functions ask about. They do not know the scene's number of waves, as in POV-Ray.
     pub fn free(p: DVec3, noise: NoiseGenerator) -> Self {
-        Self { p, uv: DVec2::new(p.x, p.y), world: p, normal: DVec3::ZERO, ray: DVec3::NEG_Y, noise, waves: Self::WAVES }
+        Self {
+            p,
+            uv: DVec2::new(p.x, p.y),
+            world: p,
+            normal: DVec3::ZERO,
+            ray: DVec3::NEG_Y,
+            noise,
+            waves: Self::WAVES,
+        }
     }
 
     /// Does it lie on a surface? Without one, patterns that ask how it is turned are 0 (measured on POV-Ray 3.7).

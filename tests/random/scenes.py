@@ -399,7 +399,8 @@ class Scenes(Scene):
         if self.chance(0.1):
             kind += f" projected_through {{ {self.solid()} translate <0, 1.5, -2> }} }}"
         fade = self.pick("", f"fade_distance {self.f(2, 9)} fade_power {self.pick(1, 2, 3)}")
-        fog = "media_attenuation on" if self.has("air") and self.chance(0.3) else ""
+        # (Not with a grid, whose light POV-Ray's fog weakens by the light's distance from the origin as well; see README.md.)
+        fog = "media_attenuation on" if self.has("air") and self.chance(0.3) and "area_light" not in kind else ""
         moved = f"rotate {self.v(-20, 20)}" if self.chance(0.2) else ""
         return f"light_source {{ <{self.f(-6, 6)}, {self.f(2, 6)}, {self.f(-7, -3)}> {self.color()} {kind} {fade} {fog} {moved} }}"
 

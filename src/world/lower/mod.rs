@@ -52,9 +52,10 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         lowering.forget_spent();
     }
     let lit_by = lowering.lit_by();
+    let noise = scene.settings.noise_generator.unwrap_or_default();
     let Lowering { parts, objects, cuts, materials, interiors, filled, lights, .. } = lowering;
     Ok(World {
-        eye: scene.camera.eye(),
+        eye: scene.camera.eye(noise, scene.settings.number_of_waves),
         camera_source: scene.cameras.last().copied().unwrap_or(Span::NONE),
         geometry: heap.into(),
         see_through: objects.iter().any(|o| !o.opaque),
@@ -73,7 +74,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         fogs: scene.fogs.iter().filter(|fog| fog.shows()).cloned().collect(),
         rainbows: scene.rainbows.clone(),
         gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
-        noise: scene.settings.noise_generator.unwrap_or_default(),
+        noise,
         waves: scene.settings.number_of_waves,
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
