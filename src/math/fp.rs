@@ -120,6 +120,12 @@ pub fn ln(x: f64) -> f64 {
     x.ln()
 }
 
+/// Cube root.
+#[inline]
+pub fn cbrt(x: f64) -> f64 {
+    x.cbrt()
+}
+
 /// Logarithm of base 10.
 #[inline]
 pub fn log10(x: f64) -> f64 {

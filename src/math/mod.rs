@@ -3,6 +3,7 @@
 mod aabb;
 pub mod bvh;
 mod complex;
+mod crossing;
 pub mod fp;
 pub mod noise;
 mod poly;
@@ -13,6 +14,7 @@ mod transform;
 
 pub use aabb::Aabb;
 pub use complex::Complex;
+pub use crossing::crossing;
 pub use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 pub use poly::{
     MAX_DEGREE, Roots, bernstein_roots, roots_on_line, solve_between, solve_cubic, solve_quadratic, solve_quartic,

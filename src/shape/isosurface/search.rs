@@ -1,6 +1,7 @@
 //! Where a function of one number is 0, by bounds of its derivative.
 
 use crate::function::Interval;
+use crate::math::crossing;
 
 /// A place on the line, and the function's value there.
 pub type Point = (f64, f64);
@@ -33,40 +34,10 @@ impl Search<'_> {
         let one_way = if a.1 < 0.0 { rate.lo >= 0.0 } else { rate.hi <= 0.0 };
         let (lo, hi) = (lo.clamp(a.0, b.0), hi.clamp(a.0, b.0));
         if differ && (one_way || hi - lo <= self.apart) {
-            return found(self.root(a, b));
+            return found(crossing(self.value, a, b, self.exact));
         }
         let middle = 0.5 * (lo + hi);
         let m = (middle, (self.value)(middle));
         self.between(a, m, rate, found) || self.between(m, b, rate, found)
-    }
-
-    /// The root between two places with values of different signs: by the secant, of which an end that stays is halved ("Illinois", Dowell
-    /// and Jarratt, 1971), and by halves where that does not help. Where the function jumps, it is the place behind the jump.
-    fn root(&self, a: Point, b: Point) -> f64 {
-        let before = a.1 < 0.0;
-        let ((mut a, mut fa), (mut b, mut fb)) = (a, b);
-        let mut last = a;
-        for step in 0..80 {
-            let mut s = b - fb * (b - a) / (fb - fa);
-            if step > 20 || !(s > a.min(b) && s < a.max(b)) {
-                s = 0.5 * (a + b);
-            }
-            let value = (self.value)(s);
-            if (b - a).abs() <= self.exact {
-                return a.max(b);
-            }
-            let is_behind = (value < 0.0) != before;
-            if value == 0.0 || ((s - last).abs() <= self.exact && (is_behind || (s - a.max(b)).abs() > self.exact)) {
-                return s;
-            }
-            if (value < 0.0) == (fb < 0.0) {
-                fa *= 0.5;
-            } else {
-                (a, fa) = (b, fb);
-            }
-            (b, fb) = (s, value);
-            last = s;
-        }
-        b
     }
 }

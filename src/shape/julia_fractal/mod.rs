@@ -16,20 +16,22 @@ pub use function::Function;
 
 use super::{Hit, Hits, Kernel, Paints, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, crossing};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs_of, word};
 use crate::value::{Kind, Next, Param, Reader, Spec, Value, WordSpec};
 use function::{FUNCTIONS, WORDS};
-use orbit::{Four, Rule, Trail};
+use orbit::{Four, Rule, Trail, mean};
 use serde::Serialize;
 
 /// Nobody sees more rounds than these, and points inside take all of them.
 const MOST_ROUNDS: usize = 1000;
 /// Steps are no shorter than one part in so many.
 const MOST_PRECISE: f64 = 1000.0;
-/// Of the precision: how much shorter the shortest step is where steps are as long as they can be.
-const SHORT: f64 = 1.0 / 60.0;
+/// Of what `precision` says: how long a stretch is at which no look is taken, where all else is known.
+const SHORT: f64 = 1.0 / 20.0;
+/// A step beyond what is known to be alike, in parts of that: further on as much is known, mostly.
+const AHEAD: f64 = 0.6;
 
 /// Two ways to calculate with four numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -103,21 +105,45 @@ impl JuliaFractal {
         [p.x, p.y, p.z, (self.distance - x * p.x - y * p.y - z * p.z) / w]
     }
 
+    /// The point of the slice, and what is added in each round.
+    fn start(&self, p: DVec3) -> [Four; 2] {
+        [self.lifted(p), self.parameter]
+    }
+
     /// Is it inside, and how far around it do all points share that?
     fn look(&self, p: DVec3, trail: &mut Trail) -> (bool, f64) {
-        let (rule, exit) = (self.rule(), self.radius() * self.radius());
-        let escapes = rule.escapes([self.lifted(p), self.parameter], exit, [self.rounds(), 3], trail);
+        let (inside, clearance) = self.rule().look(self.start(p), self.radius(), self.rounds(), trail);
         // (The slice may be steep: its points are further apart than those that are seen.)
-        (!escapes, rule.clearance(trail, escapes, exit) * self.slice[3].abs())
+        (inside, clearance * self.slice[3].abs())
     }
 
-    fn holds(&self, p: DVec3, trail: &mut Trail) -> bool {
-        let (rule, exit) = (self.rule(), self.radius() * self.radius());
-        !rule.escapes([self.lifted(p), self.parameter], exit, [self.rounds(), 0], trail)
+    /// Below 0 inside, and 1 at most.
+    fn value(&self, p: DVec3) -> f64 {
+        1.0 - self.radius() * self.radius() / self.rule().reach(self.start(p), self.rounds())
     }
 
-    /// Tells each hit in the range, ascending; true ends the search.
-    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
+    fn holds(&self, p: DVec3) -> bool {
+        let exit = self.radius() * self.radius();
+        let mut stays = true;
+        self.rule().follow(self.start(p), self.rounds(), |squares| {
+            stays = mean(squares) <= exit;
+            stays
+        });
+        stays
+    }
+
+    /// From where to where a line, counted by its length from the place nearest to the origin, is in the ball that holds all.
+    fn stretch(&self, o: DVec3, from: f64, to: f64) -> Option<(f64, f64)> {
+        // A trifle more than the ball, which is all there is where c is 0; it is no surface of others.
+        let radius = self.radius() * if self.algebra == Algebra::Quaternion { 1.0 + 1e-6 } else { 1.0 - 1e-6 };
+        let half = (radius * radius - o.length_squared()).sqrt();
+        // (Not that of a negative number, either.)
+        let (from, to) = (from.max(-half), to.min(half));
+        (half > 0.0 && half.is_finite() && from < to).then_some((from, to))
+    }
+
+    /// Tells each stretch in which a ray goes in or out, ascending, with what it takes to find the place; true ends the search.
+    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut([f64; 2], &dyn Fn() -> f64) -> bool) {
         if self.rounds() == 0 {
             return;
         }
@@ -125,59 +151,46 @@ impl JuliaFractal {
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;
-        // A trifle more than the ball, which is all there is where c is 0; it is no surface of others.
-        let radius = self.radius() * if self.algebra == Algebra::Quaternion { 1.0 + 1e-6 } else { 1.0 - 1e-6 };
-        let half2 = radius * radius - o.length_squared();
-        if half2.is_nan() || half2 <= 0.0 {
+        let Some((from, to)) = self.stretch(o, range.min * length - middle, range.max * length - middle) else {
             return;
-        }
-        let half = half2.sqrt();
-        let (from, to) = ((range.min * length - middle).max(-half), (range.max * length - middle).min(half));
-        if from >= to {
-            return;
-        }
+        };
         let at = |s: f64| o + v * s;
+        let t = |s: f64| (s + middle) / length;
         let mut trail = Trail::new();
         // (In a huge ball, not too many.)
-        let shortest = (if self.rule().is_proved() { SHORT } else { 1.0 } / self.precision).max(1e-6 * radius);
-        let (mut s, mut before) = (from, None);
-        loop {
-            let (inside, clearance) = self.look(at(s), &mut trail);
-            if let Some((last, was_inside)) = before
-                && was_inside != inside
-            {
-                let t = (self.between(&at, last, s, was_inside, &mut trail) + middle) / length;
-                if range.contains(t) && found(t) {
+        let shortest = (if self.rule().is_proved() { SHORT } else { 1.0 } / self.precision).max(2e-5 * self.radius());
+        let (mut s, (mut inside, mut alike)) = (from, self.look(at(from), &mut trail));
+        while s < to {
+            let mut next = (s + alike + shortest.max(AHEAD * alike)).min(to);
+            let mut there = self.look(at(next), &mut trail);
+            // Both places tell of all between them, but for a short piece.
+            while next - s - alike - there.1 > 1.001 * shortest {
+                next = (0.5 * (s + alike + next - there.1)).max(s + alike + shortest);
+                there = self.look(at(next), &mut trail);
+            }
+            if there.0 != inside {
+                let value = |s: f64| self.value(at(s));
+                let root = || t(crossing(&value, (s, value(s)), (next, value(next)), 1e-11 * (1.0 + s.abs())));
+                if found([t(s), t(next)], &root) {
                     return;
                 }
             }
-            if s >= to {
-                return;
-            }
-            before = Some((s, inside));
-            s = (s + clearance.max(shortest)).min(to);
+            (s, (inside, alike)) = (next, there);
         }
-    }
-
-    /// Where a line goes in or out between two places.
-    fn between(&self, at: &impl Fn(f64) -> DVec3, mut lo: f64, mut hi: f64, first: bool, trail: &mut Trail) -> f64 {
-        while hi - lo > 1e-11 * (1.0 + lo.abs()) {
-            let middle = 0.5 * (lo + hi);
-            if self.holds(at(middle), trail) == first {
-                lo = middle;
-            } else {
-                hi = middle;
-            }
-        }
-        0.5 * (lo + hi)
     }
 
     /// The round after which h is largest, of those that count.
     fn last_round(&self, p: DVec3) -> usize {
-        let mut trail = Trail::new();
-        self.rule().escapes([self.lifted(p), self.parameter], f64::INFINITY, [self.rounds(), 0], &mut trail);
-        let length2 = |k: &usize| trail[*k].iter().map(|x| x * x).sum::<f64>();
-        (0..trail.len()).max_by(|i, k| length2(i).total_cmp(&length2(k))).unwrap_or(0)
+        let (mut k, mut last, mut most) = (0, 0, f64::NEG_INFINITY);
+        self.rule().follow(self.start(p), self.rounds(), |squares| {
+            // (What is no number is larger.)
+            if mean(squares).total_cmp(&most).is_ge() {
+                (last, most) = (k, mean(squares));
+            }
+            k += 1;
+            squares.iter().all(|x| x.is_finite())
+        });
+        last
     }
 
     /// The gradient of |h|² after some rounds, in four dimensions; its fourth number is left out, even where the slice makes it depend on
@@ -320,23 +333,32 @@ impl Kernel for JuliaFractal {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, &mut |t| {
-            out.push(Hit::at(t));
+        self.search(ray, range, &mut |_, root| {
+            out.extend(Some(root()).filter(|t| range.contains(*t)).map(Hit::at));
             false
         });
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
-        self.search(ray, range, &mut |t| {
-            first = Some(Hit::at(t));
-            true
+        self.search(ray, range, &mut |_, root| {
+            first = Some(root()).filter(|t| range.contains(*t)).map(Hit::at);
+            first.is_some()
         });
         first
     }
 
+    fn any(&self, ray: &Ray, range: Range) -> bool {
+        let mut any = false;
+        self.search(ray, range, &mut |ends, root| {
+            any = ends.iter().all(|t| range.contains(*t)) || range.contains(root());
+            any
+        });
+        any
+    }
+
     fn inside(&self, p: DVec3) -> bool {
-        p.length() <= self.radius() && self.holds(p, &mut Trail::new())
+        p.length() <= self.radius() && self.holds(p)
     }
 
     /// The direction in which h grows fastest after the last round; so in POV-Ray 3.7, but for functions other than `sqr` and `cube`,
@@ -422,7 +444,7 @@ mod tests {
                 for j in 0..20 {
                     let around = |m: usize| (j * m % 37) as f64 / 18.0 - 1.0;
                     let q = p + DVec3::new(around(5), around(7), around(11)).normalize() * clearance * 0.999;
-                    assert_eq!(fractal.holds(q, &mut trail), inside, "{text} {p} {q} {clearance}");
+                    assert_eq!(fractal.holds(q), inside, "{text} {p} {q} {clearance}");
                 }
             }
         }

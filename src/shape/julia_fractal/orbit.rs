@@ -4,7 +4,7 @@
 //! functions are those of both, and its square is half the sum of theirs.
 
 use super::function::Function;
-use crate::math::Complex;
+use crate::math::{Complex, fp};
 use smallvec::SmallVec;
 
 /// x + iy + jz + kw.
@@ -21,8 +21,8 @@ pub enum Rule {
     Pair(Function),
 }
 
-/// Two lengths for each round: of both numbers of the pair, or twice that of the quaternion.
-pub type Trail = SmallVec<[[f64; 2]; 16]>;
+/// Two squared lengths for each round: of both numbers of the pair, or twice that of the quaternion.
+pub type Trail = SmallVec<[[f64; 2]; 24]>;
 
 /// Hamilton's product.
 pub fn product(a: Four, b: Four) -> Four {
@@ -77,117 +77,116 @@ impl Rule {
         }
     }
 
-    /// Writes down the lengths from h₀ on, `count` rounds, but only `more` behind the first that is longer than √`exit`. Is there one?
-    pub fn escapes(self, [h, c]: [Four; 2], exit: f64, [count, more]: [usize; 2], trail: &mut Trail) -> bool {
-        trail.clear();
+    /// Goes `count` rounds or fewer. `visit` gets the squared lengths from h₀ on, and says whether to go on.
+    pub fn follow(self, [h, c]: [Four; 2], count: usize, visit: impl FnMut([f64; 2]) -> bool) {
         match self {
             Rule::Pair(f) => {
                 let c = pair(c);
                 let next = |z: [Complex; 2]| std::array::from_fn(|i| f.value_and_slope(z[i]).0 + c[i]);
-                follow(pair(h), next, |z| z.map(Complex::length_squared), exit, [count, more], trail)
+                rounds(pair(h), next, |z| z.map(Complex::length_squared), count, visit);
             }
-            Rule::Square => follow(h, |h| sum(square(h), c), |h| [length_squared(h); 2], exit, [count, more], trail),
+            Rule::Square => rounds(h, |h| sum(square(h), c), |h| [length_squared(h); 2], count, visit),
             Rule::Cube => {
-                let next = |h: Four| sum(product(square(h), h), c);
-                follow(h, next, |h| [length_squared(h); 2], exit, [count, more], trail)
+                rounds(h, |h| sum(product(square(h), h), c), |h| [length_squared(h); 2], count, visit);
             }
         }
     }
 
-    /// How far a length at most strays in the next round, if it strays by `d` in this one; `None` if that is not known.
-    fn stray(self, length: f64, d: f64) -> Option<f64> {
-        match self {
-            // |(h + d)² - h²| ≤ 2|h||d| + |d|²
-            Rule::Square | Rule::Pair(Function::Sqr) => Some(d * (2.0 * length + d)),
-            Rule::Cube => Some(d * (3.0 * length * (length + d) + d * d)),
-            Rule::Pair(_) => None,
-        }
+    /// Does h never go further than `radius` in so many rounds, and how far around do all points share that? That is 0 where it is
+    /// not known.
+    pub fn look(self, start: [Four; 2], radius: f64, count: usize, trail: &mut Trail) -> (bool, f64) {
+        trail.clear();
+        let (exit, proved) = (radius * radius, self.is_proved());
+        let mut stays = true;
+        self.follow(start, count, |squares| {
+            trail.push(squares);
+            // A round behind the first that is too far shows better how far around that is so.
+            let goes_on = stays && (proved || mean(squares) <= exit);
+            // (What is no number has gone, too.)
+            stays &= mean(squares) <= exit;
+            goes_on && squares.iter().all(|x| x.is_finite())
+        });
+        (stays, if proved { self.clearance(trail, stays, radius) } else { 0.0 })
+    }
+
+    /// How far it goes in so many rounds: the largest square, infinite for what is no number.
+    pub fn reach(self, start: [Four; 2], count: usize) -> f64 {
+        let mut most = 0.0;
+        self.follow(start, count, |squares| {
+            let square = mean(squares);
+            most = if square <= most { most } else { square };
+            most.is_finite()
+        });
+        if most.is_nan() { f64::INFINITY } else { most }
     }
 
     /// Is it known how far neighbours stray?
     pub fn is_proved(self) -> bool {
-        self.stray(0.0, 0.0).is_some()
+        matches!(self, Rule::Square | Rule::Cube | Rule::Pair(Function::Sqr))
     }
 
-    /// A radius within which all points share the fate that the trail tells: that its last length is more than √`exit`, or that all are
-    /// less. 0 where it is not known.
-    pub fn clearance(self, trail: &[[f64; 2]], escapes: bool, exit: f64) -> f64 {
-        if !self.is_proved() {
-            return 0.0;
-        }
-        let limit = exit.sqrt();
-        // Both numbers of a pair stray more than the point by √2.
-        let spread = if matches!(self, Rule::Pair(_)) { std::f64::consts::SQRT_2 } else { 1.0 };
-        let holds = |radius: f64| {
-            let mut stray = [radius * spread; 2];
-            for (k, lengths) in trail.iter().enumerate() {
-                if !escapes && mean([lengths[0] + stray[0], lengths[1] + stray[1]]) > limit {
-                    return false;
-                }
-                if k + 1 == trail.len() {
-                    let least = [(lengths[0] - stray[0]).max(0.0), (lengths[1] - stray[1]).max(0.0)];
-                    return !escapes || mean(least) > limit;
-                }
-                for i in 0..2 {
-                    match self.stray(lengths[i], stray[i]) {
-                        Some(next) => stray[i] = next,
-                        None => return false,
-                    }
-                }
+    /// How far a number may stray in a round, so that it strays by `e` at most in the next one.
+    ///
+    /// |(h + d)² - h²| ≤ (|h| + |d|)² - |h|², and so for cubes; both are solved for |d|, or by less where it costs less.
+    fn before(self, square: f64, e: f64) -> f64 {
+        let length = square.sqrt();
+        match self {
+            Rule::Cube if e <= square * length => {
+                let most = e / (3.0 * square);
+                e / (3.0 * square + most * (3.0 * length + most))
             }
-            false
+            Rule::Cube => fp::cbrt(square * length + e) - length,
+            // d = e / (2|h| + d) ≥ e / (2|h| + e / 2|h|)
+            _ if e <= square => 2.0 * length * e / (4.0 * square + e),
+            _ => (square + e).sqrt() - length,
+        }
+    }
+
+    /// A radius within which all points share the fate that the trail tells: that h goes further than `radius` in one of its last
+    /// rounds, or in none.
+    fn clearance(self, trail: &[[f64; 2]], stays: bool, radius: f64) -> f64 {
+        // How far both numbers may stray in this round, if only this one counts.
+        let here = |squares: [f64; 2]| {
+            let gap = mean(squares).sqrt() - radius;
+            (if stays { -gap } else { gap }).max(0.0)
         };
-        // By first derivatives, and then less.
-        let mut radius = self.first_guess(trail, escapes, limit) / spread;
-        for _ in 0..6 {
-            if holds(radius) {
-                return radius;
+        let mut e = [f64::INFINITY; 2];
+        for (k, squares) in trail.iter().enumerate().rev() {
+            if k + 1 < trail.len() {
+                e = [self.before(squares[0], e[0]), self.before(squares[1], e[1])];
+            } else if !stays {
+                e = [0.0; 2];
             }
-            radius *= 0.6;
-        }
-        0.0
-    }
-
-    fn first_guess(self, trail: &[[f64; 2]], escapes: bool, limit: f64) -> f64 {
-        let (mut least, mut slope) = (f64::INFINITY, 1.0);
-        for (k, lengths) in trail.iter().enumerate() {
-            let gap = (mean(*lengths) - limit).abs() / slope;
-            if k + 1 == trail.len() || !escapes {
-                least = least.min(gap);
+            // To stay it must be near in all rounds, to go far in one.
+            if stays {
+                e = e.map(|e| e.min(here(*squares)));
+            } else if mean(*squares) > radius * radius && here(*squares) > e[0].min(e[1]) {
+                e = [here(*squares); 2];
             }
-            let length = lengths[0].max(lengths[1]);
-            slope *= if self == Rule::Cube { 3.0 * length * length } else { 2.0 * length };
         }
-        least
+        // Both numbers of a pair stray more than the point by √2.
+        let spread = if matches!(self, Rule::Pair(_)) { std::f64::consts::FRAC_1_SQRT_2 } else { 1.0 };
+        // (Rounding must not make it larger.)
+        e[0].min(e[1]) * spread * (1.0 - 1e-9)
     }
 }
 
-/// The length of the point from those of its pair.
-fn mean([a, b]: [f64; 2]) -> f64 {
-    (0.5 * (a * a + b * b)).sqrt()
+/// The squared length of the point from those of its pair.
+pub fn mean([a, b]: [f64; 2]) -> f64 {
+    0.5 * (a + b)
 }
 
-fn follow<T: Copy>(
+fn rounds<T: Copy>(
     mut h: T,
     next: impl Fn(T) -> T,
     squares: impl Fn(T) -> [f64; 2],
-    exit: f64,
-    [count, more]: [usize; 2],
-    trail: &mut Trail,
-) -> bool {
-    let (mut left, mut escapes) = (count, false);
-    loop {
-        let both = squares(h);
-        trail.push(both.map(f64::sqrt));
-        // (What is no number has gone, too.)
-        let within = 0.5 * (both[0] + both[1]) <= exit;
-        if !within && !escapes {
-            (escapes, left) = (true, left.min(more));
+    count: usize,
+    mut visit: impl FnMut([f64; 2]) -> bool,
+) {
+    for left in (0..=count).rev() {
+        if !visit(squares(h)) || left == 0 {
+            return;
         }
-        if left == 0 || !both[0].is_finite() || !both[1].is_finite() {
-            return escapes;
-        }
-        left -= 1;
         h = next(h);
     }
 }

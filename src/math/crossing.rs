@@ -1,0 +1,32 @@
+//! Where a function changes its sign.
+
+/// The root between two places `(x, f(x))` with values of different signs, as near as `exact`: by the secant, of which an end that stays
+/// is halved ("Illinois", Dowell and Jarratt, 1971), and by halves where that does not help. Where the function jumps, it is the place
+/// behind the jump.
+pub fn crossing(value: &dyn Fn(f64) -> f64, a: (f64, f64), b: (f64, f64), exact: f64) -> f64 {
+    let before = a.1 < 0.0;
+    let ((mut a, mut fa), (mut b, mut fb)) = (a, b);
+    let mut last = a;
+    for step in 0..80 {
+        let mut s = b - fb * (b - a) / (fb - fa);
+        if step > 20 || !(s > a.min(b) && s < a.max(b)) {
+            s = 0.5 * (a + b);
+        }
+        let fs = value(s);
+        if (b - a).abs() <= exact {
+            return a.max(b);
+        }
+        let is_behind = (fs < 0.0) != before;
+        if fs == 0.0 || ((s - last).abs() <= exact && (is_behind || (s - a.max(b)).abs() > exact)) {
+            return s;
+        }
+        if (fs < 0.0) == (fb < 0.0) {
+            fa *= 0.5;
+        } else {
+            (a, fa) = (b, fb);
+        }
+        (b, fb) = (s, fs);
+        last = s;
+    }
+    b
+}
