@@ -120,6 +120,15 @@ impl Callee {
         }
     }
 
+    /// All components of the answer of what gives several.
+    pub(super) fn call_all(&self, arguments: &[f64]) -> [f64; 5] {
+        match self {
+            Callee::Function(function) => function.call(arguments),
+            Callee::Sampler(sampler) => sampler.sample(arguments),
+            _ => [self.call(0, arguments); 5],
+        }
+    }
+
     fn is(&self, other: &Callee) -> bool {
         match (self, other) {
             (Callee::Internal(a), Callee::Internal(b)) => std::ptr::eq(*a, *b),
@@ -128,6 +137,27 @@ impl Callee {
             (Callee::Sampler(a), Callee::Sampler(b)) => Arc::ptr_eq(a, b),
             _ => false,
         }
+    }
+
+    /// Between which numbers a component lies no farther than `radius` from a point, which the first three arguments say, and a length
+    /// that its gradient by those does not surpass; infinite where nothing is known.
+    pub(super) fn near(&self, component: usize, arguments: &[f64], radius: f64) -> (Interval, f64) {
+        let steepest = match self {
+            Callee::Sampler(sampler) => return sampler.near(component, arguments, radius),
+            Callee::Function(function) => match &function.body {
+                super::Body::Sampled(sampler) => return sampler.near(component, arguments, radius),
+                super::Body::Numeric(_) => f64::INFINITY,
+            },
+            Callee::SceneNoise(generator) => generator_of(generator).steepest(),
+            Callee::Internal(internal) => internal.steepest.map_or(f64::INFINITY, |steepest| steepest(&arguments[3..])),
+            Callee::Series { .. } => f64::INFINITY,
+        };
+        let far = steepest * radius;
+        if !far.is_finite() {
+            return (Interval::ALL, f64::INFINITY);
+        }
+        let value = self.call(component, arguments);
+        (Interval::new(value - far, value + far).widened(), steepest)
     }
 
     pub(super) fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {
@@ -144,9 +174,12 @@ impl Callee {
     }
 }
 
+fn generator_of(scene: &AtomicU8) -> NoiseGenerator {
+    NoiseGenerator::from_number(f64::from(scene.load(Ordering::Relaxed)))
+}
+
 fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {
-    let generator = NoiseGenerator::from_number(f64::from(generator.load(Ordering::Relaxed)));
-    noise::noise(DVec3::new(p[0], p[1], p[2]), generator)
+    noise::noise(DVec3::new(p[0], p[1], p[2]), generator_of(generator))
 }
 
 /// A series with more terms is not a number: it would never end.

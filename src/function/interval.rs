@@ -39,6 +39,12 @@ impl Interval {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    /// What both have in common; the first where that is nothing.
+    pub fn shared(self, other: Self) -> Self {
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        if lo <= hi { Self { lo, hi } } else { self }
+    }
+
     /// A little wider, for functions that are not rounded exactly.
     pub fn widened(self) -> Self {
         let margin = |x: f64| x.abs() * 4.0 * f64::EPSILON + f64::MIN_POSITIVE;

@@ -58,6 +58,11 @@ pub trait Sampler: std::fmt::Debug + Send + Sync {
     fn gives(&self) -> Gives;
     /// The answer; a number is the first of the five, a colour is red, green, blue, filter, transmit.
     fn sample(&self, arguments: &[f64]) -> [f64; 5];
+    /// Between which numbers a component lies no farther than a radius from these arguments, and a length that its gradient does not
+    /// surpass there; infinite where nothing is known.
+    fn near(&self, _component: usize, _arguments: &[f64], _radius: f64) -> (Interval, f64) {
+        (Interval::ALL, f64::INFINITY)
+    }
     /// Between which numbers a component lies while the arguments lie in these intervals.
     fn bounds(&self, _component: usize, _arguments: &[Interval]) -> Interval {
         Interval::ALL

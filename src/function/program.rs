@@ -3,6 +3,7 @@
 use super::graph::{self, Graph, Id, Operation};
 use super::numeric::{self, Kernel};
 use crate::syntax::ast::Operator;
+use smallvec::SmallVec;
 
 /// The number of a register: first the parameters, then the constants, then results.
 type Register = u16;
@@ -24,6 +25,8 @@ enum Step {
     Skip(u32),
     /// Callee, component, and where its arguments' registers stand in [`Program::arguments`].
     Call(u32, u8, u32, u16, Register),
+    /// The same for all components, into five registers.
+    CallAll(u32, u32, u16, Register),
 }
 
 /// A function that can be run.
@@ -42,6 +45,8 @@ pub struct Program {
 const FEW: usize = 32;
 /// The most arguments of a call that need no memory of their own.
 const FEW_ARGUMENTS: usize = 12;
+/// So far behind an operation others are looked for that take components of the same call.
+const NEAR: usize = 24;
 /// Registers are numbered by 16 bits.
 const MAX_OPERATIONS: usize = 60_000;
 
@@ -74,7 +79,15 @@ impl Program {
         let mut writer = Writer { graph: &graph, steps: vec![], constants, arguments: vec![], places, next };
         let result = writer.write(graph.result);
         let Writer { steps, constants, arguments, next, .. } = writer;
-        Some(Self { steps, constants, arguments, parameters, registers: next, result, graph })
+        (next <= usize::from(Register::MAX)).then_some(Self {
+            steps,
+            constants,
+            arguments,
+            parameters,
+            registers: next,
+            result,
+            graph,
+        })
     }
 
     /// What it computes.
@@ -111,26 +124,31 @@ impl Program {
                 Step::SkipIfZero(a, target) if r[a as usize] == 0.0 => at = target as usize,
                 Step::SkipIfZero(..) => {}
                 Step::Skip(target) => at = target as usize,
-                Step::Call(callee, component, list, to, count) => {
-                    let list = &self.arguments[list as usize..][..count as usize];
-                    r[to as usize] = self.call(callee, component, list, r);
+                Step::Call(callee, component, list, count, to) => {
+                    let callee = &self.graph.callees[callee as usize];
+                    r[to as usize] = self.with_arguments(list, count, r, |list| callee.call(component as usize, list));
+                }
+                Step::CallAll(callee, list, count, to) => {
+                    let callee = &self.graph.callees[callee as usize];
+                    let all = self.with_arguments(list, count, r, |list| callee.call_all(list));
+                    r[to as usize..][..5].copy_from_slice(&all);
                 }
             }
         }
         r[self.result as usize]
     }
 
-    fn call(&self, callee: u32, component: u8, list: &[Register], r: &[f64]) -> f64 {
-        let callee = &self.graph.callees[callee as usize];
+    fn with_arguments<T>(&self, list: u32, count: u16, r: &[f64], call: impl FnOnce(&[f64]) -> T) -> T {
+        let list = &self.arguments[list as usize..][..count as usize];
         if list.len() > FEW_ARGUMENTS {
             let all: Vec<f64> = list.iter().map(|&i| r[i as usize]).collect();
-            return callee.call(component as usize, &all);
+            return call(&all);
         }
         let mut few = [0.0; FEW_ARGUMENTS];
         for (to, &i) in few.iter_mut().zip(list) {
             *to = r[i as usize];
         }
-        callee.call(component as usize, &few[..list.len()])
+        call(&few[..list.len()])
     }
 }
 
@@ -182,13 +200,32 @@ impl Writer<'_> {
                 let start = self.arguments.len() as u32;
                 let count = registers.len() as u16;
                 self.arguments.extend(registers);
+                let siblings = self.siblings(id, *callee, list);
                 let to = self.register();
-                self.steps.push(Step::Call(*callee, *component, start, to, count));
-                to
+                if siblings.len() == 1 {
+                    self.steps.push(Step::Call(*callee, *component, start, count, to));
+                    to
+                } else {
+                    self.next += 4;
+                    self.steps.push(Step::CallAll(*callee, start, count, to));
+                    for (sibling, component) in siblings {
+                        self.places[sibling] = Some(to + Register::from(component));
+                    }
+                    to + Register::from(*component)
+                }
             }
         };
         self.places[id as usize] = Some(place);
         place
+    }
+
+    /// The operations, of this one and the next few, that take a component of the same call, and which one.
+    fn siblings(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
+        let is_one = |(i, node): (usize, &Operation)| match node {
+            Operation::Call(other, component, same) if *other == callee && **same == *list => Some((i, *component)),
+            _ => None,
+        };
+        self.graph.nodes.iter().enumerate().skip(id as usize).take(NEAR).filter_map(is_one).collect()
     }
 
     /// What only one branch needs is computed in it, and is not known behind it.

@@ -3,11 +3,9 @@
 
 use super::graph::{Callee, Graph, Operation, operator_bounds};
 use super::{Body, Function, Interval, numeric};
-use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, fp};
 use crate::syntax::ast::Operator;
 use smallvec::SmallVec;
-use std::sync::atomic::Ordering;
 
 const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
 const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
@@ -134,7 +132,7 @@ impl Function {
             parameters.iter().enumerate().map(|(i, &value)| Slope::parameter(i, value)).collect();
         match &self.body {
             Body::Numeric(program) => program.graph().slope(&list, room),
-            Body::Sampled(sampler) => Slope::steep(sampler.bounds(0, parameters)),
+            Body::Sampled(sampler) => of_call(&Callee::Sampler(sampler.clone()), 0, &list),
         }
     }
 }
@@ -243,36 +241,23 @@ fn angle(y: Interval, x: Interval) -> Interval {
 
 fn of_call(callee: &Callee, component: usize, list: &[Slope]) -> Slope {
     let values: SmallVec<[Interval; 10]> = list.iter().map(|slope| slope.value).collect();
-    let noisy = matches!(callee, Callee::SceneNoise(_))
-        || matches!(callee, Callee::Internal(i) if i.number == 78 || i.number == 76);
-    if noisy && list.len() >= 3 {
-        return of_noise(callee, list, &values);
-    }
     if let Callee::Function(function) = callee
         && let Body::Numeric(program) = &function.body
     {
         return program.graph().slope(list, &mut vec![]);
     }
+    if let [a, b, c, rest @ ..] = list
+        && rest.iter().all(|slope| slope.value.lo == slope.value.hi)
+    {
+        let middle: SmallVec<[f64; 10]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
+        let radius = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
+        let (range, steepest) = callee.near(component, &middle, radius);
+        let value = range.shared(callee.bounds(component, &values));
+        let around = if steepest == 0.0 { 0.0 } else { steepest * longest([a, b, c]) };
+        return if around.is_finite() { Slope { around, ..Slope::flat(value) } } else { Slope::steep(value) };
+    }
     let value = callee.bounds(component, &values);
     if list.iter().all(Slope::is_flat) { Slope::flat(value) } else { Slope::steep(value) }
-}
-
-/// Noise changes at most so much from the middle of a box on.
-fn of_noise(callee: &Callee, list: &[Slope], values: &[Interval]) -> Slope {
-    let [a, b, c, ..] = list else { return Slope::steep(Interval::TRUTH) };
-    let generator = match (callee, values.get(3)) {
-        (Callee::SceneNoise(generator), _) => f64::from(generator.load(Ordering::Relaxed)),
-        (_, Some(generator)) => generator.lo,
-        _ => f64::from(NoiseGenerator::default().number()),
-    };
-    let steepest = NoiseGenerator::from_number(generator).steepest();
-    let middle: SmallVec<[f64; 4]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
-    let half = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
-    let near = callee.call(0, &middle);
-    let (lo, hi) = ((near - steepest * half).max(0.0), (near + steepest * half).min(1.0));
-    let value = if lo <= hi { Interval { lo, hi } } else { Interval::TRUTH };
-    let around = steepest * longest([a, b, c]);
-    if around.is_finite() { Slope { around, ..Slope::flat(value) } } else { Slope::steep(value) }
 }
 
 /// How much longer three numbers make a step of the parameters at most.

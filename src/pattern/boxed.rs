@@ -4,7 +4,7 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { boxed color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, Near, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
@@ -29,6 +29,10 @@ impl Readable for Boxed {
 impl Field for Boxed {
     fn value(&self, at: &TextureContext) -> f64 {
         (1.0 - at.p.abs().max_element()).max(0.0)
+    }
+
+    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+        Near::of(self.value(at), 1.0, radius).within(0.0, 1.0)
     }
 }
 

@@ -40,12 +40,9 @@ impl Readable for Brick {
     }
 }
 
-impl Cells for Brick {
-    fn count(&self) -> usize {
-        2
-    }
-
-    fn cell(&self, p: DVec3) -> usize {
+impl Brick {
+    /// Where the point lies in its brick, from a corner on.
+    fn within(&self, p: DVec3) -> DVec3 {
         let mut q = (p + EDGE) / self.size;
         // every other row is moved by half a brick in x, the others in z
         let odd = q.y.floor() as i64 & 1 != 0;
@@ -54,9 +51,25 @@ impl Cells for Brick {
         } else {
             q.z += 0.5;
         }
+        (q - q.floor()) * self.size
+    }
+}
+
+impl Cells for Brick {
+    fn count(&self) -> usize {
+        2
+    }
+
+    fn cell(&self, p: DVec3) -> usize {
         // a point is in the mortar if it lies in the last `mortar` of a brick along any axis
-        let within = (q - q.floor()) * self.size;
-        usize::from((within + self.mortar).cmple(self.size).all())
+        usize::from((self.within(p) + self.mortar).cmple(self.size).all())
+    }
+
+    fn is_uniform(&self, p: DVec3, radius: f64) -> bool {
+        // from the ends of the brick and of its mortar
+        let within = self.within(p);
+        let from = within.abs().min((within - self.size).abs()).min((within + self.mortar - self.size).abs());
+        from.min_element() > radius + EDGE
     }
 
     fn default_color(&self, cell: usize) -> Color {

@@ -35,6 +35,12 @@ impl Cells for Checker {
         (sum & 1) as usize
     }
 
+    fn is_uniform(&self, p: DVec3, radius: f64) -> bool {
+        // from the next whole number
+        let from = (p + EDGE - (p + EDGE).round()).abs();
+        from.min_element() > radius + EDGE
+    }
+
     fn default_color(&self, cell: usize) -> Color {
         Color::opaque(if cell == 0 { Rgb::Z } else { Rgb::Y })
     }

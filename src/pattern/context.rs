@@ -1,6 +1,6 @@
 //! What a pattern is asked about.
 
-use super::{Modifiers, Turbulent, Wave};
+use super::{Modifiers, Near, Turbulent, Wave};
 use crate::color::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec2, DVec3};
@@ -79,6 +79,11 @@ pub trait Field {
     /// The number of a pattern that listens to what else is said of it.
     fn value_as(&self, at: &TextureContext, _words: &Words) -> f64 {
         self.value(at)
+    }
+
+    /// What is known of the numbers no farther away than a radius, before frequency, phase and wave.
+    fn near(&self, _at: &TextureContext, _words: &Words, _radius: f64) -> Near {
+        Near::UNKNOWN
     }
 
     /// Does it use `turbulence` in its own way? Of all others the point is displaced.

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { crackle color_map { [0.05 color rgb 0.1] [0.1 color rgb <0.8, 0.6, 0.4>] } scale 0.3 } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, Near, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::noise::{self, Cell};
 use crate::math::{DVec3, fp};
@@ -53,6 +53,19 @@ impl Field for Crackle {
         let distance = |sum: f64| root(sum + offset, self.metric);
         let value = (0..3).filter(|&i| self.form[i] != 0.0).map(|i| self.form[i] * distance(near.sums[i])).sum::<f64>();
         value.clamp(0.0, 1.0)
+    }
+
+    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+        // No distance grows faster than the way, but for that along the axes.
+        let steepest = match self.metric {
+            1.0 => 3f64.sqrt(),
+            2.0 => 1.0,
+            _ => return Near::UNKNOWN.within(0.0, 1.0),
+        };
+        if self.solid || self.offset < 0.0 {
+            return Near::UNKNOWN.within(0.0, 1.0);
+        }
+        Near::of(self.value(at), steepest * self.form.abs().element_sum(), radius).within(0.0, 1.0)
     }
 }
 

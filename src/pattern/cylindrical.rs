@@ -4,7 +4,7 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { cylindrical color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } rotate x*60 } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, Near, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::fp;
 use crate::value::{Reader, Spec};
@@ -26,6 +26,10 @@ impl Readable for Cylindrical {
 impl Field for Cylindrical {
     fn value(&self, at: &TextureContext) -> f64 {
         (1.0 - fp::hypot(at.p.x, at.p.z)).max(0.0)
+    }
+
+    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+        Near::of(self.value(at), 1.0, radius).within(0.0, 1.0)
     }
 }
 

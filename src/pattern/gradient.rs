@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { gradient y color_map { [0 color rgb 0] [1 color rgb 1] } scale 2 translate -y } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, Near, Readable, TextureContext, Words};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::value::{Kind, Param, Reader, Spec};
@@ -44,5 +44,14 @@ impl Field for Gradient {
         // Negative numbers keep their sign here; frequency and phase bring them into [0, 1]. The first unit keeps its end.
         let along = at.p.dot(self.direction);
         if along > 1.0 { along.fract() } else { along }
+    }
+
+    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+        let along = Near::of(at.p.dot(self.direction), self.direction.length(), radius);
+        match along.range {
+            range if range.hi <= 1.0 => along,
+            range if range.lo > 1.0 => along.fraction(),
+            _ => Near::UNKNOWN,
+        }
     }
 }

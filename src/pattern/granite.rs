@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { granite color_map { [0 color rgb <0.3, 0.2, 0.2>] [0.5 color rgb 0.9] } } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, Near, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::noise;
 use crate::value::{Reader, Spec};
@@ -28,5 +28,10 @@ impl Field for Granite {
         let octaves = noise::octaves::<6>(at.p * 4.0, at.noise);
         let far = octaves.iter().rev().fold(0.0, |sum, noise| 0.5 * sum + (0.5 - noise).abs());
         far.min(1.0)
+    }
+
+    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+        // All of the six octaves are equally steep, and hardly ever in the same place.
+        Near::of(self.value(at), 24.0 * 2.0 * at.noise.steepest(), radius).within(0.0, 1.0).without_slope()
     }
 }

@@ -4,9 +4,10 @@
 //! sphere { 0, 1 pigment { marble turbulence 0.8 scale 0.4 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Wave, Words};
+use super::{Field, Near, Readable, TextureContext, Wave, Words};
 use crate::color::Color;
 use crate::diagnostic::Result;
+use crate::math::DVec3;
 use crate::math::noise;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
@@ -31,6 +32,13 @@ impl Readable for Marble {
 impl Field for Marble {
     fn value(&self, at: &TextureContext) -> f64 {
         at.p.x
+    }
+
+    fn near(&self, at: &TextureContext, words: &Words, radius: f64) -> Near {
+        if words.turbulence.amount != DVec3::ZERO {
+            return Near::UNKNOWN;
+        }
+        Near::of(self.value(at), 1.0, radius)
     }
 
     fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {

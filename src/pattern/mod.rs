@@ -25,6 +25,7 @@ mod hexagon;
 mod leopard;
 mod marble;
 mod modifiers;
+mod near;
 mod object;
 mod onion;
 mod pavement;
@@ -75,6 +76,7 @@ pub use hexagon::Hexagon;
 pub use leopard::Leopard;
 pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
+pub use near::Near;
 pub use object::ObjectPattern;
 pub use onion::Onion;
 pub use pavement::Pavement;
@@ -142,6 +144,10 @@ pub trait Cells {
     fn count(&self) -> usize;
     /// Which kind the point is in.
     fn cell(&self, p: DVec3) -> usize;
+    /// Is all in the same cell that is no farther from a point than a radius, as far as that is quickly known?
+    fn is_uniform(&self, _p: DVec3, _radius: f64) -> bool {
+        false
+    }
     /// What cells are painted that the author gives nothing for.
     fn default_color(&self, cell: usize) -> Color;
 }
@@ -227,6 +233,9 @@ macro_rules! fields {
             fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
                 match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
             }
+            fn near(&self, at: &TextureContext, words: &Words, radius: f64) -> Near {
+                match self { $(FieldPattern::$name(f) => f.near(at, words, radius)),* }
+            }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
             fn begins_still(&self) -> bool { match self { $(FieldPattern::$name(f) => f.begins_still()),* } }
             fn stirs(&self) -> bool { match self { $(FieldPattern::$name(f) => f.stirs()),* } }
@@ -250,6 +259,7 @@ macro_rules! cells {
         impl Cells for CellPattern {
             fn count(&self) -> usize { match self { $(CellPattern::$name(c) => c.count()),* } }
             fn cell(&self, p: DVec3) -> usize { match self { $(CellPattern::$name(c) => c.cell(p)),* } }
+            fn is_uniform(&self, p: DVec3, radius: f64) -> bool { match self { $(CellPattern::$name(c) => c.is_uniform(p, radius)),* } }
             fn default_color(&self, cell: usize) -> Color {
                 match self { $(CellPattern::$name(c) => c.default_color(cell)),* }
             }

@@ -38,7 +38,7 @@ pub struct Modifiers {
 }
 
 /// POV-Ray 3.7 wraps at this rather than at 1, as was measured: 3.9375 below 0 comes out at 0.0625 + 0.00003.
-const PERIOD: f64 = 1.00001;
+pub(super) const PERIOD: f64 = 1.00001;
 
 impl Modifiers {
     /// Nothing said.

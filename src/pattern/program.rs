@@ -1,7 +1,8 @@
 //! Patterns as a ray needs them: the way from the space around to the pattern's own is worked out.
 
 use super::{
-    CellPattern, Cells, Field, FieldPattern, Kind, Modifiers, Pattern, Step, TextureContext, Turbulent, Warp, Words,
+    CellPattern, Cells, Field, FieldPattern, Kind, Modifiers, Near, Pattern, Step, TextureContext, Turbulent, Warp,
+    Words, near::stretch,
 };
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
@@ -85,9 +86,34 @@ impl PatternProgram {
             Value::Plain | Value::Average => 0.0,
             Value::Cells(pattern) => pattern.1.apply_to_cell(pattern.0.cell(inner.p)),
             Value::Field(number) => {
-                number.modifiers.apply(number.field.value_as(&number.context(inner), &number.words()))
+                let words = number.words();
+                number.modifiers.apply(match number.noise {
+                    None => number.field.value_as(inner, &words),
+                    Some(_) => number.field.value_as(&number.context(inner), &words),
+                })
             }
         }
+    }
+
+    /// What is known of [`Self::see`]'s numbers no farther from a point than a radius.
+    pub fn near(&self, ctx: &TextureContext, radius: f64) -> Near {
+        let mut longer = if self.uv { f64::INFINITY } else { 1.0 };
+        for step in &self.way {
+            longer *= match step {
+                Move::Affine(inverse) => stretch(&inverse.matrix3),
+                Move::Warp(_) | Move::Turbulence(..) => f64::INFINITY,
+            };
+        }
+        let (inner, radius) = (self.enter(ctx), radius * longer);
+        let near = match &self.value {
+            Value::Plain | Value::Average => Near::same(0.0),
+            Value::Cells(pattern) if pattern.0.is_uniform(inner.p, radius) => Near::same(self.number(&inner)),
+            Value::Cells(_) => Near::UNKNOWN,
+            Value::Field(number) => {
+                number.modifiers.near(number.field.near(&number.context(&inner), &number.words(), radius))
+            }
+        };
+        Near { steepest: if near.steepest == 0.0 { 0.0 } else { near.steepest * longer }, ..near }
     }
 
     /// The normal `n` with bumps of the pattern's own making, at a point in its space.

@@ -4,7 +4,7 @@
 //! box { -1, 1 pigment { wood turbulence 0.1 scale 0.2 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Wave, Words};
+use super::{Field, Near, Readable, TextureContext, Wave, Words};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{DVec2, DVec3, fp, noise};
@@ -28,6 +28,13 @@ impl Readable for Wood {
 impl Field for Wood {
     fn value(&self, at: &TextureContext) -> f64 {
         at.p.truncate().length()
+    }
+
+    fn near(&self, at: &TextureContext, words: &Words, radius: f64) -> Near {
+        if words.turbulence.amount != DVec3::ZERO {
+            return Near::UNKNOWN;
+        }
+        Near::of(self.value(at), 1.0, radius)
     }
 
     fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { wrinkles color_map { [0.2 color rgb <0.2, 0.3, 0.1>] [0.8 color rgb <0.9, 1, 0.6>] } scale 0.3 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, Near, Readable, TextureContext, Words};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
@@ -31,6 +31,11 @@ impl Field for Wrinkles {
         // ten octaves, each half as strong and twice as fine
         let octaves = noise::octaves::<10>(at.p, at.noise);
         octaves.iter().zip(HALVES).map(|(noise, weight)| 0.5 * weight * noise).sum()
+    }
+
+    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+        // All of the ten octaves are equally steep, and hardly ever in the same place.
+        Near::of(self.value(at), 10.0 * at.noise.steepest(), radius).within(0.0, 1.0).without_slope()
     }
 
     fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {

@@ -4,6 +4,8 @@ use super::blend::Map;
 use super::doubts::tell_falling;
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::Interval;
+use crate::pattern::Near;
 use crate::value::{FloatOrColor, Next, Reader, ReaderExt};
 
 /// Colours at numbers.
@@ -16,6 +18,29 @@ impl ColorMap {
             (only, None) => *only,
             (below, Some((above, t))) => below.lerp(*above, t),
         }
+    }
+
+    /// What is known of a component (red, green, blue, filter, transmit) where the numbers are known to be so.
+    pub fn near(&self, component: usize, near: Near) -> Near {
+        let Interval { lo, hi } = near.range;
+        let part = |color: Color| color.to_array()[component];
+        let ends = Interval::new(part(self.at(lo)), part(self.at(hi)));
+        let mut all = Near { range: ends, steepest: 0.0 };
+        for pair in self.entries.windows(2) {
+            let [(a, from), (b, to)] = pair else { continue };
+            if b < a {
+                return Near::UNKNOWN;
+            }
+            if *b < lo || *a > hi {
+                continue;
+            }
+            let (from, to) = (part(*from), part(*to));
+            // (Also the ends of a piece that reaches out, which does no harm.)
+            all.range = all.range.hull(Interval::new(from, to));
+            all.steepest = if from == to { all.steepest } else { all.steepest.max((to - from).abs() / (b - a)) };
+        }
+        all.steepest = if all.steepest == 0.0 { 0.0 } else { all.steepest * near.steepest };
+        all
     }
 
     /// Reads `{ [0.0 color …] [1.0 color …] }`, after the brace; also the old entries of two numbers and two colours, and a

@@ -2,7 +2,7 @@
 
 use super::{Blend, ColorMap, ImageMap, Map, Paint, Pigment};
 use crate::color::Color;
-use crate::pattern::{Kind, PatternProgram, TextureContext};
+use crate::pattern::{Kind, Near, PatternProgram, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -65,6 +65,20 @@ impl PigmentProgram {
     /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
     pub fn number_at(&self, ctx: &TextureContext) -> f64 {
         self.nodes.last().map_or(0.0, |node| node.pattern.see(ctx).0)
+    }
+
+    /// What is known of [`Self::number_at`] no farther from a point than a radius.
+    pub fn near(&self, ctx: &TextureContext, radius: f64) -> Near {
+        self.nodes.last().map_or(Near::UNKNOWN, |node| node.pattern.near(ctx, radius))
+    }
+
+    /// The same of a component of [`Self::at`]: red, green, blue, filter, transmit.
+    pub fn component_near(&self, component: usize, ctx: &TextureContext, radius: f64) -> Near {
+        match self.nodes.last() {
+            Some(PigmentNode { shows: Shows::Solid(color), .. }) => Near::same(color.to_array()[component]),
+            Some(PigmentNode { shows: Shows::Colors(map), pattern }) => map.near(component, pattern.near(ctx, radius)),
+            _ => Near::UNKNOWN,
+        }
     }
 
     fn node(&self, i: usize, ctx: &TextureContext) -> Color {

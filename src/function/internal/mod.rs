@@ -28,6 +28,8 @@ pub struct Internal {
     pub compute: fn(&[f64]) -> f64,
     /// Between which numbers it lies while the arguments lie in these intervals.
     pub bounds: Option<fn(&[Interval]) -> Interval>,
+    /// No shorter than its gradient anywhere, for the numbers beside x, y and z.
+    pub steepest: Option<fn(&[f64]) -> f64>,
 }
 
 impl fmt::Debug for Internal {

@@ -94,6 +94,11 @@ pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 
     (sum / weights - offset) / offset.max(1.0 - offset)
 }
 
+/// How steep [`noise_generator`] is.
+pub fn steepest(generator: &[f64]) -> f64 {
+    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).steepest())
+}
+
 /// Where noise lies.
 pub fn noise_bounds(_: &[Interval]) -> Interval {
     Interval::TRUTH

@@ -77,6 +77,11 @@ pub fn ellipsoid_bounds(i: &[Interval]) -> Interval {
     norm(&[a * x, b * y, c * z])
 }
 
+/// How steep [`ellipsoid`] is.
+pub fn ellipsoid_steepest(inverse: &[f64]) -> f64 {
+    inverse.iter().fold(0.0, |most, x| x.abs().max(most))
+}
+
 /// Where [`torus`] lies.
 pub fn torus_bounds(a: &[Interval]) -> Interval {
     let &[x, y, z, major, minor] = a else { return Interval::ALL };

@@ -57,7 +57,7 @@ pub static TABLE: &[Internal] = &[
         "radius of inversion"]),
     row(17, "f_ellipsoid", "1 on an ellipsoid",
         |a| call(a, quadric::ellipsoid), Some(quadric::ellipsoid_bounds), &["inverse half axis along x",
-        "inverse half axis along y", "inverse half axis along z"]),
+        "inverse half axis along y", "inverse half axis along z"]).steepest(quadric::ellipsoid_steepest),
     row(18, "f_enneper", "Enneper's surface", |a| call(a, algebraic::enneper), FIELD_BOUNDS, FIELD),
     row(19, "f_flange_cover", "Spikes with flanges between them",
         |a| call(a, misc::flange_cover), None, &["spikiness: 1 for a sphere, small for spikes", "inverse size",
@@ -140,7 +140,7 @@ pub static TABLE: &[Internal] = &[
     row(56, "f_quartic_cylinder", "A cylinder that swallowed an egg",
         |a| call(a, algebraic::quartic_cylinder), FIELD_BOUNDS, &[STRENGTH, "diameter of the egg",
         "width of the tube"]),
-    row(57, "f_r", "The distance from the origin", |a| call(a, quadric::r), Some(quadric::r_bounds), &[]),
+    row(57, "f_r", "The distance from the origin", |a| call(a, quadric::r), Some(quadric::r_bounds), &[]).steepest(|_| 1.0),
     row(58, "f_ridge", "Turbulence with ridges",
         |a| call(a, noise::ridge), None, &["lambda: from one frequency to the next", "octaves",
         "omega: from one weight to the next", "offset", "ridge: where the noise is folded", GENERATOR]),
@@ -150,9 +150,9 @@ pub static TABLE: &[Internal] = &[
         "gain: how much of an octave the next one keeps", GENERATOR]),
     row(60, "f_rounded_box", "A box with round edges",
         |a| call(a, quadric::rounded_box), Some(quadric::rounded_box_bounds), &["radius of the edges",
-        "half size along x", "half size along y", "half size along z"]),
+        "half size along x", "half size along y", "half size along z"]).steepest(|_| 1.0),
     row(61, "f_sphere", "The distance from a sphere",
-        |a| call(a, quadric::sphere), Some(quadric::sphere_bounds), &["radius"]),
+        |a| call(a, quadric::sphere), Some(quadric::sphere_bounds), &["radius"]).steepest(|_| 1.0),
     row(62, "f_spikes", "Six spikes",
         |a| call(a, misc::spikes), None, &["spikiness: 1 for a sphere, small for spikes", "hollowness", "size",
         "roundness", "fatness"]),
@@ -174,7 +174,7 @@ pub static TABLE: &[Internal] = &[
         "north-south exponent"]),
     row(69, "f_th", "The angle around the y axis, in radians", |a| call(a, quadric::th), None, &[]),
     row(70, "f_torus", "The distance from a torus around y",
-        |a| call(a, quadric::torus), Some(quadric::torus_bounds), &["major radius", "minor radius"]),
+        |a| call(a, quadric::torus), Some(quadric::torus_bounds), &["major radius", "minor radius"]).steepest(|_| 1.0),
     row(71, "f_torus2", "A torus around y as a quartic", |a| call(a, algebraic::torus2), FIELD_BOUNDS, TORUS),
     row(72, "f_torus_gumdrop", "A torus with a gumdrop on both sides",
         |a| call(a, algebraic::torus_gumdrop), FIELD_BOUNDS, FIELD),
@@ -186,7 +186,7 @@ pub static TABLE: &[Internal] = &[
         SWITCH, OFFSET, ANGLE]),
     row(SCENE_NOISE, "f_noise3d", "Noise from 0 to 1", |a| call(a, noise::noise3d), Some(noise::noise_bounds), &[]),
     row(78, "f_noise_generator", "Noise from 0 to 1",
-        |a| call(a, noise::noise_generator), Some(noise::noise_bounds), &[GENERATOR]),
+        |a| call(a, noise::noise_generator), Some(noise::noise_bounds), &[GENERATOR]).steepest(noise::steepest),
 ];
 
 const fn row(
@@ -197,5 +197,11 @@ const fn row(
     bounds: Bounds,
     parameters: &'static [&'static str],
 ) -> Internal {
-    Internal { number, name, summary, parameters, compute, bounds }
+    Internal { number, name, summary, parameters, compute, bounds, steepest: None }
+}
+
+impl Internal {
+    const fn steepest(self, steepest: fn(&[f64]) -> f64) -> Self {
+        Self { steepest: Some(steepest), ..self }
+    }
 }

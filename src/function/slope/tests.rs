@@ -1,5 +1,6 @@
 use super::*;
 use crate::function::{Id, numeric};
+use crate::math::noise::NoiseGenerator;
 use proptest::prelude::*;
 
 /// A recipe for one operation: which kind, and which operands.

@@ -1,6 +1,6 @@
 //! Functions made of a pigment, a pattern or a transform.
 
-use crate::function::{Gives, Sampler};
+use crate::function::{Gives, Interval, Sampler};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::pattern::TextureContext;
@@ -32,6 +32,11 @@ impl Sampler for PigmentSampler {
     fn sample(&self, p: &[f64]) -> [f64; 5] {
         self.0.at(&ctx(p, &self.1)).to_array()
     }
+
+    fn near(&self, component: usize, p: &[f64], radius: f64) -> (Interval, f64) {
+        let near = self.0.component_near(component, &ctx(p, &self.1), radius);
+        (near.range, near.steepest)
+    }
 }
 
 /// `function { pattern { … } }`: a pigment without colours.
@@ -49,6 +54,11 @@ impl Sampler for PatternSampler {
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
         [self.0.number_at(&ctx(p, &self.1)), 0.0, 0.0, 0.0, 0.0]
+    }
+
+    fn near(&self, _component: usize, p: &[f64], radius: f64) -> (Interval, f64) {
+        let near = self.0.near(&ctx(p, &self.1), radius);
+        (near.range, near.steepest)
     }
 }
 

@@ -122,8 +122,8 @@ impl Isosurface {
         }
     }
 
-    /// Passes the cells up to `to` that reach into a range; `known` is a place whose value is known. Pieces are the same for every range,
-    /// and so are the hits in them.
+    /// Passes the cells up to `to` that reach into a range; `known` is a place whose value is known. Pieces begin where cells do, so that
+    /// hits in them hardly depend on the range.
     fn pass(
         &self,
         near: &Ray,
@@ -152,6 +152,9 @@ impl Isosurface {
         let ended = cells.pass(near, 0.0, to, &mut |a, b, gradient| {
             if a > within.max && run.is_none() {
                 return true;
+            }
+            if b <= within.min {
+                return false;
             }
             let rate = gradient.map(|gradient| gradient.along(near.dir, length, unknown));
             if rate.is_some_and(|rate| rate.lo == unknown.lo || rate.hi == unknown.hi) {

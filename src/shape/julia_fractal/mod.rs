@@ -29,7 +29,7 @@ const MOST_ROUNDS: usize = 1000;
 /// Steps are no shorter than one part in so many.
 const MOST_PRECISE: f64 = 1000.0;
 /// Of what `precision` says: how long a stretch is at which no look is taken, where all else is known.
-const SHORT: f64 = 1.0 / 20.0;
+const SHORT: f64 = 1.0 / 10.0;
 /// A step beyond what is known to be alike, in parts of that: further on as much is known, mostly.
 const AHEAD: f64 = 0.6;
 
@@ -111,15 +111,15 @@ impl JuliaFractal {
     }
 
     /// Is it inside, and how far around it do all points share that?
-    fn look(&self, p: DVec3, trail: &mut Trail) -> (bool, f64) {
-        let (inside, clearance) = self.rule().look(self.start(p), self.radius(), self.rounds(), trail);
+    fn look(&self, p: DVec3, radius: f64, trail: &mut Trail) -> (bool, f64) {
+        let (inside, clearance) = self.rule().look(self.start(p), radius, self.rounds(), trail);
         // (The slice may be steep: its points are further apart than those that are seen.)
         (inside, clearance * self.slice[3].abs())
     }
 
     /// Below 0 inside, and 1 at most.
-    fn value(&self, p: DVec3) -> f64 {
-        1.0 - self.radius() * self.radius() / self.rule().reach(self.start(p), self.rounds())
+    fn value(&self, p: DVec3, exit: f64) -> f64 {
+        1.0 - exit / self.rule().reach(self.start(p), self.rounds())
     }
 
     fn holds(&self, p: DVec3) -> bool {
@@ -154,22 +154,22 @@ impl JuliaFractal {
         let Some((from, to)) = self.stretch(o, range.min * length - middle, range.max * length - middle) else {
             return;
         };
+        let (radius, mut trail) = (self.radius(), Trail::new());
         let at = |s: f64| o + v * s;
         let t = |s: f64| (s + middle) / length;
-        let mut trail = Trail::new();
         // (In a huge ball, not too many.)
-        let shortest = (if self.rule().is_proved() { SHORT } else { 1.0 } / self.precision).max(2e-5 * self.radius());
-        let (mut s, (mut inside, mut alike)) = (from, self.look(at(from), &mut trail));
+        let shortest = (if self.rule().is_proved() { SHORT } else { 1.0 } / self.precision).max(2e-5 * radius);
+        let (mut s, (mut inside, mut alike)) = (from, self.look(at(from), radius, &mut trail));
         while s < to {
             let mut next = (s + alike + shortest.max(AHEAD * alike)).min(to);
-            let mut there = self.look(at(next), &mut trail);
+            let mut there = self.look(at(next), radius, &mut trail);
             // Both places tell of all between them, but for a short piece.
             while next - s - alike - there.1 > 1.001 * shortest {
                 next = (0.5 * (s + alike + next - there.1)).max(s + alike + shortest);
-                there = self.look(at(next), &mut trail);
+                there = self.look(at(next), radius, &mut trail);
             }
             if there.0 != inside {
-                let value = |s: f64| self.value(at(s));
+                let value = |s: f64| self.value(at(s), radius * radius);
                 let root = || t(crossing(&value, (s, value(s)), (next, value(next)), 1e-11 * (1.0 + s.abs())));
                 if found([t(s), t(next)], &root) {
                     return;
@@ -440,7 +440,7 @@ mod tests {
             for k in 0..400 {
                 let at = |m: usize| (k * m % 101) as f64 / 50.0 - 1.0;
                 let p = DVec3::new(at(13), at(29), at(43));
-                let (inside, clearance) = fractal.look(p, &mut trail);
+                let (inside, clearance) = fractal.look(p, fractal.radius(), &mut trail);
                 for j in 0..20 {
                     let around = |m: usize| (j * m % 37) as f64 / 18.0 - 1.0;
                     let q = p + DVec3::new(around(5), around(7), around(11)).normalize() * clearance * 0.999;

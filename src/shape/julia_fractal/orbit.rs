@@ -6,6 +6,8 @@
 use super::function::Function;
 use crate::math::{Complex, fp};
 use smallvec::SmallVec;
+use std::array::from_fn;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// x + iy + jz + kw.
 pub type Four = [f64; 4];
@@ -41,7 +43,7 @@ fn square([x, y, z, w]: Four) -> Four {
 }
 
 fn sum(a: Four, b: Four) -> Four {
-    std::array::from_fn(|i| a[i] + b[i])
+    from_fn(|i| a[i] + b[i])
 }
 
 fn length_squared(h: Four) -> f64 {
@@ -78,12 +80,18 @@ impl Rule {
     }
 
     /// Goes `count` rounds or fewer. `visit` gets the squared lengths from h₀ on, and says whether to go on.
+    #[inline]
     pub fn follow(self, [h, c]: [Four; 2], count: usize, visit: impl FnMut([f64; 2]) -> bool) {
         match self {
             Rule::Pair(f) => {
                 let c = pair(c);
-                let next = |z: [Complex; 2]| std::array::from_fn(|i| f.value_and_slope(z[i]).0 + c[i]);
-                rounds(pair(h), next, |z| z.map(Complex::length_squared), count, visit);
+                let squares = |z: [Complex; 2]| z.map(Complex::length_squared);
+                if f == Function::Sqr {
+                    let next = |z: [Complex; 2]| from_fn(|i| z[i].square() + c[i]);
+                    return rounds(pair(h), next, squares, count, visit);
+                }
+                let next = |z: [Complex; 2]| from_fn(|i| f.value_and_slope(z[i]).0 + c[i]);
+                rounds(pair(h), next, squares, count, visit);
             }
             Rule::Square => rounds(h, |h| sum(square(h), c), |h| [length_squared(h); 2], count, visit),
             Rule::Cube => {
@@ -94,6 +102,7 @@ impl Rule {
 
     /// Does h never go further than `radius` in so many rounds, and how far around do all points share that? That is 0 where it is
     /// not known.
+    #[inline]
     pub fn look(self, start: [Four; 2], radius: f64, count: usize, trail: &mut Trail) -> (bool, f64) {
         trail.clear();
         let (exit, proved) = (radius * radius, self.is_proved());
@@ -131,13 +140,17 @@ impl Rule {
     fn before(self, square: f64, e: f64) -> f64 {
         let length = square.sqrt();
         match self {
+            _ if e == 0.0 => 0.0,
             Rule::Cube if e <= square * length => {
                 let most = e / (3.0 * square);
                 e / (3.0 * square + most * (3.0 * length + most))
             }
             Rule::Cube => fp::cbrt(square * length + e) - length,
-            // d = e / (2|h| + d) ≥ e / (2|h| + e / 2|h|)
-            _ if e <= square => 2.0 * length * e / (4.0 * square + e),
+            // d = e / (2|h| + d) ≥ e / (2|h| + e / 2|h|) ≥ e / 2|h| (1 - e / 4|h|²)
+            _ if e <= square => {
+                let half = 0.5 / length;
+                e * half * (1.0 - e * (half * half))
+            }
             _ => (square + e).sqrt() - length,
         }
     }
@@ -145,30 +158,44 @@ impl Rule {
     /// A radius within which all points share the fate that the trail tells: that h goes further than `radius` in one of its last
     /// rounds, or in none.
     fn clearance(self, trail: &[[f64; 2]], stays: bool, radius: f64) -> f64 {
-        // How far both numbers may stray in this round, if only this one counts.
-        let here = |squares: [f64; 2]| {
-            let gap = mean(squares).sqrt() - radius;
-            (if stays { -gap } else { gap }).max(0.0)
+        let within = match (self, stays) {
+            // Both numbers of a pair stray more than the point by √2.
+            (Rule::Pair(_), true) => self.staying::<2>(trail, radius) * FRAC_1_SQRT_2,
+            (Rule::Pair(_), false) => self.leaving::<2>(trail, radius) * FRAC_1_SQRT_2,
+            // (Both lengths of a quaternion are one.)
+            (_, true) => self.staying::<1>(trail, radius),
+            (_, false) => self.leaving::<1>(trail, radius),
         };
-        let mut e = [f64::INFINITY; 2];
-        for (k, squares) in trail.iter().enumerate().rev() {
-            if k + 1 < trail.len() {
-                e = [self.before(squares[0], e[0]), self.before(squares[1], e[1])];
-            } else if !stays {
-                e = [0.0; 2];
-            }
-            // To stay it must be near in all rounds, to go far in one.
-            if stays {
-                e = e.map(|e| e.min(here(*squares)));
-            } else if mean(*squares) > radius * radius && here(*squares) > e[0].min(e[1]) {
-                e = [here(*squares); 2];
+        // (Rounding must not make it larger.)
+        within * (1.0 - 1e-9)
+    }
+
+    /// How far N numbers may stray before the first round so that they are near in all of them.
+    fn staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
+        let mut e = [f64::INFINITY; N];
+        for squares in trail.iter().rev() {
+            let gap = (radius - mean(*squares).sqrt()).max(0.0);
+            e = from_fn(|i| self.before(squares[i], e[i]).min(gap));
+        }
+        least(e)
+    }
+
+    /// The same for numbers that are far in one of the last rounds.
+    fn leaving<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
+        let mut e = [0.0; N];
+        for squares in trail.iter().rev() {
+            e = from_fn(|i| self.before(squares[i], e[i]));
+            if mean(*squares) > radius * radius {
+                let gap = mean(*squares).sqrt() - radius;
+                e = if gap > least(e) { [gap; N] } else { e };
             }
         }
-        // Both numbers of a pair stray more than the point by √2.
-        let spread = if matches!(self, Rule::Pair(_)) { std::f64::consts::FRAC_1_SQRT_2 } else { 1.0 };
-        // (Rounding must not make it larger.)
-        e[0].min(e[1]) * spread * (1.0 - 1e-9)
+        least(e)
     }
+}
+
+fn least<const N: usize>(e: [f64; N]) -> f64 {
+    e.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// The squared length of the point from those of its pair.

@@ -1,0 +1,203 @@
+//! What is known of a pattern's numbers around a point: between which they lie, and how steep they are. Isosurfaces skip what holds
+//! none of their surface.
+
+use super::{Modifiers, Wave, modifiers::PERIOD};
+use crate::function::Interval;
+use crate::math::{DMat3, fp};
+use std::f64::consts::PI;
+
+/// Of all points no farther than a radius from one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Near {
+    /// Where their numbers lie.
+    pub range: Interval,
+    /// No shorter than the gradient is anywhere among them; infinite where numbers jump, and where nothing so good is known that it
+    /// helps.
+    pub steepest: f64,
+}
+
+impl Near {
+    /// Nothing is known.
+    pub const UNKNOWN: Self = Self { range: Interval::ALL, steepest: f64::INFINITY };
+
+    /// The same number everywhere.
+    pub fn same(value: f64) -> Self {
+        Self { range: Interval::point(value), steepest: 0.0 }
+    }
+
+    /// Around a point of this value, where no gradient is longer than `steepest`.
+    pub fn of(value: f64, steepest: f64, radius: f64) -> Self {
+        let far = steepest * radius;
+        if !(value.is_finite() && far.is_finite()) {
+            return Self::UNKNOWN;
+        }
+        Self { range: Interval::new(value - far, value + far).widened(), steepest }
+    }
+
+    /// Its numbers lie there in any case.
+    pub fn within(self, lo: f64, hi: f64) -> Self {
+        Self { range: Interval { lo: self.range.lo.clamp(lo, hi), hi: self.range.hi.clamp(lo, hi) }, ..self }
+    }
+
+    /// The same numbers, of which it is not known how steep they are.
+    pub fn without_slope(self) -> Self {
+        Self { steepest: f64::INFINITY, ..self }
+    }
+
+    /// What is left of its numbers above whole ones.
+    pub fn fraction(self) -> Self {
+        let whole = self.range.lo.floor();
+        if whole == self.range.hi.floor() {
+            let range = Interval { lo: self.range.lo - whole, hi: self.range.hi - whole };
+            Self { range, ..self }
+        } else {
+            Self { range: Interval::TRUTH, steepest: f64::INFINITY }
+        }
+    }
+}
+
+impl Modifiers {
+    /// What [`Modifiers::apply`] makes of such numbers.
+    pub fn near(&self, raw: Near) -> Near {
+        let frequency = self.frequency.unwrap_or(1.0);
+        let shifted = if frequency == 0.0 {
+            raw
+        } else {
+            let range = raw.range * Interval::point(frequency) + Interval::point(self.phase);
+            Near { range, steepest: raw.steepest * frequency.abs() }
+        };
+        let Interval { lo, hi } = shifted.range;
+        // Numbers of one period, from 0 on; those below 0 are counted from 1 on.
+        let start = match ((lo / PERIOD).floor(), (hi / PERIOD).floor()) {
+            _ if frequency == 0.0 && lo >= 0.0 => Some(0.0),
+            _ if frequency == 0.0 => None,
+            (a, b) if a != b => None,
+            (a, _) if a < 0.0 => Some((a + 1.0) * PERIOD - 1.0),
+            (a, _) => Some(a * PERIOD),
+        };
+        match start {
+            Some(start) if lo - start >= 0.0 => {
+                self.wave.near(Near { range: Interval { lo: lo - start, hi: hi - start }.widened(), ..shifted })
+            }
+            _ => Near::UNKNOWN,
+        }
+    }
+}
+
+impl Wave {
+    /// Of numbers in one period.
+    fn near(self, v: Near) -> Near {
+        let Interval { lo, hi } = v.range;
+        let chain = |range: Interval, factor: f64| Near { range: range.widened(), steepest: v.steepest * factor };
+        match self {
+            Wave::Ramp => v,
+            _ if !(lo >= 0.0 && hi <= 1.0) => Near::UNKNOWN,
+            Wave::Triangle => {
+                let ends = Interval::new(1.0 - (2.0 * lo - 1.0).abs(), 1.0 - (2.0 * hi - 1.0).abs());
+                chain(if v.range.contains(0.5) { ends.hull(Interval::point(1.0)) } else { ends }, 2.0)
+            }
+            Wave::Sine => {
+                let sine = (v.range * Interval::point(2.0 * PI)).sin();
+                chain(Interval::point(0.5) + sine * Interval::point(0.5), PI)
+            }
+            Wave::Scallop => chain((v.range * Interval::point(PI)).sin().abs(), PI),
+            Wave::Cubic => chain(v.range.growing(|v| v * v * (3.0 - 2.0 * v)), 1.5),
+            Wave::Poly(power) if power >= 1.0 => chain(v.range.growing(|v| fp::pow(v, power)), power),
+            Wave::Poly(_) => Near::UNKNOWN,
+        }
+    }
+}
+
+/// How much longer a matrix makes a vector at most, and a little more: the largest eigenvalue of MᵀM, by squaring that.
+pub fn stretch(m: &DMat3) -> f64 {
+    let s = m.transpose() * *m;
+    let size = s.to_cols_array().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    if size == 0.0 || !s.is_finite() {
+        return if s.is_finite() { 0.0 } else { f64::INFINITY };
+    }
+    let mut power = s * (1.0 / size);
+    for _ in 0..4 {
+        power = power * power;
+    }
+    let norm = power.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt();
+    (size * fp::pow(norm, 1.0 / 16.0)).sqrt() * (1.0 + 1e-9)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::noise::NoiseGenerator;
+    use crate::math::{DVec3, Transform, rng::Stream};
+    use crate::pattern::*;
+
+    #[test]
+    fn matrices_stretch_as_far_as_their_longest_image() {
+        let turned = DMat3::from_rotation_x(0.7) * DMat3::from_diagonal(DVec3::new(2.0, 0.5, -3.0));
+        assert!((3.0..3.2).contains(&stretch(&turned)), "{}", stretch(&turned));
+        assert_eq!(stretch(&DMat3::ZERO), 0.0);
+        assert_eq!(stretch(&(DMat3::IDENTITY * f64::NAN)), f64::INFINITY);
+    }
+
+    fn kinds() -> Vec<Kind> {
+        let crackle = |form: [f64; 3], metric| Crackle { form: form.into(), metric, offset: 0.1, solid: false };
+        let fields: [FieldPattern; 17] = [
+            FieldPattern::Boxed(Boxed {}),
+            FieldPattern::Planar(Planar {}),
+            FieldPattern::Spherical(Spherical {}),
+            FieldPattern::Cylindrical(Cylindrical {}),
+            FieldPattern::Bozo(Bozo {}),
+            FieldPattern::Dents(Dents {}),
+            FieldPattern::Granite(Granite {}),
+            FieldPattern::Wrinkles(Wrinkles {}),
+            FieldPattern::Leopard(Leopard {}),
+            FieldPattern::Onion(Onion {}),
+            FieldPattern::Marble(Marble {}),
+            FieldPattern::Wood(Wood {}),
+            FieldPattern::Gradient(Gradient { direction: DVec3::new(0.6, -0.8, 0.0) }),
+            FieldPattern::Crackle(crackle([-1.0, 1.0, 0.0], 2.0)),
+            FieldPattern::Crackle(crackle([0.3, 0.2, -0.5], 1.0)),
+            FieldPattern::Crackle(crackle([1.0, 0.0, 0.0], 3.0)),
+            FieldPattern::Radial(Radial {}),
+        ];
+        let bricks = Brick { size: DVec3::new(1.0, 0.5, 0.7), mortar: 0.1 };
+        let cells = [CellPattern::Checker(Checker {}), CellPattern::Brick(bricks), CellPattern::Hexagon(Hexagon {})];
+        fields.into_iter().map(Kind::Field).chain(cells.into_iter().map(Kind::Cells)).collect()
+    }
+
+    /// Each pattern, each wave, some frequencies, in a space of its own: what is said of a ball holds for all points in it.
+    #[test]
+    fn numbers_near_a_point_are_as_is_said() {
+        let waves =
+            [Wave::Ramp, Wave::Triangle, Wave::Sine, Wave::Scallop, Wave::Cubic, Wave::Poly(2.5), Wave::Poly(0.5)];
+        let mut dice = Stream::new(&[7]);
+        let mut known = 0;
+        for kind in kinds() {
+            for wave in waves {
+                for frequency in [None, Some(0.0), Some(0.7), Some(-1.3)] {
+                    let modifiers = Modifiers { frequency, phase: 0.2, wave };
+                    let mut space = Space::default();
+                    space.then(
+                        &Transform::scale(DVec3::new(1.1, 0.6, 0.9))
+                            .unwrap()
+                            .then(&Transform::rotate(DVec3::new(30.0, 40.0, 50.0))),
+                    );
+                    let program =
+                        PatternProgram::new(&Pattern { kind: kind.clone(), modifiers, space, ..Pattern::default() });
+                    for _ in 0..30 {
+                        let mut vector = || DVec3::new(dice.next(), dice.next(), dice.next()) * 2.0 - 1.0;
+                        let (p, radius) = (vector() * 3.0, vector().x.abs() * 0.2);
+                        let at = |p| TextureContext::free(p, NoiseGenerator::RangeCorrected);
+                        let near = program.near(&at(p), radius);
+                        known += usize::from(near.steepest.is_finite());
+                        let q = p + vector().normalize() * radius * vector().x.abs();
+                        let (a, b) = (program.see(&at(p)).0, program.see(&at(q)).0);
+                        let rise = near.steepest * p.distance(q);
+                        let holds = near.range.contains(a) && near.range.contains(b) && !((a - b).abs() > rise + 1e-9);
+                        assert!(holds, "{kind:?} {modifiers:?} {p} {q} {radius}: {a} {b} {near:?}");
+                    }
+                }
+            }
+        }
+        assert!(known > 5000, "{known}");
+    }
+}
