@@ -1,7 +1,7 @@
 //! `text { ttf "font.ttf" "string" depth, offset }`: a line of letters as solids (manual, "Text").
 //!
 //! Letters stand on y = 0, from x = 0 on, with an em of 1, and reach from z = 0 to z = `depth`. `offset` is added between one letter
-//! and the next.
+//! and the next. Of a `depth` below 0 both ends are all there is, without any inside (measured on POV-Ray 3.7).
 //!
 //! ```pov
 //! text { ttf "timrom.ttf" "durer" 0.2, 0 pigment { color rgb <0.8, 0.3, 0.1> } scale 1.6 translate -1.6*x }
@@ -206,10 +206,9 @@ impl Text {
         }
         let across = d.truncate();
         let length = across.length_squared();
-        if length == 0.0 {
+        if length == 0.0 || self.depth < 0.0 {
             return;
         }
-        let (lo, hi) = (self.depth.min(0.0), self.depth.max(0.0));
         for (part, curve) in (WALLS..).zip(&letter.shape.curves) {
             let from = curve.map(|p| p - o.truncate());
             // How far to the left of the ray.
@@ -223,7 +222,7 @@ impl Text {
                 if (0.0..1.0).contains(&s) {
                     let t = across.dot(at(from, s)) / length;
                     let z = o.z + d.z * t;
-                    if z >= lo && z <= hi {
+                    if z >= 0.0 && z <= self.depth {
                         push(t, part, s);
                     }
                 }
@@ -254,7 +253,7 @@ impl Kernel for Text {
     fn inside(&self, p: DVec3) -> bool {
         self.letters.iter().any(|letter| {
             let local = p - letter.at;
-            local.z > self.depth.min(0.0) && local.z < self.depth.max(0.0) && letter.shape.covers(local.truncate())
+            local.z > 0.0 && local.z < self.depth && letter.shape.covers(local.truncate())
         })
     }
 
@@ -320,6 +319,15 @@ mod tests {
         let shape = text("l");
         let hit = shape.closest(&Ray::new(DVec3::new(-1.0, 0.3, 0.2), DVec3::X), Range::FORWARD).unwrap();
         assert!(shape.normal(DVec3::ZERO, &hit).x > 0.0 && (hit.t - 1.0).abs() < 1e-6, "{hit:?}");
+    }
+
+    #[test]
+    fn of_a_negative_depth_only_the_ends_are_left() {
+        let shape = crate::shape::testing::read::<Text>("ttf \"roboto\" \"l\" -0.5 0").0.unwrap();
+        let middle = shape.bounds().center();
+        let hits = all(&shape, &Ray::new(middle.with_z(-5.0), DVec3::Z));
+        assert_eq!(hits.iter().map(|hit| hit.t).collect::<Vec<_>>(), [4.5, 5.0]);
+        assert!(all(&shape, &Ray::new(middle.with_x(-5.0), DVec3::X)).is_empty() && !shape.inside(middle));
     }
 
     #[test]
