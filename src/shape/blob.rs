@@ -369,6 +369,10 @@ impl Kernel for Blob {
     }
 
     /// Textures by how strong the fields of their components are, be it to add or to take away (measured on POV-Ray 3.7).
+    fn takes_textures_along(&self) -> bool {
+        true
+    }
+
     fn slots(&self, p: DVec3, _: &Hit) -> Slots {
         let mut slots = Slots::new();
         let mut sum = 0.0;

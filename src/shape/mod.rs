@@ -258,6 +258,12 @@ pub trait Kernel {
         true
     }
 
+    /// Do the textures that it carries move with it, even with `uv_mapping`, which keeps those of others where they are (measured on
+    /// POV-Ray 3.7)?
+    fn takes_textures_along(&self) -> bool {
+        false
+    }
+
     /// The shape to place by M instead of this one, where that is another. `before` is M without its last step, if there is one and
     /// [`Kernel::remembers_moves`].
     fn changed_under(&self, _m: &Transform, _before: Option<&Transform>) -> Option<Self>
@@ -310,6 +316,7 @@ macro_rules! shapes {
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
+            fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
             fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
             fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }

@@ -259,7 +259,9 @@ impl Lowering {
         let carried = object.rare.carried.iter().flat_map(|all| all.iter());
         let carried: Box<[PlacedMaterial]> = carried
             .map(|painted| {
-                self.lower_look(&Look { texture: painted.texture.clone(), transform: own.place.of_textures(object) })
+                let along = shape.takes_textures_along();
+                let transform = if along { own.place.now.clone() } else { own.place.of_textures(object) };
+                self.lower_look(&Look { texture: painted.texture.clone(), transform })
             })
             .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());
