@@ -32,8 +32,12 @@ const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
 /// Is told a root; true ends the search.
 type Found<'a> = &'a mut dyn FnMut(f64) -> bool;
 
+/// Arrays of no more room than this have none to spare: their degree is known when they are compiled.
+const EXACT: usize = 8;
+
 /// The search on [0, 1]. Arrays have room for one coefficient more than the degree at least.
 struct Search<'a> {
+    /// Of arrays with room to spare.
     degree: usize,
     /// Coefficients below it are rounding.
     noise: f64,
@@ -54,6 +58,7 @@ fn sign_changes(b: &[f64]) -> usize {
 }
 
 /// Value and slope at t, by de Casteljau's scheme.
+#[inline(always)]
 fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, f64) {
     let mut b = *b;
     for last in (1..degree).rev() {
@@ -67,6 +72,7 @@ fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64,
 
 /// The one root in [0, 1], at whose ends the signs differ: Newton's step where it stays in the bracket and shrinks fast
 /// enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+#[inline(always)]
 fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
     let rising = negative(b[0]);
     let (mut lo, mut hi) = (0.0, 1.0);
@@ -80,12 +86,16 @@ fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
             hi = t;
         }
         let newton = t - f / slope;
-        // (Not at an end: if it is zero there, that is another stretch's root.)
-        let shrinks = newton > lo && newton < hi && (newton - t).abs() <= 0.5 * last_step;
+        let step = (newton - t).abs();
+        let shrinks = newton >= lo && newton <= hi && step <= 0.5 * last_step;
+        // So short a step doubles the digits that are right; one that does not get shorter any more is rounding.
+        if step <= 1e-10 * t || !shrinks && step.max(last_step) <= 1e-8 * t {
+            return newton.clamp(lo, hi);
+        }
         let next = if shrinks { newton } else { 0.5 * (lo + hi) };
         last_step = (next - t).abs();
         t = next;
-        if last_step <= 4.0 * f64::EPSILON * t || hi - lo <= f64::EPSILON {
+        if hi - lo <= f64::EPSILON {
             break;
         }
     }
@@ -93,6 +103,7 @@ fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
 }
 
 /// Both halves of a stretch.
+#[inline(always)]
 fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     let (mut left, mut right) = (*b, *b);
     for (k, end) in left.iter_mut().enumerate().take(degree) {
@@ -111,19 +122,20 @@ impl Search<'_> {
         if hi < self.window.0 || lo > self.window.1 {
             return false;
         }
-        let used = &b[..=self.degree];
+        let degree = if N <= EXACT { N - 1 } else { self.degree };
+        let used = &b[..=degree];
         match sign_changes(used) {
             0 => return false,
-            1 => return (self.found)(lo + (hi - lo) * only_root(b, self.degree)),
+            1 => return (self.found)(lo + (hi - lo) * only_root(b, degree)),
             _ => {}
         }
         let middle = 0.5 * (lo + hi);
         if hi - lo < tolerance::POLYNOMIAL || used.iter().all(|b| b.abs() <= self.noise) {
             // A cluster of roots that rounding can't tell apart: crossed, or touched.
-            let crossed = negative(b[0]) != negative(b[self.degree]);
+            let crossed = negative(b[0]) != negative(b[degree]);
             return (self.found)(middle) || !crossed && (self.found)(middle);
         }
-        let (left, right) = halves(b, self.degree);
+        let (left, right) = halves(b, degree);
         let (near, far) = ((&left, lo, middle), (&right, middle, hi));
         let (first, then) = if self.backwards { (far, near) } else { (near, far) };
         self.walk(first.0, first.1, first.2) || self.walk(then.0, then.1, then.2)
@@ -138,11 +150,39 @@ pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     if sign_changes(b) == 0 {
         return;
     }
-    if let [b0, b1] = *b {
-        found(b0 / (b0 - b1));
-        return;
+    match *b {
+        [b0, b1] => {
+            found(b0 / (b0 - b1));
+        }
+        [b0, b1, b2] => {
+            let _ = quadratic_roots(b0, b1, b2).into_iter().flatten().any(found);
+        }
+        [_, _, _, _] => padded_roots::<4>(b, found),
+        [_, _, _, _, _] => padded_roots::<5>(b, found),
+        [_, _, _, _, _, _] => padded_roots::<6>(b, found),
+        [_, _, _, _, _, _, _] => padded_roots::<7>(b, found),
+        [_, _, _, _, _, _, _, _] => padded_roots::<8>(b, found),
+        _ => padded_roots::<12>(b, found),
     }
-    if b.len() <= 8 { padded_roots::<8>(b, found) } else { padded_roots::<12>(b, found) }
+}
+
+/// Those of b₀(1 - t)² + 2b₁t(1 - t) + b₂t², whose coefficients change their signs.
+fn quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
+    // t/(1 - t) is a root of b₂u² + 2b₁u + b₀.
+    let discriminant = b1 * b1 - b0 * b2;
+    let q = -(b1 + discriminant.max(0.0).sqrt().copysign(b1));
+    // u = q/b₂ and u = b₀/q
+    let (t1, t2) = (q / (q + b2), b0 / (b0 + q));
+    if negative(b0) != negative(b2) {
+        // One of the two is no number between 0 and 1; which one, rounding may hide.
+        let off = |t: f64| if t.is_finite() { (t - 0.5).abs() } else { f64::INFINITY };
+        let t = if off(t1) <= off(t2) { t1 } else { t2 };
+        return [Some(t.clamp(0.0, 1.0)), None];
+    }
+    if negative(discriminant) {
+        return [None; 2];
+    }
+    [Some(t1.min(t2)), Some(t1.max(t2))]
 }
 
 fn padded_roots<const N: usize>(b: &[f64], found: Found) {
@@ -167,7 +207,11 @@ pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> 
             let both = solve_quadratic(a, b, c).map_or([f64::NAN; 2], |(x1, x2)| [x1, x2]);
             let _ = both.into_iter().any(tell);
         }
-        _ if degree < 8 => on_line::<8>(&c[..=degree], lo, hi, &mut tell),
+        _ if degree == 3 => on_line::<4>(&c[..=degree], lo, hi, &mut tell),
+        _ if degree == 4 => on_line::<5>(&c[..=degree], lo, hi, &mut tell),
+        _ if degree == 5 => on_line::<6>(&c[..=degree], lo, hi, &mut tell),
+        _ if degree == 6 => on_line::<7>(&c[..=degree], lo, hi, &mut tell),
+        _ if degree == 7 => on_line::<8>(&c[..=degree], lo, hi, &mut tell),
         _ => on_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut tell),
     }
 }
@@ -175,7 +219,7 @@ pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> 
 /// The line in four: (-∞, -1], [-1, 0], [0, 1] and [1, ∞) in a unit that makes the first and the last coefficient alike.
 /// Where x is beyond 1, xⁿ·p(1/x) has the coefficients in the other order.
 fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
-    let degree = c.len() - 1;
+    let degree = if N <= EXACT { N - 1 } else { c.len() - 1 };
     let lowest = c.iter().position(|c| *c != 0.0).unwrap_or(0);
     let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32;
     let unit = match degree - lowest {
@@ -234,6 +278,7 @@ fn exp2(k: i32) -> f64 {
 
 /// Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at 1, which the
 /// stretches on both sides of it must share to the last bit.
+#[inline(always)]
 fn bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> [f64; N] {
     for (a, inverse) in a.iter_mut().zip(&INVERSE_BINOMIALS[degree][..=degree]) {
         *a *= inverse;
