@@ -14,7 +14,7 @@
 
 use super::{HUGE, Hit, Hits, Kernel, Readable};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, MAX_DEGREE, Range, Ray, Transform, roots_on_line, tolerance};
+use crate::math::{Aabb, DVec3, MAX_DEGREE, Range, Ray, Transform, roots_on_line, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, word};
 use crate::value::{Kind, Param, Reader, Spec, WordSpec};
@@ -322,10 +322,6 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
     }
 
     /// POV-Ray has no mapping for them.
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
-    }
-
     fn uv_mapped(&self) -> bool {
         false
     }

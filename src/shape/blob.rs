@@ -11,7 +11,7 @@
 use super::{Hit, Hits, Kernel, Paints, Readable, Slots, Sphere, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, Transform, solve_between, solve_quadratic};
+use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_between, solve_quadratic};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, ReaderExt, Spec};
@@ -388,10 +388,6 @@ impl Kernel for Blob {
         });
         slots.iter_mut().for_each(|(_, share)| *share /= sum);
         slots
-    }
-
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
     }
 
     fn uv_mapped(&self) -> bool {

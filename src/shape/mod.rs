@@ -244,8 +244,10 @@ pub trait Kernel {
     /// The outward normal at a hit, of any length but zero.
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
 
-    /// Surface coordinates: what `uv_mapping` sees and `durer pick` shows.
-    fn uv(&self, p: DVec3, hit: &Hit) -> DVec2;
+    /// Surface coordinates: what `uv_mapping` sees and `durer pick` shows. Shapes that have none keep this, and say so below.
+    fn uv(&self, p: DVec3, _hit: &Hit) -> DVec2 {
+        p.truncate()
+    }
 
     /// What a place shows, of shapes that carry textures.
     fn slots(&self, _p: DVec3, _hit: &Hit) -> Slots {

@@ -228,10 +228,6 @@ impl Kernel for Prism {
     }
 
     /// POV-Ray has no mapping for prisms.
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
-    }
-
     fn uv_mapped(&self) -> bool {
         false
     }

@@ -9,7 +9,7 @@
 
 use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DMat3, DVec2, DVec3, Range, Ray, Transform, stable_pair};
+use crate::math::{Aabb, DMat3, DVec3, Range, Ray, Transform, stable_pair};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
@@ -188,10 +188,6 @@ impl Kernel for Quadric {
     }
 
     /// POV-Ray has no mapping for them.
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
-    }
-
     fn uv_mapped(&self) -> bool {
         false
     }

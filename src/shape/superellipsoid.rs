@@ -9,7 +9,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
+use crate::math::{Aabb, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
@@ -268,10 +268,6 @@ impl Kernel for Superellipsoid {
     }
 
     /// POV-Ray has no mapping for it.
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
-    }
-
     fn uv_mapped(&self) -> bool {
         false
     }

@@ -272,10 +272,6 @@ impl Kernel for Text {
         }
     }
 
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
-    }
-
     fn uv_mapped(&self) -> bool {
         false
     }

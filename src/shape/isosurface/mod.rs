@@ -16,7 +16,7 @@ use super::formula::{self, Container, Formula};
 use super::{Hit, Hits, Kernel, Paints, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
+use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Kind, Next, Param, Reader, Spec};
@@ -320,10 +320,6 @@ impl Kernel for Isosurface {
         }
         let n = self.slant(p, 1e-3 * self.accuracy);
         if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }
-    }
-
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
     }
 
     fn uv_mapped(&self) -> bool {

@@ -16,7 +16,7 @@ pub use function::Function;
 
 use super::{Hit, Hits, Kernel, Paints, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, crossing};
+use crate::math::{Aabb, DVec3, Range, Ray, Transform, crossing};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs_of, word};
 use crate::value::{Kind, Next, Param, Reader, Spec, Value, WordSpec};
@@ -61,6 +61,9 @@ pub struct JuliaFractal {
     /// … and so far from the origin.
     pub distance: f64,
 }
+
+/// Is told between which two numbers a ray crosses the surface, and what finds the place; true ends the search.
+type Found<'a> = &'a mut dyn FnMut([f64; 2], &dyn Fn() -> f64) -> bool;
 
 impl JuliaFractal {
     /// That of h² + c in quaternions.
@@ -143,7 +146,7 @@ impl JuliaFractal {
     }
 
     /// Tells each stretch in which a ray goes in or out, ascending, with what it takes to find the place; true ends the search.
-    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut([f64; 2], &dyn Fn() -> f64) -> bool) {
+    fn search(&self, ray: &Ray, range: Range, found: Found) {
         if self.rounds() == 0 {
             return;
         }
@@ -371,10 +374,6 @@ impl Kernel for JuliaFractal {
     }
 
     /// POV-Ray has no mapping for it.
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
-    }
-
     fn uv_mapped(&self) -> bool {
         false
     }

@@ -235,10 +235,6 @@ impl Kernel for SphereSweep {
     }
 
     /// POV-Ray has no mapping for it.
-    fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        p.truncate()
-    }
-
     fn uv_mapped(&self) -> bool {
         false
     }
