@@ -29,7 +29,7 @@ impl Tracer<'_> {
     pub(super) fn unshadowed(&mut self, light: &LightSource, point: DVec3, ray: &Arriving, inside: &Interiors) -> Rgb {
         let mut range = Range { min: tolerance::SHADOW, max: ray.distance - tolerance::SHADOW };
         let ray = Ray::new(point, ray.from);
-        if let Some(through) = &light.through {
+        if let Some(through) = light.through.as_ref().filter(|_| self.setup.quality.shadows) {
             let Some(passed) = through.closest(&ray, range, |_| true) else { return Rgb::ZERO };
             // What lies between it and the light is not in the way (measured on POV-Ray 3.7).
             range.max = passed.t();

@@ -248,11 +248,12 @@ impl Reflection {
     pub const NONE: Self =
         Self { min: Rgb::ZERO, max: Rgb::ZERO, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 };
 
-    /// `reflection { [min,] max … }`. What an earlier one in the same finish says of metal, falloff and exponent stays, but not its
-    /// `fresnel` (measured on POV-Ray 3.7).
+    /// `reflection { [min,] max … }`. What an earlier one in the same finish says of fresnel, metal, falloff and exponent stays (measured
+    /// on POV-Ray 3.7).
     fn read(r: &mut dyn Reader, before: &Self) -> Result<Self> {
         let first = r.color()?.rgb;
-        let mut out = Self { min: Rgb::ZERO, max: first, fresnel: false, ..before.clone() };
+        let mut out = Self { min: Rgb::ZERO, max: first, ..before.clone() };
+        let mut said_fresnel = false;
         let two = r.at_color()?;
         if two {
             (out.min, out.max) = (first, r.color()?.rgb);
@@ -260,12 +261,12 @@ impl Reflection {
         loop {
             match r.next()? {
                 Next::End => break,
-                next if read_row(REFLECTION_ROWS, &mut out, next, r)? => {}
+                next if read_row(REFLECTION_ROWS, &mut out, next, r)? => said_fresnel |= next == Next::Word("fresnel"),
                 _ => return Err(r.unknown_word("reflection", &REFLECTION.names()).into()),
             }
         }
-        // One colour alone is the same at every angle, but fresnel starts from none.
-        if !two && !out.fresnel {
+        // One colour alone is the same at every angle, but fresnel that is said here starts from none.
+        if !two && !(said_fresnel && out.fresnel) {
             out.min = out.max;
         }
         Ok(out)
