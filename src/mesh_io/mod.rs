@@ -134,5 +134,5 @@ fn direction(numbers: [f64; 3]) -> Vec3 {
 /// A point, unless one of its numbers is none.
 fn point(numbers: [f64; 3], place: impl FnOnce() -> String) -> Reading<Vec3> {
     let p = Vec3::from_array(numbers.map(|x| x as f32));
-    if p.is_finite() { Ok(p) } else { Err(format!("{}: a corner's place is infinite or not a number", place())) }
+    if p.is_finite() { Ok(p) } else { Err(format!("{}: a corner's place is not a number, or beyond 1e38", place())) }
 }

@@ -29,9 +29,9 @@ pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
             "usemtl" => {
                 let name = rest.trim();
                 let found = out.looks.iter().rposition(|look| look.name == name);
-                if found.is_none() && state.unknown.as_deref() != Some(name) {
+                // (One is enough: a file of materials that is not there takes them all along.)
+                if found.is_none() && out.remarks.is_empty() {
                     out.remarks.push(format!("line {line}: there is no material `{name}`"));
-                    state.unknown = Some(name.into());
                 }
                 state.slot = found.map_or(0, |i| i as u32 + 1);
             }
@@ -72,8 +72,6 @@ fn numbers(rest: &str, least: usize, line: usize) -> Reading<[f64; 4]> {
 struct State {
     /// The material in force.
     slot: u32,
-    /// The last one that was not found.
-    unknown: Option<String>,
     corners: Vec<[Option<u32>; 3]>,
     points: Vec<Vec3>,
 }

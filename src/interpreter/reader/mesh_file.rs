@@ -40,11 +40,10 @@ impl Interpreter<'_> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut open = |name: &str| -> Reading<Vec<u8>> {
             let beside = folder.join(name);
-            if !self.options.sandbox.may_read(&beside) {
-                let reason = if beside.exists() { "may not be read by the scene" } else { "is not there" };
-                return Err(format!("the file `{name}` {reason}"));
+            if beside.exists() && !self.options.sandbox.may_read(&beside) {
+                return Err(format!("the file `{name}` may not be read by the scene"));
             }
-            std::fs::read(&beside).map_err(|_| format!("the file `{name}` can't be read"))
+            std::fs::read(&beside).map_err(|_| format!("there is no file `{name}` that can be read"))
         };
         mesh_io::read(&bytes, ending, &mut open).map_err(|why| {
             let message = format!("the mesh's file `{}` can't be read: {why}", path.display());

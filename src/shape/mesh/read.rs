@@ -146,6 +146,11 @@ fn two_sources(span: Span) -> Fault {
 }
 
 impl Mesh {
+    /// Of triangles that are there already.
+    pub fn of(triangles: Triangles) -> Self {
+        Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
+    }
+
     fn read_triangle(&mut self, smooth: bool, span: Span, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
         let (mut corners, mut normals, mut uvs, mut slots) = (NONE, NONE, NONE, [0; 3]);
         let mut points = [DVec3::ZERO; 3];
