@@ -58,7 +58,7 @@ mod tests {
     fn concave_polygons_keep_their_area() {
         // A star of ten corners in a slanted plane, either way round.
         let star = |i: usize| {
-            let (angle, r) = (i as f64 * std::f64::consts::PI / 5.0, if i % 2 == 0 { 2.0 } else { 0.7 });
+            let (angle, r) = (i as f64 * std::f64::consts::PI / 5.0, if i.is_multiple_of(2) { 2.0 } else { 0.7 });
             let (x, y) = (r * crate::math::fp::cos(angle), r * crate::math::fp::sin(angle));
             Vec3::new(x as f32, y as f32, (x + y) as f32)
         };

@@ -34,7 +34,7 @@ impl Interpreter<'_> {
     fn read_mesh(&self, path: &Path, at: Span) -> Result<MeshFile> {
         let bytes = match std::fs::read(path) {
             Ok(bytes) => bytes,
-            Err(error) => return Err(file::unreadable(path, &ReadError::Io(error)).at(at).into()),
+            Err(error) => return Err(file::unreadable(path, &ReadError::Io(error)).at(at)),
         };
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new(""));

@@ -10,7 +10,8 @@ use document::Document;
 
 /// Reads a file, and the buffers that it names.
 pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
-    let (json, chunk, base) = if bytes.starts_with(b"glTF") { chunks(bytes)? } else { (bytes, None, 0) };
+    let Parts { json, bytes: chunk, base } =
+        if bytes.starts_with(b"glTF") { chunks(bytes)? } else { Parts { json: bytes, bytes: None, base: 0 } };
     let document: Document = serde_json::from_slice(json).map_err(|e| {
         let why = e.to_string();
         let why = why.split(" at line ").next().unwrap_or_default().to_string();
@@ -42,7 +43,13 @@ const KNOWN: &[&str] =
     &["KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness"];
 
 /// JSON and bytes of a `glb`, and where the JSON begins.
-fn chunks(bytes: &[u8]) -> Reading<(&[u8], Option<&[u8]>, usize)> {
+struct Parts<'a> {
+    json: &'a [u8],
+    bytes: Option<&'a [u8]>,
+    base: usize,
+}
+
+fn chunks(bytes: &[u8]) -> Reading<Parts<'_>> {
     let word = |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
     if word(4) != Some(2) {
         return Err("byte 4: only version 2 of glTF is read".into());
@@ -59,7 +66,7 @@ fn chunks(bytes: &[u8]) -> Reading<(&[u8], Option<&[u8]>, usize)> {
         }
         at += 8 + length;
     }
-    Ok((json.ok_or("byte 12: there is no JSON in it")?, rest, 20))
+    Ok(Parts { json: json.ok_or("byte 12: there is no JSON in it")?, bytes: rest, base: 20 })
 }
 
 /// What a URI stands for: bytes written in it, or a file.

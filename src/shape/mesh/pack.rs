@@ -23,10 +23,10 @@ impl Pack {
     /// Of the triangles of these numbers.
     pub fn new(row: Range<u32>, face: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
         let mut corners = [[[0.0; PACK]; 3]; 3];
-        for lane in 0..PACK {
-            let number = row.start + lane as u32;
-            for (k, p) in face(if number < row.end { number } else { row.start }).into_iter().enumerate() {
-                (0..3).for_each(|axis| corners[k][axis][lane] = p[axis]);
+        let numbers = row.clone().chain(std::iter::repeat(row.start));
+        for (lane, number) in numbers.take(PACK).enumerate() {
+            for (corner, p) in corners.iter_mut().zip(face(number)) {
+                corner.iter_mut().zip(p).for_each(|(axis, x): (&mut [f32; PACK], f32)| axis[lane] = x);
             }
         }
         Self { corners, first: row.start, count: row.end - row.start }
