@@ -38,6 +38,7 @@ pub mod interpreter;
 pub mod library;
 pub mod light;
 pub mod math;
+pub mod mesh_io;
 pub mod pattern;
 pub mod render;
 pub mod scene;

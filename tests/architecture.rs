@@ -13,6 +13,7 @@ const LAYERS: &[(&str, u32)] = &[
     ("color", 1),
     ("font", 2),
     ("image_io", 2),
+    ("mesh_io", 2),
     ("syntax", 2),
     ("value", 3),
     ("function", 4),

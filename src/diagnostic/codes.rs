@@ -63,6 +63,9 @@ a limit of your own; without it, what the machine has free is the limit. `--size
     FORMAT_LIMIT "E0008" "the picture format can't hold this picture"
 "Every format has limits: jpg holds 65535 pixels a side, bmp, tga and jpg hold 8 bits a channel, exr and hdr always hold
 floating-point numbers, and only png, tiff, bmp, tga and exr know transparency. Choose another format, for example png."
+    MESH_BROKEN "E0008" "the mesh's file can't be read"
+"`mesh { file \"NAME\" }` takes PLY, OBJ, STL and glTF files (ply, obj, stl, gltf, glb). The message names the line, or the byte counted
+from 0, where the file stops making sense: it ends early, a corner's number is beyond the list, a place is not a number."
     OUTSIDE_PICTURE "E0010" "this part is not inside the picture"
 "Pixels are counted from the top left, starting with 0: a picture of 640x480 goes from 0,0 to 639,479. `--size` says how large
 the picture is."
@@ -198,6 +201,9 @@ little. The environment variable DURER_FONTS names other folders in which to loo
 "POV-Ray goes on with such numbers, and so does durer where it can: of a shape that has one, or is moved by one, nothing is
 seen; in a colour, infinity is white light and black paint, and what is not a number is black. Look for a division by zero, or for
 a number that grows in a loop."
+    MESH_PARTLY "W0214" "a part of a mesh's file is left out"
+"A file of a mesh names its materials, which may be in another file: that is not there, or it holds what durer doesn't draw. The mesh's own
+texture shows in their place."
     MORE_ERRORS "W0250" "more errors were found than are told"
 "After twenty errors the others are counted only: many of them follow from the first ones, and go when those are mended."
     NO_DIRECTION "E0300" "a plane has no direction"
@@ -209,8 +215,8 @@ vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."
     FEW_POINTS "E0302" "a polygon or curve has too few points"
 "The first number in a `polygon` says how many points follow. It takes three to enclose an area, and the first one is
 usually repeated at the end: `polygon { 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }`."
-    TWO_FORMS "E0304" "a plane is given twice"
-"A plane is given by `normal, distance` or by one of the forms with words, `implicit <A, B, C, D>`, `point q normal n` or
+    TWO_FORMS "E0304" "a shape is given twice"
+"A mesh has triangles that are written out or those of one `file`. A plane is given by `normal, distance` or by one of the forms with words, `implicit <A, B, C, D>`, `point q normal n` or
 `point q span i, j`, and only once."
     BAD_ORDER "E0305" "a polynomial has no such order or power"
 "The order of a `poly` or `polynomial` is the highest sum of powers in it, from 2 to 35. In `xyz(i, j, k): c`, no power is negative, and

@@ -27,7 +27,7 @@ use crate::image_io::Picture;
 use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::ast::Symbol;
-use crate::syntax::{Names, Wholes};
+use crate::syntax::{ListPlaces, Names, Wholes};
 use crate::value::{Language, Thing, Value};
 use crate::world::Probe;
 pub use directive::table as directives;
@@ -35,6 +35,7 @@ pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scope::{Place, Scopes, Slot};
+use std::cell::RefCell;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -154,12 +155,16 @@ pub(crate) struct Interpreter<'a> {
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
     /// Decoded picture files.
     pictures: FxHashMap<PathBuf, Arc<Picture>>,
+    /// What files of meshes became.
+    meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
     /// Fonts that were read.
     fonts: FxHashMap<PathBuf, Arc<Font>>,
     /// Files by the numbers in [`Slot::File`].
     files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
     written: u64,
+    /// Where the last place in a list of numbers was found.
+    list_places: RefCell<ListPlaces>,
     frames: Vec<StackFrame<'a>>,
     peeked: Option<Token<'a>>,
     /// Tokens that come before those of the frames, the next one last.
@@ -225,6 +230,8 @@ impl<'a> Interpreter<'a> {
             random: vec![],
             probes: FxHashMap::default(),
             pictures: FxHashMap::default(),
+            meshes: FxHashMap::default(),
+            list_places: RefCell::default(),
             fonts: FxHashMap::default(),
             files: vec![],
             written: 0,

@@ -67,7 +67,9 @@ pub use torus::Torus;
 pub use triangle::Triangle;
 
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
+use crate::image_io::Picture;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::mesh_io::Look;
 use crate::source::Span;
 use crate::value::words::{Row, read_row};
 use crate::value::{Next, Reader, Spec};
@@ -161,6 +163,12 @@ pub trait Paints {
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
     fn read_one(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>>;
+
+    /// The texture of a material in a mesh's file, with its picture if that was found.
+    ///
+    /// # Errors
+    /// As those of the others.
+    fn of_file(&mut self, look: &Look, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32>;
 
     /// Moves what the place has, and nothing else that has the same.
     fn transform(&mut self, slot: &mut u32, by: &Transform);

@@ -3,7 +3,9 @@
 use super::{Hit, Hits, Kernel, Paints, Readable};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
+use crate::mesh_io::Look;
 use crate::source::Span;
 use crate::value::{FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value, VecN};
 use std::collections::VecDeque;
@@ -53,6 +55,10 @@ impl Paints for NoPaints {
 
     fn read_one(&mut self, _: Next, _: &mut dyn Reader) -> Result<Option<u32>> {
         Ok(None)
+    }
+
+    fn of_file(&mut self, _: &Look, _: Option<&Arc<Picture>>, _: &mut dyn Reader) -> Result<u32> {
+        Ok(0)
     }
 
     fn transform(&mut self, _: &mut u32, _: &Transform) {}
@@ -184,6 +190,10 @@ impl Reader for Words {
 
     fn solid(&mut self) -> Result<Arc<dyn Solid>> {
         Err(self.unexpected("no object").into())
+    }
+
+    fn mesh_file(&mut self, _: crate::value::BuildMesh) -> Result<Arc<dyn Thing>> {
+        Err(self.unexpected("no file").into())
     }
 
     fn picture(&mut self) -> Result<Arc<crate::image_io::Picture>> {

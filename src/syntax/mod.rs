@@ -10,6 +10,7 @@ mod lex;
 pub mod lint;
 mod names;
 mod numbers;
+pub use numbers::ListPlaces;
 mod parse;
 mod portable;
 mod tokens;

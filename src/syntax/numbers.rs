@@ -226,18 +226,10 @@ impl NumberList {
         self.data.is_empty()
     }
 
-    /// The places of the items of a list that stands at `place` in a file and is written as `text`. They are scanned for
-    /// again: a mesh has millions, and only messages and editors ask.
+    /// The places of the items of a list that stands at `place` in a file and is written as `text`.
     pub fn spans(text: &str, place: Span) -> impl Iterator<Item = Span> + '_ {
-        let (bytes, mut scanner, mut at) = (text.as_bytes(), ListScanner::default(), 0);
-        std::iter::from_fn(move || {
-            let end = scanner.item(bytes, at, true)?;
-            let span = Span::new(place.lo as usize + at, place.lo as usize + end);
-            let comma = skip_blanks(bytes, end);
-            at = skip_blanks(bytes, comma + 1);
-            scanner.data.clear();
-            Some(span)
-        })
+        let mut places = ListPlaces::default();
+        (0..).map_while(move |item| places.find(text, place, item))
     }
 
     /// How many numbers item `i` has.
@@ -245,6 +237,35 @@ impl NumberList {
         match &self.widths {
             Widths::Uniform(width) => *width as usize,
             Widths::Mixed(widths) => widths[i] as usize,
+        }
+    }
+}
+
+/// Finds the places of a list's items. They are scanned for again: a mesh has millions, and only messages and editors ask. It goes on from
+/// the item that was found last.
+#[derive(Default)]
+pub struct ListPlaces {
+    list: Span,
+    item: usize,
+    at: usize,
+    scanner: ListScanner,
+}
+
+impl ListPlaces {
+    /// The place of an item of the list that stands at `list` and is written as `text`.
+    pub fn find(&mut self, text: &str, list: Span, item: usize) -> Option<Span> {
+        let bytes = text.as_bytes();
+        if self.list != list || item < self.item {
+            (self.list, self.item, self.at) = (list, 0, 0);
+        }
+        loop {
+            let end = self.scanner.item(bytes, self.at, true)?;
+            self.scanner.data.clear();
+            if self.item == item {
+                return Some(Span::new(list.lo as usize + self.at, list.lo as usize + end));
+            }
+            self.at = skip_blanks(bytes, skip_blanks(bytes, end) + 1);
+            self.item += 1;
         }
     }
 }

@@ -75,7 +75,7 @@ pub fn contextual(block: &str) -> &'static [&'static str] {
 
 /// durer's own words and the blocks in which they are words.
 pub const CONTEXTUAL: &[(&str, &[&str])] =
-    &[("camera", &["eye", "center", "fov_x", "fov_y"]), ("plane", &["implicit", "point", "span"])];
+    &[("camera", &["eye", "center", "fov_x", "fov_y"]), ("mesh", &["file"]), ("plane", &["implicit", "point", "span"])];
 
 /// Words of shapes that are made of no others. (For advice about a text alone; what a shape takes, `shape` knows.)
 #[rustfmt::skip]

@@ -9,6 +9,7 @@ mod interior;
 mod layers;
 mod normal;
 mod normal_program;
+mod of_file;
 mod pigment;
 mod pigment_program;
 pub mod words;

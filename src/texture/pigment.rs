@@ -49,6 +49,14 @@ impl Pigment {
         Self { pattern: Seldom::USUAL, paint: Paint::Solid(color), quick_color: None }
     }
 
+    /// What is mapped by the surface's own coordinates.
+    pub fn by_uv(paint: Paint) -> Self {
+        let mut pigment = Self { paint, ..Self::default() };
+        pigment.pattern.uv = true;
+        pigment.pattern.end();
+        pigment
+    }
+
     /// Reads what stands between the braces, on top of `base`; pigments inside of it begin with the default one.
     ///
     /// # Errors

@@ -14,7 +14,7 @@ pub use decimal::{decimal, without_zeros};
 pub use given::given;
 pub use kinds::{Thing, Value, VecN, downcast};
 pub use raw_item::RawItem;
-pub use reader::{FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
+pub use reader::{BuildMesh, FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
 pub use seldom::{Seldom, Usual};
 pub use spec::{Kind, Param, Spec, WordSpec};
 pub use words::Vocabulary;

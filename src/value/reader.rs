@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, Result};
 use crate::font::Font;
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
+use crate::mesh_io::MeshFile;
 use crate::source::Span;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -77,6 +78,9 @@ pub trait Solid: std::fmt::Debug + Send + Sync {
 /// A function, and how many samples of it are wanted across and down.
 pub type SizedFunction = ([usize; 2], Arc<dyn Thing>);
 
+/// Makes a shape of a mesh's file. Each of its looks has a picture or none.
+pub type BuildMesh = fn(MeshFile, Vec<Option<Arc<Picture>>>) -> Arc<dyn Thing>;
+
 /// A family's view of the text.
 ///
 /// # Errors
@@ -143,6 +147,9 @@ pub trait Reader {
     fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
     /// Consumes a picture file's name, and decodes the file; fails where it is not found or not understood.
     fn picture(&mut self) -> Result<Arc<Picture>>;
+    /// Consumes the name of a mesh's file, and reads the file: what `build` makes of it and the pictures of its materials is kept, and handed
+    /// out when the scene names the file again.
+    fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
     /// Consumes `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
     fn sized_function(&mut self) -> Result<Option<SizedFunction>>;
     /// Tells the user something without stopping.

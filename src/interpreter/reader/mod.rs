@@ -2,6 +2,7 @@
 
 mod color;
 mod font;
+mod mesh_file;
 mod message;
 mod skip;
 mod transform;
@@ -21,7 +22,7 @@ use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::value::{FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value};
+use crate::value::{BuildMesh, FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value};
 use crate::world::Probe;
 pub use color::COLOR_WORDS;
 pub(super) use color::begins_color;
@@ -296,12 +297,11 @@ impl Reader for Interpreter<'_> {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the picture `{name}` was not found"));
             return d.help("pictures are looked for where included files are; -I DIR adds a folder").into();
         };
-        if let Some(picture) = self.pictures.get(&path) {
-            return Ok(picture.clone());
-        }
-        let picture = Arc::new(Picture::read(&path).map_err(|fault| fault.at(at))?);
-        self.pictures.insert(path, picture.clone());
-        Ok(picture)
+        self.picture_at(path, at)
+    }
+
+    fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
+        self.mesh_file_here(build)
     }
 
     fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
@@ -338,6 +338,16 @@ impl Reader for Interpreter<'_> {
 }
 
 impl Interpreter<'_> {
+    /// A picture's file, decoded once.
+    fn picture_at(&mut self, path: PathBuf, at: Span) -> Result<Arc<Picture>> {
+        if let Some(picture) = self.pictures.get(&path) {
+            return Ok(picture.clone());
+        }
+        let picture = Arc::new(Picture::read(&path).map_err(|fault| fault.at(at))?);
+        self.pictures.insert(path, picture.clone());
+        Ok(picture)
+    }
+
     /// How many points a picture that a function makes has along a side.
     pub(super) fn picture_side(&self, n: f64, span: Span) -> Result<usize> {
         if (1.0..=16384.0).contains(&n) {

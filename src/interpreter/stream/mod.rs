@@ -440,7 +440,8 @@ impl<'a> Interpreter<'a> {
         let Some(frame) = self.frames.last() else { return Span::NONE };
         match frame.elements.get(frame.at) {
             Some(Element { span, kind: ElementKind::Numbers(_), .. }) => {
-                NumberList::spans(self.sources.snippet(*span), *span).nth(frame.item.0).unwrap_or(*span)
+                let found = self.list_places.borrow_mut().find(self.sources.snippet(*span), *span, frame.item.0);
+                found.unwrap_or(*span)
             }
             Some(Element { kind: ElementKind::Block(block), .. }) => block.name.span,
             Some(Element { span, kind: ElementKind::Group(_) | ElementKind::Entry(_), .. }) => {

@@ -1,23 +1,27 @@
-//! A bounding volume hierarchy: four boxes to a node, in single precision, rounded so that it never misses what double
+//! A bounding volume hierarchy: eight boxes to a node, in single precision, rounded so that it never misses what double
 //! precision would hit.
 //!
 //! It knows boxes and their numbers, nothing of what is in them.
 
 mod build;
+mod node;
+
+pub use build::PACK;
 
 use crate::math::{Aabb, DVec3, Range, Ray};
-use glam::{BVec4A, Vec3A, Vec4};
+use glam::Vec4;
+use node::{Child, Kind, WIDTH, Wide};
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// Boxes whose corners reach further than this are not for a hierarchy in single precision.
 const REACH: f64 = 1e30;
 /// No hierarchy is deeper: below the level where only halving keeps this promise, it halves.
-const DEPTH: usize = 20;
-/// Each level leaves at most three entries behind.
-const STACK: usize = 3 * DEPTH + 4;
-/// Rounding of the slab test in single precision, relative: three operations, each off by 2⁻²⁴, and some reserve.
-const SLACK: f32 = 5e-7;
+const DEPTH: usize = 16;
+/// Each level leaves at most seven entries behind.
+const STACK: usize = 7 * DEPTH + 8;
+/// Rounding of the slab test in single precision, relative: three operations at each end, each off by 2⁻²⁴, and some reserve.
+const SLACK: f32 = 1e-6;
 
 /// The hierarchy over boxes 0 … n-1 in the order that [`Bvh::build`] returned.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,110 +29,139 @@ pub struct Bvh {
     nodes: Vec<Wide>,
 }
 
-/// Four children side by side; unused ones have an empty box.
-#[derive(Clone, Debug, PartialEq)]
-#[repr(align(64))]
-struct Wide {
-    /// `planes[0]` holds the lower ends along x, y, z, `planes[1]` the upper ones.
-    planes: [[Vec4; 3]; 2],
-    /// The number of a node, or of the first item.
-    child: [u32; 4],
-    /// How many items; 0 if the child is a node.
-    count: [u32; 4],
-}
-
 /// Is the box small enough for a hierarchy?
 pub fn fits(b: &Aabb) -> bool {
     b.min.abs().max(b.max.abs()).max_element() < REACH
 }
 
-impl Bvh {
-    /// Hands the items whose boxes the ray meets in the range, and a few of their neighbours, to `visit`, near boxes first. `visit` gets the item's place
-    /// and how far hits still count, and returns how far they count from now on, or breaks off.
-    pub fn traverse(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
-        if self.nodes.is_empty() {
-            return;
-        }
-        let flat = FlatRay::new(ray, range);
-        let mut max = range.max;
-        let mut stack = Stack::new();
-        flat.push_children(&self.nodes[0], max, &mut stack);
-        while let Some(Entry { near, child, count }) = stack.pop() {
-            if f64::from(near) > max {
-                continue;
-            }
-            if count == 0 {
-                flat.push_children(&self.nodes[child as usize], max, &mut stack);
-                continue;
-            }
-            for item in child..child + count {
-                match visit(item as usize, max) {
-                    ControlFlow::Continue(new_max) => max = new_max,
-                    ControlFlow::Break(()) => return,
+/// A traversal with one of the twins of `slabs`.
+macro_rules! walk {
+    ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $visit:ident) => {{
+        let flat = FlatRay::new($ray, $range);
+        let (mut max, mut flat_max) = ($range.max, padded($range.max));
+        let mut stack = [Entry { near: 0.0, child: Child::NONE }; STACK];
+        let mut open = 0;
+        let mut next = Some(Entry { near: f32::NEG_INFINITY, child: Child::node(0) });
+        while let Some(entry) = next {
+            if entry.near <= flat_max {
+                match entry.child.kind() {
+                    Kind::Node(number) => {
+                        let node = &$bvh.nodes[number];
+                        let (mask, near) = $slabs(node, &flat, flat_max);
+                        open = push_children(node, mask, &near, &mut stack, open);
+                    }
+                    Kind::Items(items) => {
+                        for item in items {
+                            match $visit(item, max) {
+                                ControlFlow::Continue(new_max) => max = new_max,
+                                ControlFlow::Break(()) => return,
+                            }
+                        }
+                        flat_max = padded(max);
+                    }
                 }
             }
+            next = if open > 0 {
+                open -= 1;
+                Some(stack[open])
+            } else {
+                None
+            };
         }
+    }};
+}
+
+impl Bvh {
+    /// Hands the items whose boxes the ray meets in the range, and a few of their neighbours, to `visit`, near boxes first. `visit` gets the item's place
+    /// and how far hits still count, and returns how far they count from now on, or breaks off. A ray that is not finite meets nothing.
+    pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
+        if self.nodes.is_empty() || !(ray.origin.is_finite() && ray.dir.is_finite()) {
+            return;
+        }
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has just been asked whether it has what the function needs.
+            #[expect(unsafe_code, reason = "the compiler can't know the processor")]
+            return unsafe { self.traverse_avx2(ray, range, visit) };
+        }
+        self.traverse_plainly(ray, range, visit);
+    }
+
+    fn traverse_plainly(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
+        walk!(node::slabs, self, ray, range, visit);
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn traverse_avx2(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
+        walk!(node::avx2::slabs, self, ray, range, visit);
     }
 
     /// Hands the items whose boxes hold the point, and a few of their neighbours, to `visit`, until it breaks off.
     pub fn around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
-        let below: [Vec4; 3] = std::array::from_fn(|i| Vec4::splat(round_down(p[i])));
-        let above: [Vec4; 3] = std::array::from_fn(|i| Vec4::splat(round_up(p[i])));
-        let mut stack: SmallVec<[u32; 64]> = SmallVec::new();
-        stack.extend((!self.nodes.is_empty()).then_some(0));
-        while let Some(node) = stack.pop() {
-            let node = &self.nodes[node as usize];
-            let [lo, hi] = &node.planes;
-            let within = |i: usize| lo[i].cmple(above[i]) & hi[i].cmpge(below[i]);
-            let mask = (within(0) & within(1) & within(2)).bitmask();
-            for slot in (0..4).filter(|&slot| mask >> slot & 1 == 1 && !node.is_unused(slot)) {
-                let (child, count) = (node.child[slot], node.count[slot]);
-                if count == 0 {
-                    stack.push(child);
-                } else if (child..child + count).try_for_each(|item| visit(item as usize)).is_break() {
-                    return;
+        let below = p.to_array().map(|x| Vec4::splat(round_down(x)));
+        let above = p.to_array().map(|x| Vec4::splat(round_up(x)));
+        let mut stack: SmallVec<[Child; 64]> = SmallVec::new();
+        stack.extend((!self.nodes.is_empty()).then_some(Child::node(0)));
+        while let Some(child) = stack.pop() {
+            match child.kind() {
+                Kind::Node(number) => {
+                    let node = &self.nodes[number];
+                    let [lower, upper] = &node.planes;
+                    for half in 0..2 {
+                        let within = |i: usize| lower[i][half].cmple(above[i]) & upper[i][half].cmpge(below[i]);
+                        let mask = (within(0) & within(1) & within(2)).bitmask();
+                        stack.extend(
+                            (0..4).filter(|slot| mask >> slot & 1 == 1).map(|slot| node.child[4 * half + slot]),
+                        );
+                    }
+                }
+                Kind::Items(mut items) => {
+                    if items.try_for_each(&mut visit).is_break() {
+                        return;
+                    }
                 }
             }
         }
     }
 }
 
-/// What is still to be looked at, the nearest last. (Room that is not written before it is used.)
-type Stack = SmallVec<[Entry; STACK]>;
-
-/// A piece of it: a node (`count` 0) or items, and where the ray enters its box at the earliest.
+/// A piece of what is still to be looked at, and where the ray enters its box at the earliest.
 #[derive(Clone, Copy)]
 struct Entry {
     near: f32,
-    child: u32,
-    count: u32,
+    child: Child,
 }
 
-impl Wide {
-    const EMPTY: Wide = Wide { planes: [[Vec4::INFINITY; 3], [Vec4::NEG_INFINITY; 3]], child: [0; 4], count: [0; 4] };
-
-    /// Its empty box keeps all rays out but those with directions that are infinite or no numbers. The root is nobody's child.
-    fn is_unused(&self, slot: usize) -> bool {
-        self.child[slot] | self.count[slot] == 0
-    }
-
-    fn set_box(&mut self, slot: usize, (lo, hi): (Vec3A, Vec3A)) {
-        for axis in 0..3 {
-            self.planes[0][axis][slot] = lo[axis];
-            self.planes[1][axis][slot] = hi[axis];
+/// Puts the children of a mask on the stack, the nearest last; returns how many are open then.
+#[inline]
+fn push_children(node: &Wide, mut mask: u32, near: &[f32; WIDTH], stack: &mut [Entry; STACK], open: usize) -> usize {
+    let mut end = open;
+    while mask != 0 {
+        let slot = mask.trailing_zeros() as usize & (WIDTH - 1);
+        mask &= mask - 1;
+        let entry = Entry { near: near[slot], child: node.child[slot] };
+        // Insertion sort: at most eight, and mostly two.
+        let mut at = end;
+        while at > open && stack[at - 1].near < entry.near {
+            stack[at] = stack[at - 1];
+            at -= 1;
         }
+        stack[at] = entry;
+        end += 1;
     }
+    end
 }
 
-/// The ray in single precision, four times side by side. Origins are rounded away from the ray's way, once for the planes
-/// where it enters and once for those where it leaves, so that it seems to enter earlier and to leave later.
+/// The ray in single precision. Origins are rounded away from the ray's way, once for the planes where it enters and once for those
+/// where it leaves, so that it seems to enter earlier and to leave later.
 struct FlatRay {
-    enter: [Vec4; 3],
-    leave: [Vec4; 3],
-    inverse: [Vec4; 3],
+    enter: [f32; 3],
+    leave: [f32; 3],
+    inverse: [f32; 3],
     /// 1 where the direction is negative: the ray enters through the upper plane.
     side: [usize; 3],
-    min: Vec4,
+    min: f32,
 }
 
 impl FlatRay {
@@ -136,50 +169,27 @@ impl FlatRay {
         let side: [usize; 3] = std::array::from_fn(|i| usize::from(ray.dir[i].is_sign_negative()));
         // More than the origin's rounding, and never zero: no plane is then at the distance 0, which 1/0 would spoil.
         let error = |i: usize| (ray.origin[i].abs() * 2.5e-7).max(1e-19) * if side[i] == 1 { -1.0 } else { 1.0 };
-        let origin = |sign: f64| std::array::from_fn(|i| Vec4::splat((ray.origin[i] + sign * error(i)) as f32));
+        let origin = |sign: f64| std::array::from_fn(|i| (ray.origin[i] + sign * error(i)) as f32);
         let inverse = |i: usize| ((1.0 / ray.dir[i]) as f32).clamp(-f32::MAX, f32::MAX);
         Self {
             enter: origin(1.0),
             leave: origin(-1.0),
-            inverse: std::array::from_fn(|i| Vec4::splat(inverse(i))),
+            inverse: std::array::from_fn(inverse),
             side,
-            min: Vec4::splat(round_down(range.min)),
+            min: padded_down(range.min),
         }
     }
+}
 
-    /// Slab test of four boxes; pushes those that are met, the nearest last.
-    fn push_children(&self, node: &Wide, max: f64, stack: &mut Stack) {
-        let (near, met) = self.slabs(node, max);
-        let near = near.to_array();
-        let first = stack.len();
-        let mut mask = met.bitmask();
-        while mask != 0 {
-            let slot = mask.trailing_zeros() as usize & 3;
-            mask &= mask - 1;
-            if node.is_unused(slot) {
-                continue;
-            }
-            let entry = Entry { near: near[slot], child: node.child[slot], count: node.count[slot] };
-            // Insertion sort: at most four.
-            stack.push(entry);
-            let mut at = stack.len() - 1;
-            while at > first && stack[at - 1].near < stack[at].near {
-                stack.swap(at - 1, at);
-                at -= 1;
-            }
-        }
-    }
+/// Beyond a distance, by the rounding of the slab test.
+#[inline]
+fn padded(max: f64) -> f32 {
+    let max = round_up(max);
+    max + max.abs() * SLACK
+}
 
-    fn slabs(&self, node: &Wide, max: f64) -> (Vec4, BVec4A) {
-        // (`& 1` tells the compiler that there are but two.)
-        let at = |side: usize, i: usize, origin: &[Vec4; 3]| (node.planes[side & 1][i] - origin[i]) * self.inverse[i];
-        let enter = |i: usize| at(self.side[i], i, &self.enter);
-        let leave = |i: usize| at(self.side[i] ^ 1, i, &self.leave);
-        let near = enter(0).max(enter(1)).max(enter(2)).max(self.min);
-        let far = leave(0).min(leave(1)).min(leave(2)).min(Vec4::splat(round_up(max)));
-        let near = near - near.abs() * SLACK;
-        (near, near.cmple(far + far.abs() * SLACK))
-    }
+fn padded_down(min: f64) -> f32 {
+    -padded(-min)
 }
 
 fn round_down(x: f64) -> f32 {
@@ -249,8 +259,10 @@ mod tests {
         let (bvh, _) = Bvh::build(boxes.iter().copied());
         let mut depth = vec![0; bvh.nodes.len()];
         for (i, node) in bvh.nodes.iter().enumerate() {
-            for slot in (0..4).filter(|&s| node.count[s] == 0 && node.child[s] > 0) {
-                depth[node.child[slot] as usize] = depth[i] + 1;
+            for child in node.child.iter().filter(|child| **child != Child::NONE) {
+                if let Kind::Node(number) = child.kind() {
+                    depth[number] = depth[i] + 1;
+                }
             }
         }
         assert!(*depth.iter().max().unwrap() < DEPTH, "{depth:?}");

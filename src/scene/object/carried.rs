@@ -1,7 +1,9 @@
 //! Textures that a shape carries itself, such as those of a mesh's triangles.
 
 use crate::diagnostic::Result;
+use crate::image_io::Picture;
 use crate::math::Transform;
+use crate::mesh_io::Look;
 use crate::scene::{Defaults, Painted, read_layers};
 use crate::shape::Paints;
 use crate::texture::Texture;
@@ -73,6 +75,10 @@ impl Paints for Carried<'_> {
             _ => return Ok(None),
         };
         Ok(Some(self.number(texture)))
+    }
+
+    fn of_file(&mut self, look: &Look, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32> {
+        Ok(self.number(Texture::of_file(look, picture, r, &self.defaults.texture)))
     }
 
     fn transform(&mut self, slot: &mut u32, by: &Transform) {

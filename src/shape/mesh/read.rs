@@ -9,15 +9,20 @@
 //! }
 //! ```
 
-use super::{NONE, TriangleMesh, mesh_kernel};
-use crate::diagnostic::{Diagnostic, Result, codes};
+use super::file::{FILE, FileMesh};
+use super::ordered::Ordered;
+use super::{TriangleMesh, mesh_kernel};
+use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::mesh_io::{NONE, Triangles};
 use crate::shape::{Hit, Hits, Paints, Readable, Slots, Triangle};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Spec, Value, WordSpec};
+use glam::Vec3;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// More are not believed before they are there.
 const BELIEVED: usize = 1 << 16;
@@ -31,13 +36,22 @@ const INSIDE_VECTOR: WordSpec = word(
 
 /// Triangles one by one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Mesh(pub TriangleMesh, #[serde(skip)] Known);
+pub struct Mesh(pub TriangleMesh, #[serde(skip)] Draft);
+
+/// What has been read so far.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Draft {
+    triangles: Triangles,
+    /// `file`, which leaves no room for triangles.
+    file: Option<Arc<FileMesh>>,
+    known: Known,
+}
 
 /// Corners that were there before, by their bits.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Known {
-    vertices: FxHashMap<[u64; 3], u32>,
-    normals: FxHashMap<[u64; 3], u32>,
+    vertices: FxHashMap<[u32; 3], u32>,
+    normals: FxHashMap<[u32; 3], u32>,
 }
 
 /// Triangles by numbers into lists.
@@ -47,6 +61,7 @@ pub struct Mesh2(pub TriangleMesh, #[serde(skip)] Lists);
 /// What has been read so far of one that is written in lists.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Lists {
+    triangles: Triangles,
     /// Numbers of the textures in `texture_list`.
     textures: Vec<u32>,
     /// Where the lists of numbers stand, which are checked at the end.
@@ -71,6 +86,7 @@ impl Readable for Mesh {
                 "three corners; `uv_vectors` and a `texture` or `texture_list` of its own may follow",
             ),
             word("smooth_triangle", Kind::Block, "", "three times a corner and the normal there"),
+            FILE,
             INSIDE_VECTOR,
         ],
     };
@@ -81,8 +97,17 @@ impl Readable for Mesh {
 
     fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         match next {
+            Next::Word("file") => {
+                let at = r.take()?;
+                self.1.must_be_empty(at)?;
+                let file = FileMesh::read(r)?;
+                self.0.slots = file.slots(paints, r)?;
+                self.1.file = Some(file);
+                Ok(true)
+            }
             Next::Block(kind @ ("triangle" | "smooth_triangle")) => {
                 let span = r.take()?;
+                self.1.must_have_no_file(span)?;
                 self.read_triangle(kind == "smooth_triangle", span, r, paints)?;
                 r.leave()?;
                 Ok(true)
@@ -92,22 +117,50 @@ impl Readable for Mesh {
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
-        self.1 = Known::default();
-        self.0.end("mesh", span, r);
+        let Draft { triangles, file, .. } = std::mem::take(&mut self.1);
+        self.0.triangles = match file {
+            Some(file) => file.triangles.clone(),
+            None => Arc::new(Ordered::new(triangles)),
+        };
+        self.0.tell_if_empty("mesh", span, r);
         Ok(())
     }
 }
 
+impl Draft {
+    fn must_be_empty(&self, file: Span) -> Result<()> {
+        if self.triangles.corners.is_empty() && self.file.is_none() {
+            return Ok(());
+        }
+        Err(two_sources(file))
+    }
+
+    fn must_have_no_file(&self, triangle: Span) -> Result<()> {
+        if self.file.is_none() { Ok(()) } else { Err(two_sources(triangle)) }
+    }
+}
+
+fn two_sources(span: Span) -> Fault {
+    let d = Diagnostic::new(codes::TWO_FORMS, span, "a `mesh` has one `file`, or triangles, not both");
+    Box::new(d.help("write two meshes, in a `union { … }`"))
+}
+
 impl Mesh {
+    /// Of triangles that are there already.
+    pub fn of(triangles: Triangles) -> Self {
+        Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
+    }
+
     fn read_triangle(&mut self, smooth: bool, span: Span, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
         let (mut corners, mut normals, mut uvs, mut slots) = (NONE, NONE, NONE, [0; 3]);
         let mut points = [DVec3::ZERO; 3];
+        let Draft { triangles, known, .. } = &mut self.1;
         for i in 0..3 {
             points[i] = r.vector()?;
-            corners[i] = number(&mut self.1.vertices, &mut self.0.vertices, points[i]);
+            corners[i] = number(&mut known.vertices, &mut triangles.vertices, points[i]);
             if smooth {
                 let normal = r.vector()?.normalize_or_zero();
-                normals[i] = number(&mut self.1.normals, &mut self.0.normals, normal);
+                normals[i] = number(&mut known.normals, &mut triangles.normals, normal);
             }
         }
         loop {
@@ -117,8 +170,8 @@ impl Mesh {
                 Next::Word("uv_vectors") => {
                     r.take()?;
                     for uv in &mut uvs {
-                        *uv = self.0.uvs.len() as u32;
-                        self.0.uvs.push(r.vector2()?);
+                        *uv = triangles.uvs.len() as u32;
+                        triangles.uvs.push(r.vector2()?);
                     }
                 }
                 Next::Block("texture_list") => {
@@ -144,14 +197,15 @@ impl Mesh {
         if Triangle::new(a, b, c).is_degenerate() {
             r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
         }
-        self.0.push(corners, normals, uvs, slots);
+        triangles.push(corners, normals, uvs, slots);
         Ok(())
     }
 }
 
 /// The number of a point in a list, where it is put if it is new.
-fn number(known: &mut FxHashMap<[u64; 3], u32>, list: &mut Vec<DVec3>, p: DVec3) -> u32 {
-    *known.entry(p.to_array().map(f64::to_bits)).or_insert_with(|| {
+fn number(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
+    let p = p.as_vec3();
+    *known.entry(p.to_array().map(f32::to_bits)).or_insert_with(|| {
         list.push(p);
         list.len() as u32 - 1
     })
@@ -200,35 +254,34 @@ impl Readable for Mesh2 {
 
     fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         let Next::Block(list) = next else { return self.0.read_inside(next, r) };
-        let Self(mesh, lists) = self;
+        let Lists { triangles: mesh, textures, faces, normals, uvs } = &mut self.1;
         let span = match list {
             "vertex_vectors" | "normal_vectors" | "uv_vectors" | "texture_list" | "face_indices" | "normal_indices"
             | "uv_indices" => r.take()?,
             _ => return Ok(false),
         };
         match list {
-            "vertex_vectors" => mesh.vertices = read_list(r, |r| r.vector())?,
-            "normal_vectors" => mesh.normals = read_list(r, |r| Ok(r.vector()?.normalize_or_zero()))?,
+            "vertex_vectors" => mesh.vertices = read_list(r, |r| Ok(r.vector()?.as_vec3()))?,
+            "normal_vectors" => mesh.normals = read_list(r, |r| Ok(r.vector()?.normalize_or_zero().as_vec3()))?,
             "uv_vectors" => mesh.uvs = read_list(r, |r| r.vector2())?,
             "texture_list" => {
-                lists.textures = read_list(r, |r| {
+                *textures = read_list(r, |r| {
                     let next = r.next()?;
                     paints.read_one(next, r)?.ok_or_else(|| r.unexpected("a texture").into())
                 })?;
             }
             "face_indices" => {
-                lists.faces = Some(span);
-                let faces = read_faces(r, &lists.textures)?;
-                mesh.corners = faces.iter().map(|face| face.0).collect();
-                mesh.painted =
-                    if lists.textures.is_empty() { vec![] } else { faces.iter().map(|face| face.1).collect() };
+                *faces = Some(span);
+                let read = read_faces(r, textures)?;
+                mesh.corners = read.iter().map(|face| face.0).collect();
+                mesh.painted = if textures.is_empty() { vec![] } else { read.iter().map(|face| face.1).collect() };
             }
             "normal_indices" => {
-                lists.normals = Some(span);
+                *normals = Some(span);
                 mesh.smooth = read_list(r, read_numbers)?;
             }
             _ => {
-                lists.uvs = Some(span);
+                *uvs = Some(span);
                 mesh.mapped = read_list(r, read_numbers)?;
             }
         }
@@ -237,7 +290,8 @@ impl Readable for Mesh2 {
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
-        let Self(mesh, lists) = self;
+        let lists = std::mem::take(&mut self.1);
+        let mut mesh = lists.triangles;
         let faces = mesh.corners.len();
         if mesh.smooth.is_empty() && !mesh.normals.is_empty() {
             mesh.smooth = mesh.corners.clone();
@@ -249,8 +303,8 @@ impl Readable for Mesh2 {
         check(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
         check(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
         check(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
-        *lists = Lists::default();
-        mesh.end("mesh2", span, r);
+        self.0.triangles = Arc::new(Ordered::new(mesh));
+        self.0.tell_if_empty("mesh2", span, r);
         Ok(())
     }
 }
@@ -361,24 +415,8 @@ impl TriangleMesh {
         Ok(true)
     }
 
-    /// Adds a triangle; the lists that most meshes do not have begin where the first triangle has something for them.
-    fn push(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], slots: [u32; 3]) {
-        let before = self.corners.len();
-        let add = |list: &mut Vec<[u32; 3]>, numbers: [u32; 3], none: [u32; 3]| {
-            if numbers != none || !list.is_empty() {
-                list.resize(before, none);
-                list.push(numbers);
-            }
-        };
-        add(&mut self.smooth, normals, NONE);
-        add(&mut self.mapped, uvs, NONE);
-        add(&mut self.painted, slots, [0; 3]);
-        self.corners.push(corners);
-    }
-
-    fn end(&mut self, word: &str, span: Span, r: &mut dyn Reader) {
-        self.finish();
-        if self.corners.is_empty() {
+    fn tell_if_empty(&self, word: &str, span: Span, r: &mut dyn Reader) {
+        if self.triangles.is_empty() {
             r.report(Diagnostic::new(codes::NO_SURFACE, span, format!("this `{word}` has no triangles")));
         }
     }

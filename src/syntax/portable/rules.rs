@@ -279,6 +279,7 @@ impl Walk<'_> {
             self.open.iter_mut().for_each(|open| open.told = true);
             let help = match block {
                 "camera" => "`camera { location … look_at … angle … }` is what both know",
+                "mesh" => "triangles that are written out are what both know",
                 _ => "`plane { <A, B, C>, distance }` is what both know",
             };
             self.tell(at, format!("`{name}` of `{block}` is a word that only durer knows"), help);

@@ -264,6 +264,7 @@ impl SolidNode {
                 all.into_iter().min_by(|a, b| a.t().total_cmp(&b.t()))
             }
             SolidKind::Union(_) if self.is_whole() => self.closest_of_all(ray, range),
+            SolidKind::Union(_) => self.closest_of_clipped(ray, range),
             _ if self.more.as_ref().is_some_and(|more| more.convex_parts) => self.closest_of_convex(ray, range),
             _ => self.closest_survivor(ray, range),
         }
@@ -287,6 +288,23 @@ impl SolidNode {
                 Range { max: found.t().next_up(), ..range }
             }
             _ => range,
+        });
+        best.map(|found| Intersection { object: self.object, ..found })
+    }
+
+    /// Of a union that is clipped: what is behind a hit that is kept is not asked for.
+    fn closest_of_clipped<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+        let mut best: Option<Intersection> = None;
+        let mut hits = Intersections::new();
+        self.each_child(ray, range, |_, child, range| {
+            hits.clear();
+            child.hits(ray, range, &mut hits);
+            for found in &hits {
+                if best.is_none_or(|best| found.goes_before(&best)) && self.in_clip(ray.at(found.t())) {
+                    best = Some(*found);
+                }
+            }
+            best.map_or(range, |found| Range { max: range.max.min(found.t().next_up()), ..range })
         });
         best.map(|found| Intersection { object: self.object, ..found })
     }

@@ -1,0 +1,141 @@
+//! Nodes with eight children, and how a ray meets their boxes.
+
+use super::FlatRay;
+use glam::{Vec3A, Vec4};
+
+/// Children of a node.
+pub(super) const WIDTH: usize = 8;
+
+/// Eight children side by side; unused ones have a box that no ray meets.
+#[derive(Clone, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub(super) struct Wide {
+    /// `planes[0]` holds the lower ends along x, y, z, `planes[1]` the upper ones.
+    pub planes: [[[Vec4; 2]; 3]; 2],
+    pub child: [Child; WIDTH],
+}
+
+/// The number of a node, or how many items there are and the first one's number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Child(u32);
+
+/// What a child is.
+pub(super) enum Kind {
+    Node(usize),
+    Items(std::ops::Range<usize>),
+}
+
+impl Child {
+    /// The root is nobody's child.
+    pub const NONE: Child = Child(0);
+    const LEAF: u32 = 1 << 31;
+    const COUNT: u32 = 28;
+
+    pub fn node(number: usize) -> Self {
+        Child(number as u32)
+    }
+
+    /// Of one to eight items, of which there are fewer than 2²⁸.
+    pub fn items(first: usize, count: usize) -> Self {
+        Child(Self::LEAF | (count as u32 - 1) << Self::COUNT | first as u32)
+    }
+
+    #[inline]
+    pub fn kind(self) -> Kind {
+        if self.0 < Self::LEAF {
+            return Kind::Node(self.0 as usize);
+        }
+        let first = (self.0 & ((1 << Self::COUNT) - 1)) as usize;
+        Kind::Items(first..first + (self.0 >> Self::COUNT & 7) as usize + 1)
+    }
+}
+
+impl Wide {
+    pub const EMPTY: Wide =
+        Wide { planes: [[[Vec4::INFINITY; 2]; 3], [[Vec4::NEG_INFINITY; 2]; 3]], child: [Child::NONE; WIDTH] };
+
+    pub fn set(&mut self, slot: usize, (lo, hi): (Vec3A, Vec3A), child: Child) {
+        for axis in 0..3 {
+            self.planes[0][axis][slot / 4][slot % 4] = lo[axis];
+            self.planes[1][axis][slot / 4][slot % 4] = hi[axis];
+        }
+        self.child[slot] = child;
+    }
+}
+
+/// Which boxes a ray meets before `max`, as bits, and where it enters them: the twin for any processor.
+#[inline]
+pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
+    let (a, near_a) = half(node, ray, max, 0);
+    let (b, near_b) = half(node, ray, max, 1);
+    let mut near = [0.0; WIDTH];
+    near[..4].copy_from_slice(&near_a);
+    near[4..].copy_from_slice(&near_b);
+    (a | b << 4, near)
+}
+
+#[inline]
+fn half(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
+    let at = |side: usize, axis: usize, origin: f32| {
+        let planes = node.planes[side & 1][axis][which];
+        (planes - Vec4::splat(origin)) * Vec4::splat(ray.inverse[axis])
+    };
+    let enter = |axis: usize| at(ray.side[axis], axis, ray.enter[axis]);
+    let leave = |axis: usize| at(ray.side[axis] ^ 1, axis, ray.leave[axis]);
+    let near = enter(0).max(enter(1)).max(enter(2)).max(Vec4::splat(ray.min));
+    let far = leave(0).min(leave(1)).min(leave(2)).min(Vec4::splat(max));
+    let met = near.cmple(far + far.abs() * super::SLACK);
+    (met.bitmask(), near.to_array())
+}
+
+/// The same for processors that compute eight numbers at once (AVX2): the same operations in the same order, and none are fused.
+#[cfg(target_arch = "x86_64")]
+pub(super) mod avx2 {
+    use super::{FlatRay, WIDTH, Wide};
+    use glam::Vec4;
+    use std::arch::x86_64::*;
+
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn load(&[a, b]: &[Vec4; 2]) -> __m256 {
+        _mm256_setr_m128(a.into(), b.into())
+    }
+
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn at(node: &Wide, ray: &FlatRay, side: usize, axis: usize, origin: &[f32; 3]) -> __m256 {
+        let planes = load(&node.planes[side & 1][axis]);
+        _mm256_mul_ps(_mm256_sub_ps(planes, _mm256_set1_ps(origin[axis])), _mm256_set1_ps(ray.inverse[axis]))
+    }
+
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    pub fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
+        let [x, y, z] = [
+            at(node, ray, ray.side[0], 0, &ray.enter),
+            at(node, ray, ray.side[1], 1, &ray.enter),
+            at(node, ray, ray.side[2], 2, &ray.enter),
+        ];
+        let near = _mm256_max_ps(_mm256_max_ps(_mm256_max_ps(x, y), z), _mm256_set1_ps(ray.min));
+        let [x, y, z] = [
+            at(node, ray, ray.side[0] ^ 1, 0, &ray.leave),
+            at(node, ray, ray.side[1] ^ 1, 1, &ray.leave),
+            at(node, ray, ray.side[2] ^ 1, 2, &ray.leave),
+        ];
+        let far = _mm256_min_ps(_mm256_min_ps(_mm256_min_ps(x, y), z), _mm256_set1_ps(max));
+        let size = _mm256_andnot_ps(_mm256_set1_ps(-0.0), far);
+        let far = _mm256_add_ps(far, _mm256_mul_ps(size, _mm256_set1_ps(super::super::SLACK)));
+        let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far));
+        (mask as u32, store(near))
+    }
+
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn store(v: __m256) -> [f32; WIDTH] {
+        let halves = [_mm256_castps256_ps128(v), _mm256_extractf128_ps::<1>(v)].map(Vec4::from);
+        let mut out = [0.0; WIDTH];
+        halves[0].write_to_slice(&mut out[..4]);
+        halves[1].write_to_slice(&mut out[4..]);
+        out
+    }
+}

@@ -1,0 +1,146 @@
+//! glTF 2.0, as JSON beside its bytes or both in one file (Khronos Group, glTF 2.0 Specification, 2021; ISO/IEC 12113:2022): the
+//! triangles of the default scene where its nodes put them, and the base colours. Skins, morphs and motion are left out.
+
+mod accessor;
+mod document;
+mod node;
+
+use super::{Look, MeshFile, Open, Reading};
+use document::Document;
+
+/// Reads a file, and the buffers that it names.
+pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
+    let Parts { json, bytes: chunk, base } =
+        if bytes.starts_with(b"glTF") { chunks(bytes)? } else { Parts { json: bytes, bytes: None, base: 0 } };
+    let document: Document = serde_json::from_slice(json).map_err(|e| {
+        let why = e.to_string();
+        let why = why.split(" at line ").next().unwrap_or_default().to_string();
+        match base {
+            0 => format!("line {}: {why}", e.line()),
+            _ => format!("byte {base} and on, line {} of the JSON: {why}", e.line()),
+        }
+    })?;
+    if let Some(name) = document.extensions_required.iter().find(|name| !KNOWN.contains(&name.as_str())) {
+        return Err(format!("it needs the extension `{name}`, which durer doesn't know"));
+    }
+    let mut buffers: Vec<Vec<u8>> = vec![];
+    for (i, buffer) in document.buffers.iter().enumerate() {
+        buffers.push(match (&buffer.uri, chunk) {
+            (Some(uri), _) => bytes_of(uri, open).map_err(|why| format!("buffer {i}: {why}"))?,
+            (None, Some(chunk)) => chunk.to_vec(),
+            (None, None) => return Err(format!("buffer {i} names no file")),
+        });
+    }
+    let mut out = MeshFile::default();
+    read_looks(&document, &mut out);
+    let size = bytes.len() + buffers.iter().map(Vec::len).sum::<usize>();
+    node::read(&document, &buffers, size, &mut out)?;
+    Ok(out)
+}
+
+/// Extensions that change nothing of what is read, or only materials.
+const KNOWN: &[&str] =
+    &["KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness"];
+
+/// JSON and bytes of a `glb`, and where the JSON begins.
+struct Parts<'a> {
+    json: &'a [u8],
+    bytes: Option<&'a [u8]>,
+    base: usize,
+}
+
+fn chunks(bytes: &[u8]) -> Reading<Parts<'_>> {
+    let word = |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
+    if word(4) != Some(2) {
+        return Err("byte 4: only version 2 of glTF is read".into());
+    }
+    let (mut json, mut rest, mut at) = (None, None, 12);
+    while let (Some(length), Some(kind)) = (word(at), word(at + 4)) {
+        let Some(chunk) = bytes[at + 8..].get(..length) else {
+            return Err(format!("byte {at}: this part has {length} bytes, but the file ends before"));
+        };
+        match kind {
+            0x4e4f_534a => json = json.or(Some(chunk)),
+            0x004e_4942 => rest = rest.or(Some(chunk)),
+            _ => {}
+        }
+        at += 8 + length;
+    }
+    Ok(Parts { json: json.ok_or("byte 12: there is no JSON in it")?, bytes: rest, base: 20 })
+}
+
+/// What a URI stands for: bytes written in it, or a file.
+fn bytes_of(uri: &str, open: Open) -> Reading<Vec<u8>> {
+    match uri.strip_prefix("data:") {
+        Some(data) => match data.split_once(";base64,") {
+            Some((_, text)) => from_base64(text),
+            None => Err("its bytes are not in base64".into()),
+        },
+        None => open(&unescaped(uri)),
+    }
+}
+
+/// RFC 4648.
+fn from_base64(text: &str) -> Reading<Vec<u8>> {
+    let mut out = Vec::with_capacity(text.len() / 4 * 3);
+    let (mut bits, mut count) = (0u32, 0);
+    for b in text.bytes().filter(|b| *b != b'=') {
+        let digit = match b {
+            b'A'..=b'Z' => b - b'A',
+            b'a'..=b'z' => b - b'a' + 26,
+            b'0'..=b'9' => b - b'0' + 52,
+            b'+' => 62,
+            b'/' => 63,
+            _ => return Err("its bytes are not in base64".into()),
+        };
+        bits = bits << 6 | u32::from(digit);
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            out.push((bits >> count) as u8);
+        }
+    }
+    Ok(out)
+}
+
+/// `%20` is a blank.
+fn unescaped(uri: &str) -> String {
+    let mut out = vec![];
+    let mut rest = uri.as_bytes();
+    while let [first, more @ ..] = rest {
+        let code = more.get(..2).and_then(|hex| std::str::from_utf8(hex).ok());
+        match code.and_then(|hex| u8::from_str_radix(hex, 16).ok()).filter(|_| *first == b'%') {
+            Some(byte) => {
+                out.push(byte);
+                rest = &more[2..];
+            }
+            None => {
+                out.push(*first);
+                rest = more;
+            }
+        }
+    }
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+fn read_looks(document: &Document, out: &mut MeshFile) {
+    for (i, material) in document.materials.iter().enumerate() {
+        let mut look = Look::new(material.name.clone().unwrap_or_else(|| i.to_string()));
+        let pbr = &material.pbr;
+        let [r, g, b, a] = pbr.base_color_factor;
+        (look.color, look.is_linear) = ([r, g, b].map(|x| if x.is_finite() { x.max(0.0) } else { 0.0 }), true);
+        if material.alpha_mode.as_deref() == Some("BLEND") {
+            look.opacity = a.clamp(0.0, 1.0);
+        }
+        if let Some(texture) = &pbr.base_color_texture {
+            let image = document.textures.get(texture.index).and_then(|t| document.images.get(t.source?));
+            match image.and_then(|image| image.uri.as_deref()).filter(|uri| !uri.starts_with("data:")) {
+                Some(uri) => look.picture = Some(unescaped(uri)),
+                None => out
+                    .remarks
+                    .push(format!("the picture of its material `{}` is inside the file, and left out", look.name)),
+            }
+        }
+        out.looks.push(look);
+    }
+}

@@ -1,0 +1,119 @@
+//! The tree of a glTF file's nodes, and the triangles that hang in it.
+
+use super::super::{MANY, MeshFile, NONE, Reading, direction, point};
+use super::accessor::Rows;
+use super::document::{Document, Node, Primitive};
+use crate::math::{DVec2, DVec3, Transform};
+use glam::{DAffine3, DMat4, DQuat};
+
+/// Appends the triangles of the default scene, or of all nodes where there is no scene. `size` is that of all files, in bytes.
+pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut MeshFile) -> Reading<()> {
+    let mut is_child = vec![false; document.nodes.len()];
+    for child in document.nodes.iter().flat_map(|node| &node.children) {
+        match is_child.get_mut(*child) {
+            None => return Err(format!("there is no node {child}")),
+            Some(true) => return Err(format!("node {child} hangs in the tree twice")),
+            Some(known) => *known = true,
+        }
+    }
+    let roots = match document.scenes.get(document.scene) {
+        Some(scene) => scene.nodes.clone(),
+        None => (0..document.nodes.len()).filter(|i| !is_child[*i]).collect(),
+    };
+    // (No node has two parents: from roots that are nobody's children, each is met once.)
+    let mut open: Vec<(usize, DAffine3)> = roots.into_iter().rev().map(|root| (root, DAffine3::IDENTITY)).collect();
+    if let Some((root, _)) = open.iter().find(|(root, _)| is_child.get(*root) != Some(&false)) {
+        return Err(format!(
+            "the scene begins with node {root}, which is {}",
+            if *root < is_child.len() { "another's child" } else { "not there" }
+        ));
+    }
+    while let Some((number, around)) = open.pop() {
+        let node = &document.nodes[number];
+        let place = around * matrix(node);
+        open.extend(node.children.iter().rev().map(|child| (*child, place)));
+        let Some(mesh) = node.mesh else { continue };
+        let mesh = document.meshes.get(mesh).ok_or_else(|| format!("node {number}: there is no mesh {mesh}"))?;
+        for primitive in &mesh.primitives {
+            read_primitive(document, buffers, primitive, &place, out).map_err(|why| format!("node {number}: {why}"))?;
+        }
+        let count = out.triangles.corners.len().max(out.triangles.vertices.len());
+        if count > size.max(MANY) {
+            return Err(format!(
+                "node {number}: its nodes name the same meshes so often that there are more than {MANY} triangles"
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn matrix(node: &Node) -> DAffine3 {
+    match &node.matrix {
+        Some(all) => DAffine3::from_mat4(DMat4::from_cols_array(all)),
+        None => DAffine3::from_scale_rotation_translation(
+            node.scale.unwrap_or([1.0; 3]).into(),
+            DQuat::from_array(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0])).normalize(),
+            node.translation.unwrap_or_default().into(),
+        ),
+    }
+}
+
+fn read_primitive(
+    document: &Document,
+    buffers: &[Vec<u8>],
+    primitive: &Primitive,
+    place: &DAffine3,
+    out: &mut MeshFile,
+) -> Reading<()> {
+    let (Some(position), 4..=6) = (primitive.attributes.position, primitive.mode) else { return Ok(()) };
+    let positions = Rows::new(document, buffers, position, 3)?;
+    let attribute = |number: Option<usize>, width| number.map(|i| Rows::new(document, buffers, i, width)).transpose();
+    let (normals, uvs) = (attribute(primitive.attributes.normal, 3)?, attribute(primitive.attributes.uv, 2)?);
+    let indices = attribute(primitive.indices, 1)?;
+    if [&normals, &uvs].into_iter().flatten().any(|rows| rows.count < positions.count) {
+        return Err("there are fewer normals or surface coordinates than corners".into());
+    }
+    if primitive.material.is_some_and(|i| i >= document.materials.len()) {
+        return Err("it has a material that is not there".into());
+    }
+    let triangles = &mut out.triangles;
+    let (first, first_normal, first_uv) = (triangles.vertices.len(), triangles.normals.len(), triangles.uvs.len());
+    // (What is flattened has no normals.)
+    let m = Transform::from_affine(*place).ok();
+    for i in 0..positions.count {
+        let p = place.transform_point3(DVec3::from_array(positions.at(i)));
+        triangles.vertices.push(point(p.to_array(), || format!("corner {i}"))?);
+    }
+    for i in 0..normals.as_ref().map_or(0, |_| positions.count) {
+        let n = normals.as_ref().map_or([0.0; 3], |rows| rows.at(i));
+        triangles.normals.push(direction(m.map_or(DVec3::ZERO, |m| m.normal(n.into())).to_array()));
+    }
+    // Pictures begin at their top there, and at their bottom here.
+    for i in 0..uvs.as_ref().map_or(0, |_| positions.count) {
+        let [u, v] = uvs.as_ref().map_or([0.0; 2], |rows| rows.at(i));
+        triangles.uvs.push(DVec2::new(u, 1.0 - v));
+    }
+    let count = indices.as_ref().map_or(positions.count, |rows| rows.count);
+    let number = |i: usize| -> Reading<u32> {
+        let n = indices.as_ref().map_or(i as f64, |rows| rows.at::<1>(i)[0]);
+        if n < positions.count as f64 {
+            Ok(n as u32)
+        } else {
+            Err(format!("it has a corner {n}, and there are {}", positions.count))
+        }
+    };
+    let slot = primitive.material.map_or(0, |i| i as u32 + 1);
+    for face in 0..if primitive.mode == 4 { count / 3 } else { count.saturating_sub(2) } {
+        // Every second one of a strip is the other way round.
+        let places = match primitive.mode {
+            4 => [3 * face, 3 * face + 1, 3 * face + 2],
+            5 => [face, face + 1 + face % 2, face + 2 - face % 2],
+            _ => [face + 1, face + 2, 0],
+        };
+        let corners = [number(places[0])?, number(places[1])?, number(places[2])?];
+        let of = |has: bool, first: usize| if has { corners.map(|n| n + first as u32) } else { NONE };
+        let (smooth, mapped) = (of(normals.is_some(), first_normal), of(uvs.is_some(), first_uv));
+        triangles.push(of(true, first), smooth, mapped, [slot; 3]);
+    }
+    Ok(())
+}

@@ -1,0 +1,59 @@
+//! The materials that an OBJ file names: colour, clearness, highlight and picture. (Alias|Wavefront, MTL material format, 1995.)
+
+use super::words::{lines, number};
+use super::{Look, Reading};
+
+/// Appends the materials of a file; `file` is its name, for messages.
+pub fn read(bytes: &[u8], file: &str, out: &mut Vec<Look>) -> Reading<()> {
+    let first = out.len();
+    for (line, text) in lines(bytes) {
+        let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((&text, ""));
+        let rest = rest.trim();
+        if word == "newmtl" {
+            out.push(Look::new(rest.into()));
+            continue;
+        }
+        let Some(look) = out[first..].last_mut() else { continue };
+        let numbers = || {
+            let numbers: Reading<Vec<f64>> = rest
+                .split_ascii_whitespace()
+                .map(|word| number(word.as_bytes(), || format!("line {line} of `{file}`")))
+                .collect();
+            let numbers = numbers?;
+            match numbers.iter().all(|x| x.is_finite()) && !numbers.is_empty() {
+                true => Ok(numbers),
+                false => Err(format!("line {line} of `{file}`: expected a number")),
+            }
+        };
+        match word {
+            // (`Kd spectral` and `Kd xyz` are seldom seen, and say nothing here.)
+            "Kd" if !rest.starts_with(['s', 'x']) => {
+                let c = numbers()?;
+                look.color = [0, 1, 2].map(|i| *c.get(i).unwrap_or(&c[0]));
+            }
+            "Ks" if !rest.starts_with(['s', 'x']) => look.specular = numbers()?.into_iter().fold(0.0, f64::max),
+            "Ns" => look.shininess = numbers()?[0].clamp(1.0, 1e6),
+            "d" if !rest.starts_with('-') => look.opacity = numbers()?[0].clamp(0.0, 1.0),
+            "Tr" => look.opacity = 1.0 - numbers()?[0].clamp(0.0, 1.0),
+            "map_Kd" => look.picture = picture(rest),
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The file's name behind options such as `-o 0 0 0`; it may hold blanks.
+fn picture(rest: &str) -> Option<String> {
+    let mut words = rest.split_ascii_whitespace().peekable();
+    while words.peek().is_some_and(|word| word.starts_with('-')) {
+        let count = match words.next()? {
+            "-blendu" | "-blendv" | "-cc" | "-clamp" | "-texres" | "-bm" | "-boost" | "-imfchan" => 1,
+            "-mm" => 2,
+            // Up to three numbers.
+            _ => words.clone().take(3).take_while(|word| word.parse::<f64>().is_ok()).count(),
+        };
+        words.by_ref().take(count).for_each(drop);
+    }
+    let name = words.collect::<Vec<_>>().join(" ").replace('\\', "/");
+    (!name.is_empty()).then_some(name)
+}

@@ -1,0 +1,121 @@
+//! OBJ: corners, polygons and the names of their materials, line by line. (Alias|Wavefront, Object files, 1995.)
+
+use super::words::{lines, number};
+use super::{MeshFile, NONE, Open, Reading, direction, mtl, point, polygon};
+use crate::math::DVec2;
+use glam::Vec3;
+
+/// Reads a file. Lines that say nothing of polygons are passed over.
+pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
+    let mut out = MeshFile::default();
+    let mut state = State::default();
+    for (line, text) in lines(bytes) {
+        let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((&text, ""));
+        match word {
+            "v" => {
+                let [x, y, z, _] = numbers(rest, 3, line)?;
+                out.triangles.vertices.push(point([x, y, z], || format!("line {line}"))?);
+            }
+            "vn" => {
+                let [x, y, z, _] = numbers(rest, 3, line)?;
+                out.triangles.normals.push(direction([x, y, z]));
+            }
+            "vt" => {
+                let [u, v, ..] = numbers(rest, 1, line)?;
+                out.triangles.uvs.push(DVec2::new(u, v));
+            }
+            "f" => state.read_face(rest, line, &mut out)?,
+            "mtllib" => read_library(rest.trim(), open, &mut out)?,
+            "usemtl" => {
+                let name = rest.trim();
+                let found = out.looks.iter().rposition(|look| look.name == name);
+                // (One is enough: a file of materials that is not there takes them all along.)
+                if found.is_none() && out.remarks.is_empty() {
+                    out.remarks.push(format!("line {line}: there is no material `{name}`"));
+                }
+                state.slot = found.map_or(0, |i| i as u32 + 1);
+            }
+            _ => {}
+        }
+    }
+    Ok(out)
+}
+
+/// The files of materials that a line names; one that is not there is told.
+fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> Reading<()> {
+    // One name, which may hold blanks, or else several.
+    if let Ok(bytes) = open(rest) {
+        return mtl::read(&bytes, rest, &mut out.looks);
+    }
+    for name in rest.split_ascii_whitespace() {
+        match open(name) {
+            Ok(bytes) => mtl::read(&bytes, name, &mut out.looks)?,
+            Err(why) => out.remarks.push(format!("its materials are left out: {why}")),
+        }
+    }
+    Ok(())
+}
+
+/// At least so many numbers; those that are left out are 0.
+fn numbers(rest: &str, least: usize, line: usize) -> Reading<[f64; 4]> {
+    let mut out = [0.0; 4];
+    let mut count = 0;
+    for (x, word) in out.iter_mut().zip(rest.split_ascii_whitespace()) {
+        *x = number(word.as_bytes(), || format!("line {line}"))?;
+        count += 1;
+    }
+    if count < least { Err(format!("line {line}: expected {least} numbers, found {count}")) } else { Ok(out) }
+}
+
+/// What faces are read with.
+#[derive(Default)]
+struct State {
+    /// The material in force.
+    slot: u32,
+    corners: Vec<[Option<u32>; 3]>,
+    points: Vec<Vec3>,
+}
+
+impl State {
+    /// `f 1/2/3 4/5/6 …`: corner, surface coordinates, normal.
+    fn read_face(&mut self, rest: &str, line: usize, out: &mut MeshFile) -> Reading<()> {
+        let all = &mut out.triangles;
+        let lengths = [all.vertices.len(), all.uvs.len(), all.normals.len()];
+        self.corners.clear();
+        for word in rest.split_ascii_whitespace() {
+            let mut corner = [None; 3];
+            for (i, part) in word.split('/').enumerate().take(3).filter(|(_, part)| !part.is_empty()) {
+                let what = ["corner", "pair of surface coordinates", "normal"][i];
+                corner[i] = Some(index(part, lengths[i], what, line)?);
+            }
+            if corner[0].is_none() {
+                return Err(format!("line {line}: expected the number of a corner, found `{word}`"));
+            }
+            self.corners.push(corner);
+        }
+        if self.corners.len() < 3 {
+            return Err(format!("line {line}: this face has {} corners", self.corners.len()));
+        }
+        self.points.clear();
+        self.points.extend(self.corners.iter().map(|c| all.vertices[c[0].unwrap_or(0) as usize]));
+        let Self { corners, points, slot, .. } = self;
+        polygon::triangles(points, |places| {
+            let [corners, uvs, normals] = [0, 1, 2].map(|i| {
+                let [a, b, c] = places.map(|place| corners[place][i]);
+                a.zip(b).zip(c).map_or(NONE, |((a, b), c)| [a, b, c])
+            });
+            all.push(corners, normals, uvs, [*slot; 3]);
+        });
+        Ok(())
+    }
+}
+
+/// A number counted from 1, or back from the end.
+fn index(text: &str, length: usize, what: &str, line: usize) -> Reading<u32> {
+    let n: i64 = text.parse().map_err(|_| format!("line {line}: expected the number of a {what}, found `{text}`"))?;
+    let place = if n < 0 { length as i64 + n } else { n - 1 };
+    match u32::try_from(place) {
+        Ok(place) if (place as usize) < length => Ok(place),
+        _ => Err(format!("line {line}: there is no {what} {n}: {length} stand before")),
+    }
+}

@@ -1,0 +1,87 @@
+//! Polygons to triangles.
+
+use crate::math::{DVec2, DVec3};
+use glam::Vec3;
+
+/// Larger polygons are taken for convex: cutting off ears one by one takes the square of their corners.
+const LARGE: usize = 2000;
+
+/// The triangles of a polygon, as places in its row of corners: a fan, where it is convex; else ears are cut off (Meisters, Polygons
+/// have ears, 1975).
+pub fn triangles(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
+    let n = points.len();
+    let flat = if n > 3 && n <= LARGE { flattened(points) } else { vec![] };
+    let convex = (0..flat.len()).all(|i| turn(&flat, (i + n - 1) % n, i, (i + 1) % n) >= 0.0);
+    if convex {
+        (1..n.saturating_sub(1)).for_each(|i| visit([0, i, i + 1]));
+        return;
+    }
+    let mut rest: Vec<usize> = (0..n).collect();
+    while rest.len() > 3 {
+        let m = rest.len();
+        let corner = |i: usize| [rest[(i + m - 1) % m], rest[i], rest[(i + 1) % m]];
+        // (A polygon that crosses itself may have none: then any will do.)
+        let ear = (0..m).find(|&i| is_ear(&flat, corner(i), &rest)).unwrap_or(0);
+        visit(corner(ear));
+        rest.remove(ear);
+    }
+    visit([rest[0], rest[1], rest[2]]);
+}
+
+/// Seen along the axis of its normal (Newell's sum), and so that it goes round counter-clockwise.
+fn flattened(points: &[Vec3]) -> Vec<DVec2> {
+    let wide = || points.iter().map(|p| p.as_dvec3());
+    let (first, next) = (points[0].as_dvec3(), wide().cycle().skip(1));
+    let normal = wide().zip(next).fold(DVec3::ZERO, |sum, (a, b)| sum + (a - first).cross(b - first));
+    let z = normal.abs().max_position();
+    let sign = normal[z].signum();
+    wide().map(|p| DVec2::new(p[(z + 1) % 3], p[(z + 2) % 3] * sign)).collect()
+}
+
+/// Twice the area of three corners, below 0 if they turn to the right.
+fn turn(flat: &[DVec2], a: usize, b: usize, c: usize) -> f64 {
+    (flat[b] - flat[a]).perp_dot(flat[c] - flat[b])
+}
+
+/// Does it turn to the left, with no other corner in it?
+fn is_ear(flat: &[DVec2], [a, b, c]: [usize; 3], rest: &[usize]) -> bool {
+    let holds = |p: usize| turn(flat, a, b, p) >= 0.0 && turn(flat, b, c, p) >= 0.0 && turn(flat, c, a, p) >= 0.0;
+    let other = |p: &&usize| ![flat[a], flat[b], flat[c]].contains(&flat[**p]);
+    turn(flat, a, b, c) > 0.0 && !rest.iter().filter(other).any(|&p| holds(p))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn concave_polygons_keep_their_area() {
+        // A star of ten corners in a slanted plane, either way round.
+        let star = |i: usize| {
+            let (angle, r) = (i as f64 * std::f64::consts::PI / 5.0, if i.is_multiple_of(2) { 2.0 } else { 0.7 });
+            let (x, y) = (r * crate::math::fp::cos(angle), r * crate::math::fp::sin(angle));
+            Vec3::new(x as f32, y as f32, (x + y) as f32)
+        };
+        for turned in [false, true] {
+            let points: Vec<Vec3> = (0..10).map(|i| star(if turned { 9 - i } else { i })).collect();
+            let (mut sum, mut signed, mut count) = (0.0, DVec3::ZERO, 0);
+            triangles(&points, |[a, b, c]| {
+                let [a, b, c] = [a, b, c].map(|i| points[i].as_dvec3());
+                let area = (b - a).cross(c - a) / 2.0;
+                (sum, signed, count) = (sum + area.length(), signed + area, count + 1);
+            });
+            assert_eq!(count, 8);
+            assert!((sum - signed.length()).abs() < 1e-6, "{sum} {signed}");
+        }
+    }
+
+    #[test]
+    fn few_corners() {
+        for n in 0..3 {
+            triangles(&vec![Vec3::ZERO; n], |_| panic!("{n}"));
+        }
+        let mut count = 0;
+        triangles(&[Vec3::ZERO; 7], |_| count += 1);
+        assert_eq!(count, 5);
+    }
+}

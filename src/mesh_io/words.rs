@@ -1,0 +1,68 @@
+//! Text files of words with blanks between them.
+
+use super::Reading;
+
+/// Words one after the other, with the number of the line.
+pub struct Words<'a> {
+    rest: &'a [u8],
+    /// Counted from 1.
+    pub line: usize,
+}
+
+impl<'a> Words<'a> {
+    /// All of a text, of which the first line has this number.
+    pub fn new(rest: &'a [u8], line: usize) -> Self {
+        Self { rest, line }
+    }
+
+    /// The next word, also of a later line.
+    pub fn next(&mut self) -> Option<&'a [u8]> {
+        loop {
+            let first = *self.rest.first()?;
+            if !first.is_ascii_whitespace() {
+                break;
+            }
+            self.line += usize::from(first == b'\n');
+            self.rest = &self.rest[1..];
+        }
+        let end = self.rest.iter().position(u8::is_ascii_whitespace).unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        Some(word)
+    }
+
+    /// No more words than this are left.
+    pub fn left(&self) -> usize {
+        self.rest.len().div_ceil(2)
+    }
+
+    /// The place, for a message.
+    pub fn place(&self) -> String {
+        format!("line {}", self.line)
+    }
+}
+
+/// The lines of a text, each with its number and without its end; those that end in `\` go on.
+pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
+    let text = |line: &[u8]| String::from_utf8_lossy(line).trim().to_string();
+    let mut rest = bytes.split(|b| *b == b'\n').enumerate();
+    std::iter::from_fn(move || {
+        let (number, line) = rest.next()?;
+        let mut line = text(line);
+        while line.ends_with('\\') {
+            line.pop();
+            line.push(' ');
+            line += &rest.next().map(|(_, more)| text(more)).unwrap_or_default();
+        }
+        Some((number + 1, line))
+    })
+}
+
+/// A number, as all these files write them.
+pub fn number(word: &[u8], place: impl FnOnce() -> String) -> Reading<f64> {
+    let text = std::str::from_utf8(word).ok();
+    text.and_then(|text| text.parse().ok()).ok_or_else(|| {
+        let word: String = String::from_utf8_lossy(word).chars().take(20).collect();
+        format!("{}: expected a number, found `{word}`", place())
+    })
+}

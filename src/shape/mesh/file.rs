@@ -1,0 +1,53 @@
+//! `mesh { file "NAME" … }`: triangles that another program wrote. An addition of durer's.
+
+use super::ordered::Ordered;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::image_io::Picture;
+use crate::mesh_io::{Look, MeshFile};
+use crate::shape::Paints;
+use crate::value::words::word;
+use crate::value::{Kind, Reader, Thing, WordSpec, downcast};
+use std::sync::Arc;
+
+pub const FILE: WordSpec = word(
+    "file",
+    Kind::Text,
+    "",
+    "the triangles of a file that another program wrote: ply, obj, stl, gltf or glb, in place of triangles that are written out",
+);
+
+/// What a file became, for all meshes that name it.
+#[derive(Debug, PartialEq)]
+pub struct FileMesh {
+    pub triangles: Arc<Ordered>,
+    looks: Vec<(Look, Option<Arc<Picture>>)>,
+}
+
+impl Thing for FileMesh {
+    fn kind(&self) -> &'static str {
+        "file of a mesh"
+    }
+}
+
+impl FileMesh {
+    /// Reads the file's name, and the file, unless it has been read before.
+    pub fn read(r: &mut dyn Reader) -> Result<Arc<Self>> {
+        let at = r.span();
+        let thing = r.mesh_file(|file: MeshFile, pictures| {
+            let looks = file.looks.into_iter().zip(pictures).collect();
+            Arc::new(Self { triangles: Arc::new(Ordered::new(file.triangles)), looks })
+        })?;
+        match downcast::<Self>(&thing) {
+            Some(file) => Ok(file),
+            None => Diagnostic::err(codes::WRONG_TYPE, at, "expected the name of a mesh's file"),
+        }
+    }
+
+    /// The object's numbers of the file's textures.
+    pub fn slots(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
+        self.looks.iter().map(|(look, picture)| paints.of_file(look, picture.as_ref(), r)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests;

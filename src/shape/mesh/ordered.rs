@@ -1,0 +1,230 @@
+//! Triangles in the order of a hierarchy, and how rays meet them.
+
+use super::pack::Pack;
+use super::sheared::Sheared;
+use crate::math::bvh::{self, Bvh};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::mesh_io::{NONE, Triangles};
+use crate::shape::{Hit, Hits, Triangle};
+use serde::Serialize;
+use std::ops::ControlFlow;
+
+/// Triangles, of which none is added any more.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Ordered {
+    /// In the hierarchy's order.
+    #[serde(flatten)]
+    lists: Triangles,
+    /// Over the packs.
+    #[serde(skip)]
+    bvh: Bvh,
+    #[serde(skip)]
+    packs: Vec<Pack>,
+    #[serde(skip)]
+    bounds: Option<Aabb>,
+}
+
+impl Ordered {
+    /// Puts the triangles in order for rays; those without area, and those that lie beyond all measure, are left out.
+    pub fn new(lists: Triangles) -> Self {
+        let mut all = Self { lists, ..Self::default() };
+        let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_solid(i as usize)).collect();
+        let (bvh, order, rows) = Bvh::build_packs(kept.iter().map(|&i| all.face_bounds(i as usize)));
+        let order: Vec<u32> = order.into_iter().map(|i| kept[i as usize]).collect();
+        let lists = &mut all.lists;
+        for list in [&mut lists.corners, &mut lists.smooth, &mut lists.mapped, &mut lists.painted] {
+            if !list.is_empty() {
+                *list = order.iter().map(|&i| list[i as usize]).collect();
+            }
+        }
+        all.bounds = Some(Aabb::from_points(all.points()));
+        let lists = &all.lists;
+        let face = |i: u32| lists.corners[i as usize].map(|i| lists.vertices[i as usize].to_array());
+        all.packs = rows.into_iter().map(|row| Pack::new(row, face)).collect();
+        all.bvh = bvh;
+        all
+    }
+
+    /// Has it no triangles?
+    pub fn is_empty(&self) -> bool {
+        self.lists.corners.is_empty()
+    }
+
+    fn points(&self) -> impl Iterator<Item = DVec3> {
+        self.lists.corners.iter().flatten().map(|&i| self.lists.vertices[i as usize].as_dvec3())
+    }
+
+    fn is_solid(&self, face: usize) -> bool {
+        let [a, b, c] = self.face(face);
+        !Triangle::new(a, b, c).is_degenerate() && bvh::fits(&self.face_bounds(face))
+    }
+
+    fn face(&self, face: usize) -> [DVec3; 3] {
+        self.lists.corners[face].map(|i| self.lists.vertices[i as usize].as_dvec3())
+    }
+
+    fn face_bounds(&self, face: usize) -> Aabb {
+        Aabb::from_points(self.face(face))
+    }
+
+    /// The numbers that a list has for a triangle.
+    fn of(list: &[[u32; 3]], face: usize) -> Option<[u32; 3]> {
+        list.get(face).copied().filter(|numbers| *numbers != NONE)
+    }
+
+    /// The smallest box around it.
+    pub fn bounds(&self) -> Aabb {
+        self.bounds.unwrap_or(Aabb::EMPTY)
+    }
+
+    /// The smallest box around its image under M.
+    pub fn bounds_under(&self, m: &Transform) -> Aabb {
+        Aabb::from_points(self.points().map(|p| m.point(p)))
+    }
+
+    /// Hands what the ray meets in the range to `visit`, which says how far hits count from now on.
+    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
+        let sheared = Sheared::new(ray);
+        self.bvh.traverse(ray, range, |pack, max| {
+            let mut max = max;
+            for (part, t, uv) in self.packs[pack].meet(&sheared) {
+                if t > range.min && t < max {
+                    max = match visit(Hit { t, part, uv }) {
+                        ControlFlow::Continue(max) => max,
+                        flow => return flow,
+                    };
+                }
+            }
+            ControlFlow::Continue(max)
+        });
+    }
+
+    /// All hits in the range.
+    pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.meet(ray, range, |hit| {
+            out.push(hit);
+            ControlFlow::Continue(range.max)
+        });
+    }
+
+    /// The nearest one.
+    pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut best = None;
+        self.meet(ray, range, |hit| {
+            best = Some(hit);
+            ControlFlow::Continue(hit.t)
+        });
+        best
+    }
+
+    /// Is there one?
+    pub fn any(&self, ray: &Ray, range: Range) -> bool {
+        let mut found = false;
+        self.meet(ray, range, |_| {
+            found = true;
+            ControlFlow::Break(())
+        });
+        found
+    }
+
+    /// Does the ray meet an odd number of triangles?
+    pub fn is_crossed_oddly(&self, ray: &Ray) -> bool {
+        let mut odd = false;
+        if self.bounds().contains(ray.origin) {
+            self.meet(ray, Range::FORWARD, |_| {
+                odd = !odd;
+                ControlFlow::Continue(f64::INFINITY)
+            });
+        }
+        odd
+    }
+
+    /// Of any length.
+    pub fn normal(&self, hit: &Hit) -> DVec3 {
+        let face = hit.part as usize;
+        let [a, b, c] = self.face(face);
+        let flat = Triangle::new(a, b, c).face_normal();
+        let Some(smooth) = Self::of(&self.lists.smooth, face) else { return flat };
+        let sum = self.between(hit, smooth.map(|i| self.lists.normals[i as usize].as_dvec3()));
+        if sum == DVec3::ZERO { flat } else { sum }
+    }
+
+    /// What lies at a hit between the values at the corners.
+    fn between<T>(&self, hit: &Hit, [a, b, c]: [T; 3]) -> T
+    where
+        T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
+    {
+        a * (1.0 - hit.uv.x - hit.uv.y) + b * hit.uv.x + c * hit.uv.y
+    }
+
+    /// Where nothing is said, (0, 0) (measured on POV-Ray 3.7).
+    pub fn uv(&self, hit: &Hit) -> DVec2 {
+        let mapped = Self::of(&self.lists.mapped, hit.part as usize);
+        mapped.map_or(DVec2::ZERO, |numbers| self.between(hit, numbers.map(|i| self.lists.uvs[i as usize])))
+    }
+
+    /// Numbers of the textures at the corners.
+    pub fn painted(&self, hit: &Hit) -> Option<[u32; 3]> {
+        Self::of(&self.lists.painted, hit.part as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::fp;
+
+    /// A grid of n×n squares over [0, 1]², each of two triangles, on a curved surface.
+    fn grid(n: usize) -> Ordered {
+        let at = |i: usize, j: usize| {
+            let (x, y) = (i as f64 / n as f64, j as f64 / n as f64);
+            DVec3::new(x, y, 0.3 * fp::sin(x * 7.0) * fp::cos(y * 5.0)).as_vec3()
+        };
+        let number = |i: usize, j: usize| (i * (n + 1) + j) as u32;
+        let mut mesh = Triangles::default();
+        for i in 0..=n {
+            mesh.vertices.extend((0..=n).map(|j| at(i, j)));
+        }
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+            mesh.corners.extend([[a, b, c], [a, c, d]]);
+        }
+        Ordered::new(mesh)
+    }
+
+    #[test]
+    fn watertight() {
+        let mesh = grid(8);
+        // Along the grid's own lines and corners, where rays would slip through.
+        for k in 0..=160 {
+            for l in 0..=160 {
+                let p = DVec3::new(f64::from(k) / 160.0, f64::from(l) / 160.0, 5.0);
+                for dir in [DVec3::NEG_Z, DVec3::new(1e-9, -1e-9, -1.0), DVec3::new(-0.25, 0.125, -1.0)] {
+                    let ray = Ray::new(p - dir * 9.0, dir);
+                    let end = ray.at(9.0 + 5.0 / -dir.z);
+                    let within = end.truncate().clamp(DVec2::splat(0.1), DVec2::splat(0.9)) == end.truncate();
+                    assert!(!within || mesh.any(&ray, Range::FORWARD), "{k} {l} {dir}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn hits_lie_on_their_triangle() {
+        let mesh = grid(5);
+        for k in 0..500 {
+            let at = |m: usize| (k * m % 97) as f64 / 97.0;
+            let ray = Ray::new(DVec3::new(at(13), at(29), 3.0), DVec3::new(at(7) - 0.5, at(11) - 0.5, -2.0));
+            let mut all = Hits::new();
+            mesh.hits(&ray, Range::ALL, &mut all);
+            for hit in &all {
+                let p = mesh.between(hit, mesh.face(hit.part as usize));
+                assert!(p.distance(ray.at(hit.t)) < 1e-12, "{hit:?}");
+                assert!(mesh.bounds().contains(p));
+            }
+            let nearest = all.iter().map(|hit| hit.t).filter(|t| *t > 0.0).reduce(f64::min);
+            assert_eq!(mesh.closest(&ray, Range::FORWARD).map(|hit| hit.t), nearest);
+            assert_eq!(mesh.any(&ray, Range::FORWARD), nearest.is_some());
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! The materials of meshes' files as textures.
+
+use super::{ImageMap, Paint, Pigment, Texture};
+use crate::color::{Color, Rgb};
+use crate::image_io::Picture;
+use crate::mesh_io::Look;
+use crate::pattern::bitmap::{Between, Bitmap, Mapping};
+use crate::value::Reader;
+use std::sync::Arc;
+
+impl Texture {
+    /// What a file's material looks like: the default texture with its colour or picture, and its highlight.
+    pub fn of_file(look: &Look, picture: Option<&Arc<Picture>>, r: &dyn Reader, defaults: &Texture) -> Self {
+        let mut layer = defaults.layers[0].clone();
+        let transmit = 1.0 - look.opacity;
+        layer.pigment = match picture {
+            Some(picture) => {
+                let mapping = Mapping { between: Between::Bilinear, ..Mapping::default() };
+                let bitmap = Bitmap { picture: picture.clone(), gamma: None, premultiplied: false, mapping };
+                let mut image = ImageMap { texels: bitmap.colors(r), mapping, clearness: Default::default() };
+                image.clearness.transmit = (transmit > 0.0).then_some(transmit);
+                Pigment::by_uv(Paint::Image(Arc::new(image)))
+            }
+            None => {
+                let language = r.language();
+                let scene = language.assumed_gamma.unwrap_or(language.other_gamma);
+                let number = |x: f64| if look.is_linear { scene.encode(x) } else { x };
+                Pigment::solid(Color { rgb: Rgb::from_array(look.color.map(number)), filter: 0.0, transmit })
+            }
+        };
+        if look.specular > 0.0 {
+            let finish = Arc::make_mut(&mut layer.finish);
+            (finish.phong, finish.phong_size) = (look.specular, look.shininess);
+        }
+        Self { layers: vec![layer] }
+    }
+}
