@@ -2,6 +2,7 @@
 
 mod animation;
 mod args;
+mod canvas;
 mod check;
 mod choices;
 mod completions;

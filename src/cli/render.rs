@@ -2,6 +2,7 @@
 
 use super::animation::Animation;
 use super::args::{Dump, RenderArgs, When};
+use super::canvas::Noted;
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
 use super::inputs::Inputs;
@@ -13,7 +14,7 @@ use super::values::Stats;
 use super::watch::Watcher;
 use super::{dump, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
-use crate::image_io::{Format, Frame};
+use crate::image_io::Format;
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{self, Region};
 use crate::source::{FileId, Sources, Span};
@@ -83,10 +84,9 @@ fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, reports: &mut 
     session::check_input(&args.input)?;
     if args.dump.is_none() {
         check_region(&args)?;
-        check_memory(&args)?;
     }
     settle_frames(&mut args)?;
-    let target = Target::new(&args)?;
+    let target = check_target(&args)?;
     check_stdout(&args, &target)?;
     let mut job = Job::new(&console, &args, reports)?;
     let exit = match &args.scene.animation {
@@ -165,11 +165,17 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
     Diagnostic::err(codes::OUTSIDE_PICTURE, Span::NONE, text)
 }
 
-/// Is there room for the picture?
-fn check_memory(args: &RenderArgs) -> crate::diagnostic::Result<()> {
-    let antialias = drawing_options(args, Timing::default()).antialias.is_some_and(|threshold| threshold < 1.0);
-    let limit = args.scene.max_memory.map(|bytes| bytes.0);
-    memory::check_drawing(args.scene.size(), args.region.map(|part| part.0), antialias, limit)
+/// Where the pictures go, and whether there is room for them on the way.
+fn check_target(args: &RenderArgs) -> Result<Target> {
+    if args.dump.is_none() {
+        memory::check_size(args.scene.size())?;
+    }
+    let target = Target::new(args)?;
+    if args.dump.is_none() {
+        let limit = args.scene.max_memory.map(|bytes| bytes.0);
+        memory::check_drawing(args.scene.size(), args.region.map(|part| part.0), target.kept(), limit)?;
+    }
+    Ok(target)
 }
 
 fn drawing_options(args: &RenderArgs, timing: Timing) -> render::Options {
@@ -224,13 +230,11 @@ impl<'a> Job<'a> {
     }
 
     /// What there is to say of the picture.
-    fn advise(&mut self, world: &World, frame: &Frame, timing: Timing, incomplete: bool) {
+    fn advise(&mut self, world: &World, timing: Timing, circumstances: advice::Circumstances) {
         if self.console.quiet {
             return;
         }
-        let one_of_many = self.args.frames.is_some() || self.args.scene.animation.is_some();
-        let circumstances = advice::Circumstances { one_of_many, incomplete };
-        let mut advice = advice::of_picture(world, &drawing_options(self.args, timing), frame, circumstances);
+        let mut advice = advice::of_picture(world, &drawing_options(self.args, timing), circumstances);
         advice.retain(|d| !self.told.contains(d));
         self.console.report(&self.sources, &advice);
         self.told.extend(advice);
@@ -255,15 +259,18 @@ impl<'a> Job<'a> {
         let progress = Progress::new(args.progress.unwrap_or(When::Auto), console, self.sources.name(self.file));
         let watcher = Watcher::new(progress, start, args.scene.max_time);
         let trace = Instant::now();
-        let (frame, rays) = watcher.render(&world, &drawing_options(args, timing))?;
-        let trace_time = trace.elapsed();
-        let encode = Instant::now();
-        let bytes = target.encode(&frame)?;
-        let written = target.write(console, &bytes)?;
-        let encode_time = encode.elapsed();
+        let mut draft = target.draft()?;
+        let mut canvas = target.canvas(draft.as_mut(), args.scene.size())?;
+        let rays = watcher.draw(&world, &drawing_options(args, timing), &mut canvas)?;
+        let (drawing_time, encode) = (trace.elapsed(), Instant::now());
+        let Noted { black, time: rows_time } = canvas.finish()?;
+        let written = target.place(console, draft)?;
+        let trace_time = drawing_time.saturating_sub(rows_time);
+        let encode_time = rows_time + encode.elapsed();
         drop(orderly);
 
-        self.advise(&world, &frame, timing, incomplete);
+        let one_of_many = args.frames.is_some() || args.scene.animation.is_some();
+        self.advise(&world, timing, advice::Circumstances { one_of_many, incomplete, black });
         if let Some(stats) = &args.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
             self.reports.push(Report::new(times, rays, args));

@@ -6,8 +6,8 @@ use super::interrupt;
 use super::progress::Progress;
 use super::values::Seconds;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::image_io::Frame;
-use crate::render::{self, Rays, Watch};
+use crate::image_io::{Frame, Rows};
+use crate::render::{self, Rays, Stopped, Watch};
 use crate::source::Span;
 use crate::world::World;
 use std::time::{Duration, Instant};
@@ -36,14 +36,25 @@ impl Watcher {
         Self { progress, deadline: limit.map(|s| start + Duration::from_secs_f64(s.0)) }
     }
 
-    /// World to Frame, unless it is stopped.
-    pub fn render(&self, world: &World, options: &render::Options) -> Result<(Frame, Rays)> {
+    /// World to the rows of a picture, unless it is stopped.
+    pub fn draw(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<Rays> {
         if self.cancelled() {
             return Err(self.reason());
         }
-        let drawn = render::render(world, options, self);
+        let drawn = render::draw(world, options, self, rows);
         self.progress.finish();
-        drawn.map_err(|_| self.reason())
+        drawn.map_err(|stopped| match stopped {
+            Stopped::Cancelled => self.reason(),
+            Stopped::Fault(fault) => Failure::Fault(fault),
+        })
+    }
+
+    /// World to Frame, unless it is stopped.
+    pub fn render(&self, world: &World, options: &render::Options) -> Result<Frame> {
+        let mut frame = Frame { width: options.width, height: options.height, pixels: vec![] };
+        frame.pixels.reserve_exact(options.width * options.height);
+        self.draw(world, options, &mut frame)?;
+        Ok(frame)
     }
 
     /// Is the time over?

@@ -8,6 +8,7 @@ mod format;
 mod frame;
 mod netpbm;
 mod picture;
+mod png_writer;
 mod quantize;
 mod radiance;
 #[cfg(test)]
@@ -18,7 +19,7 @@ mod tiff_palette;
 use decode::{Decoded, decode_bytes};
 pub use decode::{Pixels, Samples, decode, decode_file, spread};
 pub use density::Voxels;
-pub use encode::{Encoding, encode};
+pub use encode::{EncodeError, Encoder, Encoding, Rows, encode};
 pub use format::Format;
 pub use frame::Frame;
 pub use picture::{Picture, Stored, kept_gray};

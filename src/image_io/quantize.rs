@@ -1,6 +1,5 @@
 //! From linear light to stored integers: the sRGB curve, rounded to the nearest code, fast.
 
-use super::Frame;
 use crate::color::transfer;
 use std::sync::LazyLock;
 
@@ -66,27 +65,32 @@ pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
 }
 
 /// Rows of three or four bytes a pixel, with the sRGB curve.
-pub(super) fn bytes(frame: &Frame, alpha: bool) -> Vec<u8> {
+pub(super) fn bytes(pixels: &[[f32; 4]], alpha: bool) -> Vec<u8> {
     let table = &*BITS8;
-    pack(frame, alpha, |x| table.code(x) as u8, |a| linear(a, 255.0) as u8)
+    pack(pixels, alpha, |x| table.code(x) as u8, |a| linear(a, 255.0) as u8)
 }
 
 /// The same with 16 bits a channel.
-pub(super) fn words(frame: &Frame, alpha: bool) -> Vec<u16> {
+pub(super) fn words(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
     let table = &*BITS16;
-    pack(frame, alpha, |x| table.code(x), |a| linear(a, 65_535.0) as u16)
+    pack(pixels, alpha, |x| table.code(x), |a| linear(a, 65_535.0) as u16)
 }
 
 /// Stores colours by one rule and alpha by another.
-fn pack<T: Copy + Default>(frame: &Frame, alpha: bool, color: impl Fn(f32) -> T, opacity: impl Fn(f32) -> T) -> Vec<T> {
+fn pack<T: Copy + Default>(
+    pixels: &[[f32; 4]],
+    alpha: bool,
+    color: impl Fn(f32) -> T,
+    opacity: impl Fn(f32) -> T,
+) -> Vec<T> {
     let channels = if alpha { 4 } else { 3 };
-    let mut out = vec![T::default(); frame.pixels.len() * channels];
+    let mut out = vec![T::default(); pixels.len() * channels];
     if alpha {
-        for (to, &[r, g, b, a]) in out.as_chunks_mut::<4>().0.iter_mut().zip(&frame.pixels) {
+        for (to, &[r, g, b, a]) in out.as_chunks_mut::<4>().0.iter_mut().zip(pixels) {
             *to = [color(r), color(g), color(b), opacity(a)];
         }
     } else {
-        for (to, &pixel) in out.as_chunks_mut::<3>().0.iter_mut().zip(&frame.pixels) {
+        for (to, &pixel) in out.as_chunks_mut::<3>().0.iter_mut().zip(pixels) {
             *to = over_black(pixel).map(&color);
         }
     }
@@ -143,8 +147,8 @@ mod tests {
 
     #[test]
     fn alpha_is_kept_or_laid_over_black() {
-        let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 1.0, 1.0, 0.5], [1.0, 0.0, 1.0, 1.0]] };
-        assert_eq!(bytes(&frame, true), [255, 255, 255, 128, 255, 0, 255, 255]);
-        assert_eq!(bytes(&frame, false), [188, 188, 188, 255, 0, 255]);
+        let pixels = [[1.0, 1.0, 1.0, 0.5], [1.0, 0.0, 1.0, 1.0]];
+        assert_eq!(bytes(&pixels, true), [255, 255, 255, 128, 255, 0, 255, 255]);
+        assert_eq!(bytes(&pixels, false), [188, 188, 188, 255, 0, 255]);
     }
 }

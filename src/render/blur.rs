@@ -1,6 +1,6 @@
 //! Focal blur: many rays a pixel, each through another place of the lens and of the pixel (manual, "Focal Blur").
 
-use super::tiles::Pixel;
+use super::grid::Pixel;
 use super::trace::Tracer;
 use crate::camera::Lens;
 use crate::math::{DVec2, rng};

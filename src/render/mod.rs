@@ -2,27 +2,30 @@
 
 mod antialias;
 mod area;
+mod bands;
 mod blur;
 mod dispersion;
+mod grid;
 mod mirror;
 mod output;
 mod pick;
+mod prepare;
 mod refract;
 mod shade;
 mod shading_point;
 mod shadow;
-mod tiles;
 mod trace;
 mod travel;
+mod workers;
 
 pub use pick::pick;
 
-use crate::image_io::Frame;
+use crate::diagnostic::{self, Fault};
+use crate::image_io::{Frame, Rows};
 use crate::source::Span;
 use crate::world::World;
 use serde::Serialize;
-use tiles::Workers;
-use trace::Setup;
+use workers::Workers;
 
 /// How a picture is made. None of it but size, antialias, quality, region and frame changes a byte of it.
 #[derive(Clone, Debug)]
@@ -122,28 +125,81 @@ impl Region {
     }
 }
 
-/// Draws the picture. The same bytes whatever the number of threads.
+/// What ends a picture before its end.
+#[derive(Debug)]
+pub enum Stopped {
+    /// The watcher wanted it to stop.
+    Cancelled,
+    /// Its rows could not be handed on.
+    Fault(Fault),
+}
+
+impl From<Cancelled> for Stopped {
+    fn from(_: Cancelled) -> Self {
+        Self::Cancelled
+    }
+}
+
+impl From<Fault> for Stopped {
+    fn from(fault: Fault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+/// Draws the picture into memory. The same bytes whatever the number of threads.
 ///
 /// # Errors
 /// When the watcher wants it to stop.
 pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Frame, Rays), Cancelled> {
-    let Options { width, height, .. } = *options;
-    let (mut frame, mut rays) = (Frame::new(width, height), Rays::default());
+    let mut frame = Frame { width: options.width, height: options.height, pixels: vec![] };
+    frame.pixels.reserve_exact(options.width * options.height);
+    let rays = draw(world, options, watch, &mut frame).map_err(|_| Cancelled)?;
+    Ok((frame, rays))
+}
+
+/// Draws the picture and hands its rows on, from the top, as they are done.
+///
+/// # Errors
+/// When the watcher wants it to stop, or the rows can't be handed on.
+pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn Rows) -> Result<Rays, Stopped> {
+    let (width, height) = (options.width, options.height);
     let whole = Region { x: 0, y: 0, width, height };
     let region = options.region.unwrap_or(whole).within(width, height);
     if region.width == 0 || region.height == 0 {
-        return Ok((frame, rays));
+        empty(rows, width, height)?;
+        return Ok(Rays::default());
     }
-    let setup = Setup::new(world, options);
-    let workers = Workers::new(options.threads, antialias::total(&setup, options, region), watch);
-    let pixels = antialias::draw(&setup, &workers, options, region, &mut rays)?;
-    for (row, line) in pixels.chunks(region.width).enumerate() {
-        let start = (region.y + row) * width + region.x;
-        for (to, pixel) in frame.pixels[start..].iter_mut().zip(line) {
-            *to = output::light(pixel, world.gamma, options.alpha);
-        }
+    let workers = Workers::new(options.threads, watch);
+    let setup = prepare::prepare(world, options, &workers)?;
+    let method = antialias::Method::new(&setup, options);
+    empty(rows, width, region.y)?;
+    let mut take = |mut pixels: Vec<grid::Pixel>| {
+        pixels.iter_mut().for_each(|pixel| *pixel = output::light(pixel, world.gamma, options.alpha));
+        rows.take(&if region.width == width { pixels } else { widened(&pixels, region, width) })
+    };
+    let rays = bands::Drawing { setup: &setup, workers: &workers, method, region }.draw(&mut take)?;
+    empty(rows, width, height - region.y - region.height)?;
+    Ok(rays)
+}
+
+/// Transparent rows.
+fn empty(to: &mut dyn Rows, width: usize, rows: usize) -> diagnostic::Result<()> {
+    let row = vec![[0.0; 4]; if rows > 0 { width } else { 0 }];
+    (0..rows).try_for_each(|_| to.take(&row))
+}
+
+/// Rows of a region in rows of the whole picture.
+fn widened(pixels: &[grid::Pixel], region: Region, width: usize) -> Vec<grid::Pixel> {
+    let mut out = vec![[0.0; 4]; pixels.len() / region.width * width];
+    for (to, row) in out.chunks_mut(width).zip(pixels.chunks(region.width)) {
+        to[region.x..region.x + region.width].copy_from_slice(row);
     }
-    Ok((frame, rays))
+    out
+}
+
+/// The most bytes that drawing a part of a picture takes, beside the World and what becomes of its rows.
+pub fn room(part: Region) -> u128 {
+    bands::room(part)
 }
 
 /// What is seen through one pixel.

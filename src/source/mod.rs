@@ -15,4 +15,4 @@ pub use sandbox::Sandbox;
 pub use scenes::scenes_below;
 pub use search::{Found, SearchPath};
 pub use span::Span;
-pub use write::{check_writable, write_whole};
+pub use write::{Draft, check_writable, write_whole};
