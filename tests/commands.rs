@@ -108,7 +108,9 @@ fn anti_aliasing_is_that_of_the_manner() {
     assert!(bytes("render ball.scene") == smooth);
     assert!(bytes("render ball.scene -A") == rough);
     assert!(bytes("ball.scene") == rough);
-    assert!(bytes("ball.scene +A") == smooth);
+    assert!(bytes("ball.scene +A") == bytes("render ball.scene --aa 0.3 --aa-method grid"));
+    assert!(bytes("ball.scene +A -J +AM2") == bytes("ball.scene --aa 0.3 --aa-method corners --aa-jitter 0"));
+    assert!(bytes("ball.scene +A +AM2") != bytes("ball.scene +A"));
 }
 
 #[test]

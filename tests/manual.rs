@@ -355,7 +355,17 @@ fn options(folder: &Path) -> Options {
 
 fn drawing(width: usize, height: usize) -> render::Options {
     let antialias = Some(0.1);
-    render::Options { width, height, antialias, quality: 9, threads: 1, region: None, frame: 0, alpha: false }
+    render::Options {
+        width,
+        height,
+        antialias,
+        sampling: render::Sampling::default(),
+        quality: 9,
+        threads: 1,
+        region: None,
+        frame: 0,
+        alpha: false,
+    }
 }
 
 /// What there is to say of a scene's picture.

@@ -5,24 +5,26 @@ use super::args::{Dump, RenderArgs, When};
 use super::canvas::Noted;
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
+use super::film::Film;
 use super::inputs::Inputs;
 use super::interrupt::{self, Orderly};
+use super::journal::{Journal, Work};
 use super::progress::Progress;
 use super::stats::{self, Report};
 use super::target::{Target, is_folder};
 use super::values::Stats;
 use super::watch::Watcher;
-use super::{dump, memory, overlay, povray, session, summary};
+use super::{dump, keeping, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::image_io::Format;
 use crate::interpreter::{ParsedFiles, Timing};
-use crate::render::{self, Region};
-use crate::source::{FileId, Sources, Span};
+use crate::render::{self, Rays, Region};
+use crate::source::{self, FileId, Sources, Span};
 use crate::world::World;
 use crate::{Built, Keep, advice};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Draws each scene: one picture, or one for each frame.
 pub fn run(console: &Console, args: &RenderArgs) -> Result {
@@ -91,9 +93,12 @@ fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, reports: &mut 
     let mut job = Job::new(&console, &args, reports)?;
     let exit = match &args.scene.animation {
         Some(animation) if args.scene.frame.is_none() => {
+            let film = target.file().filter(|_| args.dump.is_none()).map(|path| Film::new(path, args.resume));
             for frame in animation.frames() {
-                job.draw(&target.numbered(frame, animation.digits), animation.timing(frame))?;
+                let target = target.numbered(frame, animation.digits);
+                job.draw_frame(film.as_ref(), &target, animation.timing(frame))?;
             }
+            film.iter().for_each(Film::remove);
             Exit::Fine
         }
         animation => {
@@ -198,6 +203,16 @@ struct Job<'a> {
     start: Instant,
     /// Warnings of earlier frames, which are not told again.
     told: Vec<Diagnostic>,
+    /// This very one, for those who go on with its work.
+    program: String,
+}
+
+/// A picture in its file.
+struct Drawn {
+    rays: Rays,
+    black: bool,
+    /// For drawing, and for storing.
+    times: [Duration; 2],
 }
 
 impl<'a> Job<'a> {
@@ -205,7 +220,8 @@ impl<'a> Job<'a> {
         let (sources, start) = (Sources::default(), Instant::now());
         let file = session::open_or_tell(console, &sources, &args.input)?;
         let parsed = ParsedFiles::default();
-        Ok(Self { console, args, sources, parsed, file, reports, written: vec![], start, told: vec![] })
+        let program = keeping::program();
+        Ok(Self { console, args, sources, parsed, file, reports, written: vec![], start, told: vec![], program })
     }
 
     /// What was written, in a few words.
@@ -240,6 +256,50 @@ impl<'a> Job<'a> {
         self.told.extend(advice);
     }
 
+    /// What keeps the tiles of a picture; none where no file is written.
+    fn journal(&self, target: &Target, timing: Timing) -> Option<Journal> {
+        let picture = target.file().filter(|path| path.is_file() || !path.exists())?;
+        Some(keeping::journal(self.console, self.args, picture, &self.work(timing)))
+    }
+
+    /// What the work is that this picture takes, now that all of its files are read.
+    fn work(&self, timing: Timing) -> Work {
+        let options = keeping::options(self.args, &drawing_options(self.args, timing), timing);
+        Work { program: self.program.clone(), options, files: source::seen() }
+    }
+
+    /// A frame of a film, unless it was drawn before.
+    fn draw_frame(&mut self, film: Option<&Film>, target: &Target, timing: Timing) -> Result {
+        let (Some(film), Some(picture)) = (film, target.file()) else { return self.draw(target, timing) };
+        let Work { program, options, .. } = self.work(timing);
+        if film.has(timing.frame, picture, &program, &options) {
+            self.written.push(picture.to_path_buf());
+            return Ok(Exit::Fine);
+        }
+        if film.knows(timing.frame) {
+            let text = format!(
+                "`{}` is drawn anew: it, a file that it needs, durer or an option has changed\n",
+                picture.display()
+            );
+            self.console.note(&text);
+        }
+        let exit = self.draw(target, timing)?;
+        film.add(timing.frame, picture, self.work(timing));
+        Ok(exit)
+    }
+
+    /// World to file.
+    fn draw_into(&self, target: &Target, world: &World, timing: Timing, watcher: &Watcher) -> Result<Drawn> {
+        let (args, trace) = (self.args, Instant::now());
+        let mut draft = target.draft()?;
+        let mut canvas = target.canvas(draft.as_mut(), args.scene.size())?;
+        let rays = watcher.draw(world, &drawing_options(args, timing), &mut canvas)?;
+        let (drawing_time, encode) = (trace.elapsed(), Instant::now());
+        let Noted { black, time: rows_time } = canvas.finish()?;
+        target.place(self.console, draft)?;
+        Ok(Drawn { rays, black, times: [drawing_time.saturating_sub(rows_time), rows_time + encode.elapsed()] })
+    }
+
     /// One picture, from text to file.
     fn draw(&mut self, target: &Target, timing: Timing) -> Result {
         let (console, args, start) = (self.console, self.args, Instant::now());
@@ -257,16 +317,19 @@ impl<'a> Job<'a> {
 
         let orderly = Orderly::begin();
         let progress = Progress::new(args.progress.unwrap_or(When::Auto), console, self.sources.name(self.file));
-        let watcher = Watcher::new(progress, start, args.scene.max_time);
-        let trace = Instant::now();
-        let mut draft = target.draft()?;
-        let mut canvas = target.canvas(draft.as_mut(), args.scene.size())?;
-        let rays = watcher.draw(&world, &drawing_options(args, timing), &mut canvas)?;
-        let (drawing_time, encode) = (trace.elapsed(), Instant::now());
-        let Noted { black, time: rows_time } = canvas.finish()?;
-        let written = target.place(console, draft)?;
-        let trace_time = drawing_time.saturating_sub(rows_time);
-        let encode_time = rows_time + encode.elapsed();
+        let mut watcher = Watcher::new(progress, start, args.scene.max_time);
+        watcher.journal = self.journal(target, timing);
+        let drawn = self.draw_into(target, &world, timing, &watcher);
+        match (watcher.journal, &drawn) {
+            (Some(journal), Ok(_)) => {
+                keeping::tell_failure(console, &journal);
+                journal.remove();
+            }
+            (Some(journal), Err(_)) => keeping::tell_kept(console, &journal),
+            (None, _) => {}
+        }
+        let Drawn { rays, black, times: [trace_time, encode_time] } = drawn?;
+        let written = target.file();
         drop(orderly);
 
         let one_of_many = args.frames.is_some() || args.scene.animation.is_some();

@@ -1,12 +1,12 @@
 //! Where pictures go, and as what.
 
-use super::args::{LookArgs, RenderArgs};
+use super::args::{DitherMethod, ExrPacking, LookArgs, RenderArgs};
 use super::canvas::Canvas;
 use super::console::Console;
 use super::exit::{Result, usage};
 use super::values::Size;
 use crate::diagnostic::file;
-use crate::image_io::{Encoding, Format};
+use crate::image_io::{Dither, Encoding, Format, Packing};
 use crate::snapshot;
 use crate::source::{self, Draft};
 use std::ops::Range;
@@ -42,7 +42,7 @@ impl Target {
             (Place::File(path), None) => Format::from_path(path)?,
             _ => Format::Png,
         };
-        let depth = args.bit_depth.as_ref().map(|depth| if depth == "16" { 16 } else { 8 });
+        let depth = args.bit_depth.as_ref().and_then(|depth| depth.parse().ok());
         let size = args.scene.size();
         if place != Place::Nowhere {
             format.check(size.width, size.height, depth)?;
@@ -61,10 +61,7 @@ impl Target {
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
         }
-        Ok(Self {
-            place,
-            encoding: Encoding { format, depth: depth.unwrap_or(8), alpha: keeps_alpha(&args.look, args) },
-        })
+        Ok(Self { place, encoding: encoding(args, format, depth) })
     }
 
     /// Does the picture go to standard output?
@@ -158,6 +155,30 @@ impl Target {
     /// The bytes of memory that a pixel takes until the file is finished.
     pub fn kept(&self) -> usize {
         if self.place == Place::Nowhere { 0 } else { self.encoding.kept() }
+    }
+}
+
+/// How the picture is stored.
+fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
+    let plain = Encoding::new(format);
+    Encoding {
+        format,
+        depth: depth.unwrap_or(plain.depth),
+        alpha: keeps_alpha(&args.look, args),
+        gamma: args.file_gamma.map_or(plain.gamma, |gamma| gamma.0),
+        dither: args.dither.map(|method| match method {
+            DitherMethod::B2 => Dither::Bayer(2),
+            DitherMethod::B3 => Dither::Bayer(3),
+            DitherMethod::B4 => Dither::Bayer(4),
+            DitherMethod::D1 => Dither::Row,
+            DitherMethod::D2 => Dither::Simple,
+            DitherMethod::Fs => Dither::FloydSteinberg,
+        }),
+        packing: args.exr_packing.map_or(plain.packing, |packing| match packing {
+            ExrPacking::None => Packing::None,
+            ExrPacking::Rle => Packing::Runs,
+            ExrPacking::Zip => Packing::Zip,
+        }),
     }
 }
 

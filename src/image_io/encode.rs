@@ -1,31 +1,53 @@
 //! A picture, from the top, to the bytes of a file. The same picture always gives the same bytes.
 
+use super::dither::{Dither, Ditherer};
 use super::png_writer::PngWriter;
-use super::quantize::{bytes, over_black, words};
+use super::quantize::{Integers, over_black};
 use super::{Format, Frame};
+use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::source::Span;
 use exr::image::Blocks;
-use exr::prelude::{Compression, Encoding as ExrEncoding, Image, LineOrder, SpecificChannels, WritableImage};
+use exr::prelude::{Compression, Encoding as ExrEncoding, Image, LineOrder, SpecificChannels, WritableImage, f16};
 use image::codecs::{bmp::BmpEncoder, hdr::HdrEncoder, jpeg::JpegEncoder, tga::TgaEncoder, tiff::TiffEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageError, Rgb};
 use std::io::{self, Cursor, Seek, Write};
 
 /// How a picture is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Encoding {
     /// The format.
     pub format: Format,
-    /// 8 or 16 bits a channel, where the format has them.
+    /// 8 or 16 bits a channel, or for exr 16 or 32, where the format has them.
     pub depth: u8,
     /// Keep transparency, where the format can; otherwise the picture is laid over black.
     pub alpha: bool,
+    /// The curve that integers follow.
+    pub gamma: Gamma,
+    /// Shades between two integers; formats that have no need of it know nothing of it.
+    pub dither: Option<Dither>,
+    /// How exr is packed.
+    pub packing: Packing,
+}
+
+/// How exr is packed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Packing {
+    /// Not at all.
+    None,
+    /// Run lengths, line by line: ten times as fast as the denser ones.
+    #[default]
+    Runs,
+    /// Deflate, sixteen lines at once.
+    Zip,
 }
 
 impl Encoding {
-    /// 8 bits, no transparency.
+    /// 8 bits, or 32 for exr; the sRGB curve, no transparency.
     pub fn new(format: Format) -> Self {
-        Self { format, depth: 8, alpha: false }
+        let depth = if format == Format::Exr { 32 } else { 8 };
+        let (gamma, packing) = (Gamma::Srgb, Packing::default());
+        Self { format, depth, alpha: false, gamma, dither: None, packing }
     }
 
     pub(super) fn keeps_alpha(&self) -> bool {
@@ -109,15 +131,12 @@ pub(super) type Encoded<T = ()> = std::result::Result<T, EncodeError>;
 /// JPEG's quality, of 100.
 const JPEG_QUALITY: u8 = 92;
 
-/// Run lengths, line by line: ten times as fast as the denser methods, in a fixed order.
-const EXR_STORAGE: ExrEncoding =
-    ExrEncoding { compression: Compression::RLE, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-
 /// A file to be: it takes rows from the top, and writes them at once where the format allows.
 pub struct Encoder<W: Write + Seek> {
     encoding: Encoding,
     width: usize,
     height: usize,
+    integers: Integers,
     out: Out<W>,
 }
 
@@ -150,7 +169,11 @@ impl<W: Write + Seek> Encoder<W> {
             Format::Exr => Out::Floats(out, vec![]),
             _ => Out::Integers(out, vec![]),
         };
-        Ok(Self { encoding: *encoding, width, height, out })
+        let alpha = encoding.keeps_alpha();
+        let dither = encoding.dither.filter(|_| encoding.format != Format::Jpg);
+        let ditherer = dither.map(|dither| Ditherer::new(dither, width, if alpha { 4 } else { 3 }));
+        let integers = Integers { wide: encoding.depth == 16, alpha, gamma: encoding.gamma, ditherer, width };
+        Ok(Self { encoding: *encoding, width, height, integers, out })
     }
 
     /// The next rows.
@@ -159,7 +182,7 @@ impl<W: Write + Seek> Encoder<W> {
     /// If they can't be written.
     pub fn rows(&mut self, rows: &[[f32; 4]]) -> Encoded {
         let Self { encoding, width, .. } = *self;
-        let stored = |high_first| integers(rows, &encoding, high_first);
+        let mut stored = |high_first| self.integers.rows(rows, high_first);
         match &mut self.out {
             Out::Png(out) => out.rows(&stored(true))?,
             Out::Flat(out) if encoding.format == Format::Hdr => {
@@ -184,11 +207,11 @@ impl<W: Write + Seek> Encoder<W> {
     /// # Errors
     /// If it can't be written, or the format can't hold the picture.
     pub fn finish(self) -> Encoded {
-        let (size, alpha) = ((self.width, self.height), self.encoding.keeps_alpha());
+        let size = (self.width, self.height);
         match self.out {
             Out::Png(out) => out.finish()?,
             Out::Flat(mut out) => out.flush()?,
-            Out::Floats(mut out, pixels) => encode_exr(&mut out, size, &pixels, alpha)?,
+            Out::Floats(mut out, pixels) => encode_exr(&mut out, size, &pixels, &self.encoding)?,
             Out::Integers(mut out, data) => encode_integers(&mut out, size, &data, &self.encoding)?,
         }
         Ok(())
@@ -208,16 +231,6 @@ pub fn encode(frame: &Frame, encoding: &Encoding) -> Result<Vec<u8>> {
     let fault = |e: &io::Error| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, e.to_string());
     written.map_err(|error| error.told(encoding.format, fault))?;
     Ok(out.into_inner())
-}
-
-/// Rows as integers; 16-bit samples with the high byte first, or as this machine has them.
-fn integers(rows: &[[f32; 4]], encoding: &Encoding, high_first: bool) -> Vec<u8> {
-    let alpha = encoding.keeps_alpha();
-    if encoding.depth != 16 {
-        return bytes(rows, alpha);
-    }
-    let order = if high_first { u16::to_be_bytes } else { u16::to_ne_bytes };
-    words(rows, alpha).into_iter().flat_map(order).collect()
 }
 
 fn encode_integers<W: Write + Seek>(
@@ -243,19 +256,31 @@ fn encode_integers<W: Write + Seek>(
 }
 
 /// Alpha is associated (colours are multiplied by it), as OpenEXR's specification wants.
-fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32; 4]], alpha: bool) -> Encoded {
+fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32; 4]], how: &Encoding) -> Encoded {
+    let compression = match how.packing {
+        Packing::None => Compression::Uncompressed,
+        Packing::Runs => Compression::RLE,
+        Packing::Zip => Compression::ZIP16,
+    };
+    let packing = ExrEncoding { compression, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
     let pixel = |at: exr::math::Vec2<usize>| pixels[at.y() * size.0 + at.x()].map(number);
-    if alpha {
-        let channels = SpecificChannels::rgba(|at| {
-            let [r, g, b, a] = pixel(at);
-            (r * a, g * a, b * a, a)
-        });
-        let image = Image::from_encoded_channels(size, EXR_STORAGE, channels);
-        image.write().non_parallel().to_buffered(out)?;
-    } else {
-        let channels = SpecificChannels::rgb(|at| <(f32, f32, f32)>::from(over_black(pixel(at))));
-        let image = Image::from_encoded_channels(size, EXR_STORAGE, channels);
-        image.write().non_parallel().to_buffered(out)?;
+    let rgb = |at| over_black(pixel(at));
+    let rgba = |at| {
+        let [r, g, b, a] = pixel(at);
+        [r * a, g * a, b * a, a]
+    };
+    let half = f16::from_f32;
+    // (Each of these is a type of its own to the library.)
+    macro_rules! write {
+        ($channels:expr) => {
+            Image::from_encoded_channels(size, packing, $channels).write().non_parallel().to_buffered(out)?
+        };
+    }
+    match (how.keeps_alpha(), how.depth == 16) {
+        (false, false) => write!(SpecificChannels::rgb(|at| <(f32, f32, f32)>::from(rgb(at)))),
+        (false, true) => write!(SpecificChannels::rgb(|at| <(f16, f16, f16)>::from(rgb(at).map(half)))),
+        (true, false) => write!(SpecificChannels::rgba(|at| <(f32, f32, f32, f32)>::from(rgba(at)))),
+        (true, true) => write!(SpecificChannels::rgba(|at| <(f16, f16, f16, f16)>::from(rgba(at).map(half)))),
     }
     Ok(())
 }

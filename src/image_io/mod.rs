@@ -3,6 +3,7 @@
 mod bmp;
 mod decode;
 mod density;
+mod dither;
 mod encode;
 mod format;
 mod frame;
@@ -19,7 +20,8 @@ mod tiff_palette;
 use decode::{Decoded, decode_bytes};
 pub use decode::{Pixels, Samples, decode, decode_file, spread};
 pub use density::Voxels;
-pub use encode::{EncodeError, Encoder, Encoding, Rows, encode};
+pub use dither::Dither;
+pub use encode::{EncodeError, Encoder, Encoding, Packing, Rows, encode};
 pub use format::Format;
 pub use frame::Frame;
 pub use picture::{Picture, Stored, kept_gray};

@@ -1,6 +1,7 @@
 //! PNG files (the specification's third edition, W3C 2025), row by row.
 
 use super::encode::{EncodeError, Encoded, Encoding};
+use crate::color::Gamma;
 use crate::math::fp;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
@@ -35,6 +36,15 @@ impl<W: Write> PngWriter<W> {
         let mut header = [side(width)?.to_be_bytes(), side(height)?.to_be_bytes()].concat();
         header.extend([encoding.depth, color, 0, 0, 0]);
         chunk(&mut out, b"IHDR", &header)?;
+        // What the numbers mean: 1/γ in hundred thousandths, and for the sRGB curve also that it is this one.
+        let (gamma, srgb) = match encoding.gamma {
+            Gamma::Power(gamma) => (100_000.0 / gamma, false),
+            Gamma::Srgb | Gamma::Raw => (45_455.0, true),
+        };
+        chunk(&mut out, b"gAMA", &(gamma.round() as u32).to_be_bytes())?;
+        if srgb {
+            chunk(&mut out, b"sRGB", &[0])?;
+        }
         let pixel = channels * usize::from(encoding.depth / 8);
         let stride = width * pixel;
         let packed = ZlibEncoder::new(Vec::with_capacity(2 * CHUNK), LEVEL);

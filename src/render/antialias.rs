@@ -1,57 +1,67 @@
-//! Adaptive anti-aliasing (manual, "Anti-Aliasing", sampling method 1): first every pixel gets one sample; then those
-//! that differ from a neighbour get more.
+//! Adaptive anti-aliasing (manual, "Anti-Aliasing Options"): a first pass takes one sample for each pixel, or one for each corner; the
+//! second one takes more where those differ.
 
+use super::corners::Corners;
 use super::grid::{Grid, Pixel};
+use super::random::Purpose;
 use super::trace::{Sample, Setup, Tracer};
-use super::{Options, Region, blur};
+use super::{Options, Region, Sampling, Spread, blur, net};
 use crate::camera::Lens;
 use crate::math::fp;
-
-/// A pixel that differs gets GRID² samples and keeps the one that it had.
-const GRID: usize = 3;
-/// Differences are judged after this (`Antialias_Gamma`).
-const GAMMA: f64 = 2.5;
 
 /// How the pixels of a picture come to be.
 pub(super) struct Method {
     kind: Kind,
+    sampling: Sampling,
+    difference: Difference,
     width: usize,
     height: usize,
-    alpha: bool,
 }
 
+#[derive(Clone, Copy)]
 enum Kind {
     /// One sample a pixel.
     Once,
     /// What is blurred needs no second pass.
     Blurred(Lens),
-    /// The least difference that does not count.
-    Adaptive(f64),
+    Adaptive(Spread),
 }
 
 impl Method {
     pub fn new(setup: &Setup, options: &Options) -> Self {
+        let sampling = options.sampling;
         // From 1 on no difference counts (measured on 3.7).
-        let threshold = options.antialias.filter(|threshold| *threshold < 1.0);
-        let kind = match (&setup.world.eye.lens, threshold) {
-            (Some(lens), _) => Kind::Blurred(lens.clone()),
-            (None, Some(threshold)) => Kind::Adaptive(threshold),
+        let threshold = options.antialias.filter(|threshold| *threshold < 1.0 || sampling.spread == Spread::Corners);
+        let kind = match (setup.world.eye.lens, threshold) {
+            (Some(lens), _) => Kind::Blurred(lens),
+            (None, Some(_)) => Kind::Adaptive(sampling.spread),
             (None, None) => Kind::Once,
         };
-        Self { kind, width: options.width, height: options.height, alpha: options.alpha }
+        let difference = Difference::new(threshold.unwrap_or(0.0), sampling.gamma, options.alpha);
+        Self { kind, sampling, difference, width: options.width, height: options.height }
     }
 
     /// What the first pass goes over, if there is one: also the pixels around a region, whose differences count too. So a region
     /// looks as it does in the whole picture.
     pub fn first_area(&self, region: Region) -> Option<Region> {
-        let Kind::Adaptive(_) = self.kind else { return None };
-        let (x, y) = (region.x.saturating_sub(1), region.y.saturating_sub(1));
-        let (right, bottom) = (region.x + region.width + 1, region.y + region.height + 1);
-        Some(Region { x, y, width: right.min(self.width) - x, height: bottom.min(self.height) - y })
+        match self.kind {
+            Kind::Once | Kind::Blurred(_) => None,
+            Kind::Adaptive(Spread::Corners) => {
+                Some(Region { width: region.width + 1, height: region.height + 1, ..region })
+            }
+            Kind::Adaptive(_) => {
+                let (x, y) = (region.x.saturating_sub(1), region.y.saturating_sub(1));
+                let (right, bottom) = (region.x + region.width + 1, region.y + region.height + 1);
+                Some(Region { x, y, width: right.min(self.width) - x, height: bottom.min(self.height) - y })
+            }
+        }
     }
 
-    /// A pixel of the first pass.
+    /// A pixel or corner of the first pass.
     pub fn first(&self, tracer: &mut Tracer, x: usize, y: usize) -> Pixel {
+        if let Kind::Adaptive(Spread::Corners) = self.kind {
+            return self.corners().sample(tracer, [x, y], [0, 0]);
+        }
         tracer.begin(self.number(x, y), 0);
         pixel(&tracer.see(x as f64 + 0.5, y as f64 + 0.5))
     }
@@ -61,33 +71,50 @@ impl Method {
         finished(match &self.kind {
             Kind::Once => self.first(tracer, x, y),
             Kind::Blurred(lens) => blur::pixel(tracer, lens, self.number(x, y), x, y),
-            Kind::Adaptive(threshold) if self.is_rough(seen, x, y, *threshold) => {
-                self.resample(tracer, x, y, seen.at(x, y))
-            }
-            Kind::Adaptive(_) => *seen.at(x, y),
+            Kind::Adaptive(Spread::Corners) => self.corners().pixel(tracer, seen, x, y),
+            Kind::Adaptive(spread) => match self.is_rough(seen, x, y, &BESIDE) {
+                true if *spread == Spread::Grid => self.resample(tracer, x, y, seen.at(x, y)),
+                true => self.net(tracer, seen, x, y, net::Start::Edge),
+                false if *spread == Spread::Net && self.is_rough(seen, x, y, &DIAGONAL) => {
+                    self.net(tracer, seen, x, y, net::Start::Corner)
+                }
+                false => *seen.at(x, y),
+            },
         })
     }
 
-    /// Does the pixel differ from one of those beside, above and below?
-    fn is_rough(&self, seen: &Grid, x: usize, y: usize, threshold: f64) -> bool {
-        let middle = seen.at(x, y);
-        let around = [(x.wrapping_sub(1), y), (x + 1, y), (x, y.wrapping_sub(1)), (x, y + 1)];
-        let mut others = around.iter().filter_map(|&(x, y)| seen.get(x, y));
-        others.any(|other| differ(middle, other, threshold, self.alpha))
+    fn corners(&self) -> Corners<'_> {
+        let Sampling { depth, jitter, .. } = self.sampling;
+        Corners { difference: &self.difference, depth, jitter, width: self.width }
     }
 
-    /// The mean of one sample in each cell of a grid, at a random place of it, and of the sample in the middle.
+    fn net(&self, tracer: &mut Tracer, seen: &Grid, x: usize, y: usize, start: net::Start) -> Pixel {
+        net::pixel(tracer, &self.difference, self.number(x, y), [x, y], seen.at(x, y), start)
+    }
+
+    /// Does the pixel differ from one of those around?
+    fn is_rough(&self, seen: &Grid, x: usize, y: usize, around: &[[isize; 2]; 4]) -> bool {
+        let middle = seen.at(x, y);
+        let place = |[right, down]: &[isize; 2]| (x.wrapping_add_signed(*right), y.wrapping_add_signed(*down));
+        let mut others = around.iter().map(place).filter_map(|(x, y)| seen.get(x, y));
+        others.any(|other| self.difference.counts(middle, other))
+    }
+
+    /// POV-Ray's first method: the mean of one sample in each cell of a grid, at a random place of it, and of the sample in the
+    /// middle.
     fn resample(&self, tracer: &mut Tracer, x: usize, y: usize, middle: &Pixel) -> Pixel {
+        let Sampling { depth, jitter, .. } = self.sampling;
         let mut sum = middle.map(f64::from);
-        for cell in 0..GRID * GRID {
-            tracer.begin(self.number(x, y), cell as u64 + 1);
-            let (column, row) = ((cell % GRID) as f64, (cell / GRID) as f64);
-            let dx = (column + tracer.random()) / GRID as f64;
-            let dy = (row + tracer.random()) / GRID as f64;
+        for cell in 0..depth * depth {
+            tracer.begin(self.number(x, y), u64::from(cell) + 1);
+            let random = tracer.random.row(Purpose::Place);
+            let off = |i| if jitter == 0.0 { 0.5 } else { 0.5 + (random.at(i) - 0.5) * jitter };
+            let dx = (f64::from(cell % depth) + off(0)) / f64::from(depth);
+            let dy = (f64::from(cell / depth) + off(1)) / f64::from(depth);
             let sample = pixel(&tracer.see(x as f64 + dx, y as f64 + dy));
             sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
         }
-        sum.map(|c| (c / (GRID * GRID + 1) as f64) as f32)
+        sum.map(|c| (c / f64::from(depth * depth + 1)) as f32)
     }
 
     /// A number for each pixel of the whole picture, whatever part of it is drawn.
@@ -96,21 +123,47 @@ impl Method {
     }
 }
 
-/// Is the sum of the channels' differences larger than the threshold, after the gamma?
-fn differ(a: &Pixel, b: &Pixel, threshold: f64, alpha: bool) -> bool {
-    let opacity = if alpha { f64::from((a[3] - b[3]).abs()) } else { 0.0 };
-    let pairs = [0, 1, 2].map(|c| (f64::from(a[c]).max(0.0), f64::from(b[c]).max(0.0)));
-    // The curve's slope falls: above 1/32 it is below 32^0.6/2.5 = 3.2, and most neighbours need no powers.
-    let steep: f64 =
-        pairs.iter().map(|(a, b)| if a.min(*b) >= 1.0 / 32.0 { 3.2 * (a - b).abs() } else { f64::INFINITY }).sum();
-    if steep + opacity <= threshold || (a == b && threshold >= 0.0) {
-        return false;
-    }
-    let curve = |x: f64| fp::pow(x, 1.0 / GAMMA);
-    pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity > threshold
+/// The neighbours that share an edge, and those that share a corner.
+const BESIDE: [[isize; 2]; 4] = [[-1, 0], [1, 0], [0, -1], [0, 1]];
+const DIAGONAL: [[isize; 2]; 4] = [[-1, -1], [1, -1], [-1, 1], [1, 1]];
+
+/// Which differences count.
+pub(super) struct Difference {
+    threshold: f64,
+    /// Differences are judged after this (`Antialias_Gamma`).
+    gamma: f64,
+    alpha: bool,
+    /// How steep that curve is at most from [`DARK`] on.
+    slope: f64,
 }
 
-fn pixel(sample: &Sample) -> Pixel {
+const DARK: f64 = 1.0 / 32.0;
+
+impl Difference {
+    fn new(threshold: f64, gamma: f64, alpha: bool) -> Self {
+        // The slope of x^(1/γ), which falls where γ is more than 1: most neighbours need no powers.
+        let slope = if gamma >= 1.0 { fp::pow(DARK, 1.0 / gamma - 1.0) / gamma } else { f64::INFINITY };
+        Self { threshold, gamma, alpha, slope }
+    }
+
+    /// Does the sum of the channels' differences reach the threshold, after the gamma?
+    pub fn counts(&self, a: &Pixel, b: &Pixel) -> bool {
+        let opacity = if self.alpha { f64::from((a[3] - b[3]).abs()) } else { 0.0 };
+        // A threshold of 0 lets all count (measured on POV-Ray 3.7).
+        if self.threshold <= 0.0 || a == b {
+            return self.threshold <= 0.0;
+        }
+        let pairs = [0, 1, 2].map(|c| (f64::from(a[c]).max(0.0), f64::from(b[c]).max(0.0)));
+        let steep = |(a, b): &(f64, f64)| if a.min(*b) >= DARK { self.slope * (a - b).abs() } else { f64::INFINITY };
+        if pairs.iter().map(steep).sum::<f64>() + opacity < self.threshold {
+            return false;
+        }
+        let curve = |x: f64| fp::pow(x, 1.0 / self.gamma);
+        pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity >= self.threshold
+    }
+}
+
+pub(super) fn pixel(sample: &Sample) -> Pixel {
     let Sample { rgb, passed } = sample;
     [rgb.x as f32, rgb.y as f32, rgb.z as f32, *passed as f32]
 }

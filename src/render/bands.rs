@@ -5,7 +5,7 @@ use super::antialias::Method;
 use super::grid::{Grid, Pixel};
 use super::trace::{Setup, Tracer};
 use super::workers::Workers;
-use super::{Cancelled, Rays, Region, Stopped};
+use super::{Cancelled, Rays, Region, Stopped, Tile};
 use crate::diagnostic;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -16,12 +16,6 @@ const TILE: usize = 16;
 const BAND: usize = 1 << 18;
 /// A pixel of a band takes so many bytes: in the tiles of both passes and twice in the rows of both.
 const BYTES: u128 = 6 * size_of::<Pixel>() as u128;
-
-/// A tile of one of the passes.
-enum Job {
-    First(Region),
-    Second(Region),
-}
 
 /// How many rows the bands of an area have.
 fn band_rows(area: Region) -> usize {
@@ -57,9 +51,9 @@ impl Drawing<'_> {
         while drawn < region.y + region.height {
             let first = area.map_or(0..0, |area| seen.bottom()..(seen.bottom() + rows).min(area.y + area.height));
             let second = drawn..self.ready_until(&seen, drawn, rows);
-            let jobs: Vec<Job> = tiles(&seen.area, first.clone())
-                .map(Job::First)
-                .chain(tiles(&region, second.clone()).map(Job::Second))
+            let jobs: Vec<Tile> = tiles(&seen.area, first.clone())
+                .map(|area| Tile { second: false, area })
+                .chain(tiles(&region, second.clone()).map(|area| Tile { second: true, area }))
                 .collect();
             let done_rows = std::mem::take(&mut ready);
             let hand_on = || if done_rows.is_empty() { Ok(()) } else { taker(done_rows) };
@@ -68,10 +62,7 @@ impl Drawing<'_> {
             let mut band = Grid::new(Region { height: 0, y: second.start, ..region });
             (seen.add(first.len()), band.add(second.len()));
             for (job, (pixels, cast)) in jobs.iter().zip(tiles?) {
-                match job {
-                    Job::First(tile) => seen.put(*tile, &pixels),
-                    Job::Second(tile) => band.put(*tile, &pixels),
-                }
+                if job.second { &mut band } else { &mut seen }.put(job.area, &pixels);
                 rays.add(&cast);
             }
             (drawn, ready) = (second.end, band.pixels);
@@ -91,23 +82,34 @@ impl Drawing<'_> {
         }
     }
 
-    fn tile(&self, job: &Job, seen: &Grid, done: &AtomicUsize) -> Result<(Vec<Pixel>, Rays), Cancelled> {
+    fn tile(&self, tile: &Tile, seen: &Grid, done: &AtomicUsize) -> Result<(Vec<Pixel>, Rays), Cancelled> {
         let watch = self.workers.watch;
-        let mut tracer = Tracer::new(self.setup, Some(watch));
-        let (Job::First(tile) | Job::Second(tile)) = job;
-        let mut pixels = Vec::with_capacity(tile.width * tile.height);
-        for y in tile.y..tile.y + tile.height {
-            let row = tile.x..tile.x + tile.width;
-            match job {
-                Job::First(_) => pixels.extend(row.map(|x| self.method.first(&mut tracer, x, y))),
-                Job::Second(_) => pixels.extend(row.map(|x| self.method.second(&mut tracer, seen, x, y))),
+        let (pixels, rays) = match watch.recall(*tile) {
+            Some(pixels) if pixels.len() == tile.area.width * tile.area.height => (pixels, Rays::default()),
+            _ => {
+                let drawn = self.trace(tile, seen)?;
+                watch.keep(*tile, &drawn.0);
+                drawn
+            }
+        };
+        let done = done.fetch_add(pixels.len(), Ordering::Relaxed) + pixels.len();
+        watch.progress(done, self.total());
+        Ok((pixels, rays))
+    }
+
+    fn trace(&self, Tile { second, area }: &Tile, seen: &Grid) -> Result<(Vec<Pixel>, Rays), Cancelled> {
+        let mut tracer = Tracer::new(self.setup, Some(self.workers.watch));
+        let mut pixels = Vec::with_capacity(area.width * area.height);
+        for y in area.y..area.y + area.height {
+            let row = area.x..area.x + area.width;
+            match second {
+                false => pixels.extend(row.map(|x| self.method.first(&mut tracer, x, y))),
+                true => pixels.extend(row.map(|x| self.method.second(&mut tracer, seen, x, y))),
             }
             if tracer.stopped() {
                 return Err(Cancelled);
             }
         }
-        let done = done.fetch_add(pixels.len(), Ordering::Relaxed) + pixels.len();
-        watch.progress(done, self.total());
         Ok((pixels, tracer.rays))
     }
 

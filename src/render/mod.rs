@@ -4,12 +4,15 @@ mod antialias;
 mod area;
 mod bands;
 mod blur;
+mod corners;
 mod dispersion;
 mod grid;
 mod mirror;
+mod net;
 mod output;
 mod pick;
 mod prepare;
+mod random;
 mod refract;
 mod shade;
 mod shading_point;
@@ -36,6 +39,8 @@ pub struct Options {
     pub height: usize,
     /// Threshold of adaptive anti-aliasing; `None` is off.
     pub antialias: Option<f64>,
+    /// How it is done.
+    pub sampling: Sampling,
     /// 0 to 11, as POV-Ray's `+Q`.
     pub quality: u8,
     /// 0: one for each processor.
@@ -51,8 +56,48 @@ pub struct Options {
 impl Options {
     /// A whole picture of this size at full quality on one thread, with one sample a pixel.
     pub fn new(width: usize, height: usize) -> Self {
-        Self { width, height, antialias: None, quality: 9, threads: 1, region: None, frame: 0, alpha: false }
+        Self {
+            width,
+            height,
+            antialias: None,
+            sampling: Sampling::default(),
+            quality: 9,
+            threads: 1,
+            region: None,
+            frame: 0,
+            alpha: false,
+        }
     }
+}
+
+/// How anti-aliasing is done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sampling {
+    /// Where samples lie.
+    pub spread: Spread,
+    /// How many rows and columns the grid has, 1 to 9; or how often pieces between corners are halved, and one more.
+    pub depth: u32,
+    /// How far samples are off their places at random: 0 to 1, of what is theirs.
+    pub jitter: f64,
+    /// Differences are judged after this gamma, which is above 0.
+    pub gamma: f64,
+}
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self { spread: Spread::Net, depth: 3, jitter: 1.0, gamma: 2.5 }
+    }
+}
+
+/// Where samples lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spread {
+    /// As evenly as possible; depth and jitter say nothing.
+    Net,
+    /// POV-Ray's first method.
+    Grid,
+    /// POV-Ray's second method.
+    Corners,
 }
 
 /// Pixels, counted from the top left.
@@ -68,12 +113,27 @@ pub struct Region {
     pub height: usize,
 }
 
+/// A part of the work; what becomes of it depends on nothing but the World and the options.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tile {
+    /// Of the second pass?
+    pub second: bool,
+    /// Where it is in the picture.
+    pub area: Region,
+}
+
 /// Whoever waits for the picture.
 pub trait Watch: Sync {
     /// So many pixels of the total are done (with anti-aliasing, both passes count).
     fn progress(&self, done: usize, total: usize);
     /// Should the work stop?
     fn cancelled(&self) -> bool;
+    /// The pixels of a tile, row by row, if it was drawn before.
+    fn recall(&self, _: Tile) -> Option<Vec<[f32; 4]>> {
+        None
+    }
+    /// A tile is drawn.
+    fn keep(&self, _: Tile, _: &[[f32; 4]]) {}
 }
 
 /// Nobody watches.
