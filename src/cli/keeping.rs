@@ -6,15 +6,15 @@ use super::journal::{Journal, Work, beside};
 use super::session;
 use crate::interpreter::Timing;
 use crate::render;
-use crate::source;
 use std::path::Path;
 use std::time::Duration;
 
-/// This program: its version, and its very file, since versions in the making have one number.
+/// This program: its version, and the size and age of its file, since versions in the making have one number.
 pub fn program() -> String {
-    let file = std::env::current_exe().and_then(std::fs::read);
-    let print = file.map_or(0, |bytes| source::fingerprint(&bytes));
-    format!("{} {print:016x}", env!("CARGO_PKG_VERSION"))
+    let file = std::env::current_exe().and_then(std::fs::metadata);
+    let made = |file: &std::fs::Metadata| file.modified().ok()?.duration_since(std::time::UNIX_EPOCH).ok();
+    let file = file.map_or(String::new(), |file| format!("{} {:?}", file.len(), made(&file).unwrap_or_default()));
+    format!("{} {file}", env!("CARGO_PKG_VERSION"))
 }
 
 /// All options that change a pixel, and the moment.

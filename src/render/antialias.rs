@@ -1,9 +1,9 @@
 //! Adaptive anti-aliasing (manual, "Anti-Aliasing Options"): a first pass takes one sample for each pixel, or one for each corner; the
 //! second one takes more where those differ.
 
+use super::blocks::{BLOCK, Blocks};
 use super::corners::Corners;
 use super::grid::{Grid, Pixel};
-use super::random::Purpose;
 use super::trace::{Sample, Setup, Tracer};
 use super::{Options, Region, Sampling, Spread, blur, net};
 use crate::camera::Lens;
@@ -46,10 +46,11 @@ impl Method {
     pub fn first_area(&self, region: Region) -> Option<Region> {
         match self.kind {
             Kind::Once | Kind::Blurred(_) => None,
+            Kind::Adaptive(Spread::Grid) => Some(self.blocks().first_area(region)),
             Kind::Adaptive(Spread::Corners) => {
                 Some(Region { width: region.width + 1, height: region.height + 1, ..region })
             }
-            Kind::Adaptive(_) => {
+            Kind::Adaptive(Spread::Net) => {
                 let (x, y) = (region.x.saturating_sub(1), region.y.saturating_sub(1));
                 let (right, bottom) = (region.x + region.width + 1, region.y + region.height + 1);
                 Some(Region { x, y, width: right.min(self.width) - x, height: bottom.min(self.height) - y })
@@ -59,28 +60,52 @@ impl Method {
 
     /// A pixel or corner of the first pass.
     pub fn first(&self, tracer: &mut Tracer, x: usize, y: usize) -> Pixel {
-        if let Kind::Adaptive(Spread::Corners) = self.kind {
-            return self.corners().sample(tracer, [x, y], [0, 0]);
+        match self.kind {
+            Kind::Adaptive(Spread::Corners) => return self.corners().sample(tracer, [x, y], [0, 0]),
+            Kind::Adaptive(Spread::Grid) => return self.blocks().first(tracer, x, y),
+            _ => {}
         }
         tracer.begin(self.number(x, y), 0);
         pixel(&tracer.see(x as f64 + 0.5, y as f64 + 0.5))
     }
 
+    /// Tiles of the second pass begin at multiples of this; and the first pass must know all that lies in a tile's rows down to one.
+    pub fn tile_edge(&self) -> Option<usize> {
+        matches!(self.kind, Kind::Adaptive(Spread::Grid)).then_some(BLOCK)
+    }
+
+    /// Some pixels of the picture, row by row, from what the first pass saw there and around them.
+    pub fn tile(&self, tracer: &mut Tracer, seen: &Grid, area: Region) -> Vec<Pixel> {
+        if let Kind::Adaptive(Spread::Grid) = self.kind {
+            return self.blocks().tile(tracer, seen, area).into_iter().map(finished).collect();
+        }
+        let mut pixels = Vec::with_capacity(area.width * area.height);
+        for y in area.y..area.y + area.height {
+            pixels.extend((area.x..area.x + area.width).map(|x| self.second(tracer, seen, x, y)));
+            if tracer.stopped() {
+                break;
+            }
+        }
+        pixels
+    }
+
     /// A pixel of the picture, from what the first pass saw there and around it.
-    pub fn second(&self, tracer: &mut Tracer, seen: &Grid, x: usize, y: usize) -> Pixel {
+    fn second(&self, tracer: &mut Tracer, seen: &Grid, x: usize, y: usize) -> Pixel {
         finished(match &self.kind {
             Kind::Once => self.first(tracer, x, y),
             Kind::Blurred(lens) => blur::pixel(tracer, lens, self.number(x, y), x, y),
             Kind::Adaptive(Spread::Corners) => self.corners().pixel(tracer, seen, x, y),
-            Kind::Adaptive(spread) => match self.is_rough(seen, x, y, &BESIDE) {
-                true if *spread == Spread::Grid => self.resample(tracer, x, y, seen.at(x, y)),
+            Kind::Adaptive(_) => match self.is_rough(seen, x, y, &BESIDE) {
                 true => self.net(tracer, seen, x, y, net::Start::Edge),
-                false if *spread == Spread::Net && self.is_rough(seen, x, y, &DIAGONAL) => {
-                    self.net(tracer, seen, x, y, net::Start::Corner)
-                }
+                false if self.is_rough(seen, x, y, &DIAGONAL) => self.net(tracer, seen, x, y, net::Start::Corner),
                 false => *seen.at(x, y),
             },
         })
+    }
+
+    fn blocks(&self) -> Blocks<'_> {
+        let Sampling { depth, jitter, .. } = self.sampling;
+        Blocks { difference: &self.difference, depth, jitter, size: [self.width, self.height] }
     }
 
     fn corners(&self) -> Corners<'_> {
@@ -98,23 +123,6 @@ impl Method {
         let place = |[right, down]: &[isize; 2]| (x.wrapping_add_signed(*right), y.wrapping_add_signed(*down));
         let mut others = around.iter().map(place).filter_map(|(x, y)| seen.get(x, y));
         others.any(|other| self.difference.counts(middle, other))
-    }
-
-    /// POV-Ray's first method: the mean of one sample in each cell of a grid, at a random place of it, and of the sample in the
-    /// middle.
-    fn resample(&self, tracer: &mut Tracer, x: usize, y: usize, middle: &Pixel) -> Pixel {
-        let Sampling { depth, jitter, .. } = self.sampling;
-        let mut sum = middle.map(f64::from);
-        for cell in 0..depth * depth {
-            tracer.begin(self.number(x, y), u64::from(cell) + 1);
-            let random = tracer.random.row(Purpose::Place);
-            let off = |i| if jitter == 0.0 { 0.5 } else { 0.5 + (random.at(i) - 0.5) * jitter };
-            let dx = (f64::from(cell % depth) + off(0)) / f64::from(depth);
-            let dy = (f64::from(cell / depth) + off(1)) / f64::from(depth);
-            let sample = pixel(&tracer.see(x as f64 + dx, y as f64 + dy));
-            sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
-        }
-        sum.map(|c| (c / f64::from(depth * depth + 1)) as f32)
     }
 
     /// A number for each pixel of the whole picture, whatever part of it is drawn.

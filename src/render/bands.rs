@@ -51,9 +51,12 @@ impl Drawing<'_> {
         while drawn < region.y + region.height {
             let first = area.map_or(0..0, |area| seen.bottom()..(seen.bottom() + rows).min(area.y + area.height));
             let second = drawn..self.ready_until(&seen, drawn, rows);
-            let jobs: Vec<Tile> = tiles(&seen.area, first.clone())
+            let jobs: Vec<Tile> = tiles(&seen.area, first.clone(), TILE)
                 .map(|area| Tile { second: false, area })
-                .chain(tiles(&region, second.clone()).map(|area| Tile { second: true, area }))
+                .chain(
+                    tiles(&region, second.clone(), self.method.tile_edge().unwrap_or(TILE))
+                        .map(|area| Tile { second: true, area }),
+                )
                 .collect();
             let done_rows = std::mem::take(&mut ready);
             let hand_on = || if done_rows.is_empty() { Ok(()) } else { taker(done_rows) };
@@ -78,7 +81,10 @@ impl Drawing<'_> {
         match self.method.first_area(self.region) {
             None => (drawn + rows).min(end),
             Some(area) if seen.bottom() == area.y + area.height => end,
-            Some(_) => seen.bottom().saturating_sub(1).clamp(drawn, end),
+            Some(_) => {
+                let edge = self.method.tile_edge().unwrap_or(1);
+                (seen.bottom().saturating_sub(1) / edge * edge).clamp(drawn, end)
+            }
         }
     }
 
@@ -99,18 +105,22 @@ impl Drawing<'_> {
 
     fn trace(&self, Tile { second, area }: &Tile, seen: &Grid) -> Result<(Vec<Pixel>, Rays), Cancelled> {
         let mut tracer = Tracer::new(self.setup, Some(self.workers.watch));
+        let pixels = match second {
+            true => self.method.tile(&mut tracer, seen, *area),
+            false => self.first_tile(&mut tracer, area),
+        };
+        if tracer.stopped() { Err(Cancelled) } else { Ok((pixels, tracer.rays)) }
+    }
+
+    fn first_tile(&self, tracer: &mut Tracer, area: &Region) -> Vec<Pixel> {
         let mut pixels = Vec::with_capacity(area.width * area.height);
         for y in area.y..area.y + area.height {
-            let row = area.x..area.x + area.width;
-            match second {
-                false => pixels.extend(row.map(|x| self.method.first(&mut tracer, x, y))),
-                true => pixels.extend(row.map(|x| self.method.second(&mut tracer, seen, x, y))),
-            }
+            pixels.extend((area.x..area.x + area.width).map(|x| self.method.first(tracer, x, y)));
             if tracer.stopped() {
-                return Err(Cancelled);
+                break;
             }
         }
-        Ok((pixels, tracer.rays))
+        pixels
     }
 
     /// How many pixels both passes have.
@@ -120,13 +130,16 @@ impl Drawing<'_> {
     }
 }
 
-/// Some rows of an area in tiles.
-fn tiles(area: &Region, rows: Range<usize>) -> impl Iterator<Item = Region> {
-    let Region { x, width, .. } = *area;
-    let end = rows.end;
-    rows.step_by(TILE).flat_map(move |y| {
-        let tile = move |at: usize| Region { x: x + at, y, width: TILE.min(width - at), height: TILE.min(end - y) };
-        (0..width).step_by(TILE).map(tile)
+/// Some rows of an area in tiles, which begin at multiples of an edge.
+fn tiles(area: &Region, rows: Range<usize>, edge: usize) -> impl Iterator<Item = Region> + use<> {
+    let cuts = move |range: Range<usize>| {
+        let starts = (range.start / edge * edge..range.end).step_by(edge);
+        starts.map(move |start| start.max(range.start)..(start + edge).min(range.end))
+    };
+    let columns = area.x..area.x + area.width;
+    cuts(rows).flat_map(move |rows| {
+        let tile = move |x: Range<usize>| Region { x: x.start, y: rows.start, width: x.len(), height: rows.len() };
+        cuts(columns.clone()).map(tile)
     })
 }
 
@@ -146,7 +159,7 @@ mod tests {
         let area = Region { x: 3, y: 5, width: 40, height: 100 };
         let mut seen = Grid::new(Region { height: 0, y: 10, ..area });
         seen.add(37);
-        for tile in tiles(&area, 10..47) {
+        for tile in tiles(&area, 10..47, 16) {
             for y in tile.y..tile.y + tile.height {
                 for x in tile.x..tile.x + tile.width {
                     let count = seen.at(x, y)[0] + 1.0;

@@ -3,6 +3,7 @@
 mod antialias;
 mod area;
 mod bands;
+mod blocks;
 mod blur;
 mod corners;
 mod dispersion;

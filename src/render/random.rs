@@ -86,7 +86,7 @@ mod tests {
         let draw = |grains: usize| {
             let mut random = Random::new(3);
             random.begin(5, 7);
-            (0..grains).for_each(|_| drop(random.next(Purpose::Grain)));
+            (0..grains).for_each(|_| assert!(random.next(Purpose::Grain) < 1.0));
             let first = random.next(Purpose::AreaLight);
             random.next_vertex();
             [first, random.next(Purpose::AreaLight), random.next(Purpose::Grain)]
