@@ -63,7 +63,8 @@ impl Drawing<'_> {
             let (tiles, handed) = self.workers.map(&jobs, |job| self.tile(job, &seen, &done), hand_on);
             handed?;
             let mut band = Grid::new(Region { height: 0, y: second.start, ..region });
-            (seen.add(first.len()), band.add(second.len()));
+            seen.add(first.len());
+            band.add(second.len());
             for (job, (pixels, cast)) in jobs.iter().zip(tiles?) {
                 if job.second { &mut band } else { &mut seen }.put(job.area, &pixels);
                 rays.add(&cast);
