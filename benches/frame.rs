@@ -51,6 +51,7 @@ fn frames(c: &mut Criterion) {
         width,
         height,
         antialias,
+        sampling: Default::default(),
         quality: 9,
         threads: 0,
         region: None,

@@ -72,6 +72,7 @@ pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
 /// # Errors
 /// E0001 or E0003: too long, or no text.
 pub fn load_bytes(sources: &Sources, name: &str, bytes: Vec<u8>) -> Result<FileId> {
+    source::note(Path::new(name), &bytes);
     match source::text_of(bytes) {
         Ok(text) => add(sources, name, None, text),
         Err(error) => Err(refuse(sources, Path::new(name), &error)),

@@ -186,7 +186,7 @@ fn pov_rays_command_line() {
     let place = Place::new();
     place.exits(0, "+Iball.scene +W8 +H6 -D -P +Ofoo.ppm +FP -GA");
     assert!(place.read("foo.ppm").starts_with(b"P6\n8 6\n"));
-    let (_, err) = place.exits(0, "ball.scene +W8 +H6 +R3");
+    let (_, err) = place.exits(0, "ball.scene +W8 +H6 +UF");
     assert!(err.contains("W0012"), "{err}");
     let (_, err) = place.exits(2, "ball.scene Widht=8");
     assert!(err.contains("did you mean `Width=8`?"), "{err}");

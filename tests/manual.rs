@@ -355,15 +355,26 @@ fn options(folder: &Path) -> Options {
 
 fn drawing(width: usize, height: usize) -> render::Options {
     let antialias = Some(0.1);
-    render::Options { width, height, antialias, quality: 9, threads: 1, region: None, frame: 0, alpha: false }
+    render::Options {
+        width,
+        height,
+        antialias,
+        sampling: render::Sampling::default(),
+        quality: 9,
+        threads: 1,
+        region: None,
+        frame: 0,
+        alpha: false,
+    }
 }
 
 /// What there is to say of a scene's picture.
 fn of_picture(world: &durer::world::World) -> Result<Vec<Diagnostic>, Failed> {
     let drawing = drawing(160, 120);
     let (frame, _) = render::render(world, &drawing, &render::Unwatched).map_err(|e| format!("{e:?}"))?;
-    let circumstances = durer::advice::Circumstances { one_of_many: false, incomplete: false };
-    Ok(durer::advice::of_picture(world, &drawing, &frame, circumstances))
+    let black = frame.rgba8().iter().all(|[r, g, b, _]| *r == 0 && *g == 0 && *b == 0);
+    let circumstances = durer::advice::Circumstances { one_of_many: false, incomplete: false, black };
+    Ok(durer::advice::of_picture(world, &drawing, circumstances))
 }
 
 /// A picture is as it is stored, and stored when the manual is updated.

@@ -2,18 +2,14 @@
 
 use super::{named, unseen};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::image_io::Frame;
 use crate::math::DVec3;
 use crate::render;
 use crate::source::Span;
 use crate::world::{LayerColor, World};
 
-/// Linear light that an 8-bit file stores as 0.
-const BLACK: f32 = 1.5e-4;
-
-pub(super) fn of_picture(world: &World, options: &render::Options, frame: &Frame) -> Option<Diagnostic> {
-    let is_black = |pixel: &[f32; 4]| pixel[..3].iter().all(|c| *c <= BLACK);
-    if world.geometry.items().is_empty() || !frame.pixels.iter().all(is_black) {
+/// Of one that is.
+pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
+    if world.geometry.items().is_empty() {
         return None;
     }
     let (at, reason, help) = reason(world, options);

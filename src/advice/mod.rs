@@ -11,7 +11,6 @@ mod overlap;
 mod unseen;
 
 use crate::diagnostic::{Diagnostic, codes};
-use crate::image_io::Frame;
 use crate::render;
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
@@ -53,15 +52,12 @@ pub struct Circumstances {
     pub one_of_many: bool,
     /// Is something left out that the scene says? Then nobody knows what would be seen.
     pub incomplete: bool,
+    /// Is it black all over?
+    pub black: bool,
 }
 
 /// What is to be said of a picture that is drawn.
-pub fn of_picture(
-    world: &World,
-    options: &render::Options,
-    frame: &Frame,
-    circumstances: Circumstances,
-) -> Vec<Diagnostic> {
+pub fn of_picture(world: &World, options: &render::Options, circumstances: Circumstances) -> Vec<Diagnostic> {
     let mut out = vec![];
     if options.width.min(options.height) < TINY {
         return out;
@@ -75,7 +71,10 @@ pub fn of_picture(
     }
     out.extend(overlap::of_picture(world, options));
     if !circumstances.incomplete && !circumstances.one_of_many {
-        out.extend(unseen::of_picture(world, options).or_else(|| dark::of_picture(world, options, frame)));
+        out.extend(
+            unseen::of_picture(world, options)
+                .or_else(|| circumstances.black.then(|| dark::of_picture(world, options)).flatten()),
+        );
     }
     out
 }

@@ -1,8 +1,12 @@
 //! The options of the command line. Every option that is taken is obeyed.
 
 use super::animation::Animation;
-pub use super::choices::{CheckFormat, Deny, DrawingWarn, Dump, Library, MessageFormat, Warn, When};
-use super::values::{Antialias, Bytes, Clock, Declare, Frames, Part, Pixel, Seconds, Size, Stats, Version};
+pub use super::choices::{
+    AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, ExrPacking, Library, MessageFormat, Warn, When,
+};
+use super::values::{
+    Antialias, Bytes, Clock, Declare, FileGamma, Frames, Gamma, Part, Pixel, Seconds, Share, Size, Stats, Version,
+};
 use crate::image_io::Format;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -124,6 +128,18 @@ pub struct LookArgs {
     /// Smooth edges where neighbours differ by more than this, or `off` [default: 0.3]
     #[arg(help_heading = PICTURE, long, value_name = "THRESHOLD")]
     pub aa: Option<Antialias>,
+    /// Where the samples of smooth edges lie [default: net]
+    #[arg(help_heading = PICTURE, long, value_name = "METHOD")]
+    pub aa_method: Option<AaMethod>,
+    /// Rows and columns of `grid`, or depth of `corners` [default: 3]
+    #[arg(help_heading = PICTURE, long, value_name = "1..9", value_parser = clap::value_parser!(u8).range(1..=9))]
+    pub aa_depth: Option<u8>,
+    /// How far samples of `grid` and `corners` are off their places at random, from 0 to 1 [default: 1]
+    #[arg(help_heading = PICTURE, long, value_name = "AMOUNT")]
+    pub aa_jitter: Option<Share>,
+    /// Judge differences of neighbours after this gamma [default: 2.5]
+    #[arg(help_heading = PICTURE, long, value_name = "GAMMA")]
+    pub aa_gamma: Option<Gamma>,
     /// How much is drawn, from 0 (quick colours) to 11 (everything) [default: 9]
     #[arg(help_heading = PICTURE, long, value_name = "0..11", value_parser = clap::value_parser!(u8).range(0..=11))]
     pub quality: Option<u8>,
@@ -156,9 +172,24 @@ pub struct RenderArgs {
     /// The picture's format [default: by the output's ending; png for standard output]
     #[arg(help_heading = PICTURE, long, value_name = "FORMAT", value_parser = format_parser())]
     pub format: Option<String>,
-    /// Bits for each channel: 8 or 16 [default: 8]
-    #[arg(help_heading = PICTURE, long, value_name = "8|16", value_parser = clap::builder::PossibleValuesParser::new(["8", "16"]))]
+    /// Bits for each channel [default: 8; 32 for exr]
+    #[arg(help_heading = PICTURE, long, value_name = "8|16|32", value_parser = clap::builder::PossibleValuesParser::new(["8", "16", "32"]))]
     pub bit_depth: Option<String>,
+    /// The curve that the numbers of png, jpg, ppm, bmp, tga and tiff follow: a gamma, or `srgb` [default: srgb]
+    #[arg(help_heading = PICTURE, long, value_name = "GAMMA|srgb")]
+    pub file_gamma: Option<FileGamma>,
+    /// Round neighbours up and down in turn, so that more shades are seen than the file has
+    #[arg(help_heading = PICTURE, long, value_name = "METHOD")]
+    pub dither: Option<DitherMethod>,
+    /// How exr is packed [default: rle]
+    #[arg(help_heading = PICTURE, long, value_name = "HOW")]
+    pub exr_packing: Option<ExrPacking>,
+    /// Go on where a picture or an animation was left unfinished
+    #[arg(help_heading = PICTURE, long)]
+    pub resume: bool,
+    /// Keep what is drawn from so many seconds on; for tests.
+    #[arg(long, hide = true, value_name = "SECONDS", default_value = "1")]
+    pub keep_after: Seconds,
     /// Draw, but write no picture
     #[arg(help_heading = PICTURE, long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,

@@ -13,6 +13,45 @@ pub enum When {
     Never,
 }
 
+/// Where the samples of anti-aliasing lie.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AaMethod {
+    /// 4 as evenly as possible, and 12 more where those differ
+    Net,
+    /// In the cells of a grid: POV-Ray's first method
+    Grid,
+    /// Between corners, again and again: POV-Ray's second method
+    Corners,
+}
+
+/// How numbers are rounded.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DitherMethod {
+    /// By a pattern of 2 x 2 pixels
+    B2,
+    /// By a pattern of 3 x 3 pixels
+    B3,
+    /// By a pattern of 4 x 4 pixels
+    B4,
+    /// The error goes to the next pixel
+    D1,
+    /// The error goes to the next pixel and to two below
+    D2,
+    /// The error goes to the next pixel and to three below (Floyd and Steinberg)
+    Fs,
+}
+
+/// How exr is packed.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExrPacking {
+    /// Not at all
+    None,
+    /// Run lengths: fast
+    Rle,
+    /// Deflate: small
+    Zip,
+}
+
 /// Where standard include files come from.
 #[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Library {

@@ -2,25 +2,28 @@
 
 use super::values::Size;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::render::Region;
+use crate::render::{self, Region};
 use crate::source::Span;
 
-/// Bytes a pixel takes while it is drawn: in its tile, in the picture of all tiles, and in the frame. (Measured with
-/// `/usr/bin/time -v` on pictures of 3 to 48 million pixels, as is the next.)
-const ONCE: u128 = 49;
-/// The same with anti-aliasing, which keeps the picture of the first pass.
-const TWICE: u128 = 57;
-/// A pixel that is not drawn (`--region`) takes room in the file alone.
-const UNDRAWN: u128 = 4;
+/// So many pixels at most, which take years.
+const MOST: u128 = 1 << 36;
 
-/// E0006 if a picture of this size, or a part of it, has no room in what `--max-memory` allows, or in what is free.
-pub fn check_drawing(size: Size, part: Option<Region>, antialias: bool, limit: Option<u64>) -> Result<()> {
-    let pixels = |width: usize, height: usize| (width as u128).saturating_mul(height as u128);
-    let whole = pixels(size.width, size.height);
-    let drawn = part.map_or(whole, |part| pixels(part.width, part.height).min(whole));
-    let needed = drawn
-        .saturating_mul(if antialias { TWICE } else { ONCE })
-        .saturating_add((whole - drawn).saturating_mul(UNDRAWN));
+/// E0006 if nobody could wait for a picture of this size.
+pub fn check_size(size: Size) -> Result<()> {
+    if size.width as u128 * size.height as u128 <= MOST {
+        return Ok(());
+    }
+    let text = format!("a picture of {}x{} is too large: {MOST} pixels are the most", size.width, size.height);
+    Diagnostic::new(codes::PICTURE_TOO_LARGE, Span::NONE, text).help("draw it smaller with `--size`").into()
+}
+
+/// E0006 if a picture of this size, or a part of it, has no room in what `--max-memory` allows, or in what is free; `kept` bytes a
+/// pixel stay until the file is finished.
+pub fn check_drawing(size: Size, part: Option<Region>, kept: usize, limit: Option<u64>) -> Result<()> {
+    check_size(size)?;
+    let Size { width, height } = size;
+    let drawn = part.unwrap_or(Region { x: 0, y: 0, width, height });
+    let needed = (width as u128 * height as u128 * kept as u128).saturating_add(render::room(drawn));
     let fault = |rest: String| {
         let text = format!("a picture of {}x{} takes {} of memory; {rest}", size.width, size.height, in_words(needed));
         let help = "draw it smaller with `--size`, or a part of it with `--region`";
@@ -87,21 +90,18 @@ mod tests {
 
     #[test]
     fn what_is_too_large_is_refused() {
-        assert!(check_drawing(Size { width: 640, height: 480 }, None, true, None).is_ok());
-        assert!(check_drawing(Size { width: 640, height: 480 }, None, true, Some(1000)).is_err());
-        assert!(check_drawing(Size { width: 1_000_000, height: 1_000_000 }, None, true, None).is_err());
-        assert!(check_drawing(Size { width: usize::MAX, height: usize::MAX }, None, true, None).is_err());
-        assert!(check_drawing(Size { width: usize::MAX, height: usize::MAX }, None, true, Some(u64::MAX)).is_err());
+        let fits = |width, height, kept, limit| check_drawing(Size { width, height }, None, kept, limit).is_ok();
+        assert!(fits(640, 480, 0, None) && !fits(640, 480, 0, Some(1000)));
+        assert!(!fits(100_000, 100_000, 16, Some(100_000_000_000)));
+        assert!(!fits(1_000_000, 1_000_000, 0, None));
+        assert!(!fits(usize::MAX, usize::MAX, 16, None) && !fits(usize::MAX, usize::MAX, 0, Some(u64::MAX)));
     }
 
     #[test]
-    fn less_is_needed_for_a_part_and_without_anti_aliasing() {
-        let size = Size { width: 1000, height: 1000 };
-        let half = Some(Region { x: 0, y: 0, width: 1000, height: 500 });
-        let fits = |part, antialias, limit| check_drawing(size, part, antialias, Some(limit)).is_ok();
-        assert!(fits(None, true, 57_000_000) && !fits(None, true, 56_999_999));
-        assert!(fits(None, false, 49_000_000) && !fits(None, false, 48_999_999));
-        assert!(fits(half, false, 26_500_000) && !fits(half, false, 26_499_999));
+    fn rows_that_are_stored_at_once_take_no_room() {
+        let size = Size { width: 8000, height: 8000 };
+        let fits = |kept, limit| check_drawing(size, None, kept, Some(limit)).is_ok();
+        assert!(fits(0, 40 << 20) && !fits(16, 1_000_000_000) && fits(16, 1_100_000_000));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 mod animation;
 mod args;
+mod canvas;
 mod check;
 mod choices;
 mod completions;
@@ -9,8 +10,11 @@ mod console;
 mod dump;
 mod exit;
 mod explain;
+mod film;
 mod inputs;
 mod interrupt;
+mod journal;
+mod keeping;
 pub mod manual;
 mod memory;
 mod overlay;

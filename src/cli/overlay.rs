@@ -97,9 +97,14 @@ impl RenderArgs {
             inputs: ini.inputs,
             input: ini.input,
             exact_name: self.output.is_some(),
+            resume: self.resume || ini.resume,
+            keep_after: self.keep_after,
             no_output: self.no_output || ini.no_output && self.output.is_none(),
             format: self.format.clone().or(if self.output.is_some() { None } else { ini.format }),
             bit_depth: self.bit_depth.clone().or(ini.bit_depth),
+            file_gamma: self.file_gamma.or(ini.file_gamma),
+            dither: self.dither.or(ini.dither),
+            exr_packing: self.exr_packing.or(ini.exr_packing),
             output: self.output.clone().or(ini.output),
             scene: self.scene.over(ini.scene),
             look: self.look.over(&ini.look),
@@ -116,7 +121,15 @@ impl RenderArgs {
 
 impl LookArgs {
     fn over(&self, ini: &LookArgs) -> LookArgs {
-        LookArgs { aa: self.aa.or(ini.aa), quality: self.quality.or(ini.quality), alpha: self.alpha || ini.alpha }
+        LookArgs {
+            aa: self.aa.or(ini.aa),
+            aa_method: self.aa_method.or(ini.aa_method),
+            aa_depth: self.aa_depth.or(ini.aa_depth),
+            aa_jitter: self.aa_jitter.or(ini.aa_jitter),
+            aa_gamma: self.aa_gamma.or(ini.aa_gamma),
+            quality: self.quality.or(ini.quality),
+            alpha: self.alpha || ini.alpha,
+        }
     }
 }
 

@@ -2,26 +2,29 @@
 
 use super::animation::Animation;
 use super::args::{Dump, RenderArgs, When};
+use super::canvas::Noted;
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
+use super::film::Film;
 use super::inputs::Inputs;
 use super::interrupt::{self, Orderly};
+use super::journal::{Journal, Work};
 use super::progress::Progress;
 use super::stats::{self, Report};
 use super::target::{Target, is_folder};
 use super::values::Stats;
 use super::watch::Watcher;
-use super::{dump, memory, overlay, povray, session, summary};
+use super::{dump, keeping, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
-use crate::image_io::{Format, Frame};
+use crate::image_io::Format;
 use crate::interpreter::{ParsedFiles, Timing};
-use crate::render::{self, Region};
-use crate::source::{FileId, Sources, Span};
+use crate::render::{self, Rays, Region};
+use crate::source::{self, FileId, Sources, Span};
 use crate::world::World;
 use crate::{Built, Keep, advice};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Draws each scene: one picture, or one for each frame.
 pub fn run(console: &Console, args: &RenderArgs) -> Result {
@@ -83,17 +86,19 @@ fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, reports: &mut 
     session::check_input(&args.input)?;
     if args.dump.is_none() {
         check_region(&args)?;
-        check_memory(&args)?;
     }
     settle_frames(&mut args)?;
-    let target = Target::new(&args)?;
+    let target = check_target(&args)?;
     check_stdout(&args, &target)?;
     let mut job = Job::new(&console, &args, reports)?;
     let exit = match &args.scene.animation {
         Some(animation) if args.scene.frame.is_none() => {
+            let film = target.file().filter(|_| args.dump.is_none()).map(|path| Film::new(path, args.resume));
             for frame in animation.frames() {
-                job.draw(&target.numbered(frame, animation.digits), animation.timing(frame))?;
+                let target = target.numbered(frame, animation.digits);
+                job.draw_frame(film.as_ref(), &target, animation.timing(frame))?;
             }
+            film.iter().for_each(Film::remove);
             Exit::Fine
         }
         animation => {
@@ -165,11 +170,17 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
     Diagnostic::err(codes::OUTSIDE_PICTURE, Span::NONE, text)
 }
 
-/// Is there room for the picture?
-fn check_memory(args: &RenderArgs) -> crate::diagnostic::Result<()> {
-    let antialias = drawing_options(args, Timing::default()).antialias.is_some_and(|threshold| threshold < 1.0);
-    let limit = args.scene.max_memory.map(|bytes| bytes.0);
-    memory::check_drawing(args.scene.size(), args.region.map(|part| part.0), antialias, limit)
+/// Where the pictures go, and whether there is room for them on the way.
+fn check_target(args: &RenderArgs) -> Result<Target> {
+    if args.dump.is_none() {
+        memory::check_size(args.scene.size())?;
+    }
+    let target = Target::new(args)?;
+    if args.dump.is_none() {
+        let limit = args.scene.max_memory.map(|bytes| bytes.0);
+        memory::check_drawing(args.scene.size(), args.region.map(|part| part.0), target.kept(), limit)?;
+    }
+    Ok(target)
 }
 
 fn drawing_options(args: &RenderArgs, timing: Timing) -> render::Options {
@@ -192,6 +203,16 @@ struct Job<'a> {
     start: Instant,
     /// Warnings of earlier frames, which are not told again.
     told: Vec<Diagnostic>,
+    /// This very one, for those who go on with its work.
+    program: String,
+}
+
+/// A picture in its file.
+struct Drawn {
+    rays: Rays,
+    black: bool,
+    /// For drawing, and for storing.
+    times: [Duration; 2],
 }
 
 impl<'a> Job<'a> {
@@ -199,7 +220,8 @@ impl<'a> Job<'a> {
         let (sources, start) = (Sources::default(), Instant::now());
         let file = session::open_or_tell(console, &sources, &args.input)?;
         let parsed = ParsedFiles::default();
-        Ok(Self { console, args, sources, parsed, file, reports, written: vec![], start, told: vec![] })
+        let program = keeping::program();
+        Ok(Self { console, args, sources, parsed, file, reports, written: vec![], start, told: vec![], program })
     }
 
     /// What was written, in a few words.
@@ -224,16 +246,58 @@ impl<'a> Job<'a> {
     }
 
     /// What there is to say of the picture.
-    fn advise(&mut self, world: &World, frame: &Frame, timing: Timing, incomplete: bool) {
+    fn advise(&mut self, world: &World, timing: Timing, circumstances: advice::Circumstances) {
         if self.console.quiet {
             return;
         }
-        let one_of_many = self.args.frames.is_some() || self.args.scene.animation.is_some();
-        let circumstances = advice::Circumstances { one_of_many, incomplete };
-        let mut advice = advice::of_picture(world, &drawing_options(self.args, timing), frame, circumstances);
+        let mut advice = advice::of_picture(world, &drawing_options(self.args, timing), circumstances);
         advice.retain(|d| !self.told.contains(d));
         self.console.report(&self.sources, &advice);
         self.told.extend(advice);
+    }
+
+    /// What keeps the tiles of a picture; none where no file is written.
+    fn journal(&self, target: &Target, timing: Timing) -> Option<Journal> {
+        let picture = target.file().filter(|path| path.is_file() || !path.exists())?;
+        Some(keeping::journal(self.console, self.args, picture, &self.work(timing)))
+    }
+
+    /// What the work is that this picture takes, now that all of its files are read.
+    fn work(&self, timing: Timing) -> Work {
+        let options = keeping::options(self.args, &drawing_options(self.args, timing), timing);
+        Work { program: self.program.clone(), options, files: source::seen() }
+    }
+
+    /// A frame of a film, unless it was drawn before.
+    fn draw_frame(&mut self, film: Option<&Film>, target: &Target, timing: Timing) -> Result {
+        let (Some(film), Some(picture)) = (film, target.file()) else { return self.draw(target, timing) };
+        let Work { program, options, .. } = self.work(timing);
+        if film.has(timing.frame, picture, &program, &options) {
+            self.written.push(picture.to_path_buf());
+            return Ok(Exit::Fine);
+        }
+        if film.knows(timing.frame) {
+            let text = format!(
+                "`{}` is drawn anew: it, a file that it needs, durer or an option has changed\n",
+                picture.display()
+            );
+            self.console.note(&text);
+        }
+        let exit = self.draw(target, timing)?;
+        film.add(timing.frame, picture, self.work(timing));
+        Ok(exit)
+    }
+
+    /// World to file.
+    fn draw_into(&self, target: &Target, world: &World, timing: Timing, watcher: &Watcher) -> Result<Drawn> {
+        let (args, trace) = (self.args, Instant::now());
+        let mut draft = target.draft()?;
+        let mut canvas = target.canvas(draft.as_mut(), args.scene.size())?;
+        let rays = watcher.draw(world, &drawing_options(args, timing), &mut canvas)?;
+        let (drawing_time, encode) = (trace.elapsed(), Instant::now());
+        let Noted { black, time: rows_time } = canvas.finish()?;
+        target.place(self.console, draft)?;
+        Ok(Drawn { rays, black, times: [drawing_time.saturating_sub(rows_time), rows_time + encode.elapsed()] })
     }
 
     /// One picture, from text to file.
@@ -253,17 +317,23 @@ impl<'a> Job<'a> {
 
         let orderly = Orderly::begin();
         let progress = Progress::new(args.progress.unwrap_or(When::Auto), console, self.sources.name(self.file));
-        let watcher = Watcher::new(progress, start, args.scene.max_time);
-        let trace = Instant::now();
-        let (frame, rays) = watcher.render(&world, &drawing_options(args, timing))?;
-        let trace_time = trace.elapsed();
-        let encode = Instant::now();
-        let bytes = target.encode(&frame)?;
-        let written = target.write(console, &bytes)?;
-        let encode_time = encode.elapsed();
+        let mut watcher = Watcher::new(progress, start, args.scene.max_time);
+        watcher.journal = self.journal(target, timing);
+        let drawn = self.draw_into(target, &world, timing, &watcher);
+        match (watcher.journal, &drawn) {
+            (Some(journal), Ok(_)) => {
+                keeping::tell_failure(console, &journal);
+                journal.remove();
+            }
+            (Some(journal), Err(_)) => keeping::tell_kept(console, &journal),
+            (None, _) => {}
+        }
+        let Drawn { rays, black, times: [trace_time, encode_time] } = drawn?;
+        let written = target.file();
         drop(orderly);
 
-        self.advise(&world, &frame, timing, incomplete);
+        let one_of_many = args.frames.is_some() || args.scene.animation.is_some();
+        self.advise(&world, timing, advice::Circumstances { one_of_many, incomplete, black });
         if let Some(stats) = &args.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
             self.reports.push(Report::new(times, rays, args));

@@ -1,13 +1,14 @@
 //! From the name of a scene to its World, with the messages on the way.
 
 use super::animation::{self, Animation};
-use super::args::{Library, LookArgs, SceneArgs};
+use super::args::{AaMethod, Library, LookArgs, SceneArgs};
 use super::console::{Console, say};
 use super::exit::{Exit, Failure, Result, usage};
 use super::memory;
 use super::values::{Frames, Size};
 use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
+use crate::render::{Sampling, Spread};
 use crate::source::{FileId, ReadError, Sandbox, SearchPath, Sources};
 use crate::syntax::Wholes;
 use crate::world::World;
@@ -114,11 +115,26 @@ pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, timin
         width,
         height,
         antialias: look.aa.map_or(Some(DEFAULT_THRESHOLD), |aa| aa.0),
+        sampling: sampling(look),
         quality: look.quality.unwrap_or(DEFAULT_QUALITY),
         threads,
         region: None,
         frame: timing.frame,
         alpha: look.alpha,
+    }
+}
+
+fn sampling(look: &LookArgs) -> Sampling {
+    let default = Sampling::default();
+    Sampling {
+        spread: look.aa_method.map_or(default.spread, |method| match method {
+            AaMethod::Net => Spread::Net,
+            AaMethod::Grid => Spread::Grid,
+            AaMethod::Corners => Spread::Corners,
+        }),
+        depth: look.aa_depth.map_or(default.depth, u32::from),
+        jitter: look.aa_jitter.map_or(default.jitter, |jitter| jitter.0),
+        gamma: look.aa_gamma.map_or(default.gamma, |gamma| gamma.0),
     }
 }
 

@@ -1,12 +1,14 @@
 //! Where pictures go, and as what.
 
-use super::args::{LookArgs, RenderArgs};
+use super::args::{DitherMethod, ExrPacking, LookArgs, RenderArgs};
+use super::canvas::Canvas;
 use super::console::Console;
 use super::exit::{Result, usage};
+use super::values::Size;
 use crate::diagnostic::file;
-use crate::image_io::{Encoding, Format, Frame, encode};
+use crate::image_io::{Dither, Encoding, Format, Packing};
 use crate::snapshot;
-use crate::source;
+use crate::source::{self, Draft};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -40,7 +42,7 @@ impl Target {
             (Place::File(path), None) => Format::from_path(path)?,
             _ => Format::Png,
         };
-        let depth = args.bit_depth.as_ref().map(|depth| if depth == "16" { 16 } else { 8 });
+        let depth = args.bit_depth.as_ref().and_then(|depth| depth.parse().ok());
         let size = args.scene.size();
         if place != Place::Nowhere {
             format.check(size.width, size.height, depth)?;
@@ -59,10 +61,7 @@ impl Target {
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
         }
-        Ok(Self {
-            place,
-            encoding: Encoding { format, depth: depth.unwrap_or(8), alpha: keeps_alpha(&args.look, args) },
-        })
+        Ok(Self { place, encoding: encoding(args, format, depth) })
     }
 
     /// Does the picture go to standard output?
@@ -125,24 +124,61 @@ impl Target {
         }
     }
 
-    /// The bytes of the picture.
-    pub fn encode(&self, frame: &Frame) -> Result<Vec<u8>> {
-        match self.place {
-            Place::Nowhere => Ok(Vec::new()),
-            _ => Ok(encode(frame, &self.encoding)?),
+    /// What the bytes of the picture are written to until all are there; nothing if they go nowhere.
+    pub fn draft(&self) -> Result<Option<Draft>> {
+        Ok(match &self.place {
+            Place::Nowhere => None,
+            Place::Stdout => Some(Draft::in_memory()),
+            Place::File(path) => Some(Draft::new(path).map_err(|e| Box::new(file::unwritable(path, &e)))?),
+        })
+    }
+
+    /// What a picture of this size is drawn on.
+    pub fn canvas<'d>(&'d self, draft: Option<&'d mut Draft>, size: Size) -> Result<Canvas<'d>> {
+        let path = self.file().unwrap_or(Path::new("standard output"));
+        let unwritable = |e: &std::io::Error| file::unwritable(path, e);
+        Ok(Canvas::new(draft, (size.width, size.height), &self.encoding, unwritable)?)
+    }
+
+    /// Puts the file where it belongs, whole or not at all; returns where.
+    pub fn place(&self, console: &Console, draft: Option<Draft>) -> Result<Option<&Path>> {
+        match (&self.place, draft) {
+            (Place::Stdout, Some(draft)) => console.data(draft.into_bytes()).map(|()| None),
+            (Place::File(path), Some(draft)) => {
+                draft.place().map_err(|e| Box::new(file::unwritable(path, &e)))?;
+                Ok(Some(path))
+            }
+            _ => Ok(None),
         }
     }
 
-    /// Writes them, whole or not at all; returns the file.
-    pub fn write(&self, console: &Console, bytes: &[u8]) -> Result<Option<&Path>> {
-        match &self.place {
-            Place::Nowhere => Ok(None),
-            Place::Stdout => console.data(bytes).map(|()| None),
-            Place::File(path) => {
-                source::write_whole(path, bytes).map_err(|e| Box::new(file::unwritable(path, &e)))?;
-                Ok(Some(path))
-            }
-        }
+    /// The bytes of memory that a pixel takes until the file is finished.
+    pub fn kept(&self) -> usize {
+        if self.place == Place::Nowhere { 0 } else { self.encoding.kept() }
+    }
+}
+
+/// How the picture is stored.
+fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
+    let plain = Encoding::new(format);
+    Encoding {
+        format,
+        depth: depth.unwrap_or(plain.depth),
+        alpha: keeps_alpha(&args.look, args),
+        gamma: args.file_gamma.map_or(plain.gamma, |gamma| gamma.0),
+        dither: args.dither.map(|method| match method {
+            DitherMethod::B2 => Dither::Bayer(2),
+            DitherMethod::B3 => Dither::Bayer(3),
+            DitherMethod::B4 => Dither::Bayer(4),
+            DitherMethod::D1 => Dither::Row,
+            DitherMethod::D2 => Dither::Simple,
+            DitherMethod::Fs => Dither::FloydSteinberg,
+        }),
+        packing: args.exr_packing.map_or(plain.packing, |packing| match packing {
+            ExrPacking::None => Packing::None,
+            ExrPacking::Rle => Packing::Runs,
+            ExrPacking::Zip => Packing::Zip,
+        }),
     }
 }
 

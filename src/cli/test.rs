@@ -143,8 +143,8 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     header.scene.size = header.scene.size.or(expected.as_ref().map(|p| Size { width: p.width, height: p.height }));
     header.look.alpha |= expected.as_ref().is_some_and(|p| p.channels % 2 == 0);
     outcome.encoding.alpha = header.look.alpha;
-    let antialias = header.look.aa.is_none_or(|aa| aa.0.is_some());
-    memory::check_drawing(header.scene.size(), None, antialias, header.scene.max_memory.map(|b| b.0))?;
+    let kept = size_of::<[f32; 4]>();
+    memory::check_drawing(header.scene.size(), None, kept, header.scene.max_memory.map(|b| b.0))?;
 
     let timing = session::timing(&header.scene)?;
     let options = session::reading_options(&header.scene, &case.scene, timing);
@@ -158,7 +158,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     }
     let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, timing);
     let _orderly = Orderly::begin();
-    let (frame, _) = Watcher::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
+    let frame = Watcher::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
     compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
     Ok(())
 }

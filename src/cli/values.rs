@@ -61,6 +61,48 @@ impl FromStr for Antialias {
     }
 }
 
+/// A number from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Share(pub f64);
+
+impl FromStr for Share {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let share = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
+        share.map(Self).ok_or("it is a number from 0 to 1".into())
+    }
+}
+
+/// The exponent of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gamma(pub f64);
+
+impl FromStr for Gamma {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let gamma = text.parse().ok().filter(|gamma| (0.1..=10.0).contains(gamma));
+        gamma.map(Self).ok_or("it is a number from 0.1 to 10, such as 2.2".into())
+    }
+}
+
+/// `srgb`, or the gamma of a power curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FileGamma(pub crate::color::Gamma);
+
+impl FromStr for FileGamma {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.parse::<Gamma>() {
+            _ if text.eq_ignore_ascii_case("srgb") => Ok(Self(crate::color::Gamma::Srgb)),
+            Ok(Gamma(gamma)) => Ok(Self(crate::color::Gamma::Power(gamma))),
+            Err(_) => Err("it is `srgb`, or a number from 0.1 to 10, such as 2.2".into()),
+        }
+    }
+}
+
 /// `X,Y,W,H`: a part of the picture, in pixels from the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part(pub crate::render::Region);
@@ -204,7 +246,7 @@ impl FromStr for Bytes {
 }
 
 /// A number of seconds, 0 or more.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seconds(pub f64);
 
 impl FromStr for Seconds {

@@ -3,11 +3,12 @@
 use super::console::say;
 use super::exit::{Exit, Failure, Result};
 use super::interrupt;
+use super::journal::Journal;
 use super::progress::Progress;
 use super::values::Seconds;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::image_io::Frame;
-use crate::render::{self, Rays, Watch};
+use crate::image_io::{Frame, Rows};
+use crate::render::{self, Rays, Stopped, Tile, Watch};
 use crate::source::Span;
 use crate::world::World;
 use std::time::{Duration, Instant};
@@ -18,6 +19,8 @@ pub struct Watcher {
     progress: Progress,
     /// When `--max-time` is over.
     deadline: Option<Instant>,
+    /// What is drawn is kept here.
+    pub journal: Option<Journal>,
 }
 
 impl Watch for Watcher {
@@ -28,22 +31,43 @@ impl Watch for Watcher {
     fn cancelled(&self) -> bool {
         interrupt::asked() || self.late()
     }
+
+    fn recall(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
+        self.journal.as_ref()?.recall(tile)
+    }
+
+    fn keep(&self, tile: Tile, pixels: &[[f32; 4]]) {
+        if let Some(journal) = &self.journal {
+            journal.keep(tile, pixels);
+        }
+    }
 }
 
 impl Watcher {
     /// For work that began at `start`.
     pub fn new(progress: Progress, start: Instant, limit: Option<Seconds>) -> Self {
-        Self { progress, deadline: limit.map(|s| start + Duration::from_secs_f64(s.0)) }
+        Self { progress, deadline: limit.map(|s| start + Duration::from_secs_f64(s.0)), journal: None }
     }
 
-    /// World to Frame, unless it is stopped.
-    pub fn render(&self, world: &World, options: &render::Options) -> Result<(Frame, Rays)> {
+    /// World to the rows of a picture, unless it is stopped.
+    pub fn draw(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<Rays> {
         if self.cancelled() {
             return Err(self.reason());
         }
-        let drawn = render::render(world, options, self);
+        let drawn = render::draw(world, options, self, rows);
         self.progress.finish();
-        drawn.map_err(|_| self.reason())
+        drawn.map_err(|stopped| match stopped {
+            Stopped::Cancelled => self.reason(),
+            Stopped::Fault(fault) => Failure::Fault(fault),
+        })
+    }
+
+    /// World to Frame, unless it is stopped.
+    pub fn render(&self, world: &World, options: &render::Options) -> Result<Frame> {
+        let mut frame = Frame { width: options.width, height: options.height, pixels: vec![] };
+        frame.pixels.reserve_exact(options.width * options.height);
+        self.draw(world, options, &mut frame)?;
+        Ok(frame)
     }
 
     /// Is the time over?

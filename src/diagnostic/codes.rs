@@ -56,8 +56,10 @@ changed."
 
     durer render ball.scene -o - --format ppm | display"
     PICTURE_TOO_LARGE "E0006" "the picture needs more memory than there is"
-"A picture takes 16 bytes for each pixel while it is drawn, and about as much again while it is written. `--max-memory` sets
-a limit of your own; without it, what the machine has free is the limit. `--size` makes the picture smaller."
+"Pictures are drawn in bands of rows. Rows of png, ppm and hdr leave memory as they are done, so that even a large picture needs
+some 30 MB; the other formats keep all rows until the last one: exr takes 16 bytes a pixel, jpg, bmp, tga and tiff 3 to 8.
+`--max-memory` sets a limit of your own; without it, what the machine has free is the limit. Choose png, or make the picture
+smaller with `--size`. More than 68 719 476 736 pixels are never drawn: that would take years."
     PICTURE_BROKEN "E0007" "the picture file can't be decoded"
 "It is damaged, cut off, or of another kind than its name says."
     FORMAT_LIMIT "E0008" "the picture format can't hold this picture"

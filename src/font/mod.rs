@@ -7,7 +7,7 @@ mod tests;
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::math::DVec2;
-use crate::source::{ReadError, Span};
+use crate::source::{ReadError, Span, read_bytes};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
@@ -43,7 +43,7 @@ impl Font {
     /// # Errors
     /// E0002 where it is not there, E0003 where it can't be read, E0236 where it is no font.
     pub fn read(path: &Path) -> Result<Self> {
-        let data = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+        let data = read_bytes(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
         match Face::parse(&data, 0) {
             Ok(_) => Ok(Self { path: path.into(), data: data.into() }),
             Err(fault) => {

@@ -3,7 +3,7 @@
 use super::{Frame, bmp, netpbm, radiance, tga, tiff_palette};
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
-use crate::source::{ReadError, Span};
+use crate::source::{ReadError, Span, read_bytes};
 use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel};
 use image::{DynamicImage, ImageFormat, ImageReader};
 use std::io::Cursor;
@@ -50,7 +50,7 @@ impl From<Pixels> for Decoded {
 /// # Errors
 /// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.
 pub fn decode_file(path: &Path) -> Result<Pixels> {
-    let bytes = std::fs::read(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+    let bytes = read_bytes(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
     decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
 }
 

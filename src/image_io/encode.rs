@@ -1,122 +1,299 @@
-//! A picture in memory to the bytes of a file. The same picture always gives the same bytes.
+//! A picture, from the top, to the bytes of a file. The same picture always gives the same bytes.
 
-use super::quantize::{bytes, over_black, words};
+use super::dither::{Dither, Ditherer};
+use super::png_writer::PngWriter;
+use super::quantize::{Integers, over_black};
 use super::{Format, Frame};
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::color::Gamma;
+use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::source::Span;
 use exr::image::Blocks;
-use exr::prelude::{Compression, Encoding as ExrEncoding, Image, LineOrder, SpecificChannels, WritableImage};
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use exr::prelude::{Compression, Encoding as ExrEncoding, Image, LineOrder, SpecificChannels, WritableImage, f16};
 use image::codecs::{bmp::BmpEncoder, hdr::HdrEncoder, jpeg::JpegEncoder, tga::TgaEncoder, tiff::TiffEncoder};
-use image::{ExtendedColorType, ImageEncoder, Rgb};
-use std::io::Cursor;
+use image::{ExtendedColorType, ImageEncoder, ImageError, Rgb};
+use std::io::{self, Cursor, Seek, Write};
 
 /// How a picture is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Encoding {
     /// The format.
     pub format: Format,
-    /// 8 or 16 bits a channel, where the format has them.
+    /// 8 or 16 bits a channel, or for exr 16 or 32, where the format has them.
     pub depth: u8,
     /// Keep transparency, where the format can; otherwise the picture is laid over black.
     pub alpha: bool,
+    /// The curve that integers follow.
+    pub gamma: Gamma,
+    /// Shades between two integers; formats that have no need of it know nothing of it.
+    pub dither: Option<Dither>,
+    /// How exr is packed.
+    pub packing: Packing,
+}
+
+/// How exr is packed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Packing {
+    /// Not at all.
+    None,
+    /// Run lengths, line by line: ten times as fast as the denser ones.
+    #[default]
+    Runs,
+    /// Deflate, sixteen lines at once.
+    Zip,
 }
 
 impl Encoding {
-    /// 8 bits, no transparency.
+    /// 8 bits, or 32 for exr; the sRGB curve, no transparency.
     pub fn new(format: Format) -> Self {
-        Self { format, depth: 8, alpha: false }
+        let depth = if format == Format::Exr { 32 } else { 8 };
+        let (gamma, packing) = (Gamma::Srgb, Packing::default());
+        Self { format, depth, alpha: false, gamma, dither: None, packing }
+    }
+
+    pub(super) fn keeps_alpha(&self) -> bool {
+        self.alpha && self.format.has_alpha()
+    }
+
+    /// The bytes of memory that a pixel takes until the file is finished.
+    pub fn kept(&self) -> usize {
+        match self.format {
+            Format::Png | Format::Ppm | Format::Hdr => 0,
+            Format::Exr => size_of::<[f32; 4]>(),
+            _ => usize::from(self.depth / 8) * if self.keeps_alpha() { 4 } else { 3 },
+        }
     }
 }
+
+/// Takes a picture from its top, some whole rows of linear light at a time; pixels are those of a [`Frame`].
+pub trait Rows: Send {
+    /// The next rows.
+    ///
+    /// # Errors
+    /// Whatever keeps them from being stored.
+    fn take(&mut self, rows: &[[f32; 4]]) -> Result<()>;
+}
+
+impl Rows for Frame {
+    fn take(&mut self, rows: &[[f32; 4]]) -> Result<()> {
+        self.pixels.extend_from_slice(rows);
+        Ok(())
+    }
+}
+
+/// Why a picture was not stored.
+#[derive(Debug)]
+pub enum EncodeError {
+    /// The file can't be written.
+    Io(io::Error),
+    /// The format can't hold the picture, and this is why.
+    Format(String),
+}
+
+impl EncodeError {
+    /// E0008, or what `unwritable` makes of a file that can't be written.
+    pub fn told(self, format: Format, unwritable: impl FnOnce(&io::Error) -> Diagnostic) -> Fault {
+        Box::new(match self {
+            Self::Io(error) => unwritable(&error),
+            Self::Format(reason) => {
+                let text = format!("{} can't hold this picture: {reason}", format.name());
+                Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text)
+            }
+        })
+    }
+}
+
+impl From<io::Error> for EncodeError {
+    fn from(error: io::Error) -> Self {
+        Self::Io(error)
+    }
+}
+
+impl From<ImageError> for EncodeError {
+    fn from(error: ImageError) -> Self {
+        match error {
+            ImageError::IoError(error) => Self::Io(error),
+            other => Self::Format(other.to_string()),
+        }
+    }
+}
+
+impl From<exr::error::Error> for EncodeError {
+    fn from(error: exr::error::Error) -> Self {
+        match error {
+            exr::error::Error::Io(error) => Self::Io(error),
+            other => Self::Format(other.to_string()),
+        }
+    }
+}
+
+pub(super) type Encoded<T = ()> = std::result::Result<T, EncodeError>;
 
 /// JPEG's quality, of 100.
 const JPEG_QUALITY: u8 = 92;
 
-/// Run lengths, line by line: ten times as fast as the denser methods, in a fixed order.
-const EXR_STORAGE: ExrEncoding =
-    ExrEncoding { compression: Compression::RLE, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+/// A file to be: it takes rows from the top, and writes them at once where the format allows.
+pub struct Encoder<W: Write + Seek> {
+    encoding: Encoding,
+    width: usize,
+    height: usize,
+    integers: Integers,
+    out: Out<W>,
+}
 
-/// The bytes of the file: integers follow the sRGB curve, floating-point formats hold linear light.
+enum Out<W: Write + Seek> {
+    /// Rows are written as they come.
+    Png(Box<PngWriter<W>>),
+    Flat(W),
+    /// They are kept, as the file will hold them, until all are here.
+    Integers(W, Vec<u8>),
+    Floats(W, Vec<[f32; 4]>),
+}
+
+impl<W: Write + Seek> Encoder<W> {
+    /// Begins the file of a picture of this size: integers follow the sRGB curve, floating-point formats hold linear light.
+    ///
+    /// # Errors
+    /// If the format can't hold the picture, or the file can't be written.
+    pub fn new(mut out: W, width: usize, height: usize, encoding: &Encoding) -> Encoded<Self> {
+        let out = match encoding.format {
+            Format::Png => Out::Png(Box::new(PngWriter::new(out, width, height, encoding)?)),
+            Format::Ppm => {
+                write!(out, "P6\n{width} {height}\n{}\n", if encoding.depth == 16 { 65_535 } else { 255 })?;
+                Out::Flat(out)
+            }
+            Format::Hdr => {
+                out.write_all(hdr_parts(&[Rgb([0.0; 3])], 1, 1)?.0.as_slice())?;
+                writeln!(out, "-Y {height} +X {width}")?;
+                Out::Flat(out)
+            }
+            Format::Exr => Out::Floats(out, vec![]),
+            _ => Out::Integers(out, vec![]),
+        };
+        let alpha = encoding.keeps_alpha();
+        let dither = encoding.dither.filter(|_| encoding.format != Format::Jpg);
+        let ditherer = dither.map(|dither| Ditherer::new(dither, width, if alpha { 4 } else { 3 }));
+        let integers = Integers { wide: encoding.depth == 16, alpha, gamma: encoding.gamma, ditherer, width };
+        Ok(Self { encoding: *encoding, width, height, integers, out })
+    }
+
+    /// The next rows.
+    ///
+    /// # Errors
+    /// If they can't be written.
+    pub fn rows(&mut self, rows: &[[f32; 4]]) -> Encoded {
+        let Self { encoding, width, .. } = *self;
+        let mut stored = |high_first| self.integers.rows(rows, high_first);
+        match &mut self.out {
+            Out::Png(out) => out.rows(&stored(true))?,
+            Out::Flat(out) if encoding.format == Format::Hdr => {
+                let rgb: Vec<_> = rows.iter().map(|&p| Rgb(over_black(p).map(|c| number(c).max(0.0)))).collect();
+                out.write_all(&hdr_parts(&rgb, width, rows.len() / width)?.1)?;
+            }
+            Out::Flat(out) => out.write_all(&stored(true))?,
+            Out::Integers(_, kept) => {
+                kept.reserve_exact((self.height * width * encoding.kept()).saturating_sub(kept.len()));
+                kept.extend(stored(false));
+            }
+            Out::Floats(_, kept) => {
+                kept.reserve_exact((self.height * width).saturating_sub(kept.len()));
+                kept.extend(rows);
+            }
+        }
+        Ok(())
+    }
+
+    /// Ends the file.
+    ///
+    /// # Errors
+    /// If it can't be written, or the format can't hold the picture.
+    pub fn finish(self) -> Encoded {
+        let size = (self.width, self.height);
+        match self.out {
+            Out::Png(out) => out.finish()?,
+            Out::Flat(mut out) => out.flush()?,
+            Out::Floats(mut out, pixels) => encode_exr(&mut out, size, &pixels, &self.encoding)?,
+            Out::Integers(mut out, data) => encode_integers(&mut out, size, &data, &self.encoding)?,
+        }
+        Ok(())
+    }
+}
+
+/// The bytes of the file of a whole picture.
 ///
 /// # Errors
 /// E0008 if the format can't hold the picture.
 pub fn encode(frame: &Frame, encoding: &Encoding) -> Result<Vec<u8>> {
-    let alpha = encoding.alpha && encoding.format.has_alpha();
-    let wide = encoding.depth == 16;
-    let encoded = match encoding.format {
-        Format::Exr => encode_exr(frame, alpha).map_err(|e| e.to_string()),
-        Format::Hdr => encode_hdr(frame).map_err(|e| e.to_string()),
-        Format::Ppm => Ok(encode_ppm(frame, wide)),
-        _ => encode_integers(frame, encoding.format, wide, alpha).map_err(|e| e.to_string()),
-    };
-    encoded.or_else(|reason| {
-        let text = format!("{} can't hold this picture: {reason}", encoding.format.name());
-        Diagnostic::err(codes::FORMAT_LIMIT, Span::NONE, text)
-    })
-}
-
-fn encode_integers(frame: &Frame, format: Format, wide: bool, alpha: bool) -> image::ImageResult<Vec<u8>> {
     let mut out = Cursor::new(Vec::new());
-    let (data, color) = match (wide, alpha) {
-        (false, false) => (bytes(frame, false), ExtendedColorType::Rgb8),
-        (false, true) => (bytes(frame, true), ExtendedColorType::Rgba8),
-        (true, false) => (native_bytes(&words(frame, false)), ExtendedColorType::Rgb16),
-        (true, true) => (native_bytes(&words(frame, true)), ExtendedColorType::Rgba16),
-    };
-    let (width, height) = (frame.width as u32, frame.height as u32);
-    match format {
-        Format::Jpg => {
-            JpegEncoder::new_with_quality(&mut out, JPEG_QUALITY).write_image(&data, width, height, color)?
-        }
-        Format::Bmp => BmpEncoder::new(&mut out).write_image(&data, width, height, color)?,
-        Format::Tga => TgaEncoder::new(&mut out).write_image(&data, width, height, color)?,
-        Format::Tiff => TiffEncoder::new(&mut out).write_image(&data, width, height, color)?,
-        _ => PngEncoder::new_with_quality(&mut out, CompressionType::Fast, FilterType::Adaptive)
-            .write_image(&data, width, height, color)?,
-    }
+    let written = Encoder::new(&mut out, frame.width, frame.height, encoding).and_then(|mut encoder| {
+        encoder.rows(&frame.pixels)?;
+        encoder.finish()
+    });
+    let fault = |e: &io::Error| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, e.to_string());
+    written.map_err(|error| error.told(encoding.format, fault))?;
     Ok(out.into_inner())
 }
 
-/// The machine's own byte order, which the encoders expect.
-fn native_bytes(words: &[u16]) -> Vec<u8> {
-    words.iter().flat_map(|w| w.to_ne_bytes()).collect()
-}
-
-/// Netpbm's binary P6; 16-bit samples have the high byte first.
-fn encode_ppm(frame: &Frame, wide: bool) -> Vec<u8> {
-    let mut out = format!("P6\n{} {}\n{}\n", frame.width, frame.height, if wide { 65_535 } else { 255 }).into_bytes();
-    if wide {
-        out.extend(words(frame, false).iter().flat_map(|w| w.to_be_bytes()));
-    } else {
-        out.extend(bytes(frame, false));
+fn encode_integers<W: Write + Seek>(
+    out: &mut W,
+    (width, height): (usize, usize),
+    data: &[u8],
+    how: &Encoding,
+) -> Encoded {
+    let color = match (how.depth == 16, how.keeps_alpha()) {
+        (false, false) => ExtendedColorType::Rgb8,
+        (false, true) => ExtendedColorType::Rgba8,
+        (true, false) => ExtendedColorType::Rgb16,
+        (true, true) => ExtendedColorType::Rgba16,
+    };
+    let (width, height) = (width as u32, height as u32);
+    match how.format {
+        Format::Jpg => JpegEncoder::new_with_quality(out, JPEG_QUALITY).write_image(data, width, height, color)?,
+        Format::Bmp => BmpEncoder::new(out).write_image(data, width, height, color)?,
+        Format::Tga => TgaEncoder::new(out).write_image(data, width, height, color)?,
+        _ => TiffEncoder::new(out).write_image(data, width, height, color)?,
     }
-    out
+    Ok(())
 }
 
 /// Alpha is associated (colours are multiplied by it), as OpenEXR's specification wants.
-fn encode_exr(frame: &Frame, alpha: bool) -> exr::error::Result<Vec<u8>> {
-    let pixel = |at: exr::math::Vec2<usize>| frame.pixels[at.y() * frame.width + at.x()].map(number);
-    let (size, mut out) = ((frame.width, frame.height), Cursor::new(Vec::new()));
-    if alpha {
-        let channels = SpecificChannels::rgba(|at| {
-            let [r, g, b, a] = pixel(at);
-            (r * a, g * a, b * a, a)
-        });
-        let image = Image::from_encoded_channels(size, EXR_STORAGE, channels);
-        image.write().non_parallel().to_buffered(&mut out)?;
-    } else {
-        let channels = SpecificChannels::rgb(|at| <(f32, f32, f32)>::from(over_black(pixel(at))));
-        let image = Image::from_encoded_channels(size, EXR_STORAGE, channels);
-        image.write().non_parallel().to_buffered(&mut out)?;
+fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32; 4]], how: &Encoding) -> Encoded {
+    let compression = match how.packing {
+        Packing::None => Compression::Uncompressed,
+        Packing::Runs => Compression::RLE,
+        Packing::Zip => Compression::ZIP16,
+    };
+    let packing = ExrEncoding { compression, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+    let pixel = |at: exr::math::Vec2<usize>| pixels[at.y() * size.0 + at.x()].map(number);
+    let rgb = |at| over_black(pixel(at));
+    let rgba = |at| {
+        let [r, g, b, a] = pixel(at);
+        [r * a, g * a, b * a, a]
+    };
+    let half = f16::from_f32;
+    // (Each of these is a type of its own to the library.)
+    macro_rules! write {
+        ($channels:expr) => {
+            Image::from_encoded_channels(size, packing, $channels).write().non_parallel().to_buffered(out)?
+        };
     }
-    Ok(out.into_inner())
+    match (how.keeps_alpha(), how.depth == 16) {
+        (false, false) => write!(SpecificChannels::rgb(|at| <(f32, f32, f32)>::from(rgb(at)))),
+        (false, true) => write!(SpecificChannels::rgb(|at| <(f16, f16, f16)>::from(rgb(at).map(half)))),
+        (true, false) => write!(SpecificChannels::rgba(|at| <(f32, f32, f32, f32)>::from(rgba(at)))),
+        (true, true) => write!(SpecificChannels::rgba(|at| <(f16, f16, f16, f16)>::from(rgba(at).map(half)))),
+    }
+    Ok(())
 }
 
-fn encode_hdr(frame: &Frame) -> image::ImageResult<Vec<u8>> {
-    let mut out = Vec::new();
-    let rgb: Vec<_> = frame.pixels.iter().map(|&p| Rgb(over_black(p).map(|c| number(c).max(0.0)))).collect();
-    HdrEncoder::new(&mut out).encode(&rgb, frame.width, frame.height)?;
-    Ok(out)
+/// What stands before the size in a file of these rows, and what behind it.
+fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
+    let mut file = Vec::new();
+    HdrEncoder::new(&mut file).encode(rows, width, height)?;
+    let size = format!("-Y {height} +X {width}\n");
+    let at = memchr::memmem::find(&file, size.as_bytes()).unwrap_or(0);
+    let behind = file.split_off(at + size.len());
+    file.truncate(at);
+    Ok((file, behind))
 }
 
 /// NaN would spread through every program that reads the file.

@@ -48,7 +48,7 @@ const fn row(
 
 const ROWS: &[Row] = &[
     row(Format::Png, &["png"], &[8, 16], true, i32::MAX as usize),
-    row(Format::Exr, &["exr"], &[], true, i32::MAX as usize),
+    row(Format::Exr, &["exr"], &[16, 32], true, i32::MAX as usize),
     row(Format::Hdr, &["hdr"], &[], false, i32::MAX as usize),
     row(Format::Jpg, &["jpg", "jpeg"], &[8], false, 65_535),
     row(Format::Ppm, &["ppm", "pnm"], &[8, 16], false, usize::MAX),
@@ -119,7 +119,8 @@ impl Format {
                 return fault(text, "leave `--bit-depth` out");
             }
             Some(depth) if !row.depths.contains(&depth) => {
-                return fault(format!("{name} can't hold {depth} bits a channel"), "png, tiff and ppm can");
+                let help = if depth == 32 { "exr can" } else { "png, tiff, ppm and exr can hold 16" };
+                return fault(format!("{name} can't hold {depth} bits a channel"), help);
             }
             _ => {}
         }
@@ -152,7 +153,7 @@ mod tests {
     fn limits_are_told() {
         assert!(Format::Jpg.check(70_000, 1, None).is_err());
         assert!(Format::Jpg.check(10, 10, Some(16)).is_err());
-        assert!(Format::Exr.check(10, 10, Some(16)).is_err());
+        assert!(Format::Exr.check(10, 10, Some(8)).is_err() && Format::Png.check(10, 10, Some(32)).is_err());
         assert!(Format::Png.check(10, 10, Some(16)).is_ok());
     }
 }

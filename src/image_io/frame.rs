@@ -31,6 +31,6 @@ impl Frame {
 
     /// As an 8-bit file stores it: the sRGB curve, red, green, blue and alpha.
     pub fn rgba8(&self) -> Vec<[u8; 4]> {
-        quantize::bytes(self, true).as_chunks().0.to_vec()
+        quantize::bytes(&self.pixels, true).as_chunks().0.to_vec()
     }
 }

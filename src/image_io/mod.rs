@@ -3,11 +3,13 @@
 mod bmp;
 mod decode;
 mod density;
+mod dither;
 mod encode;
 mod format;
 mod frame;
 mod netpbm;
 mod picture;
+mod png_writer;
 mod quantize;
 mod radiance;
 #[cfg(test)]
@@ -18,7 +20,8 @@ mod tiff_palette;
 use decode::{Decoded, decode_bytes};
 pub use decode::{Pixels, Samples, decode, decode_file, spread};
 pub use density::Voxels;
-pub use encode::{Encoding, encode};
+pub use dither::Dither;
+pub use encode::{EncodeError, Encoder, Encoding, Packing, Rows, encode};
 pub use format::Format;
 pub use frame::Frame;
 pub use picture::{Picture, Stored, kept_gray};

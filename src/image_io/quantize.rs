@@ -1,7 +1,7 @@
 //! From linear light to stored integers: the sRGB curve, rounded to the nearest code, fast.
 
-use super::Frame;
-use crate::color::transfer;
+use super::dither::Ditherer;
+use crate::color::{Gamma, transfer};
 use std::sync::LazyLock;
 
 /// Finds the code of a number by table instead of by power: for each small interval of numbers (equal leading bits) the code of
@@ -66,27 +66,78 @@ pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
 }
 
 /// Rows of three or four bytes a pixel, with the sRGB curve.
-pub(super) fn bytes(frame: &Frame, alpha: bool) -> Vec<u8> {
+pub(super) fn bytes(pixels: &[[f32; 4]], alpha: bool) -> Vec<u8> {
     let table = &*BITS8;
-    pack(frame, alpha, |x| table.code(x) as u8, |a| linear(a, 255.0) as u8)
+    pack(pixels, alpha, |x| table.code(x) as u8, |a| linear(a, 255.0) as u8)
 }
 
 /// The same with 16 bits a channel.
-pub(super) fn words(frame: &Frame, alpha: bool) -> Vec<u16> {
+pub(super) fn words(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
     let table = &*BITS16;
-    pack(frame, alpha, |x| table.code(x), |a| linear(a, 65_535.0) as u16)
+    pack(pixels, alpha, |x| table.code(x), |a| linear(a, 65_535.0) as u16)
+}
+
+/// How light becomes the integers of a file.
+pub(super) struct Integers {
+    pub wide: bool,
+    pub alpha: bool,
+    pub gamma: Gamma,
+    pub ditherer: Option<Ditherer>,
+    pub width: usize,
+}
+
+impl Integers {
+    /// Some whole rows as bytes; 16-bit samples with the high byte first, or as this machine has them.
+    pub fn rows(&mut self, rows: &[[f32; 4]], high_first: bool) -> Vec<u8> {
+        let order = if high_first { u16::to_be_bytes } else { u16::to_ne_bytes };
+        if self.ditherer.is_none() && self.gamma == Gamma::Srgb {
+            return match self.wide {
+                false => bytes(rows, self.alpha),
+                true => words(rows, self.alpha).into_iter().flat_map(order).collect(),
+            };
+        }
+        let max = if self.wide { 65_535.0 } else { 255.0 };
+        let mut out = vec![];
+        for row in rows.chunks(self.width) {
+            let numbers: Vec<f32> = row.iter().flat_map(|pixel| self.numbers(pixel, max)).collect();
+            let codes = match &mut self.ditherer {
+                Some(ditherer) => ditherer.codes(&numbers, max),
+                None => numbers.iter().map(|x| (x + 0.5) as u16).collect(),
+            };
+            match self.wide {
+                true => out.extend(codes.into_iter().flat_map(order)),
+                false => out.extend(codes.into_iter().map(|code| code as u8)),
+            }
+        }
+        out
+    }
+
+    /// What a pixel's channels would be if there were numbers between the codes.
+    fn numbers(&self, &[r, g, b, a]: &[f32; 4], max: f32) -> impl Iterator<Item = f32> {
+        let [r, g, b] = if self.alpha { [r, g, b] } else { over_black([r, g, b, a]) };
+        let curve = |x: f32| self.gamma.encode(f64::from(x)).clamp(0.0, 1.0) as f32 * max;
+        // (What is not a number becomes 0: `max` takes the other one.)
+        let color = [r, g, b].map(|x| curve(x).max(0.0));
+        let opacity = self.alpha.then(|| (a.clamp(0.0, 1.0) * max).max(0.0));
+        color.into_iter().chain(opacity)
+    }
 }
 
 /// Stores colours by one rule and alpha by another.
-fn pack<T: Copy + Default>(frame: &Frame, alpha: bool, color: impl Fn(f32) -> T, opacity: impl Fn(f32) -> T) -> Vec<T> {
+fn pack<T: Copy + Default>(
+    pixels: &[[f32; 4]],
+    alpha: bool,
+    color: impl Fn(f32) -> T,
+    opacity: impl Fn(f32) -> T,
+) -> Vec<T> {
     let channels = if alpha { 4 } else { 3 };
-    let mut out = vec![T::default(); frame.pixels.len() * channels];
+    let mut out = vec![T::default(); pixels.len() * channels];
     if alpha {
-        for (to, &[r, g, b, a]) in out.as_chunks_mut::<4>().0.iter_mut().zip(&frame.pixels) {
+        for (to, &[r, g, b, a]) in out.as_chunks_mut::<4>().0.iter_mut().zip(pixels) {
             *to = [color(r), color(g), color(b), opacity(a)];
         }
     } else {
-        for (to, &pixel) in out.as_chunks_mut::<3>().0.iter_mut().zip(&frame.pixels) {
+        for (to, &pixel) in out.as_chunks_mut::<3>().0.iter_mut().zip(pixels) {
             *to = over_black(pixel).map(&color);
         }
     }
@@ -142,9 +193,18 @@ mod tests {
     }
 
     #[test]
+    fn other_curves_give_the_nearest_code() {
+        let mut integers = Integers { wide: false, alpha: true, gamma: Gamma::Power(2.0), ditherer: None, width: 2 };
+        let row = [[0.25, f32::NAN, 4.0, 0.5], [-1.0, 1.0, f32::INFINITY, f32::NAN]];
+        assert_eq!(integers.rows(&row, true), [128, 0, 255, 128, 0, 255, 255, 0]);
+        integers.wide = true;
+        assert_eq!(integers.rows(&row, true)[..6], [0x80, 0, 0, 0, 0xff, 0xff]);
+    }
+
+    #[test]
     fn alpha_is_kept_or_laid_over_black() {
-        let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 1.0, 1.0, 0.5], [1.0, 0.0, 1.0, 1.0]] };
-        assert_eq!(bytes(&frame, true), [255, 255, 255, 128, 255, 0, 255, 255]);
-        assert_eq!(bytes(&frame, false), [188, 188, 188, 255, 0, 255]);
+        let pixels = [[1.0, 1.0, 1.0, 0.5], [1.0, 0.0, 1.0, 1.0]];
+        assert_eq!(bytes(&pixels, true), [255, 255, 255, 128, 255, 0, 255, 255]);
+        assert_eq!(bytes(&pixels, false), [188, 188, 188, 255, 0, 255]);
     }
 }

@@ -9,7 +9,7 @@ fn all_codes() -> Frame {
 }
 
 fn encoded(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Vec<u8> {
-    encode(frame, &Encoding { format, depth, alpha }).unwrap()
+    encode(frame, &Encoding { format, depth, alpha, ..Encoding::new(format) }).unwrap()
 }
 
 fn round_trip(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Pixels {

@@ -6,25 +6,9 @@ pub fn unit(key: &[u64]) -> f64 {
     (mix(folded(key)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// The numbers that [`unit()`] gives for a key followed by 1, 2, 3 …
-#[derive(Clone, Copy, Debug)]
-pub struct Stream {
-    folded: u64,
-    dimension: u64,
-}
-
-impl Stream {
-    /// For this key.
-    pub fn new(key: &[u64]) -> Self {
-        Self { folded: folded(key), dimension: 0 }
-    }
-
-    /// The next number in [0, 1).
-    #[allow(clippy::should_implement_trait)]
-    pub fn next(&mut self) -> f64 {
-        self.dimension += 1;
-        (mix(fold(self.folded, self.dimension)) >> 11) as f64 / (1u64 << 53) as f64
-    }
+/// A key in one word.
+pub fn word(key: &[u64]) -> u64 {
+    mix(folded(key))
 }
 
 fn folded(key: &[u64]) -> u64 {
@@ -44,12 +28,6 @@ fn mix(mut z: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_stream_is_a_short_way_to_write_keys() {
-        let mut stream = Stream::new(&[3, 1, 4]);
-        assert_eq!([stream.next(), stream.next()], [unit(&[3, 1, 4, 1]), unit(&[3, 1, 4, 2])]);
-    }
 
     #[test]
     fn numbers_spread_evenly() {

@@ -1,115 +1,177 @@
-//! Adaptive anti-aliasing (manual, "Anti-Aliasing", sampling method 1): first every pixel gets one sample; then those
-//! that differ from a neighbour get more. Both passes go over the whole picture, so that no tile sees its own border.
+//! Adaptive anti-aliasing (manual, "Anti-Aliasing Options"): a first pass takes one sample for each pixel, or one for each corner; the
+//! second one takes more where those differ.
 
-use super::tiles::{Pixel, Workers};
+use super::blocks::{BLOCK, Blocks};
+use super::corners::Corners;
+use super::grid::{Grid, Pixel};
 use super::trace::{Sample, Setup, Tracer};
-use super::{Cancelled, Options, Rays, Region, blur};
+use super::{Options, Region, Sampling, Spread, blur, net};
+use crate::camera::Lens;
 use crate::math::fp;
 
-/// A pixel that differs gets GRID² samples and keeps the one that it had.
-const GRID: usize = 3;
-/// Differences are judged after this (`Antialias_Gamma`).
-const GAMMA: f64 = 2.5;
+/// How the pixels of a picture come to be.
+pub(super) struct Method {
+    kind: Kind,
+    sampling: Sampling,
+    difference: Difference,
+    width: usize,
+    height: usize,
+}
 
-/// Draws a region of the picture. What is blurred needs no second pass.
-pub(super) fn draw(
-    setup: &Setup,
-    workers: &Workers,
-    options: &Options,
-    region: Region,
-    rays: &mut Rays,
-) -> Result<Vec<Pixel>, Cancelled> {
-    let once = |tracer: &mut Tracer, x: usize, y: usize| {
-        tracer.begin(number(options, x, y), 0);
+#[derive(Clone, Copy)]
+enum Kind {
+    /// One sample a pixel.
+    Once,
+    /// What is blurred needs no second pass.
+    Blurred(Lens),
+    Adaptive(Spread),
+}
+
+impl Method {
+    pub fn new(setup: &Setup, options: &Options) -> Self {
+        let sampling = options.sampling;
+        // From 1 on no difference counts (measured on 3.7).
+        let threshold = options.antialias.filter(|threshold| *threshold < 1.0 || sampling.spread == Spread::Corners);
+        let kind = match (setup.world.eye.lens, threshold) {
+            (Some(lens), _) => Kind::Blurred(lens),
+            (None, Some(_)) => Kind::Adaptive(sampling.spread),
+            (None, None) => Kind::Once,
+        };
+        let difference = Difference::new(threshold.unwrap_or(0.0), sampling.gamma, options.alpha);
+        Self { kind, sampling, difference, width: options.width, height: options.height }
+    }
+
+    /// What the first pass goes over, if there is one: also the pixels around a region, whose differences count too. So a region
+    /// looks as it does in the whole picture.
+    pub fn first_area(&self, region: Region) -> Option<Region> {
+        match self.kind {
+            Kind::Once | Kind::Blurred(_) => None,
+            Kind::Adaptive(Spread::Grid) => Some(self.blocks().first_area(region)),
+            Kind::Adaptive(Spread::Corners) => {
+                Some(Region { width: region.width + 1, height: region.height + 1, ..region })
+            }
+            Kind::Adaptive(Spread::Net) => {
+                let (x, y) = (region.x.saturating_sub(1), region.y.saturating_sub(1));
+                let (right, bottom) = (region.x + region.width + 1, region.y + region.height + 1);
+                Some(Region { x, y, width: right.min(self.width) - x, height: bottom.min(self.height) - y })
+            }
+        }
+    }
+
+    /// A pixel or corner of the first pass.
+    pub fn first(&self, tracer: &mut Tracer, x: usize, y: usize) -> Pixel {
+        match self.kind {
+            Kind::Adaptive(Spread::Corners) => return self.corners().sample(tracer, [x, y], [0, 0]),
+            Kind::Adaptive(Spread::Grid) => return self.blocks().first(tracer, x, y),
+            _ => {}
+        }
+        tracer.begin(self.number(x, y), 0);
         pixel(&tracer.see(x as f64 + 0.5, y as f64 + 0.5))
-    };
-    if let Some(lens) = &setup.world.eye.lens {
-        let blurred = |tracer: &mut Tracer, x: usize, y: usize| blur::pixel(tracer, lens, number(options, x, y), x, y);
-        return workers.draw(setup, region, rays, |tracer, x, y| finished(blurred(tracer, x, y)));
     }
-    let Some(threshold) = threshold(options) else {
-        return workers.draw(setup, region, rays, |tracer, x, y| finished(once(tracer, x, y)));
-    };
-    let area = with_border(options, region);
-    let first = workers.draw(setup, area, rays, once)?;
-    let rough = rough(&first, area.width, threshold, options.alpha);
-    let again = |tracer: &mut Tracer, x: usize, y: usize| {
-        let at = (y - area.y) * area.width + x - area.x;
-        finished(if rough[at] { resample(tracer, options, x, y, &first[at]) } else { first[at] })
-    };
-    workers.draw(setup, region, rays, again)
-}
 
-/// The least difference that does not count; from 1 on nothing counts (measured on 3.7).
-fn threshold(options: &Options) -> Option<f64> {
-    options.antialias.filter(|threshold| *threshold < 1.0)
-}
+    /// Tiles of the second pass begin at multiples of this; and the first pass must know all that lies in a tile's rows down to one.
+    pub fn tile_edge(&self) -> Option<usize> {
+        matches!(self.kind, Kind::Adaptive(Spread::Grid)).then_some(BLOCK)
+    }
 
-/// How many pixels both passes have.
-pub(super) fn total(setup: &Setup, options: &Options, region: Region) -> usize {
-    let twice = threshold(options).filter(|_| setup.world.eye.lens.is_none());
-    let interface = twice.map_or(0, |_| {
-        let area = with_border(options, region);
-        area.width * area.height
-    });
-    region.width * region.height + interface
-}
-
-/// A region and the pixels around it, whose differences count too: so a region looks as it does in the whole picture.
-fn with_border(options: &Options, region: Region) -> Region {
-    let (x, y) = (region.x.saturating_sub(1), region.y.saturating_sub(1));
-    let (right, bottom) = (region.x + region.width + 1, region.y + region.height + 1);
-    Region { x, y, width: right.min(options.width) - x, height: bottom.min(options.height) - y }
-}
-
-/// Which pixels differ from the one beside or the one above; both of such a pair do.
-fn rough(pixels: &[Pixel], width: usize, threshold: f64, alpha: bool) -> Vec<bool> {
-    let mut rough = vec![false; pixels.len()];
-    for i in 0..pixels.len() {
-        if i % width > 0 && differ(&pixels[i], &pixels[i - 1], threshold, alpha) {
-            (rough[i], rough[i - 1]) = (true, true);
+    /// Some pixels of the picture, row by row, from what the first pass saw there and around them.
+    pub fn tile(&self, tracer: &mut Tracer, seen: &Grid, area: Region) -> Vec<Pixel> {
+        if let Kind::Adaptive(Spread::Grid) = self.kind {
+            return self.blocks().tile(tracer, seen, area).into_iter().map(finished).collect();
         }
-        if i >= width && differ(&pixels[i], &pixels[i - width], threshold, alpha) {
-            (rough[i], rough[i - width]) = (true, true);
+        let mut pixels = Vec::with_capacity(area.width * area.height);
+        for y in area.y..area.y + area.height {
+            pixels.extend((area.x..area.x + area.width).map(|x| self.second(tracer, seen, x, y)));
+            if tracer.stopped() {
+                break;
+            }
         }
+        pixels
     }
-    rough
-}
 
-/// Is the sum of the channels' differences larger than the threshold, after the gamma?
-fn differ(a: &Pixel, b: &Pixel, threshold: f64, alpha: bool) -> bool {
-    let opacity = if alpha { f64::from((a[3] - b[3]).abs()) } else { 0.0 };
-    let pairs = [0, 1, 2].map(|c| (f64::from(a[c]).max(0.0), f64::from(b[c]).max(0.0)));
-    // The curve's slope falls: above 1/32 it is below 32^0.6/2.5 = 3.2, and most neighbours need no powers.
-    let steep: f64 =
-        pairs.iter().map(|(a, b)| if a.min(*b) >= 1.0 / 32.0 { 3.2 * (a - b).abs() } else { f64::INFINITY }).sum();
-    if steep + opacity <= threshold || (a == b && threshold >= 0.0) {
-        return false;
+    /// A pixel of the picture, from what the first pass saw there and around it.
+    fn second(&self, tracer: &mut Tracer, seen: &Grid, x: usize, y: usize) -> Pixel {
+        finished(match &self.kind {
+            Kind::Once => self.first(tracer, x, y),
+            Kind::Blurred(lens) => blur::pixel(tracer, lens, self.number(x, y), x, y),
+            Kind::Adaptive(Spread::Corners) => self.corners().pixel(tracer, seen, x, y),
+            Kind::Adaptive(_) => match self.is_rough(seen, x, y, &BESIDE) {
+                true => self.net(tracer, seen, x, y, net::Start::Edge),
+                false if self.is_rough(seen, x, y, &DIAGONAL) => self.net(tracer, seen, x, y, net::Start::Corner),
+                false => *seen.at(x, y),
+            },
+        })
     }
-    let curve = |x: f64| fp::pow(x, 1.0 / GAMMA);
-    pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity > threshold
-}
 
-/// The mean of one sample in each cell of a grid, at a random place of it, and of the sample in the middle.
-fn resample(tracer: &mut Tracer, options: &Options, x: usize, y: usize, middle: &Pixel) -> Pixel {
-    let mut sum = middle.map(f64::from);
-    for cell in 0..GRID * GRID {
-        tracer.begin(number(options, x, y), cell as u64 + 1);
-        let (column, row) = ((cell % GRID) as f64, (cell / GRID) as f64);
-        let dx = (column + tracer.random()) / GRID as f64;
-        let dy = (row + tracer.random()) / GRID as f64;
-        let sample = pixel(&tracer.see(x as f64 + dx, y as f64 + dy));
-        sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
+    fn blocks(&self) -> Blocks<'_> {
+        let Sampling { depth, jitter, .. } = self.sampling;
+        Blocks { difference: &self.difference, depth, jitter, size: [self.width, self.height] }
     }
-    sum.map(|c| (c / (GRID * GRID + 1) as f64) as f32)
+
+    fn corners(&self) -> Corners<'_> {
+        let Sampling { depth, jitter, .. } = self.sampling;
+        Corners { difference: &self.difference, depth, jitter, width: self.width }
+    }
+
+    fn net(&self, tracer: &mut Tracer, seen: &Grid, x: usize, y: usize, start: net::Start) -> Pixel {
+        net::pixel(tracer, &self.difference, self.number(x, y), [x, y], seen.at(x, y), start)
+    }
+
+    /// Does the pixel differ from one of those around?
+    fn is_rough(&self, seen: &Grid, x: usize, y: usize, around: &[[isize; 2]; 4]) -> bool {
+        let middle = seen.at(x, y);
+        let place = |[right, down]: &[isize; 2]| (x.wrapping_add_signed(*right), y.wrapping_add_signed(*down));
+        let mut others = around.iter().map(place).filter_map(|(x, y)| seen.get(x, y));
+        others.any(|other| self.difference.counts(middle, other))
+    }
+
+    /// A number for each pixel of the whole picture, whatever part of it is drawn.
+    fn number(&self, x: usize, y: usize) -> u64 {
+        y as u64 * self.width as u64 + x as u64
+    }
 }
 
-/// A number for each pixel of the whole picture, whatever part of it is drawn.
-fn number(options: &Options, x: usize, y: usize) -> u64 {
-    y as u64 * options.width as u64 + x as u64
+/// The neighbours that share an edge, and those that share a corner.
+const BESIDE: [[isize; 2]; 4] = [[-1, 0], [1, 0], [0, -1], [0, 1]];
+const DIAGONAL: [[isize; 2]; 4] = [[-1, -1], [1, -1], [-1, 1], [1, 1]];
+
+/// Which differences count.
+pub(super) struct Difference {
+    threshold: f64,
+    /// Differences are judged after this (`Antialias_Gamma`).
+    gamma: f64,
+    alpha: bool,
+    /// How steep that curve is at most from [`DARK`] on.
+    slope: f64,
 }
 
-fn pixel(sample: &Sample) -> Pixel {
+const DARK: f64 = 1.0 / 32.0;
+
+impl Difference {
+    fn new(threshold: f64, gamma: f64, alpha: bool) -> Self {
+        // The slope of x^(1/γ), which falls where γ is more than 1: most neighbours need no powers.
+        let slope = if gamma >= 1.0 { fp::pow(DARK, 1.0 / gamma - 1.0) / gamma } else { f64::INFINITY };
+        Self { threshold, gamma, alpha, slope }
+    }
+
+    /// Does the sum of the channels' differences reach the threshold, after the gamma?
+    pub fn counts(&self, a: &Pixel, b: &Pixel) -> bool {
+        let opacity = if self.alpha { f64::from((a[3] - b[3]).abs()) } else { 0.0 };
+        // A threshold of 0 lets all count (measured on POV-Ray 3.7).
+        if self.threshold <= 0.0 || a == b {
+            return self.threshold <= 0.0;
+        }
+        let pairs = [0, 1, 2].map(|c| (f64::from(a[c]).max(0.0), f64::from(b[c]).max(0.0)));
+        let steep = |(a, b): &(f64, f64)| if a.min(*b) >= DARK { self.slope * (a - b).abs() } else { f64::INFINITY };
+        if pairs.iter().map(steep).sum::<f64>() + opacity < self.threshold {
+            return false;
+        }
+        let curve = |x: f64| fp::pow(x, 1.0 / self.gamma);
+        pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity >= self.threshold
+    }
+}
+
+pub(super) fn pixel(sample: &Sample) -> Pixel {
     let Sample { rgb, passed } = sample;
     [rgb.x as f32, rgb.y as f32, rgb.z as f32, *passed as f32]
 }

@@ -1,5 +1,6 @@
 //! Soft shadows: the shadows of all lights of a grid in one (manual, "Area Lights"; details measured on POV-Ray 3.7).
 
+use super::random::{Purpose, Row};
 use super::refract::Interiors;
 use super::trace::Tracer;
 use crate::color::Rgb;
@@ -20,6 +21,7 @@ struct Shadow<'a> {
     point: DVec3,
     arriving: &'a Arriving,
     inside: &'a Interiors,
+    random: Row,
     known: Known,
 }
 
@@ -44,7 +46,8 @@ impl Tracer<'_> {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
         let known = if count <= FEW { Known::Few(vec![Rgb::NAN; count]) } else { Known::Many(FxHashMap::default()) };
-        let mut shadow = Shadow { light, area, point, arriving, inside, known };
+        let random = self.random.row(Purpose::AreaLight);
+        let mut shadow = Shadow { light, area, point, arriving, inside, random, known };
         self.piece(&mut shadow, [0, 0], [n - 1, m - 1], 0)
     }
 
@@ -79,7 +82,7 @@ impl Tracer<'_> {
         };
         known.unwrap_or_else(|| {
             let toward = -shadow.arriving.from;
-            let offset = self.offset(shadow.area, cell, toward);
+            let offset = offset(shadow.area, cell, toward, shadow.random);
             let ray = shadow.light.lamp.shine_on(shadow.point, offset);
             let passed = self.unshadowed(shadow.light, shadow.point, &ray, shadow.inside);
             match &mut shadow.known {
@@ -89,12 +92,12 @@ impl Tracer<'_> {
             passed
         })
     }
+}
 
-    /// Where a light of a grid stands, seen from a place in the direction `toward`.
-    pub(super) fn offset(&mut self, area: &Area, cell: [u32; 2], toward: DVec3) -> DVec3 {
-        let random = area.jitter.then(|| [self.random(), self.random()]);
-        area.offset(cell, toward, random)
-    }
+/// Where a light of a grid stands, seen from a place in the direction `toward`.
+pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: Row) -> DVec3 {
+    let number = 2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]));
+    area.offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
 }
 
 /// Does the light of all corners hardly differ?

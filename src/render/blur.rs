@@ -1,9 +1,10 @@
 //! Focal blur: many rays a pixel, each through another place of the lens and of the pixel (manual, "Focal Blur").
 
-use super::tiles::Pixel;
+use super::grid::Pixel;
+use super::random::Purpose;
 use super::trace::Tracer;
 use crate::camera::Lens;
-use crate::math::{DVec2, rng};
+use crate::math::DVec2;
 
 /// Steps of the row of points that fills a square, and a lens, most evenly: powers of 1/φ, where φ⁵ = φ + 1 (Roberts 2018, "R4").
 const STEPS: [f64; 4] =
@@ -14,7 +15,9 @@ const ASK_EVERY: u32 = 4;
 /// The mean of the rays of a pixel, as many as it takes.
 pub(super) fn pixel(tracer: &mut Tracer, lens: &Lens, number: u64, x: usize, y: usize) -> Pixel {
     // Each pixel begins elsewhere in the row.
-    let start = [0, 1, 2, 3].map(|dimension| rng::unit(&[number, dimension, PURPOSE]));
+    tracer.begin(number, 0);
+    let random = tracer.random.of_pixel(Purpose::Lens);
+    let start = [0, 1, 2, 3].map(|dimension| random.at(dimension));
     let (mut mean, mut spread) = ([0.0; 4], [0.0; 4]);
     for i in 0..lens.samples[1] {
         let at = |dimension: usize| (start[dimension] + STEPS[dimension] * f64::from(i)).fract();
@@ -34,6 +37,3 @@ pub(super) fn pixel(tracer: &mut Tracer, lens: &Lens, number: u64, x: usize, y: 
     }
     mean.map(|c| c as f32)
 }
-
-/// Tells these random numbers from all others of a pixel.
-const PURPOSE: u64 = 0x626c_7572;

@@ -1,6 +1,6 @@
 //! From the numbers of the scene to light (manual, "assumed_gamma", "Output_Alpha").
 
-use super::tiles::Pixel;
+use super::grid::Pixel;
 use crate::color::Gamma;
 use crate::color::transfer::srgb_decode;
 use crate::color::{Rgb, gray};

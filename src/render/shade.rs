@@ -1,6 +1,8 @@
 //! How surfaces answer to light: one function for each term of `finish` (manual, "Finish"; details measured on 3.7).
 
+use super::area::offset;
 use super::mirror::film;
+use super::random::Purpose;
 use super::refract::Interiors;
 use super::shading_point::{ShadedLayer, ShadingPoint};
 use super::trace::Tracer;
@@ -50,9 +52,10 @@ impl Tracer<'_> {
         }
         let [n, m] = area.size;
         let mut sum = Rgb::ZERO;
+        let random = self.random.row(Purpose::AreaLight);
         for cell in (0..m).flat_map(|j| (0..n).map(move |i| [i, j])) {
             let toward = -arriving.from;
-            let offset = self.offset(area, cell, toward);
+            let offset = offset(area, cell, toward, random);
             let one = light.lamp.shine_on(shading.point, offset);
             sum += self.answer_to(&one, light, dir, shading, |_| passed);
         }
@@ -78,7 +81,8 @@ impl Tracer<'_> {
         }
         let sum = shading.sum(|shaded| {
             let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
-            let grain = if shaded.layer.finish.crand == 0.0 { 0.0 } else { shaded.layer.finish.crand * self.random() };
+            let crand = shaded.layer.finish.crand;
+            let grain = if crand == 0.0 { 0.0 } else { crand * self.random.next(Purpose::Grain) };
             let mut answer = scattered(shaded, &at, grain, shading.part.double_illuminate);
             if at.cos > 0.0 && !light.lamp.shadowless {
                 answer += highlight(shaded, &at);

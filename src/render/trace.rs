@@ -1,13 +1,14 @@
 //! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
 
 use super::mirror::{self, Incoming, Mirror};
+use super::random::Random;
 use super::refract::{Interface, Interiors, copied, reflect};
 use super::shading_point::{Coat, ShadingPoint};
 use super::{Options, Rays, Watch};
 use crate::atmosphere::Veil;
 use crate::camera::{Lens, View};
 use crate::color::{Rgb, gray};
-use crate::math::{DVec2, DVec3, Range, Ray, rng, tolerance};
+use crate::math::{DVec2, DVec3, Range, Ray, tolerance};
 use crate::world::{Intersection, ObjectInfo, World};
 use smallvec::SmallVec;
 
@@ -158,10 +159,7 @@ impl Way {
 pub(super) struct Tracer<'w> {
     pub setup: &'w Setup<'w>,
     pub rays: Rays,
-    /// The frame, the pixel, the sample: what random numbers depend on.
-    sample: [u64; 3],
-    /// They are made where one is asked for.
-    random: Option<rng::Stream>,
+    pub random: Random,
     /// Who may want it to stop.
     watch: Option<&'w dyn Watch>,
     stopped: bool,
@@ -170,7 +168,7 @@ pub(super) struct Tracer<'w> {
 
 impl<'w> Tracer<'w> {
     pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>) -> Self {
-        Self { setup, rays: Rays::default(), sample: [0; 3], random: None, watch, stopped: false, crossings: 0 }
+        Self { setup, rays: Rays::default(), random: Random::new(setup.frame), watch, stopped: false, crossings: 0 }
     }
 
     /// Has the watcher asked to stop? What was traced since is worth nothing.
@@ -190,12 +188,7 @@ impl<'w> Tracer<'w> {
 
     /// All random numbers from here on belong to this sample of this pixel.
     pub fn begin(&mut self, pixel: u64, sample: u64) {
-        (self.sample, self.random) = ([u64::from(self.setup.frame), pixel, sample], None);
-    }
-
-    /// The next random number of this sample, in [0, 1).
-    pub fn random(&mut self) -> f64 {
-        self.random.get_or_insert_with(|| rng::Stream::new(&self.sample)).next()
+        self.random.begin(pixel, sample);
     }
 
     /// The light through a point of the picture, in pixels from its top left corner.
@@ -229,6 +222,7 @@ impl<'w> Tracer<'w> {
         let mut behind = 0.0;
         for _ in 0..CROSSINGS {
             self.cross();
+            self.random.next_vertex();
             if self.stopped {
                 break;
             }

@@ -1,5 +1,6 @@
 //! What lies between two surfaces: the one place where light changes on its way, towards the eye or from a light.
 
+use super::random::Purpose;
 use super::refract::Interiors;
 use super::trace::Tracer;
 use crate::atmosphere::{self, Veil};
@@ -15,7 +16,8 @@ impl Tracer<'_> {
             return Veil::NONE;
         }
         let fogs = atmosphere::fogs(&world.fogs, ray, length, world.noise);
-        fogs.before(atmosphere::rainbows(&world.rainbows, ray, length, &mut || self.random()))
+        let random = &mut self.random;
+        fogs.before(atmosphere::rainbows(&world.rainbows, ray, length, &mut || random.next(Purpose::Rainbow)))
     }
 
     /// Is there anything in the air?

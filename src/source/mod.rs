@@ -6,6 +6,7 @@ mod read;
 mod sandbox;
 mod scenes;
 mod search;
+mod seen;
 mod span;
 mod write;
 
@@ -14,5 +15,6 @@ pub use read::{ReadError, read_text, text_of};
 pub use sandbox::Sandbox;
 pub use scenes::scenes_below;
 pub use search::{Found, SearchPath};
+pub use seen::{Seen, fingerprint, note, read_bytes, seen};
 pub use span::Span;
-pub use write::{check_writable, write_whole};
+pub use write::{Draft, check_writable, write_whole};

@@ -29,7 +29,7 @@ pub fn read_text(path: &Path) -> Result<String, ReadError> {
     if path.is_dir() {
         return Err(ReadError::Folder);
     }
-    text_of(std::fs::read(path)?)
+    text_of(super::read_bytes(path)?)
 }
 
 /// The text that these bytes are.

@@ -1,6 +1,7 @@
 //! Writes files whole or not at all.
 
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::{self, Cursor, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -18,6 +19,90 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.write_all(bytes)?;
     file.persist(&path).map_err(|e| e.error)?;
     Ok(())
+}
+
+/// A file to be, whose bytes come over hours: nothing is to be seen of it before [`Draft::place`], and it vanishes if this never
+/// comes, however the program ends.
+pub struct Draft {
+    path: PathBuf,
+    bytes: Bytes,
+}
+
+enum Bytes {
+    /// Without a name, in the folder of the file to be.
+    File(io::BufWriter<File>),
+    Memory(Cursor<Vec<u8>>),
+}
+
+impl Draft {
+    /// What will be at `path`.
+    ///
+    /// # Errors
+    /// If the folder can't be written to.
+    pub fn new(path: &Path) -> io::Result<Self> {
+        let path = resolve(path)?;
+        if is_special(&path) {
+            return Ok(Self { path, bytes: Bytes::Memory(Cursor::default()) });
+        }
+        let file = tempfile::tempfile_in(folder(&path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))?;
+        Ok(Self { path, bytes: Bytes::File(io::BufWriter::with_capacity(1 << 16, file)) })
+    }
+
+    /// One that goes nowhere: its bytes are asked for.
+    pub fn in_memory() -> Self {
+        Self { path: PathBuf::new(), bytes: Bytes::Memory(Cursor::default()) }
+    }
+
+    /// The bytes of one in memory.
+    pub fn into_bytes(self) -> Vec<u8> {
+        match self.bytes {
+            Bytes::Memory(bytes) => bytes.into_inner(),
+            Bytes::File(_) => vec![],
+        }
+    }
+
+    /// Puts it where it belongs, whole or not at all.
+    ///
+    /// # Errors
+    /// If it can't be written; then nothing has changed.
+    pub fn place(self) -> io::Result<()> {
+        match self.bytes {
+            Bytes::Memory(bytes) => write_whole(&self.path, bytes.get_ref()),
+            Bytes::File(bytes) => {
+                let mut bytes = bytes.into_inner().map_err(io::IntoInnerError::into_error)?;
+                bytes.seek(SeekFrom::Start(0))?;
+                let mut file = temporary(&self.path)?;
+                io::copy(&mut bytes, file.as_file_mut())?;
+                file.persist(&self.path).map_err(|e| e.error)?;
+                Ok(())
+            }
+        }
+    }
+}
+
+impl Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.bytes {
+            Bytes::File(file) => file.write(bytes),
+            Bytes::Memory(memory) => memory.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.bytes {
+            Bytes::File(file) => file.flush(),
+            Bytes::Memory(_) => Ok(()),
+        }
+    }
+}
+
+impl Seek for Draft {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        match &mut self.bytes {
+            Bytes::File(file) => file.seek(to),
+            Bytes::Memory(memory) => memory.seek(to),
+        }
+    }
 }
 
 /// Would [`write_whole`] be allowed to? To be asked before hours of work.
@@ -48,12 +133,15 @@ fn is_special(path: &Path) -> bool {
 /// A file beside `path` that vanishes unless it is persisted, with the permissions that a new file
 /// gets by default (a temporary one would be its owner's alone).
 fn temporary(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
     builder.prefix(".durer-").suffix(".part");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
+    builder.tempfile_in(folder(path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Without the path of the temporary file, which nobody asked for.
@@ -101,6 +189,22 @@ mod tests {
         std::fs::write(&plain, b"").unwrap();
         let mode = |p: &Path| p.metadata().unwrap().permissions().mode();
         assert_eq!(mode(&ours), mode(&plain));
+    }
+
+    #[test]
+    fn drafts_are_not_seen_before_they_are_placed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        let mut draft = Draft::new(&path).unwrap();
+        draft.write_all(b"one two").unwrap();
+        draft.flush().unwrap();
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+        draft.seek(SeekFrom::Start(4)).unwrap();
+        draft.write_all(b"2").unwrap();
+        draft.place().unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"one 2wo");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+        assert!(Draft::new(&folder.path().join("none/a.txt")).is_err());
     }
 
     #[test]

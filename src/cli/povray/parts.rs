@@ -2,7 +2,7 @@
 
 use super::number;
 use crate::cli::animation::Animation;
-use crate::cli::values::{Clock, Size};
+use crate::cli::values::{Clock, FileGamma, Size};
 use crate::image_io::Format;
 use std::path::Path;
 
@@ -30,6 +30,14 @@ pub struct Settings {
     pub cyclic: bool,
     pub antialias: Option<bool>,
     pub threshold: f64,
+    pub sampling_method: Option<&'static str>,
+    pub sampling_depth: Option<u32>,
+    pub jitters: Option<bool>,
+    pub jitter: f64,
+    pub antialias_gamma: Option<f64>,
+    pub file_gamma: Option<String>,
+    pub dithers: bool,
+    pub dither_method: Option<&'static str>,
 }
 
 type Checked = Result<(), String>;
@@ -37,7 +45,7 @@ type Checked = Result<(), String>;
 impl Settings {
     /// POV-Ray's defaults where they differ from nothing.
     pub fn new() -> Self {
-        Self { final_clock: 1.0, frame_step: 1, threshold: 0.3, ..Self::default() }
+        Self { final_clock: 1.0, frame_step: 1, threshold: 0.3, jitter: 1.0, ..Self::default() }
     }
 
     pub fn set(&mut self, put: impl FnOnce(&mut Self)) -> Checked {
@@ -68,6 +76,33 @@ impl Settings {
     pub fn antialias(&mut self, text: &str, on: bool) -> Checked {
         self.antialias = Some(on);
         if text.is_empty() { Ok(()) } else { self.number(text, |p, x| p.threshold = x) }
+    }
+
+    /// 1 or 2.
+    pub fn sampling_method(&mut self, text: &str) -> Checked {
+        let method = match number::whole(text) {
+            Some(1.0) => "grid",
+            Some(2.0) => "corners",
+            _ => return Err("the methods are 1 and 2".into()),
+        };
+        self.set(|p| p.sampling_method = Some(method))
+    }
+
+    pub fn sampling_depth(&mut self, text: &str) -> Checked {
+        let depth = number::whole(text).filter(|n| (1.0..=9.0).contains(n)).ok_or("depths go from 1 to 9")?;
+        self.set(|p| p.sampling_depth = Some(depth as u32))
+    }
+
+    /// From 0 on downwards it is off (manual).
+    pub fn jitter(&mut self, text: &str, on: bool) -> Checked {
+        self.jitters = Some(on);
+        if text.is_empty() { Ok(()) } else { self.number(text, |p, x| p.jitter = x.clamp(0.0, 1.0)) }
+    }
+
+    pub fn antialias_gamma(&mut self, text: &str) -> Checked {
+        let gamma =
+            number::real(text).filter(|x| (0.1..=10.0).contains(x)).ok_or("a number from 0.1 to 10 is needed")?;
+        self.set(|p| p.antialias_gamma = Some(gamma))
     }
 
     /// A letter and maybe bits a channel: `N16`.
@@ -102,11 +137,21 @@ impl Settings {
     }
 
     pub fn file_gamma(&mut self, text: &str) -> Checked {
-        if text.eq_ignore_ascii_case("srgb") {
-            Ok(())
-        } else {
-            Err("files follow the sRGB curve; no other gamma is possible".into())
-        }
+        text.parse::<FileGamma>()?;
+        self.set(|p| p.file_gamma = Some(text.to_lowercase()))
+    }
+
+    /// Dithering on or off, and by which method, if any is named.
+    pub fn dither(&mut self, text: &str, on: bool) -> Checked {
+        self.dithers = on;
+        if text.is_empty() { Ok(()) } else { self.dither_method(text) }
+    }
+
+    pub fn dither_method(&mut self, text: &str) -> Checked {
+        let known = ["b2", "b3", "b4", "d1", "d2", "fs"];
+        let method = known.into_iter().find(|known| known.eq_ignore_ascii_case(text));
+        let method = method.ok_or("the methods are B2, B3, B4, D1, D2 and FS")?;
+        self.set(|p| p.dither_method = Some(method))
     }
 
     /// Our options; `plain` where there is no anti-aliasing unless it is asked for.
@@ -117,6 +162,15 @@ impl Settings {
             Some(true) => put("--aa", self.threshold.to_string()),
             None if !plain => {}
             _ => put("--aa", "off".into()),
+        }
+        let theirs = (self.antialias == Some(true)).then_some("grid");
+        self.sampling_method.or(theirs).iter().for_each(|method| put("--aa-method", method.to_string()));
+        self.sampling_depth.iter().for_each(|depth| put("--aa-depth", depth.to_string()));
+        self.jitters.iter().for_each(|on| put("--aa-jitter", if *on { self.jitter } else { 0.0 }.to_string()));
+        self.antialias_gamma.iter().for_each(|gamma| put("--aa-gamma", gamma.to_string()));
+        self.file_gamma.iter().for_each(|gamma| put("--file-gamma", gamma.clone()));
+        if self.dithers {
+            put("--dither", self.dither_method.unwrap_or("fs").into());
         }
         let size = Size::default();
         let (width, height) = (self.width.unwrap_or(size.width), self.height.unwrap_or(size.height));

@@ -66,7 +66,6 @@ const NO_WINDOW: &str = "durer opens no window";
 const CTRL_C: &str = "Ctrl-C always ends durer";
 const NO_SHELL: &str = "durer never runs other programs";
 const NO_LOG: &str = "messages go to standard error; redirect that";
-const OWN_SAMPLING: &str = "durer has one method of anti-aliasing, with the threshold of `+A`";
 const NO_CACHE: &str = "durer keeps no radiosity files";
 
 /// All options, in the order of the manual.
@@ -100,7 +99,7 @@ pub const ROWS: &[Row] = &[
     both("ER", "End_Row", Number, Part(|p, v| p.number(v, |p, x| p.end_row = Some(x)))),
     row("X", "Test_Abort", MaybeNumber, Idle(CTRL_C), Same),
     both("", "Test_Abort_Count", Number, Idle(CTRL_C)),
-    row("C", "Continue_Trace", Nothing, Idle("pictures are written whole or not at all"), Same),
+    row("C", "Continue_Trace", Nothing, Flag("--resume"), Same),
     both("GI", "Create_Ini", Text, Idle("durer writes no INI files")),
     // 3.2.3 Display
     row("D", "Display", MaybeText, Idle(NO_WINDOW), Same),
@@ -127,8 +126,8 @@ pub const ROWS: &[Row] = &[
     both("O", "Output_File_Name", Text, Part(|p, v| p.set(|p| p.output = Some(v.into())))),
     both("B", "Buffer_Output", MaybeNumber, Same),
     both("", "Buffer_Size", Number, Same),
-    row("TH", "Dither", MaybeText, Lacks("durer rounds to the nearest colour"), Same),
-    both("", "Dither_Method", Text, Same),
+    row("TH", "Dither", MaybeText, Part(|p, v| p.dither(v, true)), Part(|p, v| p.dither(v, false))),
+    both("", "Dither_Method", Text, Part(|p, v| p.dither_method(v))),
     both("FG", "File_Gamma", Text, Part(|p, v| p.file_gamma(v))),
     // 3.2.5 Scene parsing
     both("", "Declare", Text, Option("--declare")),
@@ -184,11 +183,11 @@ pub const ROWS: &[Row] = &[
     both("", "BSP_MissChance", Number, Same),
     row("A", "Antialias", MaybeNumber, Part(|p, v| p.antialias(v, true)), Part(|p, v| p.antialias(v, false))),
     both("", "Antialias_Threshold", Number, Part(|p, v| p.number(v, |p, x| p.threshold = x))),
-    both("AM", "Sampling_Method", Number, Lacks(OWN_SAMPLING)),
-    both("AG", "Antialias_Gamma", Number, Lacks(OWN_SAMPLING)),
-    both("R", "Antialias_Depth", Number, Lacks(OWN_SAMPLING)),
-    row("J", "Jitter", MaybeNumber, Lacks(OWN_SAMPLING), Same),
-    both("", "Jitter_Amount", Number, Same),
+    both("AM", "Sampling_Method", Number, Part(|p, v| p.sampling_method(v))),
+    both("AG", "Antialias_Gamma", Number, Part(|p, v| p.antialias_gamma(v))),
+    both("R", "Antialias_Depth", Number, Part(|p, v| p.sampling_depth(v))),
+    row("J", "Jitter", MaybeNumber, Part(|p, v| p.jitter(v, true)), Part(|p, v| p.jitter(v, false))),
+    both("", "Jitter_Amount", Number, Part(|p, v| p.jitter(v, true))),
     row("HR", "High_Reproducibility", Nothing, Same, Same),
     both("RF", "Radiosity_File_Name", Text, Lacks(NO_CACHE)),
     row("RFI", "Radiosity_From_File", Nothing, Lacks(NO_CACHE), Same),

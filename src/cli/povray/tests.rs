@@ -30,7 +30,7 @@ fn same(line: &str, expected: &str) {
 fn a_whole_line() {
     same(
         "+Iscene.pov +W640 +H480 +A0.3 -D -P +Ofoo.png +FN16 +L/path +Q5 +WT2 +UA -GA",
-        "--aa=0.3 --size=640x480 --output=foo.png --format=png --bit-depth=16 --include=/path --quality=5 --threads=2 \
+        "--aa=0.3 --aa-method=grid --size=640x480 --output=foo.png --format=png --bit-depth=16 --include=/path --quality=5 --threads=2 \
          --alpha --quiet -- scene.pov",
     );
     same("scene.pov", "-- scene.pov");
@@ -43,7 +43,9 @@ fn every_row_reads_a_well_written_option() {
     for row in ROWS {
         let value = match row.takes {
             Takes::Nothing => "",
+            Takes::Number if row.ini == "Sampling_Method" => "2",
             Takes::Number | Takes::MaybeNumber => "8",
+            _ if row.ini.starts_with("Dither") => "B3",
             Takes::Text if row.ini == "File_Gamma" => "sRGB",
             Takes::Text if row.ini == "Declare" => "a=1",
             Takes::Text | Takes::MaybeText => "N",
@@ -150,15 +152,28 @@ fn the_later_of_two_counts() {
 
 #[test]
 fn antialiasing() {
-    same("+A a.pov", "--aa=0.3 -- a.pov");
+    same("+A a.pov", "--aa=0.3 --aa-method=grid -- a.pov");
     same("+A0.1 -A a.pov", "--aa=off -- a.pov");
-    same("Antialias=on Antialias_Threshold=0.2 a.pov", "--aa=0.2 -- a.pov");
-    assert_eq!(ours("+A0.1 +AM2 +R3 -J a.pov"), ("--aa=0.1 -- a.pov".into(), 2));
+    same("Antialias=on Antialias_Threshold=0.2 a.pov", "--aa=0.2 --aa-method=grid -- a.pov");
+    same("+A0.1 +AM2 +R4 -J a.pov", "--aa=0.1 --aa-method=corners --aa-depth=4 --aa-jitter=0 -- a.pov");
+    same("+A +J0.5 -J +J +AG1.8 a.pov", "--aa=0.3 --aa-method=grid --aa-jitter=0.5 --aa-gamma=1.8 -- a.pov");
+    same("Jitter_Amount=2 a.pov", "--aa=off --aa-jitter=1 -- a.pov");
+    for line in ["+AM3", "+R0", "+R10", "+AG0", "+AG-1"] {
+        assert!(translated(words(&format!("{line} a.pov"))).is_none(), "{line}");
+    }
+}
+
+#[test]
+fn shades_between_codes() {
+    same("+THB2 +FG2.2 a.pov", "--aa=off --file-gamma=2.2 --dither=b2 -- a.pov");
+    same("Dither=on Dither_Method=D1 File_Gamma=sRGB a.pov", "--aa=off --file-gamma=srgb --dither=d1 -- a.pov");
+    same("+TH -THfs a.pov", "--aa=off -- a.pov");
+    assert!(translated(words("+THx a.pov")).is_none() && translated(words("+FG0 a.pov")).is_none());
 }
 
 #[test]
 fn what_is_not_obeyed_is_told() {
-    assert_eq!(ours("+UF +R3 a.pov").1, 2);
+    assert_eq!(ours("+UF +GD3 -GW a.pov").1, 2);
     assert_eq!(ours("Post_Scene_Command=rm a.pov").1, 1);
     assert_eq!(ours("-D -P -C -UF a.pov").1, 0);
 }
@@ -167,8 +182,8 @@ fn what_is_not_obeyed_is_told() {
 fn what_means_nothing_is_told_when_asked_for() {
     let idle = |line: &str| translate(&Sources::default(), words(line)).idle.len();
     for (line, count) in [
-        ("+D +P +C +X +UD +GIa.ini a.pov", 6),
-        ("Display=on Pause_When_Done=on Test_Abort=on Continue_Trace=on Draw_Vistas=on a.pov", 5),
+        ("+D +P +X +UD +GIa.ini a.pov", 5),
+        ("Display=on Pause_When_Done=on Test_Abort=on Draw_Vistas=on a.pov", 4),
         ("Display_Gamma=2.2 Palette=3 Video_Mode=1 Create_Ini=b All_File=on a.pov", 5),
         ("-D -P -C -X -UD Display=off Verbose=off Display_Gamma= a.pov", 0),
     ] {
@@ -184,7 +199,10 @@ fn numbers_are_read_as_far_as_they_go() {
     same("+H12.7 +W1e2 a.pov", "--aa=off --size=1x12 -- a.pov");
     same("+H6 +W+8 a.pov", "--aa=off --size=8x6 -- a.pov");
     same("Clock=0.5abc +Q12 Work_Threads=1.5 a.pov", "--aa=off --clock=0.5 --quality=11 --threads=1 -- a.pov");
-    same("+A0.1x Quality=-1 Bits_Per_Color=16.0 a.pov", "--aa=0.1 --bit-depth=16 --quality=0 -- a.pov");
+    same(
+        "+A0.1x Quality=-1 Bits_Per_Color=16.0 a.pov",
+        "--aa=0.1 --aa-method=grid --bit-depth=16 --quality=0 -- a.pov",
+    );
     assert_eq!(frames("+KFI2.7 +KFF3x"), Some([2, 3, 2, 3, 1, 1]));
     for line in ["Height=abc", "Height=", "Height=.5e2", "+W", "Clock=abc", "Quality=abc", "Version=abc"] {
         assert!(translated(words(&format!("{line} a.pov"))).is_none(), "{line}");

@@ -1,0 +1,138 @@
+//! A render is never lost: killed at any moment, `--resume` goes on and gives the same bytes. (`DURER_KILLS=20` tries more moments.)
+
+#![allow(clippy::unwrap_used)]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// It takes a second or two.
+const SCENE: &str = "#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 }
+light_source { <-5, 8, -6>, 1 area_light x * 3, z * 3, 3, 3 jitter }
+plane { y, -1 pigment { checker rgb 1, rgb <0.2, 0.4, 0.6> } finish { reflection 0.2 } }
+#for (I, 0, 25) sphere { <sin(I), cos(I * 2), cos(I + clock)>, 0.3 pigment { rgbt <1, 0.8, 0.5, 0.3> } finish { phong 1 } } #end";
+
+struct Place(tempfile::TempDir);
+
+impl Place {
+    fn new() -> Self {
+        let place = Self(tempfile::tempdir().unwrap());
+        std::fs::write(place.at("a.scene"), SCENE).unwrap();
+        place
+    }
+
+    fn at(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn durer(&self, words: &str) -> Command {
+        let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
+        durer.args(["render", "a.scene", "--keep-after", "0"]).args(words.split_whitespace());
+        durer.current_dir(&self.0).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        durer
+    }
+
+    fn run(&self, words: &str) -> Output {
+        self.durer(words).output().unwrap()
+    }
+
+    /// What is in the folder beside the scene, with contents.
+    fn pictures(&self) -> Vec<(String, Vec<u8>)> {
+        let entries = std::fs::read_dir(&self.0).unwrap().map(|entry| entry.unwrap().path());
+        let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
+        let mut all: Vec<_> = entries.map(|path| (name(&path), std::fs::read(&path).unwrap())).collect();
+        all.sort();
+        all
+    }
+}
+
+fn err(out: &Output) -> String {
+    String::from_utf8_lossy(&out.stderr).into_owned()
+}
+
+/// Kills it at moments that are spread over the time it takes, goes on until it is done, and compares everything.
+fn kill_and_resume(words: &str, short: usize) {
+    let whole = Place::new();
+    let start = Instant::now();
+    let out = whole.run(words);
+    assert!(out.status.success(), "{}", err(&out));
+    let (time, expected) = (start.elapsed(), whole.pictures());
+    let moments = std::env::var("DURER_KILLS").ok().and_then(|n| n.parse().ok()).unwrap_or(short);
+    let mut went_on = 0;
+    for moment in 0..moments {
+        let place = Place::new();
+        for threads in [1, 2, 7].iter().cycle().skip(moment).take(2) {
+            let mut durer = place.durer(&format!("{words} --resume --threads {threads}")).spawn().unwrap();
+            std::thread::sleep(time.mul_f64((moment as f64 + 0.5) / moments as f64 * 0.8));
+            durer.kill().unwrap();
+            durer.wait().unwrap();
+            went_on += usize::from(place.pictures().iter().any(|(name, _)| name.ends_with(".unfinished")));
+        }
+        let out = place.run(&format!("{words} --resume"));
+        assert!(out.status.success() && err(&out).is_empty(), "{}", err(&out));
+        assert!(place.pictures() == expected, "{words}, moment {moment}");
+    }
+    assert!(went_on > 0 || moments == 0, "it never got so far");
+}
+
+#[test]
+fn a_still() {
+    kill_and_resume("--size 200x150 --aa 0.1 -o a.png", 4);
+}
+
+#[test]
+fn a_region_by_povrays_second_method() {
+    kill_and_resume("--size 240x180 --aa 0.1 --aa-method corners --region 40,30,160,120 -o a.exr", 2);
+}
+
+#[test]
+fn an_animation() {
+    kill_and_resume("--size 100x75 --aa 0.1 --frames 1-4 -o a.png", 3);
+}
+
+#[test]
+fn what_is_stale_or_damaged_is_told_and_not_used() {
+    let place = Place::new();
+    let words = "--size 200x150 --aa 0.1 -o a.png";
+    let stopped = place.run(&format!("{words} --max-time 0.3"));
+    assert!(err(&stopped).contains("`a.png.unfinished`; with `--resume`"), "{}", err(&stopped));
+    let journal = std::fs::read(place.at("a.png.unfinished")).unwrap();
+    let other = place.run("--size 20x15 --aa 0.1 -o a.png --resume");
+    assert!(other.status.success() && err(&other).contains("drawn with other options"), "{}", err(&other));
+    std::fs::write(place.at("a.png.unfinished"), &journal).unwrap();
+    std::fs::write(place.at("a.scene"), SCENE.replace("<-5, 8, -6>", "<5, 8, -6>")).unwrap();
+    let changed = place.run(&format!("{words} --resume --max-time 0.2"));
+    assert!(err(&changed).contains("a.scene` has changed"), "{}", err(&changed));
+    std::fs::write(place.at("a.scene"), SCENE).unwrap();
+    let mut damaged = journal.clone();
+    damaged[journal.len() / 2] ^= 1;
+    std::fs::write(place.at("a.png.unfinished"), &damaged).unwrap();
+    let told = place.run(&format!("{words} --resume --max-time 0.2"));
+    assert!(err(&told).contains("it is damaged"), "{}", err(&told));
+    std::fs::write(place.at("a.png.unfinished"), &journal).unwrap();
+    let anew = place.run(&format!("{words} --max-time 0.2"));
+    assert!(err(&anew).contains("`--resume` would go on with it"), "{}", err(&anew));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
+    let place = Place::new();
+    std::fs::create_dir(place.at("out")).unwrap();
+    let mut durer = place.durer("--size 200x150 --aa 0.1 -o out/a.png").spawn().unwrap();
+    std::thread::sleep(Duration::from_millis(300));
+    std::fs::rename(place.at("out"), place.at("away")).unwrap();
+    let out = {
+        durer.wait().unwrap();
+        durer.wait_with_output().unwrap()
+    };
+    assert_eq!(out.status.code(), Some(5), "{}", err(&out));
+    assert!(err(&out).contains("out/a.png` can't be written") && err(&out).contains("what was drawn is kept"));
+    std::fs::rename(place.at("away"), place.at("out")).unwrap();
+    let again = place.run("--size 200x150 --aa 0.1 -o out/a.png --resume --stats json");
+    assert!(again.status.success(), "{}", err(&again));
+    let stats: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
+    assert_eq!(stats["rays"]["camera"], 0);
+}
