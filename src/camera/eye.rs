@@ -1,9 +1,10 @@
 //! Cameras as a ray needs them: vectors in world space and angles in radians; nothing to look at, no degrees, no defaults.
 
 use super::perspective::Window;
-use super::{Bumps, Lens, cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
+use super::{Bumps, Lens, MeshRays, cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
 use crate::math::{DVec2, DVec3, Ray};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// A lowered camera.
 #[derive(Clone, Debug, Serialize)]
@@ -34,7 +35,7 @@ pub struct Frame {
 }
 
 /// How a camera projects. Each has a file of its own with its formula.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Projection {
     /// Rays from one point through a window.
@@ -60,6 +61,8 @@ pub enum Projection {
     Cylinder(u8, f64),
     /// See the file of this name. The angles are those across and upright.
     Spherical(DVec2),
+    /// Rays from the faces of meshes.
+    Mesh(#[serde(skip)] Arc<MeshRays>),
 }
 
 impl Frame {
@@ -85,6 +88,8 @@ enum Rays {
     Window(Window),
     /// Those of all others.
     Bent(Box<Bent>),
+    /// Those from the faces of meshes.
+    Faces(Arc<MeshRays>),
 }
 
 /// Rays that no flat window gives.
@@ -102,7 +107,8 @@ impl Eye {
     /// The rays of a picture of so many pixels.
     pub fn view(&self, width: usize, height: usize) -> View {
         let frame = self.frame;
-        let rays = match self.projection {
+        let rays = match self.projection.clone() {
+            Projection::Mesh(mesh) => Rays::Faces(mesh),
             Projection::Perspective => Rays::Window(Window::of(&frame, width, height)),
             Projection::Lecture { tan_x, tan_y } => {
                 Rays::Window(super::lecture::window(&frame, (tan_x, tan_y), width, height))
@@ -117,14 +123,30 @@ impl Eye {
 }
 
 impl View {
+    /// How many rays a point of the picture may have.
+    pub fn count(&self) -> usize {
+        if let Rays::Faces(mesh) = &self.rays { mesh.count() } else { 1 }
+    }
+
+    /// How far the camera sees.
+    pub fn reach(&self) -> f64 {
+        if let Rays::Faces(mesh) = &self.rays { mesh.reach() } else { f64::INFINITY }
+    }
+
     /// The unit ray through a point of the picture, in pixels from its top left corner; `None` where the camera sees nothing.
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
+        self.ray_of(x, y, 0)
+    }
+
+    /// Of several rays, the one of that number.
+    pub fn ray_of(&self, x: f64, y: f64, number: usize) -> Option<Ray> {
         // -½ to ½, to the right and up
         let at = || DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
         let (ray, place) = match &self.rays {
             Rays::Window(window) if self.bumps.is_none() => return Some(window.ray(x, y)),
             Rays::Window(window) => (window.ray(x, y), at()),
             Rays::Bent(bent) => bent.ray(at())?,
+            Rays::Faces(mesh) => (mesh.ray(x, y, number, self.size)?, at()),
         };
         Some(self.bumps.as_ref().map_or(ray, |bumps| bumps.turn(ray, place)))
     }
@@ -133,6 +155,7 @@ impl View {
     pub fn origin(&self) -> Option<DVec3> {
         match &self.rays {
             Rays::Window(window) => Some(window.origin),
+            Rays::Faces(_) => None,
             Rays::Bent(bent) if bent.moves() => None,
             Rays::Bent(bent) => Some(bent.origin),
         }
@@ -156,16 +179,16 @@ impl Bent {
     /// The ray through a place of the picture, from -½ to ½ to the right and up, and where bumps are asked.
     fn ray(&self, at: DVec2) -> Option<(Ray, DVec2)> {
         let lengths = self.lengths;
-        let sight = match self.projection {
-            // (These have a window.)
-            Projection::Perspective | Projection::Lecture { .. } => return None,
+        let sight = match &self.projection {
+            // (These have a window, or faces.)
+            Projection::Perspective | Projection::Lecture { .. } | Projection::Mesh(_) => return None,
             Projection::Orthographic => orthographic::ray(at, lengths),
-            Projection::Fisheye(angle) => fisheye::ray(at, lengths, angle)?,
-            Projection::UltraWideAngle(angle) => ultra_wide_angle::ray(at, lengths, angle),
+            Projection::Fisheye(angle) => fisheye::ray(at, lengths, *angle)?,
+            Projection::UltraWideAngle(angle) => ultra_wide_angle::ray(at, lengths, *angle),
             Projection::Omnimax => omnimax::ray(at, lengths)?,
             Projection::Panoramic => panoramic::ray(at, lengths),
-            Projection::Cylinder(kind, angle) => cylinder::ray(kind, at, lengths, angle),
-            Projection::Spherical(angles) => spherical::ray(at, angles),
+            Projection::Cylinder(kind, angle) => cylinder::ray(*kind, at, lengths, *angle),
+            Projection::Spherical(angles) => spherical::ray(at, *angles),
         };
         let Sight { origin, dir, place } = sight;
         let [right, up, ahead] = self.axes;

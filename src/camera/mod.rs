@@ -6,6 +6,7 @@ mod eye;
 mod fisheye;
 mod focal_blur;
 mod lecture;
+mod mesh_camera;
 mod omnimax;
 mod orthographic;
 mod panoramic;
@@ -19,6 +20,7 @@ pub use bumps::Bumps;
 pub use eye::{Eye, Frame, Projection, View};
 pub use focal_blur::{FocalBlur, Lens};
 pub use lecture::LectureCamera;
+pub use mesh_camera::{Distribution, MeshCamera, MeshRays, ReadMesh};
 pub use perspective::Window;
 pub use povray::{Kind, PovrayCamera};
 
@@ -57,11 +59,11 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Reads what stands between the braces; `source` is the block's place.
+    /// Reads what stands between the braces; `source` is the block's place, and `mesh` reads the meshes of a mesh camera.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
-    pub fn read(r: &mut dyn Reader, source: Span, defaults: &Texture) -> Result<Self> {
+    pub fn read(r: &mut dyn Reader, source: Span, defaults: &Texture, mesh: ReadMesh) -> Result<Self> {
         let mut povray = PovrayCamera::default();
         if let Some(declared) = r.thing::<Camera>()? {
             match &*declared {
@@ -89,6 +91,11 @@ impl Camera {
                 next if read_row(POVRAY_ROWS, &mut povray, next, r)? => {}
                 next if read_row(KIND_ROWS, &mut povray, next, r)? => {}
                 next if read_row(BLUR_ROWS, &mut povray, next, r)? => {}
+                Next::Block("mesh_camera") => {
+                    r.take()?;
+                    povray.read_mesh_camera(r, mesh)?;
+                    r.leave()?;
+                }
                 Next::Thing("normal") => povray.normal = r.thing::<Normal>()?,
                 Next::Block("normal") => {
                     r.take()?;

@@ -1,8 +1,8 @@
 //! POV-Ray's camera. The order of its words does not matter (measured on 3.7): all are collected, then `angle` sets the length of
 //! `direction`, `look_at` turns everything, and transforms come last.
 
-use super::FocalBlur;
 use super::eye::{Eye, Frame, Projection};
+use super::{FocalBlur, MeshCamera, MeshRays};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;
@@ -38,6 +38,9 @@ pub struct PovrayCamera {
     pub angle_span: Span,
     /// What is not in focus is blurred.
     pub blur: FocalBlur,
+    /// Where its rays begin, if it is made of meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<Arc<MeshCamera>>,
     /// What turns its rays.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
@@ -64,6 +67,7 @@ impl Default for PovrayCamera {
             sized: false,
             angle_span: Span::NONE,
             blur: FocalBlur::default(),
+            mesh: None,
             normal: None,
             transform: Transform::IDENTITY,
             undrawn: vec![],
@@ -84,6 +88,7 @@ pub enum Kind {
     Panoramic,
     Cylinder(u8),
     Spherical,
+    Mesh,
 }
 
 /// Of cameras that have one, if nothing is said; in degrees (measured on 3.7).
@@ -164,10 +169,10 @@ impl PovrayCamera {
         let frame = Frame { origin: t.point(self.location), direction, right, up };
         let blur = FocalBlur { focal_point: t.point(self.blur.focal_point), ..self.blur };
         let lens = blur.lens(frame.origin, direction.normalize_or_zero());
-        Eye { frame, projection: self.projection(), lens, bumps: None }
+        Eye { frame, projection: self.projection(&frame), lens, bumps: None }
     }
 
-    fn projection(&self) -> Projection {
+    fn projection(&self, frame: &Frame) -> Projection {
         let angle = self.angle.unwrap_or(USUAL_ANGLE).to_radians();
         match self.kind {
             Kind::Perspective => Projection::Perspective,
@@ -182,6 +187,9 @@ impl PovrayCamera {
                 let upright = self.vertical_angle.unwrap_or(across / 2.0);
                 Projection::Spherical(DVec2::new(across.to_radians(), upright.to_radians()))
             }
+            Kind::Mesh => self.mesh.as_ref().map_or(Projection::Perspective, |mesh| {
+                Projection::Mesh(Arc::new(MeshRays::new(mesh, frame.origin, frame.direction)))
+            }),
         }
     }
 

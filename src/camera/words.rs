@@ -61,13 +61,21 @@ pub(super) const KIND_ROWS: &[Row<PovrayCamera>] = &[
 /// How a camera projects, for the manual.
 pub const KINDS: &[WordSpec] = specs!(KIND_ROWS);
 
-/// What turns rays.
-const BUMPS: &[WordSpec] = &[word(
-    "normal",
-    Block,
-    "",
-    "turns the rays as bumps turn a surface's normal; the pattern lies in the picture, which goes from -0.5 to 0.5",
-)];
+/// The camera that is made of meshes, and what turns rays.
+const BLOCKS: &[WordSpec] = &[
+    word(
+        "mesh_camera",
+        Block,
+        "",
+        "rays from the faces of meshes: `mesh_camera { rays distribution [distance] mesh { … } … [smooth] }`",
+    ),
+    word(
+        "normal",
+        Block,
+        "",
+        "turns the rays as bumps turn a surface's normal; the pattern lies in the picture, which goes from -0.5 to 0.5",
+    ),
+];
 
 /// What blurs, for the manual.
 pub const BLUR: &[WordSpec] = specs!(BLUR_ROWS);
@@ -76,13 +84,13 @@ pub const BLUR: &[WordSpec] = specs!(BLUR_ROWS);
 pub const POVRAY: Vocabulary = Vocabulary {
     block: "camera",
     summary: "where the picture is taken from; x to the right, y up, z away from you",
-    words: &joined::<{ POVRAY_ROWS.len() + BUMPS.len() + KINDS.len() + BLUR.len() }>(
-        &joined::<{ POVRAY_ROWS.len() + BUMPS.len() }>(specs!(POVRAY_ROWS), BUMPS),
+    words: &joined::<{ POVRAY_ROWS.len() + BLOCKS.len() + KINDS.len() + BLUR.len() }>(
+        &joined::<{ POVRAY_ROWS.len() + BLOCKS.len() }>(specs!(POVRAY_ROWS), BLOCKS),
         &joined::<{ KINDS.len() + BLUR.len() }>(KINDS, BLUR),
     ),
     moves: true,
     idle: &[],
-    not_drawn: &["mesh_camera", "bokeh", "smooth"],
+    not_drawn: &["bokeh"],
 };
 
 /// How [`LECTURE`]'s words are read.

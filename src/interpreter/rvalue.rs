@@ -6,9 +6,8 @@ use super::reader::TransformThing;
 use super::scope::Slot;
 use super::stream::{BlockName, Token};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
-use crate::camera::Camera;
 use crate::diagnostic::Result;
-use crate::scene::{Object, is_object, read_layers, read_material};
+use crate::scene::{Object, is_object, read_camera, read_layers, read_material};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Sign};
 use crate::syntax::word;
@@ -118,7 +117,7 @@ impl<'a> Interpreter<'a> {
             "fog" => self.inside(|r, _| Fog::read(r)),
             "rainbow" => self.inside(|r, at| Rainbow::read(r, at)),
             "sky_sphere" => self.inside(|r, at| SkySphere::read(r, &defaults.texture, at)),
-            "camera" => self.inside(|r, at| Camera::read(r, at, &defaults.texture)),
+            "camera" => self.inside(|r, at| read_camera(r, at, &defaults)),
             "transform" => self.inside(|r, _| Ok(TransformThing(r.transform_block()?))),
             _ => Err(self.unexpected_token("something that can be declared").into()),
         }
@@ -145,7 +144,7 @@ impl<'a> Interpreter<'a> {
                 Next::Block("camera") => {
                     let at = self.take()?;
                     let defaults = self.defaults.clone();
-                    self.scene.camera = Camera::read(self, at, &defaults.texture)?;
+                    self.scene.camera = read_camera(self, at, &defaults)?;
                     self.leave()?;
                 }
                 _ => {

@@ -3,10 +3,9 @@
 use super::stream::Token;
 use super::{Interpreter, compat, hints};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
-use crate::camera::Camera;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
-use crate::scene::{Object, is_object};
+use crate::scene::{Object, is_object, read_camera};
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
 use crate::texture::tell_bytes;
@@ -99,7 +98,7 @@ impl Interpreter<'_> {
         match word {
             "camera" => {
                 let defaults = self.defaults.clone();
-                self.scene.camera = Camera::read(self, at, &defaults.texture)?;
+                self.scene.camera = read_camera(self, at, &defaults)?;
                 self.scene.cameras.push(at);
             }
             "background" => {

@@ -47,6 +47,8 @@ pub(super) struct Setup<'w> {
     /// Of the camera: unit vectors right, up and ahead.
     axes: [DVec3; 3],
     pub quality: Quality,
+    /// How far the camera sees.
+    reach: f64,
     frame: u32,
     /// The picture keeps alpha.
     alpha: bool,
@@ -66,7 +68,8 @@ impl<'w> Setup<'w> {
             start = around(world, origin);
         }
         let (axes, _) = world.eye.frame.axes();
-        Self { world, view, axes, quality, frame: options.frame, alpha: options.alpha, start, asks_inside }
+        let reach = view.reach();
+        Self { world, reach, view, axes, quality, frame: options.frame, alpha: options.alpha, start, asks_inside }
     }
 }
 
@@ -193,7 +196,22 @@ impl<'w> Tracer<'w> {
 
     /// The light through a point of the picture, in pixels from its top left corner.
     pub fn see(&mut self, x: f64, y: f64) -> Sample {
+        let count = self.setup.view.count();
+        if count > 1 {
+            return self.see_several(x, y, count);
+        }
         self.setup.view.ray(x, y).map_or(Sample::NOTHING, |ray| self.look(ray))
+    }
+
+    /// The mean of all rays that there are.
+    fn see_several(&mut self, x: f64, y: f64, count: usize) -> Sample {
+        let (mut sum, mut found) = (Sample::NOTHING, 0.0);
+        for number in 0..count {
+            let Some(ray) = self.setup.view.ray_of(x, y, number) else { continue };
+            let seen = self.look(ray);
+            (sum.rgb, sum.passed, found) = (sum.rgb + seen.rgb, sum.passed + seen.passed, found + 1.0);
+        }
+        if found == 0.0 { Sample::NOTHING } else { Sample { rgb: sum.rgb / found, passed: sum.passed / found } }
     }
 
     /// The same through a place of a lens, which is two numbers in [0, 1).
@@ -343,6 +361,7 @@ impl<'w> Tracer<'w> {
         } else if path.passed {
             world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].through)
         } else {
+            let range = Range { max: self.setup.reach, ..range };
             world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].image)
         }
     }

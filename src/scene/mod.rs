@@ -9,7 +9,9 @@ mod weight;
 pub mod words;
 
 pub use alike::Alike;
-pub use object::{Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, Rare, is_object};
+pub use object::{
+    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, Rare, is_object, read_camera,
+};
 pub use settings::Settings;
 pub use surface::{Painted, read_layers, read_material};
 pub use weight::Weight;

@@ -49,7 +49,7 @@ pub use height_field::HeightField;
 pub use isosurface::Isosurface;
 pub use julia_fractal::{Algebra, Function, JuliaFractal};
 pub use lathe::Lathe;
-pub use mesh::{Mesh, Mesh2, TriangleMesh};
+pub use mesh::{Face, Mesh, Mesh2, TriangleMesh};
 pub use ovus::Ovus;
 pub use parametric::Parametric;
 pub use plane::{Plane, Spanned};
@@ -257,6 +257,11 @@ pub trait Kernel {
         p.truncate()
     }
 
+    /// Its triangles in the order in which they were written, of a mesh.
+    fn faces(&self) -> Vec<Face> {
+        vec![]
+    }
+
     /// What a place shows, of shapes that carry textures.
     fn slots(&self, _p: DVec3, _hit: &Hit) -> Slots {
         smallvec::smallvec![(0, 1.0)]
@@ -324,6 +329,7 @@ macro_rules! shapes {
             fn crossing(&self, ray: &Ray) -> Crossing { match self { $(Shape::$name(s) => s.crossing(ray)),* } }
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
+            fn faces(&self) -> Vec<Face> { match self { $(Shape::$name(s) => s.faces()),* } }
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }

@@ -1,5 +1,6 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
+mod camera;
 mod carried;
 mod light;
 mod read;
@@ -14,6 +15,7 @@ use serde::Serialize;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
+pub use camera::read_camera;
 pub use light::{LIGHT_GROUP, LightSource};
 pub use read::is_object;
 

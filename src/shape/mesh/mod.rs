@@ -4,12 +4,14 @@
 //! Benthin and Wald (Watertight ray/triangle intersection, Journal of Computer Graphics Techniques, 2013): a ray never slips through
 //! between two triangles that share a side.
 
+mod face;
 mod file;
 mod ordered;
 mod pack;
 mod read;
 mod sheared;
 
+pub use face::Face;
 pub use read::{Mesh, Mesh2};
 pub(super) use sheared::Sheared;
 
@@ -85,6 +87,10 @@ macro_rules! mesh_kernel {
 
             fn uv(&self, _: DVec3, hit: &Hit) -> DVec2 {
                 self.0.triangles.uv(hit)
+            }
+
+            fn faces(&self) -> Vec<$crate::shape::Face> {
+                self.0.triangles.faces()
             }
 
             fn slots(&self, _: DVec3, hit: &Hit) -> Slots {

@@ -1,5 +1,6 @@
 //! Triangles in the order of a hierarchy, and how rays meet them.
 
+use super::Face;
 use super::pack::Pack;
 use super::sheared::Sheared;
 use crate::math::bvh::{self, Bvh};
@@ -22,6 +23,9 @@ pub struct Ordered {
     packs: Vec<Pack>,
     #[serde(skip)]
     bounds: Option<Aabb>,
+    /// Where each triangle is in that order, in the order in which they were written.
+    #[serde(skip)]
+    written: Vec<u32>,
 }
 
 impl Ordered {
@@ -30,6 +34,10 @@ impl Ordered {
         let mut all = Self { lists, ..Self::default() };
         let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_solid(i as usize)).collect();
         let (bvh, order, rows) = Bvh::build_packs(kept.iter().map(|&i| all.face_bounds(i as usize)));
+        all.written = vec![0; order.len()];
+        for (at, i) in order.iter().enumerate() {
+            all.written[*i as usize] = at as u32;
+        }
         let order: Vec<u32> = order.into_iter().map(|i| kept[i as usize]).collect();
         let lists = &mut all.lists;
         for list in [&mut lists.corners, &mut lists.smooth, &mut lists.mapped, &mut lists.painted] {
@@ -65,6 +73,22 @@ impl Ordered {
 
     fn face_bounds(&self, face: usize) -> Aabb {
         Aabb::from_points(self.face(face))
+    }
+
+    /// All of them in the order in which they were written.
+    pub fn faces(&self) -> Vec<Face> {
+        let face = |&i: &u32| {
+            let (i, lists) = (i as usize, &self.lists);
+            let [a, b, c] = self.face(i);
+            Face {
+                corners: [a, b, c],
+                normal: Triangle::new(a, b, c).face_normal(),
+                normals: Self::of(&lists.smooth, i)
+                    .map(|numbers| numbers.map(|n| lists.normals[n as usize].as_dvec3())),
+                uv: Self::of(&lists.mapped, i).map(|numbers| numbers.map(|n| lists.uvs[n as usize])),
+            }
+        };
+        self.written.iter().map(face).collect()
     }
 
     /// The numbers that a list has for a triangle.

@@ -1,0 +1,252 @@
+//! `mesh_camera { rays distribution [distance] mesh { … } … [smooth] }`: a ray from the middle of each triangle, along its normal (manual,
+//! "Mesh Camera").
+
+use super::povray::{Kind, PovrayCamera};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::bvh::{self, Bvh};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::shape::Face;
+use crate::value::{Next, Reader};
+use serde::Serialize;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+/// As it was written.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MeshCamera {
+    /// So many rays a pixel, one for each mesh.
+    pub rays: usize,
+    /// How faces and pixels belong together.
+    pub distribution: Distribution,
+    /// What lies farther away is not seen.
+    pub reach: f64,
+    /// Rays go along the normals of the corners, as far as there are some.
+    pub smooth: bool,
+    /// In world space, in the order in which they were written.
+    #[serde(skip)]
+    pub meshes: Vec<Vec<Face>>,
+}
+
+/// How faces and pixels belong together; the numbers are those of the manual.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Distribution {
+    /// 0: each mesh has a face for each pixel, row by row.
+    Layers,
+    /// 1: all meshes together have.
+    Row,
+    /// 2: each mesh has a stripe of the picture.
+    Stripes,
+    /// 3: a pixel belongs to the face whose uv it lies in.
+    Uv,
+}
+
+/// What reads a mesh between the braces of its block, as faces in world space; objects lie above this layer.
+pub type ReadMesh<'a> = &'a mut dyn FnMut(&mut dyn Reader) -> Result<Vec<Face>>;
+
+impl PovrayCamera {
+    /// Reads what stands between the braces.
+    pub(super) fn read_mesh_camera(&mut self, r: &mut dyn Reader, read_mesh: ReadMesh) -> Result<()> {
+        let mut camera = MeshCamera::read_numbers(r)?;
+        loop {
+            match r.next()? {
+                Next::End => break,
+                Next::Block("mesh" | "mesh2") => camera.meshes.push(read_mesh(r)?),
+                Next::Word("smooth") if camera.distribution == Distribution::Uv => {
+                    r.take()?;
+                    camera.smooth = r.flag()?;
+                }
+                _ => return Err(r.unknown_word("mesh_camera", &["mesh", "mesh2", "smooth"]).into()),
+            }
+        }
+        let at = r.span();
+        if camera.meshes.is_empty() {
+            let d = Diagnostic::new(codes::BAD_CAMERA, at, "this `mesh_camera` has no `mesh`");
+            return Err(d.help("its rays begin at the faces of a mesh: `mesh { Name }`").into());
+        }
+        if camera.distribution == Distribution::Layers && camera.rays > camera.meshes.len() {
+            let (rays, meshes) = (camera.rays, camera.meshes.len());
+            let message = format!("{rays} rays a pixel want {rays} meshes with distribution 0, found {meshes}");
+            return Diagnostic::err(codes::BAD_CAMERA, at, message);
+        }
+        (self.kind, self.mesh) = (Kind::Mesh, Some(Arc::new(camera)));
+        Ok(())
+    }
+}
+
+impl MeshCamera {
+    fn read_numbers(r: &mut dyn Reader) -> Result<Self> {
+        let (at, rays) = (r.span(), r.float()?);
+        if !(1.0..=1e6).contains(&rays) {
+            let message = format!("a `mesh_camera` begins with its rays per pixel, 1 or more, found {rays}");
+            return Diagnostic::err(codes::BAD_CAMERA, at, message);
+        }
+        let (at, number) = (r.span(), r.float()?);
+        let distribution = match number as i64 {
+            0 if number > -1.0 => Distribution::Layers,
+            1 => Distribution::Row,
+            2 => Distribution::Stripes,
+            3 => Distribution::Uv,
+            _ => {
+                let message = format!("a `mesh_camera` has a distribution from 0 to 3, found {number}");
+                let help = "0: each mesh has a face for each pixel; 1: all together have; 2: stripes; 3: by uv";
+                return Err(Diagnostic::new(codes::BAD_CAMERA, at, message).help(help).into());
+            }
+        };
+        if matches!(distribution, Distribution::Stripes | Distribution::Uv) && rays >= 2.0 {
+            return Diagnostic::err(codes::BAD_CAMERA, at, "distributions 2 and 3 take one ray a pixel");
+        }
+        let reach = r.optional_float()?.filter(|reach| *reach > 1e-10).unwrap_or(f64::INFINITY);
+        Ok(Self { rays: rays as usize, distribution, reach, smooth: false, meshes: vec![] })
+    }
+}
+
+/// A lowered mesh camera.
+#[derive(Debug)]
+pub struct MeshRays {
+    camera: Arc<MeshCamera>,
+    /// How far before its face a ray begins.
+    offset: f64,
+    /// Do rays go the other way?
+    reversed: bool,
+    /// Over the faces of the first mesh, in the plane of their uv; and their numbers in its order.
+    by_uv: (Bvh, Vec<u32>),
+}
+
+impl MeshRays {
+    /// Of the camera's location and direction only z counts (measured on POV-Ray 3.7): how far before the face a ray begins, and whether
+    /// it goes back.
+    pub(super) fn new(camera: &Arc<MeshCamera>, location: DVec3, direction: DVec3) -> Self {
+        let boxes = match camera.distribution {
+            Distribution::Uv => camera.meshes[0].iter().map(uv_box).collect(),
+            _ => vec![],
+        };
+        let kept: Vec<u32> = (0..boxes.len() as u32).filter(|i| bvh::fits(&boxes[*i as usize])).collect();
+        let (bvh, order) = Bvh::build(kept.iter().map(|i| boxes[*i as usize]));
+        let order = order.into_iter().map(|i| kept[i as usize]).collect();
+        Self { camera: camera.clone(), offset: location.z, reversed: direction.z < -1e-10, by_uv: (bvh, order) }
+    }
+
+    /// How many rays a point of the picture may have.
+    pub fn count(&self) -> usize {
+        if self.camera.distribution == Distribution::Layers { self.camera.rays } else { 1 }
+    }
+
+    /// How far they see.
+    pub fn reach(&self) -> f64 {
+        self.camera.reach
+    }
+
+    /// The ray of that number through a point of the picture, in pixels, if there is a face. (POV-Ray 3.7 sees the first row twice, and so
+    /// no face of the last one; and the last column by uv half a pixel earlier: all measured.)
+    pub(super) fn ray(&self, x: f64, y: f64, number: usize, size: DVec2) -> Option<Ray> {
+        let (x, y) = (x.min(size.x - 1.0), y.max(1.0) - 1.0);
+        let meshes = &self.camera.meshes;
+        let index = x as usize + y as usize * size.x as usize;
+        match self.camera.distribution {
+            Distribution::Layers => self.of_face(meshes.get(number)?.get(index)?),
+            Distribution::Row => self.of_face(meshes.iter().flatten().nth(index)?),
+            Distribution::Stripes => {
+                let stripe = (x / size.x * meshes.len() as f64) as usize;
+                let width = size.x as usize / meshes.len();
+                self.of_face(meshes.get(stripe)?.get(x as usize + y as usize * width)?)
+            }
+            Distribution::Uv => self.by_uv(DVec2::new((x - 0.5) / size.x, 1.0 - (y + 0.5) / size.y)),
+        }
+    }
+
+    /// From the middle of the face.
+    fn of_face(&self, face: &Face) -> Option<Ray> {
+        let [a, b, c] = face.corners;
+        self.from((a + b + c) / 3.0, face.normal)
+    }
+
+    /// From the place of the first face that has this uv.
+    fn by_uv(&self, uv: DVec2) -> Option<Ray> {
+        let (bvh, order) = &self.by_uv;
+        let mut first: Option<(u32, DVec3)> = None;
+        bvh.traverse(&Ray::new(uv.extend(-1.0), DVec3::Z), Range::ALL, |at, max| {
+            let number = order[at];
+            if first.is_none_or(|(best, _)| number < best) {
+                let inside = within(&self.camera.meshes[0][number as usize], uv);
+                first = inside.map(|weights| (number, weights)).or(first);
+            }
+            ControlFlow::Continue(max)
+        });
+        let (number, weights) = first?;
+        let face = &self.camera.meshes[0][number as usize];
+        let between = |[a, b, c]: [DVec3; 3]| a * weights.x + b * weights.y + c * weights.z;
+        let normal = match face.normals {
+            Some(normals) if self.camera.smooth => between(normals),
+            _ => face.normal,
+        };
+        self.from(between(face.corners), normal)
+    }
+
+    fn from(&self, place: DVec3, normal: DVec3) -> Option<Ray> {
+        let normal = normal.try_normalize()?;
+        let dir = if self.reversed { -normal } else { normal };
+        Some(Ray::new(place + dir * self.offset, dir))
+    }
+}
+
+fn uv_box(face: &Face) -> Aabb {
+    match face.uv {
+        Some(uv) => Aabb::from_points(uv.map(|uv| uv.extend(0.0))),
+        None => Aabb::EMPTY,
+    }
+}
+
+/// The weights of the corners of a face at a uv, if that lies within it.
+fn within(face: &Face, uv: DVec2) -> Option<DVec3> {
+    let [a, b, c] = face.uv?;
+    let area = (b - a).perp_dot(c - a);
+    let weights = DVec3::new((b - uv).perp_dot(c - uv), (c - uv).perp_dot(a - uv), (a - uv).perp_dot(b - uv)) / area;
+    (weights.min_element() >= 0.0).then_some(weights)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn face(x: f64, uv: [DVec2; 3]) -> Face {
+        let corners = [DVec3::new(x, 0.0, 0.0), DVec3::new(x + 3.0, 0.0, 0.0), DVec3::new(x, 3.0, 0.0)];
+        Face { corners, normal: DVec3::NEG_Z, normals: None, uv: Some(uv) }
+    }
+
+    fn rays(distribution: Distribution, meshes: Vec<Vec<Face>>) -> MeshRays {
+        let camera = MeshCamera { rays: 1, distribution, reach: f64::INFINITY, smooth: false, meshes };
+        MeshRays::new(&Arc::new(camera), DVec3::Z * 2.0, DVec3::Z)
+    }
+
+    /// Seen in POV-Ray 3.7: which face is in which pixel of a picture of 4 by 3, and of 7 by 3 with stripes.
+    #[test]
+    fn faces_of_pixels() {
+        let mesh = |n: usize| (0..n).map(|i| face(i as f64, [DVec2::ZERO; 3])).collect::<Vec<_>>();
+        let size = DVec2::new(4.0, 3.0);
+        let layers = rays(Distribution::Layers, vec![mesh(6), mesh(20)]);
+        let at = |rays: &MeshRays, x: usize, y: usize, size| {
+            rays.ray(x as f64 + 0.5, y as f64 + 0.5, 0, size).map(|ray| ray.origin.x - 1.0)
+        };
+        let seen = |y| [0, 1, 2, 3].map(|x| at(&layers, x, y, size));
+        assert_eq!(seen(0), [0.0, 1.0, 2.0, 3.0].map(Some));
+        assert_eq!(seen(1), seen(0));
+        assert_eq!(seen(2), [Some(4.0), Some(5.0), None, None]);
+        let row = rays(Distribution::Row, vec![mesh(6), mesh(20)]);
+        assert_eq!(at(&row, 2, 2, size), Some(0.0));
+        let stripes = rays(Distribution::Stripes, vec![mesh(20), mesh(20), mesh(20)]);
+        let size = DVec2::new(7.0, 3.0);
+        assert_eq!([0, 1, 2, 4, 5, 6].map(|x| at(&stripes, x, 0, size)), [0.0, 1.0, 2.0, 4.0, 5.0, 6.0].map(Some));
+        assert_eq!([0, 2, 5].map(|x| at(&stripes, x, 2, size)), [2.0, 4.0, 7.0].map(Some));
+    }
+
+    #[test]
+    fn rays_begin_before_their_face_at_its_uv() {
+        let uv = [DVec2::ZERO, DVec2::X, DVec2::Y];
+        let by_uv = rays(Distribution::Uv, vec![vec![face(0.0, uv), face(9.0, uv)]]);
+        let size = DVec2::new(8.0, 8.0);
+        let ray = by_uv.ray(2.5, 6.5, 0, size).unwrap();
+        assert_eq!((ray.origin, ray.dir), (DVec3::new(0.75, 0.75, -2.0), DVec3::NEG_Z));
+        assert!(by_uv.ray(7.5, 1.5, 0, size).is_none());
+    }
+}
