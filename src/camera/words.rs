@@ -73,7 +73,7 @@ const BLOCKS: &[WordSpec] = &[
         "normal",
         Block,
         "",
-        "turns the rays as bumps turn a surface's normal; the pattern lies in the picture, which goes from -0.5 to 0.5",
+        "turns the rays as bumps turn a surface's normal; the pattern lies in the picture, from -0.5 to 0.5",
     ),
 ];
 

@@ -11,6 +11,27 @@ pub fn word(key: &[u64]) -> u64 {
     mix(folded(key))
 }
 
+/// The numbers that [`unit()`] gives for a key followed by 1, 2, 3 …: for tests. (What draws pictures names each number's purpose.)
+#[derive(Clone, Copy, Debug)]
+pub struct Stream {
+    folded: u64,
+    dimension: u64,
+}
+
+impl Stream {
+    /// For this key.
+    pub fn new(key: &[u64]) -> Self {
+        Self { folded: folded(key), dimension: 0 }
+    }
+
+    /// The next number in [0, 1).
+    #[allow(clippy::should_implement_trait)]
+    pub fn next(&mut self) -> f64 {
+        self.dimension += 1;
+        (mix(fold(self.folded, self.dimension)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
 fn folded(key: &[u64]) -> u64 {
     key.iter().fold(0x9e37_79b9_7f4a_7c15, |h, &word| fold(h, word))
 }
@@ -28,6 +49,12 @@ fn mix(mut z: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_stream_is_a_short_way_to_write_keys() {
+        let mut stream = Stream::new(&[3, 1, 4]);
+        assert_eq!([stream.next(), stream.next()], [unit(&[3, 1, 4, 1]), unit(&[3, 1, 4, 2])]);
+    }
 
     #[test]
     fn numbers_spread_evenly() {

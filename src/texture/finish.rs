@@ -204,11 +204,11 @@ impl Finish {
         set(&mut self.diffuse_back, r.optional_float().map(|x| x.unwrap_or(0.0)))
     }
 
-    /// `reflection colour`, without braces.
+    /// `reflection colour`, without braces; it ends an earlier one's `fresnel` (measured on POV-Ray 3.7).
     pub(super) fn read_plain_reflection(&mut self, r: &mut dyn Reader) -> Result<()> {
         let color = r.color()?.rgb;
         let reflection = &mut *self.reflection;
-        (reflection.min, reflection.max) = (color, color);
+        (reflection.min, reflection.max, reflection.fresnel) = (color, color, false);
         Ok(())
     }
 }

@@ -47,10 +47,20 @@ pub(super) fn cameras() -> String {
         let more = if matches!(kind.name, "cylinder" | "spherical") { " camera" } else { "" };
         format!("## {}{more}\n\nWith the word {}: {}.\n\n", kind.name, code(kind.name), kind.summary)
     });
+    let mesh = "Rays begin in the middle of the faces of meshes, and go along their normals: a camera of any form, or, with distribution 3, a \
+                picture of the light on a mesh, for its `uv_mapping`. `mesh_camera { rays distribution [distance] mesh { … } … }`: of several \
+                rays a pixel each has a mesh of its own, and the mean is seen; what is farther away than the distance is not seen. With \
+                distribution 0 each mesh has a face for each pixel, row by row; with 1 all meshes have together; with 2 each has a \
+                stripe of the picture; with 3 a pixel belongs to the face whose uv it lies in, and `smooth` behind the mesh takes the \
+                normals of the corners. Of `location` and `direction` only z counts: how far before the face a ray begins, and, below \
+                0, that it goes the other way.\n\n";
+    let bumps = "A `normal { … }` turns the rays as bumps turn the normal of a surface, as glass with bumps would. Its pattern lies in \
+                 the picture, which goes from -0.5 to 0.5 in x and y; for cameras of angles, in those, in radians.\n\n";
     let blur = "What is not as far ahead as `focal_point` is blurred. More rays a pixel make it smoother: as many as the pixel needs, \
                 up to the number of `blur_samples`.\n\n";
     section(&camera::words::POVRAY, "POV-Ray's camera", &[])
         + &kinds.collect::<String>()
+        + &format!("## Mesh camera\n\n{mesh}## Bumps before the camera\n\n{bumps}")
         + &format!("## Focal blur\n\n{blur}{}", word_table(camera::words::BLUR, &[]))
         + &section(&camera::words::LECTURE, "durer's own camera", contextual("camera"))
 }

@@ -292,21 +292,23 @@ impl SolidNode {
         best.map(|found| Intersection { object: self.object, ..found })
     }
 
-    /// Of a union that is clipped: what is behind a hit that is kept is not asked for.
+    /// Of a union that is clipped: what is behind a hit that is kept is not asked for. (Of several in one place the last part shows, as in
+    /// POV-Ray 3.7.)
     fn closest_of_clipped<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        let mut best: Option<Intersection> = None;
+        let mut best: Option<(usize, Intersection)> = None;
         let mut hits = Intersections::new();
-        self.each_child(ray, range, |_, child, range| {
+        self.each_child(ray, range, |i, child, range| {
             hits.clear();
             child.hits(ray, range, &mut hits);
             for found in &hits {
-                if best.is_none_or(|best| found.goes_before(&best)) && self.in_clip(ray.at(found.t())) {
-                    best = Some(*found);
+                let before = |(j, best): (usize, Intersection)| found.t() < best.t() || (found.t() == best.t() && i > j);
+                if best.is_none_or(before) && self.in_clip(ray.at(found.t())) {
+                    best = Some((i, *found));
                 }
             }
-            best.map_or(range, |found| Range { max: range.max.min(found.t().next_up()), ..range })
+            best.map_or(range, |(_, found)| Range { max: range.max.min(found.t().next_up()), ..range })
         });
-        best.map(|found| Intersection { object: self.object, ..found })
+        best.map(|(_, found)| Intersection { object: self.object, ..found })
     }
 
     /// The hits on an intersection's or a merge's children.
