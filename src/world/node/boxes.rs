@@ -6,6 +6,7 @@ use crate::math::{Aabb, Range, Ray};
 use crate::shape::Kernel;
 use crate::world::child_bvh::ChildBvh;
 use crate::world::halfspace::{self, HalfSpaces};
+use crate::world::leaf::Leaf;
 use serde::Serialize;
 use smallvec::SmallVec;
 
@@ -131,11 +132,18 @@ impl SolidNode {
         if !clip.is_empty() || matches!(self.kind, SolidKind::Intersection(_)) {
             // Cut by the half-spaces that all of it lies in.
             let mut planes = HalfSpaces::new();
-            half_spaces(&self.kind, &clip, &mut planes);
+            each_around(&self.kind, &clip, &mut |leaf| {
+                halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, &mut planes);
+            });
             if !planes.is_empty() {
                 let all = halfspace::cut(surface.union(solid), &planes);
                 (surface, solid) = (surface.intersection(all), solid.intersection(all));
             }
+            each_around(&self.kind, &clip, &mut |leaf| {
+                if let Some(quadratic) = leaf.quadratic() {
+                    (surface, solid) = (quadratic.bounds_in(surface), quadratic.bounds_in(solid));
+                }
+            });
         }
         // A child matters to a ray in its surface's box, and to a point where it could be the exception.
         let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
@@ -183,12 +191,12 @@ impl SolidNode {
     }
 }
 
-/// Appends half-spaces that all hits of a solid and all points inside it lie in.
-fn half_spaces(kind: &SolidKind, clip: &[SolidNode], out: &mut HalfSpaces) {
-    clip.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out));
+/// Shows the shapes that all hits of a solid and all points inside it lie in.
+fn each_around(kind: &SolidKind, clip: &[SolidNode], visit: &mut dyn FnMut(&Leaf)) {
+    clip.iter().for_each(|c| each_around(&c.kind, c.clip(), visit));
     match kind {
-        SolidKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
-        SolidKind::Intersection(children) => children.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out)),
+        SolidKind::Leaf(leaf) => visit(leaf),
+        SolidKind::Intersection(children) => children.iter().for_each(|c| each_around(&c.kind, c.clip(), visit)),
         SolidKind::Union(_) | SolidKind::Merge(_) => {}
     }
 }
