@@ -202,7 +202,10 @@ impl SolidNode {
         match &self.kind {
             SolidKind::Leaf(leaf) => {
                 let mut hits = Hits::new();
-                if part || !self.is_whole() {
+                if !self.is_whole() {
+                    let Some(range) = self.within_clip(ray, range) else { return };
+                    leaf.hits_as_part(ray, range, &mut hits);
+                } else if part {
                     leaf.hits_as_part(ray, range, &mut hits);
                 } else {
                     leaf.hits(ray, range, &mut hits);
@@ -386,6 +389,13 @@ impl SolidNode {
 
     fn in_clip(&self, p: DVec3) -> bool {
         self.clip().iter().all(|c| c.inside(p))
+    }
+
+    /// What of the range lies in the box, and in those clipping shapes that a ray is in for one stretch.
+    fn within_clip(&self, ray: &Ray, range: Range) -> Option<Range> {
+        let (min, max) = self.enter(ray, range)?;
+        let within = self.clip().iter().fold(Range { min, max }, |range, c| convex_interval::within(c, ray, range));
+        (!within.is_empty()).then_some(within)
     }
 
     fn child_bvh(&self) -> Option<&ChildBvh> {
