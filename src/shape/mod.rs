@@ -303,6 +303,11 @@ pub trait Kernel {
         false
     }
 
+    /// By itself, is it seen whatever bounds it (measured on POV-Ray 3.7)?
+    fn is_never_bounded(&self) -> bool {
+        false
+    }
+
     /// Does it depend on the steps by which it was moved which side is which?
     fn remembers_moves(&self) -> bool {
         false
@@ -341,6 +346,7 @@ macro_rules! shapes {
             fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
             fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
+            fn is_never_bounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_bounded()),* } }
             fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
         }
 

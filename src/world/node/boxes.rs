@@ -84,7 +84,10 @@ impl SolidNode {
     /// That of its parts, as long as it is not turned inside out.
     fn reach_of_parts(&self, surface: Aabb) -> Reach {
         let around = match &self.kind {
-            // (A plane's box is flat.)
+            // (A plane's box is flat.) What has no end is where its bounds are.
+            SolidKind::Leaf(_) if !bvh::fits(&surface) && !self.bounds_before().is_empty() => {
+                self.bounds_before().iter().map(Self::bounds).fold(Aabb::INFINITE, Aabb::intersection)
+            }
             SolidKind::Leaf(_) if !bvh::fits(&surface) => Aabb::INFINITE,
             SolidKind::Leaf(leaf) if leaf.shape.solid_bounds().is_some() => Aabb::INFINITE,
             SolidKind::Leaf(_) => surface,
@@ -110,11 +113,11 @@ impl SolidNode {
     }
 
     /// Computes both boxes from the parts and what clips them.
-    pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
+    pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, bounds: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
         let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
         let (surface, solid) = match &self.kind {
             SolidKind::Leaf(leaf) => {
-                if clip.is_empty() {
+                if clip.is_empty() && bounds.is_empty() {
                     self.more = None;
                     return;
                 }
@@ -159,17 +162,25 @@ impl SolidNode {
         let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
         // Many are quicker found by their boxes.
         let convex_parts = convex && child_bvh.is_none();
-        let reach = self.reach_of_parts(surface);
         let boxes = Boxes { surface, solid };
-        self.more = Some(Box::new(More { clip, unseen, boxes, reach, convex_parts, child_bvh }));
+        let reach = Reach { around: Aabb::INFINITE, inverted: false, cuts: false };
+        self.more = Some(Box::new(More { clip, bounds, unseen, boxes, reach, convex_parts, child_bvh }));
+        let reach = self.reach_of_parts(surface);
+        if let Some(more) = &mut self.more {
+            more.reach = reach;
+        }
     }
 
     /// The same when its parts are others, or more clips it. The box of [`Self::reach`] stays, as long as nothing but the sides
     /// changes.
-    pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, turns: bool) {
+    pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, bounds: Box<[SolidNode]>, turns: bool) {
         let before = self.more.as_ref().map(|more| more.reach);
+        let bounded = !bounds.is_empty();
+        let bounds = self.take_bounds().into_iter().chain(bounds).collect();
         let clip = self.take_clip().into_iter().chain(by).collect();
-        self.measure(clip, Box::default());
+        self.measure(clip, bounds, Box::default());
+        // (What bounds a shape says where it is.)
+        let before = before.filter(|_| !(bounded && matches!(self.kind, SolidKind::Leaf(_))));
         if let (Some(more), Some(before)) = (&mut self.more, before) {
             more.reach = Reach { inverted: before.inverted != turns, ..before };
         }
