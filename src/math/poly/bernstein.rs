@@ -144,14 +144,19 @@ fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64))
 }
 
 impl Search<'_> {
-    /// The roots in [0, 1]. Where they are wanted in but a part of it, that part is cut out.
+    /// The roots in [0, 1]. Where they are wanted in but a part of it, that part is cut out to see whether there is any. (They are
+    /// found from the whole all the same: a root is the same to the last bit wherever it is wanted.)
     fn start<const N: usize>(&mut self, b: &[f64; N]) -> bool {
         let (t0, t1) = ((self.window.0 - WINDOW_SLACK).max(0.0), (self.window.1 + WINDOW_SLACK).min(1.0));
         let degree = if N <= EXACT { N - 1 } else { self.degree };
-        if t1 - t0 > MOST_OF_IT || sign_changes(&b[..=degree]) == 0 {
-            return self.walk(b, 0.0, 1.0);
+        if t1 - t0 < MOST_OF_IT && sign_changes(&b[..=degree]) > 0 {
+            let part = stretch(*b, degree, (t0, t1));
+            let part = &part[..=degree];
+            if part.iter().all(|b| *b > self.noise) || part.iter().all(|b| *b < -self.noise) {
+                return false;
+            }
         }
-        t0 < t1 && self.walk(&stretch(*b, degree, (t0, t1)), t0, t1)
+        self.walk(b, 0.0, 1.0)
     }
 
     /// The roots between `lo` and `hi`, where the coefficients are these. True if that is enough.
