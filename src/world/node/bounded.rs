@@ -3,7 +3,7 @@
 use super::{SolidKind, SolidNode};
 use crate::math::bvh;
 use crate::math::{Aabb, Range, Ray, Transform};
-use crate::shape::{Cuboid, Kernel, Shape};
+use crate::shape::{Kernel, Shape};
 use crate::world::Leaf;
 
 impl SolidNode {
@@ -23,8 +23,7 @@ impl SolidNode {
             return self;
         }
         self.measure_again(vec![], Box::default(), false);
-        let cuboid = |b: Aabb| Shape::from(Cuboid { min: b.min, max: b.max });
-        self.bounded(around.map(|b| SolidNode::leaf(Leaf::new(cuboid(b), &Transform::IDENTITY, 0), 0)))
+        self.bounded(around.map(|b| SolidNode::leaf(Leaf::new(Shape::from(b), &Transform::IDENTITY, 0), 0)))
     }
 
     /// Can a ray see anything of it?

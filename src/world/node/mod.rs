@@ -327,7 +327,8 @@ impl SolidNode {
             hits.clear();
             child.hits(ray, range, &mut hits);
             for found in &hits {
-                let before = |(j, best): (usize, Intersection)| found.t() < best.t() || (found.t() == best.t() && i > j);
+                let before =
+                    |(j, best): (usize, Intersection)| found.t() < best.t() || (found.t() == best.t() && i > j);
                 if best.is_none_or(before) && self.in_clip(ray.at(found.t())) {
                     best = Some((i, *found));
                 }
