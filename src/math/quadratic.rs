@@ -114,7 +114,7 @@ mod tests {
     }
 
     fn near(found: Aabb, min: DVec3, max: DVec3) -> bool {
-        found.min.distance(min) < 1e-6 && found.max.distance(max) < 1e-6
+        found.min.distance(min) < 1e-5 && found.max.distance(max) < 1e-5
     }
 
     #[test]
