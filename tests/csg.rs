@@ -152,3 +152,41 @@ fn a_point_knows_what_it_is_in() {
     assert_eq!(at(DVec3::new(5.0, 0.1, 0.0)), [3, 4]);
     assert!(at(DVec3::new(40.0, 0.1, 0.0)).is_empty());
 }
+
+#[test]
+fn bounds_hide_what_rays_miss() {
+    let seen = |node: &SolidNode, from: DVec3, to: DVec3| ids(node, &Ray::new(from, to)).len();
+    let two = || SolidNode::union(vec![sphere(0.0, 1.0, 1), sphere(3.0, 1.0, 2)], 0);
+    let half = leaf(Shape::from(Cuboid::new(DVec3::new(-2.0, 0.0, -2.0), DVec3::new(0.0, 2.0, 2.0))), 9);
+    let bounded = two().bounded([half.clone()]);
+    // Met, missed, begun in, met but on the way back only (as POV-Ray's trace() has it).
+    assert_eq!(seen(&bounded, DVec3::new(-5.0, 0.1, 0.0), DVec3::X), 4);
+    assert_eq!(seen(&bounded, DVec3::new(-5.0, -0.1, 0.0), DVec3::X), 0);
+    assert_eq!(seen(&bounded, DVec3::new(-0.1, 0.1, 0.0), -DVec3::Y), 2);
+    assert_eq!(seen(&bounded, DVec3::new(9.0, 0.1, 0.0), DVec3::X), 0);
+    assert!(bounded.inside(DVec3::Y * -0.5), "a point asks for no bounds");
+    // Taken apart, each part keeps them; what holds all of it shows nowhere.
+    let apart = Geometry::new(vec![bounded]);
+    let meets = |geometry: &Geometry, y: f64| {
+        geometry.closest(&Ray::new(DVec3::new(-5.0, y, 0.0), DVec3::X), Range::FORWARD, |_| true).is_some()
+    };
+    assert!(meets(&apart, 0.1) && !meets(&apart, -0.1));
+    let around = Geometry::new(vec![two().bounded([sphere(0.0, 9.0, 9)])]);
+    assert!(meets(&around, -0.1));
+    // A part of a difference that is bounded loses its own surface only.
+    let part = SolidNode::intersection(vec![sphere(0.0, 1.0, 1).bounded([half]), half_space(DVec3::X)], 0);
+    assert_eq!(ids(&part, &Ray::new(DVec3::new(-5.0, -0.1, 0.0), DVec3::X)), [(5.0, 9)]);
+}
+
+#[test]
+fn cut_quadrics_end_on_all_sides() {
+    let neck = Quadric::new(DVec3::new(1.0, -1.0, 1.0), DVec3::ZERO, DVec3::ZERO, -1.0);
+    let turned = Leaf::new(Shape::from(neck), &Transform::rotate(DVec3::Y * 33.0), 1);
+    let cut = |side: f64| leaf(Shape::from(Plane::new(DVec3::Y * side, 2.0).unwrap()), 2);
+    let whole = SolidNode::intersection(vec![SolidNode::leaf(turned.clone(), 1), cut(1.0), cut(-1.0)], 0);
+    let clipped = SolidNode::leaf(turned, 1).clipped(vec![cut(1.0), cut(-1.0)]);
+    let reach = DVec3::new(5f64.sqrt(), 2.0, 5f64.sqrt());
+    for node in [whole, clipped] {
+        assert!(node.bounds().max.distance(reach) < 1e-6 && node.bounds().min.distance(-reach) < 1e-6);
+    }
+}

@@ -7,6 +7,7 @@ mod crossing;
 pub mod fp;
 pub mod noise;
 mod poly;
+mod quadratic;
 mod ray;
 pub mod rng;
 pub mod tolerance;
@@ -20,5 +21,6 @@ pub use poly::{
     MAX_DEGREE, Roots, bernstein_roots, roots_on_line, solve_between, solve_cubic, solve_quadratic, solve_quartic,
     stable_pair,
 };
+pub use quadratic::Quadratic;
 pub use ray::{Range, Ray};
 pub use transform::{Singular, Transform};

@@ -17,7 +17,7 @@ const PARTS: &[WordSpec] = &[
     word("material", Block, "", "texture, interior texture and interior in one"),
     word("interior_texture", Block, "", "what it looks like from inside"),
     word("clipped_by", Block, "", "only what lies in these objects is left; what is cut stays open"),
-    word("bounded_by", Block, "", "a hint of its extent for POV-Ray; durer finds it by itself"),
+    word("bounded_by", Block, "", "rays that miss one of these objects see nothing of it; durer needs no such hint"),
 ];
 
 /// The switches of objects; each may be followed by `on` or `off`.

@@ -393,6 +393,10 @@ impl Kernel for Blob {
     fn uv_mapped(&self) -> bool {
         false
     }
+
+    fn is_never_bounded(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

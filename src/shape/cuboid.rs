@@ -6,7 +6,7 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Readable, finite};
+use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Readable, Shape, finite};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -46,6 +46,12 @@ impl Cuboid {
             }
         }
         (near.t <= far.t && near.t < f64::INFINITY && far.t > f64::NEG_INFINITY).then_some([near, far])
+    }
+}
+
+impl From<Aabb> for Shape {
+    fn from(Aabb { min, max }: Aabb) -> Self {
+        Cuboid { min, max }.into()
     }
 }
 

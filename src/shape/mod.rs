@@ -68,7 +68,7 @@ pub use triangle::Triangle;
 
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::image_io::Picture;
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
 use crate::mesh_io::Look;
 use crate::source::Span;
 use crate::value::words::{Row, read_row};
@@ -228,6 +228,11 @@ pub trait Kernel {
         self.as_half_space().into_iter().collect()
     }
 
+    /// What is not positive on its surface and inside, of shapes of the second order, which other shapes may cut to a finite size.
+    fn quadratic(&self) -> Option<Quadratic> {
+        None
+    }
+
     /// The smallest box around its inside, of shapes whose inside reaches out of their bounds and is not cut to those in POV-Ray
     /// either.
     fn solid_bounds(&self) -> Option<Aabb> {
@@ -298,6 +303,11 @@ pub trait Kernel {
         false
     }
 
+    /// By itself, is it seen whatever bounds it (measured on POV-Ray 3.7)?
+    fn is_never_bounded(&self) -> bool {
+        false
+    }
+
     /// Does it depend on the steps by which it was moved which side is which?
     fn remembers_moves(&self) -> bool {
         false
@@ -322,6 +332,7 @@ macro_rules! shapes {
             fn extent(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.extent(m)),* } }
             fn as_half_space(&self) -> Option<HalfSpace> { match self { $(Shape::$name(s) => s.as_half_space()),* } }
             fn half_spaces(&self) -> HalfSpaces { match self { $(Shape::$name(s) => s.half_spaces()),* } }
+            fn quadratic(&self) -> Option<Quadratic> { match self { $(Shape::$name(s) => s.quadratic()),* } }
             fn solid_bounds(&self) -> Option<Aabb> { match self { $(Shape::$name(s) => s.solid_bounds()),* } }
             fn reaches_beyond(&self) -> bool { match self { $(Shape::$name(s) => s.reaches_beyond()),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
@@ -335,6 +346,7 @@ macro_rules! shapes {
             fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
             fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
+            fn is_never_bounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_bounded()),* } }
             fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
         }
 

@@ -9,7 +9,7 @@
 
 use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DMat3, DVec3, Range, Ray, Transform, stable_pair};
+use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, stable_pair};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
@@ -163,6 +163,11 @@ impl Kernel for Quadric {
 
     fn inside(&self, p: DVec3) -> bool {
         self.implicit(p) <= 0.0
+    }
+
+    fn quadratic(&self) -> Option<Quadratic> {
+        let Centered { q, h, c, center, .. } = self.centered;
+        Some(Quadratic { q, h, c, center })
     }
 
     fn reaches_beyond(&self) -> bool {

@@ -50,6 +50,16 @@ impl ConvexInterval {
     }
 }
 
+/// What of the range can count if only what lies inside the solid does; all of it, if that is not known.
+pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
+    match solid.kind() {
+        SolidKind::Leaf(leaf) if !leaf.inverse && leaf.shape.is_convex() => {
+            ConvexInterval::of(leaf, ray).map_or(range, |interval| range.and(interval.reach()))
+        }
+        _ => range,
+    }
+}
+
 /// A part that can't tell where a ray is inside it.
 pub(super) struct Unknown;
 

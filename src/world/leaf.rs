@@ -1,6 +1,6 @@
 //! A shape in the world, and the hits that are found on it.
 
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
+use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
 use crate::shape::{Hit, Hits, Kernel, Shape};
 use crate::value::Seldom;
 use serde::Serialize;
@@ -92,6 +92,13 @@ impl Leaf {
     pub(super) fn inside(&self, p: DVec3) -> bool {
         let local = self.place.as_ref().map_or(p, |m| m.inverse_point(p));
         !self.shape.is_patch() && self.shape.inside(local) != self.inverse
+    }
+
+    /// What is not positive on its surface and inside, in the world, of shapes of the second order.
+    pub(super) fn quadratic(&self) -> Option<Quadratic> {
+        let own = self.shape.quadratic()?;
+        let upright = if self.inverse { own.negated() } else { own };
+        Some(self.place.as_ref().map_or(upright, |m| upright.under(m)))
     }
 
     /// All its hits are in the first box, all points inside it in the second.

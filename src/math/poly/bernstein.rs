@@ -35,6 +35,11 @@ type Found<'a> = &'a mut dyn FnMut(f64) -> bool;
 /// Arrays of no more room than this have none to spare: their degree is known when they are compiled.
 const EXACT: usize = 8;
 
+/// What is cut out reaches so much beyond where roots are wanted: far more than rounding.
+const WINDOW_SLACK: f64 = 1e-9;
+/// More of a stretch than this is halved as it is.
+const MOST_OF_IT: f64 = 0.8;
+
 /// The search on [0, 1]. Arrays have room for one coefficient more than the degree at least.
 struct Search<'a> {
     /// Of arrays with room to spare.
@@ -116,7 +121,44 @@ fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     (left, right)
 }
 
+/// The coefficients on the stretch from t0 to t1.
+#[inline(always)]
+fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64)) -> [f64; N] {
+    if t0 > 0.0 {
+        for last in (0..degree).rev() {
+            for i in 0..=last {
+                b[i] += (b[i + 1] - b[i]) * t0;
+            }
+        }
+    }
+    if t1 < 1.0 {
+        // Back from the end, as far as is too much of what is left.
+        let back = (1.0 - t1) / (1.0 - t0);
+        for first in 1..=degree {
+            for i in (first..=degree).rev() {
+                b[i] += (b[i - 1] - b[i]) * back;
+            }
+        }
+    }
+    b
+}
+
 impl Search<'_> {
+    /// The roots in [0, 1]. Where they are wanted in but a part of it, that part is cut out to see whether there is any. (They are
+    /// found from the whole all the same: a root is the same to the last bit wherever it is wanted.)
+    fn start<const N: usize>(&mut self, b: &[f64; N]) -> bool {
+        let (t0, t1) = ((self.window.0 - WINDOW_SLACK).max(0.0), (self.window.1 + WINDOW_SLACK).min(1.0));
+        let degree = if N <= EXACT { N - 1 } else { self.degree };
+        if t1 - t0 < MOST_OF_IT && sign_changes(&b[..=degree]) > 0 {
+            let part = stretch(*b, degree, (t0, t1));
+            let part = &part[..=degree];
+            if part.iter().all(|b| *b > self.noise) || part.iter().all(|b| *b < -self.noise) {
+                return false;
+            }
+        }
+        self.walk(b, 0.0, 1.0)
+    }
+
     /// The roots between `lo` and `hi`, where the coefficients are these. True if that is enough.
     fn walk<const N: usize>(&mut self, b: &[f64; N], lo: f64, hi: f64) -> bool {
         if hi < self.window.0 || lo > self.window.1 {
@@ -253,7 +295,7 @@ fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
         let inner = |found: Found, backwards| {
             let mut on_side = |t: f64| found(side * unit * t);
             let mut search = Search { degree, noise, window: (near, far), backwards, found: &mut on_side };
-            near <= 1.0 && search.walk(&bernstein(a, degree, at_one), 0.0, 1.0)
+            near <= 1.0 && search.start(&bernstein(a, degree, at_one))
         };
         let outer = |found: Found, backwards| {
             let mut turned = a;
@@ -261,7 +303,7 @@ fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
             let mut on_side = |t: f64| found(side * unit / t);
             let window = (1.0 / far, if near > 1.0 { 1.0 / near } else { 1.0 });
             let mut search = Search { degree, noise, window, backwards, found: &mut on_side };
-            far >= 1.0 && search.walk(&bernstein(turned, degree, at_one), 0.0, 1.0)
+            far >= 1.0 && search.start(&bernstein(turned, degree, at_one))
         };
         if side < 0.0 {
             let _ = outer(&mut tell, false) || inner(&mut tell, true);

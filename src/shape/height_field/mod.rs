@@ -279,6 +279,10 @@ impl Kernel for HeightField {
     fn uv_mapped(&self) -> bool {
         false
     }
+
+    fn is_never_bounded(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

@@ -377,6 +377,10 @@ impl Kernel for JuliaFractal {
     fn uv_mapped(&self) -> bool {
         false
     }
+
+    fn is_never_bounded(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

@@ -46,7 +46,14 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         lowering.default_texture = object.default_texture.clone();
         let first = lowering.objects.len();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
-            lowering.add_views(solid.node, first, &mut heap);
+            // Of a shape by itself, POV-Ray 3.7 takes but the box.
+            let node = match &object.kind {
+                ObjectKind::Shape(shape) if object.rare.bounded_by.is_some() => {
+                    solid.node.bounded_by_box(Some(object.extent()).filter(|_| !shape.is_never_bounded()))
+                }
+                _ => solid.node,
+            };
+            lowering.add_views(node, first, &mut heap);
         }
         drop(object);
         lowering.forget_spent();
@@ -197,7 +204,7 @@ impl Lowering {
         if clips && !clip.is_empty() {
             node = node.clipped(clip);
         }
-        Ok(Some(Solid { node, opaque }))
+        Ok(Some(Solid { node: node.bounded(self.lower_bounds(object, inherited)?), opaque }))
     }
 
     /// What holds inside the object's block.
@@ -240,13 +247,24 @@ impl Lowering {
         self.add_interior(self.air.clone(), hollow)
     }
 
-    /// The objects that clip this one; they are in the space around it.
+    /// The objects that clip this one.
     fn lower_clip(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
-        let mut clip = vec![];
-        for part in object.rare.clipped_by.iter().flat_map(|parts| parts.iter()) {
-            clip.extend(self.lower_object(part, inherited)?.map(|solid| solid.node));
+        self.lower_around(object.rare.clipped_by.as_deref(), inherited)
+    }
+
+    /// The objects that bound it, unless they clip it too.
+    fn lower_bounds(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
+        let (clipped_by, bounded_by) = (&object.rare.clipped_by, &object.rare.bounded_by);
+        self.lower_around(bounded_by.as_deref().filter(|_| bounded_by != clipped_by), inherited)
+    }
+
+    /// Objects that are in the space around another.
+    fn lower_around(&mut self, parts: Option<&[Object]>, inherited: &Inherited) -> Result<Vec<SolidNode>> {
+        let mut all = vec![];
+        for part in parts.into_iter().flatten() {
+            all.extend(self.lower_object(part, inherited)?.map(|solid| solid.node));
         }
-        Ok(clip)
+        Ok(all)
     }
 
     fn lower_shape(&mut self, object: &Object, shape: &Shape, own: &Inherited) -> Result<Solid> {

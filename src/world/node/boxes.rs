@@ -6,6 +6,7 @@ use crate::math::{Aabb, Range, Ray};
 use crate::shape::Kernel;
 use crate::world::child_bvh::ChildBvh;
 use crate::world::halfspace::{self, HalfSpaces};
+use crate::world::leaf::Leaf;
 use serde::Serialize;
 use smallvec::SmallVec;
 
@@ -83,7 +84,10 @@ impl SolidNode {
     /// That of its parts, as long as it is not turned inside out.
     fn reach_of_parts(&self, surface: Aabb) -> Reach {
         let around = match &self.kind {
-            // (A plane's box is flat.)
+            // (A plane's box is flat.) What has no end is where its bounds are.
+            SolidKind::Leaf(_) if !bvh::fits(&surface) && !self.bounds_before().is_empty() => {
+                self.bounds_before().iter().map(Self::bounds).fold(Aabb::INFINITE, Aabb::intersection)
+            }
             SolidKind::Leaf(_) if !bvh::fits(&surface) => Aabb::INFINITE,
             SolidKind::Leaf(leaf) if leaf.shape.solid_bounds().is_some() => Aabb::INFINITE,
             SolidKind::Leaf(_) => surface,
@@ -109,11 +113,11 @@ impl SolidNode {
     }
 
     /// Computes both boxes from the parts and what clips them.
-    pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
+    pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, bounds: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
         let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
         let (surface, solid) = match &self.kind {
             SolidKind::Leaf(leaf) => {
-                if clip.is_empty() {
+                if clip.is_empty() && bounds.is_empty() {
                     self.more = None;
                     return;
                 }
@@ -131,11 +135,18 @@ impl SolidNode {
         if !clip.is_empty() || matches!(self.kind, SolidKind::Intersection(_)) {
             // Cut by the half-spaces that all of it lies in.
             let mut planes = HalfSpaces::new();
-            half_spaces(&self.kind, &clip, &mut planes);
+            each_around(&self.kind, &clip, &mut |leaf| {
+                halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, &mut planes);
+            });
             if !planes.is_empty() {
                 let all = halfspace::cut(surface.union(solid), &planes);
                 (surface, solid) = (surface.intersection(all), solid.intersection(all));
             }
+            each_around(&self.kind, &clip, &mut |leaf| {
+                if let Some(quadratic) = leaf.quadratic() {
+                    (surface, solid) = (quadratic.bounds_in(surface), quadratic.bounds_in(solid));
+                }
+            });
         }
         // A child matters to a ray in its surface's box, and to a point where it could be the exception.
         let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
@@ -151,17 +162,25 @@ impl SolidNode {
         let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
         // Many are quicker found by their boxes.
         let convex_parts = convex && child_bvh.is_none();
-        let reach = self.reach_of_parts(surface);
         let boxes = Boxes { surface, solid };
-        self.more = Some(Box::new(More { clip, unseen, boxes, reach, convex_parts, child_bvh }));
+        let reach = Reach { around: Aabb::INFINITE, inverted: false, cuts: false };
+        self.more = Some(Box::new(More { clip, bounds, unseen, boxes, reach, convex_parts, child_bvh }));
+        let reach = self.reach_of_parts(surface);
+        if let Some(more) = &mut self.more {
+            more.reach = reach;
+        }
     }
 
     /// The same when its parts are others, or more clips it. The box of [`Self::reach`] stays, as long as nothing but the sides
     /// changes.
-    pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, turns: bool) {
+    pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, bounds: Box<[SolidNode]>, turns: bool) {
         let before = self.more.as_ref().map(|more| more.reach);
+        let bounded = !bounds.is_empty();
+        let bounds = self.take_bounds().into_iter().chain(bounds).collect();
         let clip = self.take_clip().into_iter().chain(by).collect();
-        self.measure(clip, Box::default());
+        self.measure(clip, bounds, Box::default());
+        // (What bounds a shape says where it is.)
+        let before = before.filter(|_| !(bounded && matches!(self.kind, SolidKind::Leaf(_))));
         if let (Some(more), Some(before)) = (&mut self.more, before) {
             more.reach = Reach { inverted: before.inverted != turns, ..before };
         }
@@ -183,12 +202,12 @@ impl SolidNode {
     }
 }
 
-/// Appends half-spaces that all hits of a solid and all points inside it lie in.
-fn half_spaces(kind: &SolidKind, clip: &[SolidNode], out: &mut HalfSpaces) {
-    clip.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out));
+/// Shows the shapes that all hits of a solid and all points inside it lie in.
+fn each_around(kind: &SolidKind, clip: &[SolidNode], visit: &mut dyn FnMut(&Leaf)) {
+    clip.iter().for_each(|c| each_around(&c.kind, c.clip(), visit));
     match kind {
-        SolidKind::Leaf(leaf) => halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, out),
-        SolidKind::Intersection(children) => children.iter().for_each(|c| half_spaces(&c.kind, c.clip(), out)),
+        SolidKind::Leaf(leaf) => visit(leaf),
+        SolidKind::Intersection(children) => children.iter().for_each(|c| each_around(&c.kind, c.clip(), visit)),
         SolidKind::Union(_) | SolidKind::Merge(_) => {}
     }
 }

@@ -4,6 +4,7 @@
 //! inside the others: so open and infinite shapes take part like any other. `inverse` is never kept for a group: as in
 //! POV-Ray, it goes down to the leaves by De Morgan's laws, and clipping objects stay as they are.
 
+mod bounded;
 mod boxes;
 
 use super::child_bvh::ChildBvh;
@@ -32,6 +33,9 @@ pub struct SolidNode {
 struct More {
     /// Only what lies inside all of these is there.
     clip: Box<[SolidNode]>,
+    /// What a ray has to meet first; see [`SolidNode::bounded`].
+    #[serde(skip_serializing_if = "<[SolidNode]>::is_empty")]
+    bounds: Box<[SolidNode]>,
     /// Of a union or merge: parts that are not seen, but are a part of its inside for what is around it.
     #[serde(skip_serializing_if = "<[SolidNode]>::is_empty")]
     unseen: Box<[SolidNode]>,
@@ -103,13 +107,13 @@ impl SolidNode {
 
     fn new(kind: SolidKind, object: u32) -> Self {
         let mut node = Self { kind, object, more: None };
-        node.measure(Box::default(), Box::default());
+        node.measure(Box::default(), Box::default(), Box::default());
         node
     }
 
     /// Cut to what is inside all of `by`, and of what clipped it before.
     pub fn clipped(mut self, by: Vec<SolidNode>) -> Self {
-        self.measure_again(by, false);
+        self.measure_again(by, Box::default(), false);
         self
     }
 
@@ -121,7 +125,7 @@ impl SolidNode {
             SolidKind::Union(children) | SolidKind::Merge(children) => SolidKind::Intersection(turned(children)),
             SolidKind::Intersection(children) => SolidKind::Merge(turned(children)),
         };
-        self.measure_again(vec![], true);
+        self.measure_again(vec![], Box::default(), true);
         self
     }
 
@@ -144,7 +148,7 @@ impl SolidNode {
             SolidKind::Merge(_) => SolidKind::Merge(shown),
         };
         let mut node = Self { kind, object: self.object, more: None };
-        node.measure(self.clip().into(), unseen.into());
+        node.measure(self.clip().into(), self.bounds_before().into(), unseen.into());
         Some(node)
     }
 
@@ -154,16 +158,29 @@ impl SolidNode {
     }
 
     /// Its children, if it is nothing but the collection of them: a union that is not clipped. Itself otherwise.
-    pub(super) fn into_parts(self) -> NodeParts {
-        match (self.is_whole(), self.kind) {
-            (true, SolidKind::Union(children)) => NodeParts::Many(children),
+    pub(super) fn into_parts(mut self) -> NodeParts {
+        match (self.clip().is_empty(), self.kind) {
+            (true, SolidKind::Union(children)) => {
+                let bounds = self.more.take().map_or_else(Box::default, |more| more.bounds);
+                // What bounds all of them bounds each.
+                let bounded = |child: SolidNode| if bounds.is_empty() { child } else { child.bounded(bounds.to_vec()) };
+                NodeParts::Many(children.into_iter().map(bounded).collect())
+            }
             (_, kind) => NodeParts::One(Self { kind, ..self }),
         }
     }
 
-    /// Does nothing clip it?
+    /// Does nothing clip or bound it?
     pub(super) fn is_whole(&self) -> bool {
-        self.clip().is_empty()
+        self.clip().is_empty() && self.bounds_before().is_empty()
+    }
+
+    fn bounds_before(&self) -> &[SolidNode] {
+        self.more.as_ref().map_or(&[], |more| &more.bounds)
+    }
+
+    fn take_bounds(&mut self) -> Box<[SolidNode]> {
+        self.more.as_mut().map_or_else(Box::default, |more| std::mem::take(&mut more.bounds))
     }
 
     fn clip(&self) -> &[SolidNode] {
@@ -198,11 +215,17 @@ impl SolidNode {
 
     /// The same, of a part of others or not; see [`Kernel::hits_as_part`].
     pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
+        if !self.is_met(ray) {
+            return;
+        }
         let first = out.len();
         match &self.kind {
             SolidKind::Leaf(leaf) => {
                 let mut hits = Hits::new();
-                if part || !self.is_whole() {
+                if !self.clip().is_empty() {
+                    let Some(range) = self.within_clip(ray, range) else { return };
+                    leaf.hits_as_part(ray, range, &mut hits);
+                } else if part {
                     leaf.hits_as_part(ray, range, &mut hits);
                 } else {
                     leaf.hits(ray, range, &mut hits);
@@ -224,7 +247,7 @@ impl SolidNode {
                 out.extend(kept.map(|(found, _)| Intersection { object: self.object, ..*found }));
             }
         }
-        if !self.is_whole() {
+        if !self.clip().is_empty() {
             keep(out, first, |found| self.in_clip(ray.at(found.hit.t)));
         }
     }
@@ -257,13 +280,16 @@ impl SolidNode {
 
     /// The nearest hit of what is more than a shape.
     fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+        if !self.is_met(ray) {
+            return None;
+        }
         match &self.kind {
             SolidKind::Leaf(_) => {
                 let mut all = Intersections::new();
                 self.hits(ray, range, &mut all);
                 all.into_iter().min_by(|a, b| a.t().total_cmp(&b.t()))
             }
-            SolidKind::Union(_) if self.is_whole() => self.closest_of_all(ray, range),
+            SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_all(ray, range),
             SolidKind::Union(_) => self.closest_of_clipped(ray, range),
             _ if self.more.as_ref().is_some_and(|more| more.convex_parts) => self.closest_of_convex(ray, range),
             _ => self.closest_survivor(ray, range),
@@ -387,6 +413,13 @@ impl SolidNode {
 
     fn in_clip(&self, p: DVec3) -> bool {
         self.clip().iter().all(|c| c.inside(p))
+    }
+
+    /// What of the range lies in the box, and in those clipping shapes that a ray is in for one stretch.
+    fn within_clip(&self, ray: &Ray, range: Range) -> Option<Range> {
+        let (min, max) = self.enter(ray, range)?;
+        let within = self.clip().iter().fold(Range { min, max }, |range, c| convex_interval::within(c, ray, range));
+        (!within.is_empty()).then_some(within)
     }
 
     fn child_bvh(&self) -> Option<&ChildBvh> {
