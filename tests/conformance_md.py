@@ -72,7 +72,6 @@ CAUSES = {
     "objects/fractal4": JULIA,
     "portfolio/allpat1iso@6": "an isosurface of a function that jumps (`checker`): where POV-Ray's search ends at a jump, its differences across it "
     "point elsewhere, and some sides are dark.",
-    "portfolio/o_2shapes@8": "the scene places its camera by `max_extent` of a CSG object; POV-Ray tells another box. Open.",
     "advanced/isocacti": "sand of granite bumps finer than a pixel, of which POV-Ray's hits lie up to `accuracy` behind the surface. Not proved.",
     "advanced/glasschess/glasschess": "474 pixels, in glass: not looked at closer yet.",
     "advanced/blocks/stackergold": "589 pixels: not looked at closer yet.",
