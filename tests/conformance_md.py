@@ -80,7 +80,7 @@ CAUSES = {
     "advanced/pawns": "the tops of two boxes of the board lie in one plane (W0411): chance decides which is seen, and POV-Ray's hierarchy over many "
     "objects decides otherwise than durer, which takes what was declared first. Open: whether that is all of it.",
     "language/fileio/fileio": "letters a pixel wide, and the edges of the checkered wall: not looked at closer yet.",
-    "objects/quartic/hyptorus": "the surface goes on for ever; its `bounded_by`, a sphere, cuts it in POV-Ray, and durer does not ask it.",
+    "objects/quartic/hyptorus": "the surface goes on for ever; its `bounded_by`, a sphere, cuts it in POV-Ray a little otherwise than in durer: not looked at closer yet.",
     "objects/quartic/lemnisc2": "POV-Ray's own picture has speckles along a line, where its solver misses roots; durer's has none.",
     "language/tracevines": "each step of the vines is a `trace` from where the last one ended. The first answers differ by 3e-15, and the "
     "difference grows tenfold with every 1000 answers, until another place is chosen. POV-Ray's own picture changes as much (828 "
