@@ -266,7 +266,7 @@ impl Reflection {
             }
         }
         // One colour alone is the same at every angle, but fresnel that is said here starts from none.
-        if !two && !(said_fresnel && out.fresnel) {
+        if !(two || said_fresnel && out.fresnel) {
             out.min = out.max;
         }
         Ok(out)
