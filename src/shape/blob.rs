@@ -11,7 +11,7 @@
 use super::{Hit, Hits, Kernel, Paints, Readable, Slots, Sphere, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_between, solve_quadratic};
+use crate::math::{Aabb, DQuat, DVec3, Range, Ray, Roots, Transform, solve_between, solve_quadratic};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, ReaderExt, Spec};
@@ -48,6 +48,40 @@ pub struct Component {
     pub place: Option<Box<Transform>>,
     /// Its texture (see [`super::Paints`]).
     pub slot: u32,
+    /// How many radii wide POV-Ray 3.7 believes it to be (see [`Component::extent`]).
+    #[serde(skip)]
+    widening: f64,
+}
+
+/// What POV-Ray 3.7 takes for the unit cube around a ball (as was measured): a ball stays one while it is moved, rotated and scaled
+/// evenly by words of their own; by any other it becomes the image of its cube, as a rod is from the start, which it turns from z.
+struct Cube {
+    is_ball: bool,
+    /// Where the axes go.
+    columns: [DVec3; 3],
+}
+
+impl Cube {
+    fn around(axis: DVec3) -> Self {
+        let turn = DQuat::from_rotation_arc(DVec3::Z, axis.normalize_or(DVec3::Z));
+        Self { is_ball: axis == DVec3::ZERO, columns: DVec3::AXES.map(|side| turn * side) }
+    }
+
+    fn transform(&mut self, word: Next, step: &Transform) {
+        let scale = step.vector(DVec3::ONE);
+        let even = scale.min_element() == scale.max_element();
+        self.columns = match word {
+            Next::Word("translate" | "rotate") if self.is_ball => return,
+            Next::Word("scale") if self.is_ball && even => self.columns.map(|side| side * scale.x),
+            _ => self.columns.map(|side| step.vector(side)),
+        };
+        self.is_ball &= even && word == Next::Word("scale");
+    }
+
+    /// Along the axis on which it is widest.
+    fn half_width(&self) -> f64 {
+        self.columns.iter().map(|side| side.abs()).sum::<DVec3>().max_element()
+    }
 }
 
 /// What a component adds in a stretch of a ray: s·(1 - (a·t² + b·t + c))².
@@ -100,14 +134,17 @@ impl Component {
         self.place.as_ref().map_or(ball.bounds(), |m| ball.bounds_under(m))
     }
 
-    /// As POV-Ray 3.7 sees it: a rod without its ends lies in a ball, too.
+    /// As POV-Ray 3.7 sees it (as was measured): cubes around its balls, as wide as the longest side of the image of a cube; a rod
+    /// without its ends lies in a ball, too.
     fn extent(&self) -> Aabb {
+        let cube = |center: DVec3, radius: f64| {
+            let center = self.place.as_ref().map_or(center, |m| m.point(center));
+            Aabb::from_corners(center, center).grown(radius * self.widening)
+        };
         let half = self.axis / 2.0;
         let around = (half.length_squared() + self.radius * self.radius).sqrt();
-        match self.axis == DVec3::ZERO {
-            true => self.bounds(),
-            false => self.bounds().union(self.ball(self.base + half, around)),
-        }
+        let ends = cube(self.base, self.radius).union(cube(self.base + self.axis, self.radius));
+        if self.axis == DVec3::ZERO { ends } else { ends.union(cube(self.base + half, around)) }
     }
 
     /// Where the ray is in reach of it, and how far it is from its middle there.
@@ -307,16 +344,21 @@ impl Component {
         if radius <= 0.0 {
             return Diagnostic::err(codes::BAD_ARGUMENT, span, "the radius of a component must be more than 0");
         }
-        Ok(Self { base, axis, radius, strength, place: None, slot: 0 })
+        Ok(Self { base, axis, radius, strength, place: None, slot: 0, widening: 1.0 })
     }
 
     fn read_modifiers(&mut self, kind: &str, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
+        let mut cube = Cube::around(self.axis);
         loop {
             let next = r.next()?;
             match next {
-                Next::End => return Ok(()),
+                Next::End => {
+                    self.widening = cube.half_width();
+                    return Ok(());
+                }
                 next if next.moves() => {
                     if let Some(step) = r.transform()? {
+                        cube.transform(next, &step);
                         paints.transform(&mut self.slot, &step);
                         let place = self.place.as_deref().map_or(*step, |place| place.then(&step));
                         self.place = Some(Box::new(place));

@@ -58,7 +58,7 @@ def has_empty_csg(text):
 
 
 def candidates(text):
-    """(edit, text after it), the greatest step first."""
+    """(start, end, new text) of the edits to try, the greatest step first."""
     out = []
 
     def edit(start, end, new):
@@ -97,10 +97,25 @@ def candidates(text):
         for digits in (0, 1):
             edit(m.start(), m.end(), f"{round(float(m[0]), digits):g}")
     out.sort(key=lambda c: -c[0])
-    for _, start, end, new in out:
-        less = re.sub(r"[ \t]+", " ", text[:start] + new + text[end:])
-        if "camera" in less and "light_source" in less and not has_empty_csg(less):
-            yield (text[start:end], new, text[max(0, start - 9) : start]), less
+    return [edit[1:] for edit in out]
+
+
+def name_of(text, edit):
+    """What an edit is called, wherever in the text it stands by then."""
+    start, end, new = edit
+    return text[start:end], new, text[max(0, start - 9) : start]
+
+
+def edited(text, edits):
+    """The text after edits, of which those that overlap with one before are left out; None where that is no scene."""
+    taken = []
+    for start, end, new in edits:
+        if all(end <= a or b <= start for a, b, _ in taken):
+            taken.append((start, end, new))
+    for start, end, new in sorted(taken, reverse=True):
+        text = text[:start] + new + text[end:]
+    text = re.sub(r"[ \t]+", " ", text)
+    return text if "camera" in text and "light_source" in text and not has_empty_csg(text) else None
 
 
 class Judge:
@@ -150,18 +165,20 @@ class Judge:
         """The scene with its camera a billionth away."""
         return re.sub(r"(camera \{[^}]*)\}", r"\1 translate <1e-9, 2e-9, 1e-9> }", text, count=1)
 
-    def differs(self, text):
-        """The share of pixels that differ; 0 where POV-Ray does not know it itself."""
+    def differs(self, text, prove=True):
+        """The share of pixels that differ; 0 where POV-Ray does not know it itself, which takes eight pictures more to prove."""
         try:
             with tempfile.TemporaryDirectory() as folder:
                 folder = pathlib.Path(folder)
                 ours = self.ours(text, folder)
-                theirs = self.povray(text, folder)
-                if ours is None or theirs is None:
+                theirs = self.povray(text, folder) if ours is not None else None
+                if theirs is None:
                     return 0.0
                 share = self.tool.apart(theirs, ours)
                 if share < self.share:
                     return 0.0
+                if not prove:
+                    return share
                 other = self.povray(self.moved(text), folder)
                 if other is None or self.tool.apart(theirs, other) > share / 4 or self.by_order(text, folder, theirs, ours):
                     return 0.0
@@ -175,20 +192,26 @@ def shrink(judge, text, pool, jobs):
     failed, shrunk = set(), False
     while True:
         batch = []
-        for edit, less in candidates(text):
-            if edit not in failed and len(batch) < jobs:
+        for edit in candidates(text):
+            less = edited(text, [edit]) if name_of(text, edit) not in failed and len(batch) < jobs else None
+            if less is not None:
                 batch.append((edit, less))
         if not batch:
             if not shrunk:
                 return text
             failed, shrunk = set(), False
             continue
-        for (edit, less), share in zip(batch, list(pool.map(judge.differs, [less for _, less in batch]))):
-            if not share:
-                failed.add(edit)
-        good = [less for (edit, less) in batch if edit not in failed]
-        if good:
-            text, shrunk = good[0], True
+        shares = list(pool.map(lambda row: judge.differs(row[1], prove=False), batch))
+        failed |= {name_of(text, edit) for (edit, _), share in zip(batch, shares) if not share}
+        good = [edit for (edit, _), share in zip(batch, shares) if share]
+        # All of them together, half of them, or the first that holds alone.
+        for some in (good, good[: len(good) // 2], *([edit] for edit in good)):
+            less = edited(text, some) if some else None
+            if less is not None and judge.differs(less):
+                text, shrunk = less, True
+                break
+            if len(some) == 1:
+                failed.add(name_of(text, some[0]))
 
 
 def main():

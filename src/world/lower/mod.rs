@@ -47,12 +47,15 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         let first = lowering.objects.len();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
             // Of a shape by itself, POV-Ray 3.7 takes but the box.
-            let node = match &object.kind {
+            let mut node = match &object.kind {
                 ObjectKind::Shape(shape) if object.rare.bounded_by.is_some() => {
                     solid.node.bounded_by_box(Some(object.extent()).filter(|_| !shape.is_never_bounded()))
                 }
                 _ => solid.node,
             };
+            if object.rare.flags.inverse && node.is_unbounded() {
+                node = node.turned_within(object.extent());
+            }
             lowering.add_views(node, first, &mut heap);
         }
         drop(object);

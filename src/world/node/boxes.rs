@@ -81,6 +81,13 @@ impl SolidNode {
         self
     }
 
+    /// The same turned inside out by itself: POV-Ray's box is the one that it tells of it then.
+    pub(in crate::world) fn turned_within(mut self, around: Aabb) -> Self {
+        let (boxes, own) = (self.boxes(), self.reach_of_parts(self.bounds()));
+        self.more.get_or_insert_with(|| Box::new(More::plain(boxes, own))).reach.around = around;
+        self
+    }
+
     /// That of its parts, as long as it is not turned inside out.
     fn reach_of_parts(&self, surface: Aabb) -> Reach {
         let around = match &self.kind {

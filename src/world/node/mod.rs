@@ -52,6 +52,21 @@ struct More {
     child_bvh: Option<Box<ChildBvh>>,
 }
 
+impl More {
+    /// Of what nothing clips or bounds.
+    fn plain(boxes: Boxes, reach: Reach) -> Self {
+        Self {
+            clip: Box::default(),
+            bounds: Box::default(),
+            unseen: Box::default(),
+            boxes,
+            reach,
+            convex_parts: false,
+            child_bvh: None,
+        }
+    }
+}
+
 /// What a node is.
 #[derive(Clone, Debug, Serialize)]
 pub enum SolidKind {
