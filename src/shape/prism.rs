@@ -212,13 +212,15 @@ impl Kernel for Prism {
         p.y >= self.bottom && p.y <= self.top && self.covers(p)
     }
 
-    /// To the right of the outline's direction, seen from above; that of both lids is y (measured on POV-Ray 3.7).
+    /// To the right of the outline's direction, seen from above, and to the left of a `bezier_spline`; that of both lids is y (measured
+    /// on POV-Ray 3.7).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         if hit.part == LID {
             return DVec3::Y;
         }
         let (segment, t) = (hit.part as usize, hit.uv.x);
-        let along = self.outlines.tangent(segment, t);
+        let side = if self.interpolation == Interpolation::Bezier { -1.0 } else { 1.0 };
+        let along = self.outlines.tangent(segment, t) * side;
         let n = DVec3::new(along.y, 0.0, -along.x);
         if !self.conic {
             return n;
@@ -244,6 +246,11 @@ mod tests {
 
     #[test]
     fn as_pov_ray_traces() {
+        // `trace()` of POV-Ray 3.7 tells <0, 0, -1>; an `interior_texture` is on the other side.
+        let leaf = made("bezier_spline 0 1 8 <0,0> <1,1> <2,1> <3,0> <3,0> <2,-1> <1,-1> <0,0>");
+        let ray = Ray::new(DVec3::new(1.5, 0.5, -9.0), DVec3::Z);
+        let hit = leaf.closest(&ray, Range::FORWARD).unwrap();
+        assert!((leaf.normal(ray.at(hit.t), &hit).normalize() + DVec3::Z).length() < 1e-12);
         let wedge = made("linear_spline 0 1 5 <0,0> <2,0> <2,1> <1,3> <0,0>");
         let ray = Ray::new(DVec3::new(-9.0, 0.2, 0.5), DVec3::X);
         let hits = all(&wedge, &ray);

@@ -5,12 +5,14 @@
 //! ```
 
 mod penrose;
+mod seams;
 
 use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
 use crate::value::{Kind, Param, Reader, Spec};
 use penrose::Penrose;
+use seams::value_on_seam;
 use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use std::sync::Arc;
@@ -360,7 +362,8 @@ impl Field for Tiling {
             Tiles::Plan(plan) => (plan.at(p), plan.kinds),
             Tiles::Penrose(penrose) => (penrose.at(p), penrose.kinds()),
         };
-        (kind as f64 + 1.0 - within) / kinds as f64
+        let value = (kind as f64 + 1.0 - within) / kinds as f64;
+        value_on_seam(self.number, p, value).unwrap_or(value)
     }
 }
 
@@ -378,6 +381,29 @@ mod tests {
                 let value = tiling.value(&TextureContext::free(p, Default::default()));
                 assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{number} {p}: {value}");
             }
+        }
+    }
+
+    #[test]
+    fn seams_are_povrays() {
+        // what POV-Ray 3.7 shows at <x, 0, z>
+        for (number, x, z, shown) in [
+            (3, -8.0, -7.5, 0.5048),
+            (3, -8.0, 3.5, 0.4689),
+            (3, -8.0, 0.0, 0.5),
+            (12, -2.924, 0.0, 1.0 / 3.0),
+            (12, -6.0, 0.5, 1.0 / 3.0),
+            (13, 0.3, 0.0, 0.0),
+            (14, -4.0, 0.0, 0.0),
+            (19, 2.01, 0.0, 1.0 / 3.0),
+            (19, 2.51, 0.0, 2.0 / 3.0),
+            (19, 3.01, 0.0, 1.0),
+            (19, -2.99, 0.0, 2.0 / 3.0),
+            (20, -0.04, 0.0, 2.0 / 3.0),
+            (20, 5.01, 0.0, 2.0 / 3.0),
+        ] {
+            let value = Tiling::numbered(number).value(&TextureContext::free(DVec3::new(x, 0.3, z), Default::default()));
+            assert!((value - shown).abs() < 1e-4, "{number} <{x}, {z}>: {value} instead of {shown}");
         }
     }
 
