@@ -173,13 +173,14 @@ impl<'w> Painter<'w, '_> {
         Coat { share, normal, layers, pass: refraction * pass }
     }
 
-    /// The normal with bumps: into the space of its texture by Mᵀ, back by M⁻ᵀ. What is in the entry of a map begins with one of length
-    /// 1, and its pigment sees it as it is in there (all measured on POV-Ray 3.7).
+    /// The normal with bumps: into the space of its texture by Mᵀ, back by M⁻ᵀ. What is in the entry of a map, or in a texture with
+    /// `uv_mapping`, begins with one of length 1, and its pigment sees it as it is in there (all measured on POV-Ray 3.7).
     fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
         let within = frame.is_some() || bumps.framed;
         let place = self.placed.place.as_deref().filter(|_| within || !bumps.stays);
         let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
-        let local = frame.map_or(local, |frame| frame.inside(local).normalize_or(local));
+        let local = frame.map_or(local, |frame| frame.inside(local));
+        let local = if within { local.normalize_or(local) } else { local };
         let inner = bumps.perturb(ctx, local);
         let outer = frame.map_or(inner, |frame| frame.outside(inner));
         let lit = place.map_or(outer, |m| m.normal(outer));

@@ -174,7 +174,7 @@ impl Readable for Text {
         for (i, set) in font.set(&text.string).into_iter().enumerate() {
             let outline = || Arc::new(Glyph::new(font.outline(set.glyph)));
             let shape = known.entry(set.glyph).or_insert_with(outline).clone();
-            if !shape.curves.is_empty() && depth != 0.0 {
+            if !shape.curves.is_empty() {
                 // (Its z does nothing, in POV-Ray neither.)
                 let at = (offset.truncate() * i as f64).extend(0.0) + DVec3::X * set.x;
                 let count = WALLS + shape.curves.len() as u32;
