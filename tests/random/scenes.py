@@ -243,7 +243,9 @@ class Scenes(Scene):
             faces = [(i, j, k) for i in (0, 3) for j in (1, 4) for k in (2, 5)]
         else:
             corners = [self.v(-1, 1) for _ in range(6)]
-            faces = [tuple(self.r.sample(range(6), 3)) for _ in range(self.r.randrange(1, 7))]
+            # (Which of two triangles at the same place shows depends on POV-Ray's tree of boxes.)
+            chosen = [tuple(self.r.sample(range(6), 3)) for _ in range(self.r.randrange(1, 7))]
+            faces = list({frozenset(face): face for face in chosen}.values())
         inside = f"inside_vector {self.v(-1, 1)}" if solid else ""
         return (self.old_mesh if self.chance(0.5) else self.new_mesh)(corners, faces) + inside
 

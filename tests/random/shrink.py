@@ -88,9 +88,15 @@ def candidates(text):
     for word in WORDS:
         for m in re.finditer(rf"\b{word}\s+{VALUE}", text):
             edit(m.start(), m.end(), "")
+    for m in re.finditer(r"#macro .*?\n#end|#while .*?\n#end|#for .*?\n#end|#declare \w+ = (?=\s)", text, re.DOTALL):
+        edit(m.start(), m.end(), "")
     for m in re.finditer(rf"\b({'|'.join(BARE)})\b|, -?[\d.]+(?= *[a-z}}])|#default[^\n]*", text):
         edit(m.start(), m.end(), "")
+    eyes = [(a, b) for word, a, _, b in blocks if word in ("camera", "light_source")]
     for m in re.finditer(r"<[^<>]*>", text):
+        # (An eye or a light at the origin leads astray.)
+        if any(a < m.start() < b for a, b in eyes):
+            continue
         for plain in ("0", "1", "<1, 0, 0>", "<0, 1, 0>", "<0, 0, 1>"):
             edit(m.start(), m.end(), plain)
     for m in re.finditer(r"(?<![\w.])-?\d*\.\d{2,}(?![\w.])", text):
