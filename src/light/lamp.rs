@@ -64,25 +64,22 @@ impl Lamp {
     pub fn shine_on(&self, p: DVec3, offset: DVec3) -> Arriving {
         // (A tube is that of the middle of a grid: measured on POV-Ray 3.7.)
         let ahead = (p - self.location).dot(self.axis);
-        let (from, distance) = match self.parallel {
-            true if offset == DVec3::ZERO => (-self.axis, ahead),
+        let way = self.location + offset - p;
+        let from = match self.parallel {
+            true if offset == DVec3::ZERO => -self.axis,
             // Each light of a grid shines in a direction of its own, from its place to the one that all point at.
-            true => {
-                let from = (offset - self.axis * self.aim).normalize_or(-self.axis);
-                (from, (p - self.location - offset).dot(self.axis) / -from.dot(self.axis))
-            }
-            false => {
-                let way = self.location + offset - p;
-                (way / way.length(), way.length())
-            }
+            true => (offset - self.axis * self.aim).normalize_or(-self.axis),
+            false => way / way.length(),
         };
+        // (Of parallel light, how far its place lies in that direction, for each light of a grid.)
+        let distance = if self.parallel { way.dot(from) } else { way.length() };
         let beside = (p - self.location - self.axis * ahead).length();
         let share = match self.profile {
             Profile::Round => 1.0,
             // A beam without an axis shines nowhere (measured on POV-Ray 3.7).
             _ if self.axis == DVec3::ZERO => 0.0,
             // (Behind a parallel light, a cone is seen from its back.)
-            profile if self.parallel && offset == DVec3::ZERO => profile.share(ahead.signum(), beside, ahead),
+            profile if self.parallel => profile.share(-from.dot(self.axis) * distance.signum(), beside, ahead),
             profile => profile.share(-from.dot(self.axis), beside, ahead),
         };
         let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };

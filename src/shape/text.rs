@@ -349,6 +349,9 @@ mod tests {
         let hits = all(&shape, &Ray::new(middle.with_z(-5.0), DVec3::Z));
         assert!(hits.len() == 2 && (hits[0].t - 4.5).abs() < 1e-4 && (hits[1].t - 5.0).abs() < 1e-4, "{hits:?}");
         assert!(all(&shape, &Ray::new(middle.with_x(-5.0), DVec3::X)).is_empty() && !shape.inside(middle));
+        // Both are there when there is nothing between them, as in POV-Ray 3.7.
+        let flat = crate::shape::testing::read::<Text>("ttf \"roboto\" \"l\" 0 0").0.unwrap();
+        assert_eq!(all(&flat, &Ray::new(middle.with_z(-5.0), DVec3::Z)).len(), 2);
     }
 
     #[test]
