@@ -5,10 +5,10 @@ use super::eye::Sight;
 use super::fisheye::on_disc;
 use crate::math::{DVec2, DVec3};
 
-/// The angle to the axis at a distance from the middle of the disc, which is 1 at its edge: fitted, to 0.001°.
-const ANGLE: [f64; 3] = [1.411_262, -0.094_374, 0.256_732];
-/// Where that angle is 45°. A picture that is wider than the disc down to there shows that and no more.
-const LOWEST: f64 = 0.558_292;
+/// The angle to the axis at a distance from the middle of the disc, which is 1 at its edge: fitted, to 1e-9.
+const ANGLE: [f64; 3] = [1.411_269, -0.094_390, 0.256_740];
+/// How wide the disc is down to where that angle is 45°, with that as its height. A picture that is wider shows that and no more.
+const WIDEST: f64 = 1.283_458;
 
 /// The ray.
 pub(super) fn ray(at: DVec2, lengths: DVec3) -> Option<Sight> {
@@ -24,10 +24,9 @@ pub(super) fn ray(at: DVec2, lengths: DVec3) -> Option<Sight> {
 
 /// Where a place of the picture is in the disc, whose upper edge is the picture's if that is wider than high.
 fn in_disc(at: DVec2, aspect: f64) -> DVec2 {
-    let widest = 2.0 / (1.0 + LOWEST);
     if aspect <= 1.0 {
         return DVec2::new(2.0 * at.x, 2.0 * at.y / aspect);
     }
-    let scale = 2.0 / aspect.min(widest);
+    let scale = 2.0 / aspect.min(WIDEST);
     DVec2::new(scale * at.x * aspect, scale * at.y + 1.0 - 0.5 * scale)
 }
