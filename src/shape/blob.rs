@@ -415,6 +415,11 @@ impl Kernel for Blob {
         true
     }
 
+    /// If but one component has a texture of its own (as was measured on POV-Ray 3.7).
+    fn hides_interior_texture(&self) -> bool {
+        self.components.iter().any(|component| component.slot != 0)
+    }
+
     fn slots(&self, p: DVec3, _: &Hit) -> Slots {
         let mut slots = Slots::new();
         let mut sum = 0.0;

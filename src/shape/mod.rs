@@ -272,6 +272,11 @@ pub trait Kernel {
         smallvec::smallvec![(0, 1.0)]
     }
 
+    /// Does it keep what it carries on its inside too, whatever `interior_texture` says?
+    fn hides_interior_texture(&self) -> bool {
+        false
+    }
+
     /// Does `uv_mapping` see [`Kernel::uv`]? For shapes without a mapping of their own, POV-Ray takes the x and y of the
     /// point in world space instead.
     fn uv_mapped(&self) -> bool {
@@ -342,6 +347,7 @@ macro_rules! shapes {
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
             fn faces(&self) -> Vec<Face> { match self { $(Shape::$name(s) => s.faces()),* } }
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
+            fn hides_interior_texture(&self) -> bool { match self { $(Shape::$name(s) => s.hides_interior_texture()),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }

@@ -194,7 +194,8 @@ impl LoweredFinish {
             diffuse_back,
             brilliance: f.brilliance,
             phong: Lobe { strength: phong, exponent: f.phong_size },
-            specular: Lobe { strength: specular, exponent: 1.0 / f.roughness },
+            // (A roughness of 0 is as dull as can be, in POV-Ray 3.7 too.)
+            specular: Lobe { strength: specular, exponent: if f.roughness == 0.0 { 0.0 } else { 1.0 / f.roughness } },
             metallic: f.metallic.max(0.0),
             crand: f.crand,
             irid: f.irid.clone().filter(|irid| irid.amount > 0.0),

@@ -53,8 +53,8 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
                 }
                 _ => solid.node,
             };
-            if object.rare.flags.inverse && node.is_unbounded() {
-                node = node.turned_within(object.extent());
+            if node.is_unbounded() {
+                node = node.lying_within(object.extent());
             }
             lowering.add_views(node, first, &mut heap);
         }
@@ -276,7 +276,8 @@ impl Lowering {
             return not_finite(object.source);
         }
         let outside = self.lower_look(&own.texture.clone().unwrap_or_else(|| self.default_look()));
-        let inside = own.inside.as_ref().map(|look| Box::new(self.lower_look(look)));
+        let inside = own.inside.as_ref().filter(|_| !shape.hides_interior_texture());
+        let inside = inside.map(|look| Box::new(self.lower_look(look)));
         let carried = object.rare.carried.iter().flat_map(|all| all.iter());
         let carried: Box<[PlacedMaterial]> = carried
             .map(|painted| {

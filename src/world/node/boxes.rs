@@ -81,8 +81,8 @@ impl SolidNode {
         self
     }
 
-    /// The same turned inside out by itself: POV-Ray's box is the one that it tells of it then.
-    pub(in crate::world) fn turned_within(mut self, around: Aabb) -> Self {
+    /// The same of an object by itself: POV-Ray's box is the one that it tells of it.
+    pub(in crate::world) fn lying_within(mut self, around: Aabb) -> Self {
         let (boxes, own) = (self.boxes(), self.reach_of_parts(self.bounds()));
         self.more.get_or_insert_with(|| Box::new(More::plain(boxes, own))).reach.around = around;
         self
@@ -97,6 +97,7 @@ impl SolidNode {
             }
             SolidKind::Leaf(_) if !bvh::fits(&surface) => Aabb::INFINITE,
             SolidKind::Leaf(leaf) if leaf.shape.solid_bounds().is_some() => Aabb::INFINITE,
+            SolidKind::Leaf(leaf) if leaf.inverse => leaf.shape.extent(&leaf.transform()),
             SolidKind::Leaf(_) => surface,
             SolidKind::Union(c) | SolidKind::Merge(c) => c.iter().map(Self::reach).fold(Aabb::EMPTY, Aabb::union),
             SolidKind::Intersection(children) => {
