@@ -41,7 +41,8 @@ impl Tracer<'_> {
     /// What it answers to one light.
     fn answer(&mut self, light: &LightSource, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
         let arriving = light.lamp.shine_on(shading.point, DVec3::ZERO);
-        let Some(area) = light.lamp.area.as_ref().filter(|area| area.illumination) else {
+        let extended = self.setup.quality.extended;
+        let Some(area) = light.lamp.area.as_ref().filter(|area| area.illumination && extended) else {
             let from_light = |tracer: &mut Self| tracer.reaching(light, shading.point, &arriving, inside);
             return self.answer_to(&arriving, light, dir, shading, from_light);
         };
@@ -72,7 +73,10 @@ impl Tracer<'_> {
         passed: impl FnOnce(&mut Self) -> Rgb,
     ) -> Rgb {
         let l = arriving.from;
-        if arriving.light == Rgb::ZERO || !l.is_finite() || !answers(shading, l) {
+        // (Without shadows, what a whole grid shines on answers on both sides: measured on POV-Ray 3.7 at quality 2 and 3.)
+        let shines_through = light.lamp.area.as_ref().is_some_and(|area| area.illumination) && !self.setup.quality.shadows;
+        let both_sides = shading.part.double_illuminate || shines_through;
+        if arriving.light == Rgb::ZERO || !l.is_finite() || !answers(shading, l, both_sides) {
             return Rgb::ZERO;
         }
         let arriving = arriving.light * passed(self);
@@ -83,7 +87,7 @@ impl Tracer<'_> {
             let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
             let crand = shaded.layer.finish.crand;
             let grain = if crand == 0.0 { 0.0 } else { crand * self.random.next(Purpose::Grain) };
-            let mut answer = scattered(shaded, &at, grain, shading.part.double_illuminate);
+            let mut answer = scattered(shaded, &at, grain, both_sides);
             if at.cos > 0.0 && !light.lamp.shadowless {
                 answer += highlight(shaded, &at);
             }
@@ -95,10 +99,10 @@ impl Tracer<'_> {
 }
 
 /// Does any layer answer to light from a direction?
-fn answers(shading: &ShadingPoint, from: DVec3) -> bool {
+fn answers(shading: &ShadingPoint, from: DVec3, both_sides: bool) -> bool {
     shading.layers().any(|shaded| {
         let side = if shaded.normal.dot(from) > 0.0 { answers_front } else { answers_back };
-        side(shaded.layer, shading.part.double_illuminate)
+        side(shaded.layer, both_sides)
     })
 }
 
@@ -106,8 +110,8 @@ fn answers_front(layer: &Layer, _: bool) -> bool {
     layer.finish.diffuse != 0.0 || layer.finish.phong.strength != 0.0 || layer.finish.specular.strength != 0.0
 }
 
-fn answers_back(layer: &Layer, double_illuminate: bool) -> bool {
-    layer.finish.diffuse_back != 0.0 || (double_illuminate && layer.finish.diffuse != 0.0)
+fn answers_back(layer: &Layer, both_sides: bool) -> bool {
+    layer.finish.diffuse_back != 0.0 || (both_sides && layer.finish.diffuse != 0.0)
 }
 
 /// `ambient` and `emission`.
@@ -116,9 +120,9 @@ fn glow(shaded: &ShadedLayer) -> Rgb {
 }
 
 /// `diffuse`, `brilliance`, `crand`.
-fn scattered(shaded: &ShadedLayer, at: &Incidence, grain: f64, double_illuminate: bool) -> Rgb {
+fn scattered(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
     let layer = shaded.layer;
-    let amount = if at.cos > 0.0 || double_illuminate { layer.finish.diffuse } else { layer.finish.diffuse_back };
+    let amount = if at.cos > 0.0 || both_sides { layer.finish.diffuse } else { layer.finish.diffuse_back };
     if amount == 0.0 {
         return Rgb::ZERO;
     }

@@ -18,7 +18,7 @@ impl Tracer<'_> {
         arriving: &Arriving,
         inside: &Interiors,
     ) -> Rgb {
-        match &light.lamp.area {
+        match light.lamp.area.as_ref().filter(|_| self.setup.quality.extended) {
             Some(area) => self.through_area(light, area, point, arriving, inside),
             None => self.unshadowed(light, point, arriving, inside),
         }

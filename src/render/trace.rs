@@ -25,6 +25,8 @@ pub(super) struct Quality {
     pub lit: bool,
     /// From 4 on.
     pub shadows: bool,
+    /// From 5 on: `area_light`s are more than one light.
+    pub extended: bool,
     /// From 6 on: no quick colours, and what is see-through shows what is behind.
     pub real: bool,
     /// From 8 on: mirrors and bumps.
@@ -36,7 +38,7 @@ pub(super) struct Quality {
 impl Quality {
     /// What a number from 0 to 11 switches on (measured on POV-Ray 3.7).
     fn new(q: u8) -> Self {
-        Self { lit: q >= 2, shadows: q >= 4, real: q >= 6, mirrors: q >= 8, air: q >= 9 }
+        Self { lit: q >= 2, shadows: q >= 4, extended: q >= 5, real: q >= 6, mirrors: q >= 8, air: q >= 9 }
     }
 }
 
