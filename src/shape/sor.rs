@@ -150,8 +150,8 @@ impl Kernel for Sor {
         let [bottom, top] = self.ends();
         let (around, across) = (fp::turn(p.z, p.x), fp::hypot(p.x, p.z));
         match hit.part {
-            BOTTOM => DVec2::new(around, across / bottom.x),
-            TOP => DVec2::new(around, 1.0 - across / top.x),
+            BOTTOM => DVec2::new(around, across / bottom.x - 1.0),
+            TOP => DVec2::new(around, 2.0 - across / top.x),
             _ => self.walls.uv(p, hit),
         }
     }
@@ -174,7 +174,7 @@ mod tests {
         let down = all(&shape, &Ray::new(DVec3::new(0.1, 9.0, 0.05), -DVec3::Y));
         assert_eq!(down.iter().map(|h| (h.t, h.part)).collect::<Vec<_>>(), [(7.0, TOP), (8.0, BOTTOM)]);
         let on_lids = down.iter().map(|h| shape.uv(DVec3::new(0.3, 9.0 - h.t, 0.4), h));
-        assert_eq!(on_lids.map(|uv| uv.y).collect::<Vec<_>>(), [0.5, 1.0]);
+        assert_eq!(on_lids.map(|uv| uv.y).collect::<Vec<_>>(), [1.5, 0.0]);
         assert!(shape.inside(DVec3::new(0.3, 1.5, 0.0)) && !shape.inside(DVec3::new(0.9, 1.5, 0.0)));
         assert!(shape.inside(DVec3::new(0.05, 1.0001, 0.0)) && !shape.inside(DVec3::new(0.05, 2.0001, 0.0)));
     }
