@@ -1,125 +1,226 @@
-//! Building by the surface-area heuristic over bins (Wald, On fast construction of SAH-based bounding volume hierarchies,
-//! 2007), always in the same order.
+//! Building: first a tree of pairs by the surface-area heuristic over bins (Wald, On fast construction of SAH-based bounding volume
+//! hierarchies, 2007), then nodes with eight children, chosen from it so that a ray is expected to look at the fewest (Ylitie, Karras and Laine,
+//! Efficient incoherent ray traversal on GPUs through compressed wide BVHs, 2017, section 3.1). Always in the same order.
 
-use super::{Bvh, Child, DEPTH, Kind, WIDTH, Wide, round_down, round_up};
+use super::node::{Child, WIDTH, Wide};
+use super::{Bvh, round_down, round_up};
 use crate::math::Aabb;
 use glam::Vec3A;
 use smallvec::SmallVec;
 use std::ops::Range;
 
-/// A node's child that holds no more items than this is not divided any further.
-const LEAF: usize = 3;
 /// Of more items than this, only cuts along the longest axis are weighed.
 const LARGE: usize = 1024;
-/// The same where so many items are tested at once.
-pub const PACK: usize = 4;
+/// Below so many levels the tree of pairs halves, so that it is never deeper than this and the logarithm of the number of boxes.
+const LEVELS: usize = 64;
+/// What it costs a ray to look at a single item, in nodes.
+const ITEM: f32 = 1.5;
+/// The same of a pack.
+const PACK: f32 = 1.0;
+/// No pack has more boxes.
+const LARGEST: usize = 8;
+/// A child holds no more items.
+const LEAF: u32 = 4;
 
 impl Bvh {
     /// Over boxes that [`super::fits`] accepts; also returns which box comes at which place in its order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
-        Build { bvh: Bvh::default(), leaf: LEAF, pack: 1 }.run(boxes)
+        let (bvh, order, _) = Build::run(boxes, |items| items.len() == 1, ITEM);
+        (bvh, order)
     }
 
-    /// The same over packs of up to [`PACK`] boxes, which are the items of the hierarchy; also returns the places of each pack's boxes in
-    /// the order.
-    pub fn build_packs(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
-        let (mut bvh, order) = Build { bvh: Bvh::default(), leaf: PACK, pack: PACK }.run(boxes);
-        let mut packs = Vec::with_capacity(order.len().div_ceil(2));
-        for child in bvh.nodes.iter_mut().flat_map(|node| &mut node.child).filter(|child| **child != Child::NONE) {
-            if let Kind::Items(items) = child.kind() {
-                *child = Child::items(packs.len(), 1);
-                packs.push(items.start as u32..items.end as u32);
-            }
-        }
-        packs.shrink_to_fit();
-        (bvh, order, packs)
+    /// The same over packs of boxes, which are the items of the hierarchy: what `packs` accepts becomes one, and it accepts each single box.
+    /// Also returns the places of each pack's boxes in the order.
+    pub fn build_packs(
+        boxes: impl ExactSizeIterator<Item = Aabb>,
+        packs: impl Fn(&[u32]) -> bool,
+    ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
+        let is_pack = |items: &[Prim]| {
+            let numbers: SmallVec<[u32; LARGEST]> = items.iter().take(LARGEST + 1).map(|prim| prim.index).collect();
+            items.len() <= LARGEST && packs(&numbers)
+        };
+        Build::run(boxes, is_pack, PACK)
     }
 }
 
 /// A hierarchy that is being built.
-struct Build {
+struct Build<F> {
+    prims: Vec<Prim>,
+    /// The tree of pairs, children before their parents.
+    pairs: Vec<Pair>,
+    /// Do these become one item?
+    is_item: F,
+    item_cost: f32,
     bvh: Bvh,
-    /// Pieces with so few items are not divided again.
-    leaf: usize,
-    /// So many items cost as much as one.
-    pack: usize,
+    /// Which boxes each item of the hierarchy has.
+    items: Vec<Range<u32>>,
 }
 
-/// Items that are to be divided: places, and the boxes around them and around their middles.
-#[derive(Clone)]
-struct Piece {
-    items: Range<usize>,
-    around: Around,
-    /// What it costs a ray to look at them all.
-    cost: f32,
+/// A piece of all boxes, which is an item or has two halves.
+struct Pair {
+    lo: Vec3A,
+    hi: Vec3A,
+    boxes: Range<u32>,
+    /// Numbers of the halves, both 0 if it is an item.
+    halves: [u32; 2],
+    /// How many items it has.
+    items: u32,
+    /// The least cost of it with at most 1, 2, … 7 children of a node.
+    cost: [f32; WIDTH - 1],
+    /// How many of 2, 3, … 8 children of a node go to the first half for that; 0 if it is better not to use all of them.
+    first: [u8; WIDTH - 1],
+    /// Is it best to look at all its items at once?
+    is_leaf: bool,
 }
 
-impl Build {
-    fn run(mut self, boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
-        let mut prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
-        let mut around = Around::EMPTY;
-        prims.iter().for_each(|prim| around.add(prim));
-        if !prims.is_empty() {
-            self.bvh.nodes.reserve(prims.len() / self.leaf / 4 + 1);
-            let all = Piece { items: 0..prims.len(), around, cost: f32::INFINITY };
-            self.build_node(&mut prims, all, 0);
+impl Pair {
+    fn item(boxes: Range<usize>, around: &Around, cost: f32) -> Self {
+        let cost = [area(around.lo, around.hi) * cost; WIDTH - 1];
+        let boxes = boxes.start as u32..boxes.end as u32;
+        Self {
+            lo: around.lo,
+            hi: around.hi,
+            boxes,
+            halves: [0; 2],
+            items: 1,
+            cost,
+            first: [0; WIDTH - 1],
+            is_leaf: true,
         }
-        self.bvh.nodes.shrink_to_fit();
-        (self.bvh, prims.into_iter().map(|p| p.index).collect())
     }
 
-    /// Divides the items into eight, then each of them; returns the node's number.
-    fn build_node(&mut self, prims: &mut [Prim], all: Piece, depth: usize) -> usize {
-        let number = self.bvh.nodes.len();
-        self.bvh.nodes.push(Wide::EMPTY);
-        let halve = must_halve(all.items.len(), self.leaf, depth);
-        let mut pieces: SmallVec<[Piece; WIDTH]> = SmallVec::new();
-        pieces.push(all);
-        while pieces.len() < WIDTH {
-            // Divide the piece that costs most.
-            let open = (0..pieces.len()).filter(|&i| pieces[i].items.len() > self.pack);
-            let Some(costly) = open.max_by(|&a, &b| pieces[a].cost.total_cmp(&pieces[b].cost)) else { break };
-            let Piece { items: Range { start, end }, around, .. } = pieces[costly].clone();
-            let (count, halves) = self.divide(&mut prims[start..end], &around, halve);
-            let mid = start + count;
-            let piece = |items: Range<usize>, around: Around| {
-                let area = if halve { 1.0 } else { area(around.lo, around.hi) };
-                Piece { cost: area * items.len().div_ceil(self.pack) as f32, items, around }
-            };
-            let [left, right] = halves;
-            pieces[costly] = piece(start..mid, left);
-            pieces.insert(costly + 1, piece(mid..end, right));
-        }
-        for (slot, piece) in pieces.into_iter().enumerate() {
-            let bounds = (piece.around.lo, piece.around.hi);
-            let child = match piece.items.len() {
-                count if count <= self.leaf => Child::items(piece.items.start, count),
-                _ => Child::node(self.build_node(prims, piece, depth + 1)),
-            };
-            self.bvh.nodes[number].set(slot, bounds, child);
-        }
-        number
-    }
-
-    /// Orders the items in two groups, neither empty, at the cheapest place; returns where the second one starts, and what is around
-    /// each.
-    fn divide(&self, prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
-        let cut = match prims.len() {
-            _ if halve => None,
-            0..=32 => Cut::find::<6>(prims, around, self.pack),
-            _ => Cut::find::<16>(prims, around, self.pack),
-        };
-        if let Some(cut) = cut {
-            let (count, halves) = partition(prims, |prim| cut.is_left(prim));
-            if count > 0 && count < prims.len() {
-                return (count, halves);
+    /// Of two halves, at the least cost.
+    fn join(&self, other: &Pair, halves: [u32; 2], item_cost: f32) -> Self {
+        let (lo, hi) = (self.lo.min(other.lo), self.hi.max(other.hi));
+        let (area, items) = (area(lo, hi), self.items + other.items);
+        let (mut cost, mut first) = ([0.0; WIDTH - 1], [0; WIDTH - 1]);
+        let mut all = f32::INFINITY;
+        for children in 2..=WIDTH {
+            let ways = (1..children).map(|k| (self.cost[k - 1] + other.cost[children - k - 1], k as u8));
+            let (least, k) = ways.fold((f32::INFINITY, 1), |a, b| if b.0 < a.0 { b } else { a });
+            first[children - 2] = k;
+            match cost.get_mut(children - 1) {
+                Some(cost) => *cost = least,
+                None => all = least,
             }
         }
-        let count = prims.len() / 2;
-        let mut halves = [Around::EMPTY; 2];
-        prims.iter().enumerate().for_each(|(i, prim)| halves[usize::from(i >= count)].add(prim));
-        (count, halves)
+        let node = area + all;
+        let leaf = if items <= LEAF { area * items as f32 * item_cost } else { f32::INFINITY };
+        cost[0] = node.min(leaf);
+        for i in 1..cost.len() {
+            if cost[i - 1] <= cost[i] {
+                (cost[i], first[i - 1]) = (cost[i - 1], 0);
+            }
+        }
+        let boxes = self.boxes.start..other.boxes.end;
+        Self { lo, hi, boxes, halves, items, cost, first, is_leaf: items <= LEAF && leaf <= node }
     }
+}
+
+impl<F: Fn(&[Prim]) -> bool> Build<F> {
+    fn run(boxes: impl ExactSizeIterator<Item = Aabb>, is_item: F, item_cost: f32) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
+        let prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
+        let mut build = Build { prims, pairs: vec![], is_item, item_cost, bvh: Bvh::default(), items: vec![] };
+        if !build.prims.is_empty() {
+            let mut around = Around::EMPTY;
+            build.prims.iter().for_each(|prim| around.add(prim));
+            let root = build.grow(0..build.prims.len(), &around, LEVELS);
+            build.bvh.nodes.push(Wide::EMPTY);
+            build.fill(0, root);
+        }
+        build.bvh.nodes.shrink_to_fit();
+        let mut order = Vec::with_capacity(build.prims.len());
+        for item in &mut build.items {
+            let start = order.len() as u32;
+            order.extend(build.prims[item.start as usize..item.end as usize].iter().map(|prim| prim.index));
+            *item = start..order.len() as u32;
+        }
+        (build.bvh, order, build.items)
+    }
+
+    /// Makes the tree of pairs over some boxes; returns its number.
+    fn grow(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> u32 {
+        let prims = &mut self.prims[boxes.clone()];
+        let pair = if (self.is_item)(prims) {
+            Pair::item(boxes, around, self.item_cost)
+        } else {
+            let (count, [left, right]) = divide(prims, around, levels == 0);
+            let mid = boxes.start + count;
+            let levels = levels.saturating_sub(1);
+            let a = self.grow(boxes.start..mid, &left, levels);
+            let b = self.grow(mid..boxes.end, &right, levels);
+            self.pairs[a as usize].join(&self.pairs[b as usize], [a, b], self.item_cost)
+        };
+        self.pairs.push(pair);
+        self.pairs.len() as u32 - 1
+    }
+
+    /// Gives a node its children, and these theirs.
+    fn fill(&mut self, node: usize, pair: u32) {
+        let mut children = SmallVec::new();
+        match self.pairs[pair as usize].is_leaf {
+            true => children.push(pair),
+            false => self.choose(pair, WIDTH, &mut children),
+        }
+        let mut inner: SmallVec<[(usize, u32); WIDTH]> = SmallVec::new();
+        for (slot, number) in children.into_iter().enumerate() {
+            let Pair { lo, hi, is_leaf, items, .. } = self.pairs[number as usize];
+            let child = if is_leaf {
+                self.add_items(number);
+                Child::items(self.items.len() - items as usize, items as usize)
+            } else {
+                // Beside its siblings, which are wanted together.
+                self.bvh.nodes.push(Wide::EMPTY);
+                inner.push((self.bvh.nodes.len() - 1, number));
+                Child::node(self.bvh.nodes.len() - 1)
+            };
+            self.bvh.nodes[node].set(slot, (lo, hi), child);
+        }
+        inner.into_iter().for_each(|(node, pair)| self.fill(node, pair));
+    }
+
+    /// The best pieces of a pair to be children of a node, at most so many.
+    fn choose(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
+        let pair = &self.pairs[number as usize];
+        while count > 1 && pair.first[count - 2] == 0 {
+            count -= 1;
+        }
+        if count == 1 {
+            return out.push(number);
+        }
+        let first = usize::from(pair.first[count - 2]);
+        self.choose(pair.halves[0], first, out);
+        self.choose(pair.halves[1], count - first, out);
+    }
+
+    fn add_items(&mut self, number: u32) {
+        let Pair { halves: [a, b], ref boxes, .. } = self.pairs[number as usize];
+        if (a, b) == (0, 0) {
+            self.items.push(boxes.clone());
+        } else {
+            self.add_items(a);
+            self.add_items(b);
+        }
+    }
+}
+
+/// Orders the boxes in two groups, neither empty, at the cheapest place; returns where the second one starts, and what is around each.
+fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
+    let cut = match prims.len() {
+        _ if halve => None,
+        0..=32 => Cut::find::<6>(prims, around),
+        _ => Cut::find::<16>(prims, around),
+    };
+    if let Some(cut) = cut {
+        let (count, halves) = partition(prims, |prim| cut.is_left(prim));
+        if count > 0 && count < prims.len() {
+            return (count, halves);
+        }
+    }
+    let count = prims.len() / 2;
+    let mut halves = [Around::EMPTY; 2];
+    prims.iter().enumerate().for_each(|(i, prim)| halves[usize::from(i >= count)].add(prim));
+    (count, halves)
 }
 
 /// A box to be sorted in.
@@ -176,7 +277,7 @@ impl Around {
 
 fn area(lo: Vec3A, hi: Vec3A) -> f32 {
     let s = (hi - lo).max(Vec3A::ZERO);
-    s.x * s.y + s.y * s.z + s.z * s.x
+    (s.x * s.y + s.y * s.z + s.z * s.x).min(1e30)
 }
 
 #[derive(Clone, Copy)]
@@ -194,8 +295,8 @@ impl Bin {
         Bin { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi), count: self.count + other.count }
     }
 
-    fn cost(&self, pack: u32) -> f32 {
-        area(self.lo, self.hi) * self.count.div_ceil(pack) as f32
+    fn cost(&self) -> f32 {
+        area(self.lo, self.hi) * self.count as f32
     }
 }
 
@@ -209,7 +310,7 @@ struct Cut {
 
 impl Cut {
     /// The cheapest of the places between so many bins along each axis; `None` if any half is as good as the other.
-    fn find<const BINS: usize>(prims: &[Prim], around: &Around, pack: usize) -> Option<Cut> {
+    fn find<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
         let extent = around.last - around.first;
         if extent.max_element() <= 0.0 || !extent.is_finite() {
             return None;
@@ -226,7 +327,7 @@ impl Cut {
                 *bin = bin.join(one);
             }
         }
-        let cuts = axes.map(|axis| (axis, cheapest_cut(&bins[axis], pack as u32)));
+        let cuts = axes.map(|axis| (axis, cheapest_cut(&bins[axis])));
         let (axis, (bin, cost)) = cuts.min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
         let cut = Cut { axis, from: around.first[axis], scale: scale[axis], bin: bin as f32 };
         cost.is_finite().then_some(cut)
@@ -238,26 +339,20 @@ impl Cut {
     }
 }
 
-/// Are the levels that are left just enough for so many items, if each divides them by eight?
-fn must_halve(count: usize, leaf: usize, depth: usize) -> bool {
-    let levels = count.div_ceil(leaf).max(1).ilog2() as usize / 3 + 2;
-    depth + levels >= DEPTH
-}
-
 /// The number of bins on the left of the best cut, and its cost; infinite where all items are in one bin.
-fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS], pack: u32) -> (usize, f32) {
+fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     // Cost of everything from bin i on.
     let mut right = [0.0; BINS];
     let mut sum = Bin::EMPTY;
     for i in (1..BINS).rev() {
         sum = sum.join(bins[i]);
-        right[i] = if sum.count > 0 { sum.cost(pack) } else { f32::INFINITY };
+        right[i] = if sum.count > 0 { sum.cost() } else { f32::INFINITY };
     }
     let mut best = (0, f32::INFINITY);
     let mut sum = Bin::EMPTY;
     for cut in 1..BINS {
         sum = sum.join(bins[cut - 1]);
-        let cost = sum.cost(pack) + right[cut];
+        let cost = sum.cost() + right[cut];
         if sum.count > 0 && cost < best.1 {
             best = (cut, cost);
         }
