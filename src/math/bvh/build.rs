@@ -7,10 +7,9 @@ use super::{Bvh, round_down, round_up};
 use crate::math::Aabb;
 use glam::Vec3A;
 use smallvec::SmallVec;
+use std::array::from_fn;
 use std::ops::Range;
 
-/// Of more items than this, only cuts along the longest axis are weighed.
-const LARGE: usize = 1024;
 /// Below so many levels the tree of pairs halves, so that it is never deeper than this and the logarithm of the number of boxes.
 const LEVELS: usize = 64;
 /// What it costs a ray to look at a single item, in nodes.
@@ -58,63 +57,26 @@ struct Build<F> {
 
 /// A piece of all boxes, which is an item or has two halves.
 struct Pair {
-    lo: Vec3A,
-    hi: Vec3A,
-    boxes: Range<u32>,
-    /// Numbers of the halves, both 0 if it is an item.
-    halves: [u32; 2],
+    lo: [f32; 3],
+    hi: [f32; 3],
+    /// Numbers of the halves; of an item, where its boxes begin and end.
+    parts: [u32; 2],
     /// How many items it has.
     items: u32,
-    /// The least cost of it with at most 1, 2, … 7 children of a node.
-    cost: [f32; WIDTH - 1],
-    /// How many of 2, 3, … 8 children of a node go to the first half for that; 0 if it is better not to use all of them.
+    /// How many of 2, 3, … 8 children of a node go to the first half, if it is to cost least; 0 if it is better not to use all of them.
     first: [u8; WIDTH - 1],
     /// Is it best to look at all its items at once?
     is_leaf: bool,
 }
 
-impl Pair {
-    fn item(boxes: Range<usize>, around: &Around, cost: f32) -> Self {
-        let cost = [area(around.lo, around.hi) * cost; WIDTH - 1];
-        let boxes = boxes.start as u32..boxes.end as u32;
-        Self {
-            lo: around.lo,
-            hi: around.hi,
-            boxes,
-            halves: [0; 2],
-            items: 1,
-            cost,
-            first: [0; WIDTH - 1],
-            is_leaf: true,
-        }
-    }
-
-    /// Of two halves, at the least cost.
-    fn join(&self, other: &Pair, halves: [u32; 2], item_cost: f32) -> Self {
-        let (lo, hi) = (self.lo.min(other.lo), self.hi.max(other.hi));
-        let (area, items) = (area(lo, hi), self.items + other.items);
-        let (mut cost, mut first) = ([0.0; WIDTH - 1], [0; WIDTH - 1]);
-        let mut all = f32::INFINITY;
-        for children in 2..=WIDTH {
-            let ways = (1..children).map(|k| (self.cost[k - 1] + other.cost[children - k - 1], k as u8));
-            let (least, k) = ways.fold((f32::INFINITY, 1), |a, b| if b.0 < a.0 { b } else { a });
-            first[children - 2] = k;
-            match cost.get_mut(children - 1) {
-                Some(cost) => *cost = least,
-                None => all = least,
-            }
-        }
-        let node = area + all;
-        let leaf = if items <= LEAF { area * items as f32 * item_cost } else { f32::INFINITY };
-        cost[0] = node.min(leaf);
-        for i in 1..cost.len() {
-            if cost[i - 1] <= cost[i] {
-                (cost[i], first[i - 1]) = (cost[i - 1], 0);
-            }
-        }
-        let boxes = self.boxes.start..other.boxes.end;
-        Self { lo, hi, boxes, halves, items, cost, first, is_leaf: items <= LEAF && leaf <= node }
-    }
+/// What is known of a pair until it is half of another.
+struct Half {
+    number: u32,
+    lo: Vec3A,
+    hi: Vec3A,
+    items: u32,
+    /// The least cost of it with at most 1, 2, … 7 children of a node.
+    cost: [f32; WIDTH - 1],
 }
 
 impl<F: Fn(&[Prim]) -> bool> Build<F> {
@@ -126,7 +88,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             build.prims.iter().for_each(|prim| around.add(prim));
             let root = build.grow(0..build.prims.len(), &around, LEVELS);
             build.bvh.nodes.push(Wide::EMPTY);
-            build.fill(0, root);
+            build.fill(0, root.number);
         }
         build.bvh.nodes.shrink_to_fit();
         let mut order = Vec::with_capacity(build.prims.len());
@@ -138,21 +100,60 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         (build.bvh, order, build.items)
     }
 
-    /// Makes the tree of pairs over some boxes; returns its number.
-    fn grow(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> u32 {
+    /// Makes the tree of pairs over some boxes.
+    fn grow(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
         let prims = &mut self.prims[boxes.clone()];
-        let pair = if (self.is_item)(prims) {
-            Pair::item(boxes, around, self.item_cost)
-        } else {
-            let (count, [left, right]) = divide(prims, around, levels == 0);
-            let mid = boxes.start + count;
-            let levels = levels.saturating_sub(1);
-            let a = self.grow(boxes.start..mid, &left, levels);
-            let b = self.grow(mid..boxes.end, &right, levels);
-            self.pairs[a as usize].join(&self.pairs[b as usize], [a, b], self.item_cost)
-        };
-        self.pairs.push(pair);
-        self.pairs.len() as u32 - 1
+        if (self.is_item)(prims) {
+            let Around { lo, hi, .. } = *around;
+            let parts = [boxes.start as u32, boxes.end as u32];
+            let cost = [area(lo, hi) * self.item_cost; WIDTH - 1];
+            return self.add((lo, hi), parts, 1, cost, ([0; WIDTH - 1], true));
+        }
+        let (count, [left, right]) = divide(prims, around, levels == 0);
+        let mid = boxes.start + count;
+        let levels = levels.saturating_sub(1);
+        let a = self.grow(boxes.start..mid, &left, levels);
+        let b = self.grow(mid..boxes.end, &right, levels);
+        self.join(&a, &b)
+    }
+
+    /// Adds a pair of two halves, at the least cost.
+    fn join(&mut self, a: &Half, b: &Half) -> Half {
+        let (lo, hi) = (a.lo.min(b.lo), a.hi.max(b.hi));
+        let (area, items) = (area(lo, hi), a.items + b.items);
+        // With just so many children.
+        let mut cost = [f32::INFINITY; WIDTH + 1];
+        let mut first = [0; WIDTH - 1];
+        for children in 2..=WIDTH {
+            for k in 1..children {
+                let sum = a.cost[k - 1] + b.cost[children - k - 1];
+                if sum < cost[children] {
+                    (cost[children], first[children - 2]) = (sum, k as u8);
+                }
+            }
+        }
+        let node = area + cost[WIDTH];
+        let leaf = if items <= LEAF { area * items as f32 * self.item_cost } else { f32::INFINITY };
+        cost[1] = node.min(leaf);
+        for children in 2..WIDTH {
+            if cost[children - 1] <= cost[children] {
+                (cost[children], first[children - 2]) = (cost[children - 1], 0);
+            }
+        }
+        let cost = from_fn(|i| cost[i + 1]);
+        self.add((lo, hi), [a.number, b.number], items, cost, (first, items <= LEAF && leaf <= node))
+    }
+
+    fn add(
+        &mut self,
+        (lo, hi): (Vec3A, Vec3A),
+        parts: [u32; 2],
+        items: u32,
+        cost: [f32; WIDTH - 1],
+        (first, is_leaf): ([u8; WIDTH - 1], bool),
+    ) -> Half {
+        self.pairs.push(Pair { lo: lo.into(), hi: hi.into(), parts, items, first, is_leaf });
+        Half { number: self.pairs.len() as u32 - 1, lo, hi, items, cost }
     }
 
     /// Gives a node its children, and these theirs.
@@ -174,7 +175,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
                 inner.push((self.bvh.nodes.len() - 1, number));
                 Child::node(self.bvh.nodes.len() - 1)
             };
-            self.bvh.nodes[node].set(slot, (lo, hi), child);
+            self.bvh.nodes[node].set(slot, (lo.into(), hi.into()), child);
         }
         inner.into_iter().for_each(|(node, pair)| self.fill(node, pair));
     }
@@ -189,17 +190,17 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             return out.push(number);
         }
         let first = usize::from(pair.first[count - 2]);
-        self.choose(pair.halves[0], first, out);
-        self.choose(pair.halves[1], count - first, out);
+        self.choose(pair.parts[0], first, out);
+        self.choose(pair.parts[1], count - first, out);
     }
 
     fn add_items(&mut self, number: u32) {
-        let Pair { halves: [a, b], ref boxes, .. } = self.pairs[number as usize];
-        if (a, b) == (0, 0) {
-            self.items.push(boxes.clone());
-        } else {
-            self.add_items(a);
-            self.add_items(b);
+        match self.pairs[number as usize] {
+            Pair { items: 1, parts: [start, end], .. } => self.items.push(start..end),
+            Pair { parts: [a, b], .. } => {
+                self.add_items(a);
+                self.add_items(b);
+            }
         }
     }
 }
@@ -225,10 +226,11 @@ fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 
 
 /// A box to be sorted in.
 #[derive(Clone, Copy)]
+#[repr(C, align(16))]
 struct Prim {
     lo: [f32; 3],
-    hi: [f32; 3],
     index: u32,
+    hi: [f32; 3],
 }
 
 impl Prim {
@@ -277,7 +279,8 @@ impl Around {
 
 fn area(lo: Vec3A, hi: Vec3A) -> f32 {
     let s = (hi - lo).max(Vec3A::ZERO);
-    (s.x * s.y + s.y * s.z + s.z * s.x).min(1e30)
+    // (So that the sum of all stays finite.)
+    (s.x * s.y + s.y * s.z + s.z * s.x).min(1e28)
 }
 
 #[derive(Clone, Copy)]
@@ -316,18 +319,16 @@ impl Cut {
             return None;
         }
         let scale = Vec3A::select(extent.cmpgt(Vec3A::ZERO), Vec3A::splat(BINS as f32 * 0.9999) / extent, Vec3A::ZERO);
-        // Where there are many, a cut across the longest extent is as good as any.
-        let axes = if prims.len() > LARGE { extent.max_position()..extent.max_position() + 1 } else { 0..3 };
         let mut bins = [[Bin::EMPTY; BINS]; 3];
         for prim in prims {
             let one = Bin { lo: prim.lo(), hi: prim.hi(), count: 1 };
             let places = ((prim.center() - around.first) * scale).to_array();
-            for axis in axes.clone() {
+            for axis in 0..3 {
                 let bin = &mut bins[axis][(places[axis] as i32 as usize).min(BINS - 1)];
                 *bin = bin.join(one);
             }
         }
-        let cuts = axes.map(|axis| (axis, cheapest_cut(&bins[axis])));
+        let cuts = (0..3).map(|axis| (axis, cheapest_cut(&bins[axis])));
         let (axis, (bin, cost)) = cuts.min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
         let cut = Cut { axis, from: around.first[axis], scale: scale[axis], bin: bin as f32 };
         cost.is_finite().then_some(cut)
@@ -365,12 +366,13 @@ fn partition(prims: &mut [Prim], left: impl Fn(&Prim) -> bool) -> (usize, [Aroun
     let (mut i, mut j) = (0, prims.len());
     let [mut before, mut behind] = [Around::EMPTY; 2];
     while i < j {
-        let prim = prims[i];
-        if left(&prim) {
-            before.add(&prim);
+        // (By reference: a copy would be built up in memory before it is looked at.)
+        let prim = &prims[i];
+        if left(prim) {
+            before.add(prim);
             i += 1;
         } else {
-            behind.add(&prim);
+            behind.add(prim);
             j -= 1;
             prims.swap(i, j);
         }
