@@ -57,8 +57,6 @@ struct Build<F> {
 
 /// A piece of all boxes, which is an item or has two halves.
 struct Pair {
-    lo: [f32; 3],
-    hi: [f32; 3],
     /// Numbers of the halves; of an item, where its boxes begin and end.
     parts: [u32; 2],
     /// How many items it has.
@@ -87,9 +85,12 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             let mut around = Around::EMPTY;
             build.prims.iter().for_each(|prim| around.add(prim));
             let root = build.grow(0..build.prims.len(), &around, LEVELS);
+            build.bvh.nodes.reserve(root.items as usize / 5 + 1);
             build.bvh.nodes.push(Wide::EMPTY);
+            build.items.reserve_exact(root.items as usize);
             build.fill(0, root.number);
         }
+        build.pairs = vec![];
         build.bvh.nodes.shrink_to_fit();
         let mut order = Vec::with_capacity(build.prims.len());
         for item in &mut build.items {
@@ -107,7 +108,8 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             let Around { lo, hi, .. } = *around;
             let parts = [boxes.start as u32, boxes.end as u32];
             let cost = [area(lo, hi) * self.item_cost; WIDTH - 1];
-            return self.add((lo, hi), parts, 1, cost, ([0; WIDTH - 1], true));
+            self.pairs.push(Pair { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
+            return Half { number: self.pairs.len() as u32 - 1, lo, hi, items: 1, cost };
         }
         let (count, [left, right]) = divide(prims, around, levels == 0);
         let mid = boxes.start + count;
@@ -141,43 +143,40 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             }
         }
         let cost = from_fn(|i| cost[i + 1]);
-        self.add((lo, hi), [a.number, b.number], items, cost, (first, items <= LEAF && leaf <= node))
-    }
-
-    fn add(
-        &mut self,
-        (lo, hi): (Vec3A, Vec3A),
-        parts: [u32; 2],
-        items: u32,
-        cost: [f32; WIDTH - 1],
-        (first, is_leaf): ([u8; WIDTH - 1], bool),
-    ) -> Half {
-        self.pairs.push(Pair { lo: lo.into(), hi: hi.into(), parts, items, first, is_leaf });
+        let is_leaf = items <= LEAF && leaf <= node;
+        self.pairs.push(Pair { parts: [a.number, b.number], items, first, is_leaf });
         Half { number: self.pairs.len() as u32 - 1, lo, hi, items, cost }
     }
 
-    /// Gives a node its children, and these theirs.
-    fn fill(&mut self, node: usize, pair: u32) {
+    /// Gives a node its children, and these theirs; returns what is around them.
+    fn fill(&mut self, node: usize, pair: u32) -> Around {
         let mut children = SmallVec::new();
         match self.pairs[pair as usize].is_leaf {
             true => children.push(pair),
             false => self.choose(pair, WIDTH, &mut children),
         }
-        let mut inner: SmallVec<[(usize, u32); WIDTH]> = SmallVec::new();
+        let mut all = Around::EMPTY;
+        let mut inner: SmallVec<[(usize, usize, u32); WIDTH]> = SmallVec::new();
         for (slot, number) in children.into_iter().enumerate() {
-            let Pair { lo, hi, is_leaf, items, .. } = self.pairs[number as usize];
-            let child = if is_leaf {
-                self.add_items(number);
-                Child::items(self.items.len() - items as usize, items as usize)
+            let Pair { is_leaf, items, .. } = self.pairs[number as usize];
+            if is_leaf {
+                let mut around = Around::EMPTY;
+                self.add_items(number, &mut around);
+                let child = Child::items(self.items.len() - items as usize, items as usize);
+                self.bvh.nodes[node].set(slot, (around.lo, around.hi), child);
+                all.join(&around);
             } else {
                 // Beside its siblings, which are wanted together.
+                inner.push((slot, self.bvh.nodes.len(), number));
                 self.bvh.nodes.push(Wide::EMPTY);
-                inner.push((self.bvh.nodes.len() - 1, number));
-                Child::node(self.bvh.nodes.len() - 1)
-            };
-            self.bvh.nodes[node].set(slot, (lo.into(), hi.into()), child);
+            }
         }
-        inner.into_iter().for_each(|(node, pair)| self.fill(node, pair));
+        for (slot, child, number) in inner {
+            let around = self.fill(child, number);
+            self.bvh.nodes[node].set(slot, (around.lo, around.hi), Child::node(child));
+            all.join(&around);
+        }
+        all
     }
 
     /// The best pieces of a pair to be children of a node, at most so many.
@@ -194,12 +193,16 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         self.choose(pair.parts[1], count - first, out);
     }
 
-    fn add_items(&mut self, number: u32) {
+    /// Adds the items of a pair to those of the hierarchy, and their boxes to what is around.
+    fn add_items(&mut self, number: u32, around: &mut Around) {
         match self.pairs[number as usize] {
-            Pair { items: 1, parts: [start, end], .. } => self.items.push(start..end),
+            Pair { items: 1, parts: [start, end], .. } => {
+                self.prims[start as usize..end as usize].iter().for_each(|prim| around.add(prim));
+                self.items.push(start..end);
+            }
             Pair { parts: [a, b], .. } => {
-                self.add_items(a);
-                self.add_items(b);
+                self.add_items(a, around);
+                self.add_items(b, around);
             }
         }
     }
@@ -273,6 +276,15 @@ impl Around {
             hi: self.hi.max(hi),
             first: self.first.min(center),
             last: self.last.max(center),
+        };
+    }
+
+    fn join(&mut self, other: &Around) {
+        *self = Around {
+            lo: self.lo.min(other.lo),
+            hi: self.hi.max(other.hi),
+            first: self.first.min(other.first),
+            last: self.last.max(other.last),
         };
     }
 }
