@@ -10,6 +10,7 @@ mod poly;
 mod quadratic;
 mod ray;
 pub mod rng;
+mod sheared;
 pub mod tolerance;
 mod transform;
 
@@ -23,4 +24,5 @@ pub use poly::{
 };
 pub use quadratic::Quadratic;
 pub use ray::{Range, Ray};
+pub use sheared::Sheared;
 pub use transform::{Singular, Transform};

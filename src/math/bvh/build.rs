@@ -1,133 +1,239 @@
-//! Building by the surface-area heuristic over bins (Wald, On fast construction of SAH-based bounding volume hierarchies,
-//! 2007), always in the same order.
+//! Building: first a tree of pairs by the surface-area heuristic over bins (Wald, On fast construction of SAH-based bounding volume
+//! hierarchies, 2007), then nodes with eight children, chosen from it so that a ray is expected to look at the fewest (Ylitie, Karras and Laine,
+//! Efficient incoherent ray traversal on GPUs through compressed wide BVHs, 2017, section 3.1). Always in the same order.
 
-use super::{Bvh, Child, DEPTH, Kind, WIDTH, Wide, round_down, round_up};
+use super::node::{Child, WIDTH, Wide};
+use super::{Bvh, round_down, round_up};
 use crate::math::Aabb;
 use glam::Vec3A;
 use smallvec::SmallVec;
+use std::array::from_fn;
 use std::ops::Range;
 
-/// A node's child that holds no more items than this is not divided any further.
-const LEAF: usize = 3;
-/// Of more items than this, only cuts along the longest axis are weighed.
-const LARGE: usize = 1024;
-/// The same where so many items are tested at once.
-pub const PACK: usize = 4;
+/// Below so many levels the tree of pairs halves, so that it is never deeper than this and the logarithm of the number of boxes.
+const LEVELS: usize = 64;
+/// What it costs a ray to look at a single item, in nodes.
+const ITEM: f32 = 1.5;
+/// The same of a pack.
+const PACK: f32 = 1.0;
+/// No pack has more boxes.
+const LARGEST: usize = 8;
+/// A child holds no more items.
+const LEAF: u32 = 4;
 
 impl Bvh {
     /// Over boxes that [`super::fits`] accepts; also returns which box comes at which place in its order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
-        Build { bvh: Bvh::default(), leaf: LEAF, pack: 1 }.run(boxes)
+        let (bvh, order, _) = Build::run(boxes, |items| items.len() == 1, ITEM);
+        (bvh, order)
     }
 
-    /// The same over packs of up to [`PACK`] boxes, which are the items of the hierarchy; also returns the places of each pack's boxes in
-    /// the order.
-    pub fn build_packs(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
-        let (mut bvh, order) = Build { bvh: Bvh::default(), leaf: PACK, pack: PACK }.run(boxes);
-        let mut packs = Vec::with_capacity(order.len().div_ceil(2));
-        for child in bvh.nodes.iter_mut().flat_map(|node| &mut node.child).filter(|child| **child != Child::NONE) {
-            if let Kind::Items(items) = child.kind() {
-                *child = Child::items(packs.len(), 1);
-                packs.push(items.start as u32..items.end as u32);
-            }
-        }
-        packs.shrink_to_fit();
-        (bvh, order, packs)
+    /// The same over packs of boxes, which are the items of the hierarchy: what `packs` accepts becomes one, and it accepts each single box.
+    /// Also returns the places of each pack's boxes in the order.
+    pub fn build_packs(
+        boxes: impl ExactSizeIterator<Item = Aabb>,
+        packs: impl Fn(&[u32]) -> bool,
+    ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
+        let is_pack = |items: &[Prim]| {
+            let numbers: SmallVec<[u32; LARGEST]> = items.iter().take(LARGEST + 1).map(|prim| prim.index).collect();
+            items.len() <= LARGEST && packs(&numbers)
+        };
+        Build::run(boxes, is_pack, PACK)
     }
 }
 
 /// A hierarchy that is being built.
-struct Build {
+struct Build<F> {
+    prims: Vec<Prim>,
+    /// The tree of pairs, children before their parents.
+    pairs: Vec<Pair>,
+    /// Do these become one item?
+    is_item: F,
+    item_cost: f32,
     bvh: Bvh,
-    /// Pieces with so few items are not divided again.
-    leaf: usize,
-    /// So many items cost as much as one.
-    pack: usize,
+    /// Which boxes each item of the hierarchy has.
+    items: Vec<Range<u32>>,
 }
 
-/// Items that are to be divided: places, and the boxes around them and around their middles.
-#[derive(Clone)]
-struct Piece {
-    items: Range<usize>,
-    around: Around,
-    /// What it costs a ray to look at them all.
-    cost: f32,
+/// A piece of all boxes, which is an item or has two halves.
+struct Pair {
+    /// Numbers of the halves; of an item, where its boxes begin and end.
+    parts: [u32; 2],
+    /// How many items it has.
+    items: u32,
+    /// How many of 2, 3, … 8 children of a node go to the first half, if it is to cost least; 0 if it is better not to use all of them.
+    first: [u8; WIDTH - 1],
+    /// Is it best to look at all its items at once?
+    is_leaf: bool,
 }
 
-impl Build {
-    fn run(mut self, boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
-        let mut prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
-        let mut around = Around::EMPTY;
-        prims.iter().for_each(|prim| around.add(prim));
-        if !prims.is_empty() {
-            self.bvh.nodes.reserve(prims.len() / self.leaf / 4 + 1);
-            let all = Piece { items: 0..prims.len(), around, cost: f32::INFINITY };
-            self.build_node(&mut prims, all, 0);
+/// What is known of a pair until it is half of another.
+struct Half {
+    number: u32,
+    lo: Vec3A,
+    hi: Vec3A,
+    items: u32,
+    /// The least cost of it with at most 1, 2, … 7 children of a node.
+    cost: [f32; WIDTH - 1],
+}
+
+impl<F: Fn(&[Prim]) -> bool> Build<F> {
+    fn run(boxes: impl ExactSizeIterator<Item = Aabb>, is_item: F, item_cost: f32) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
+        let prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
+        let mut build = Build { prims, pairs: vec![], is_item, item_cost, bvh: Bvh::default(), items: vec![] };
+        if !build.prims.is_empty() {
+            let mut around = Around::EMPTY;
+            build.prims.iter().for_each(|prim| around.add(prim));
+            let root = build.grow(0..build.prims.len(), &around, LEVELS);
+            build.bvh.nodes.reserve(root.items as usize / 5 + 1);
+            build.bvh.nodes.push(Wide::EMPTY);
+            build.items.reserve_exact(root.items as usize);
+            build.fill(0, root.number);
         }
-        self.bvh.nodes.shrink_to_fit();
-        (self.bvh, prims.into_iter().map(|p| p.index).collect())
+        build.pairs = vec![];
+        build.bvh.nodes.shrink_to_fit();
+        let mut order = Vec::with_capacity(build.prims.len());
+        for item in &mut build.items {
+            let start = order.len() as u32;
+            order.extend(build.prims[item.start as usize..item.end as usize].iter().map(|prim| prim.index));
+            *item = start..order.len() as u32;
+        }
+        (build.bvh, order, build.items)
     }
 
-    /// Divides the items into eight, then each of them; returns the node's number.
-    fn build_node(&mut self, prims: &mut [Prim], all: Piece, depth: usize) -> usize {
-        let number = self.bvh.nodes.len();
-        self.bvh.nodes.push(Wide::EMPTY);
-        let halve = must_halve(all.items.len(), self.leaf, depth);
-        let mut pieces: SmallVec<[Piece; WIDTH]> = SmallVec::new();
-        pieces.push(all);
-        while pieces.len() < WIDTH {
-            // Divide the piece that costs most.
-            let open = (0..pieces.len()).filter(|&i| pieces[i].items.len() > self.pack);
-            let Some(costly) = open.max_by(|&a, &b| pieces[a].cost.total_cmp(&pieces[b].cost)) else { break };
-            let Piece { items: Range { start, end }, around, .. } = pieces[costly].clone();
-            let (count, halves) = self.divide(&mut prims[start..end], &around, halve);
-            let mid = start + count;
-            let piece = |items: Range<usize>, around: Around| {
-                let area = if halve { 1.0 } else { area(around.lo, around.hi) };
-                Piece { cost: area * items.len().div_ceil(self.pack) as f32, items, around }
-            };
-            let [left, right] = halves;
-            pieces[costly] = piece(start..mid, left);
-            pieces.insert(costly + 1, piece(mid..end, right));
+    /// Makes the tree of pairs over some boxes.
+    fn grow(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
+        let prims = &mut self.prims[boxes.clone()];
+        if (self.is_item)(prims) {
+            let Around { lo, hi, .. } = *around;
+            let parts = [boxes.start as u32, boxes.end as u32];
+            let cost = [area(lo, hi) * self.item_cost; WIDTH - 1];
+            self.pairs.push(Pair { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
+            return Half { number: self.pairs.len() as u32 - 1, lo, hi, items: 1, cost };
         }
-        for (slot, piece) in pieces.into_iter().enumerate() {
-            let bounds = (piece.around.lo, piece.around.hi);
-            let child = match piece.items.len() {
-                count if count <= self.leaf => Child::items(piece.items.start, count),
-                _ => Child::node(self.build_node(prims, piece, depth + 1)),
-            };
-            self.bvh.nodes[number].set(slot, bounds, child);
-        }
-        number
+        let (count, [left, right]) = divide(prims, around, levels == 0);
+        let mid = boxes.start + count;
+        let levels = levels.saturating_sub(1);
+        let a = self.grow(boxes.start..mid, &left, levels);
+        let b = self.grow(mid..boxes.end, &right, levels);
+        self.join(&a, &b)
     }
 
-    /// Orders the items in two groups, neither empty, at the cheapest place; returns where the second one starts, and what is around
-    /// each.
-    fn divide(&self, prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
-        let cut = match prims.len() {
-            _ if halve => None,
-            0..=32 => Cut::find::<6>(prims, around, self.pack),
-            _ => Cut::find::<16>(prims, around, self.pack),
-        };
-        if let Some(cut) = cut {
-            let (count, halves) = partition(prims, |prim| cut.is_left(prim));
-            if count > 0 && count < prims.len() {
-                return (count, halves);
+    /// Adds a pair of two halves, at the least cost.
+    fn join(&mut self, a: &Half, b: &Half) -> Half {
+        let (lo, hi) = (a.lo.min(b.lo), a.hi.max(b.hi));
+        let (area, items) = (area(lo, hi), a.items + b.items);
+        // With just so many children.
+        let mut cost = [f32::INFINITY; WIDTH + 1];
+        let mut first = [0; WIDTH - 1];
+        for children in 2..=WIDTH {
+            for k in 1..children {
+                let sum = a.cost[k - 1] + b.cost[children - k - 1];
+                if sum < cost[children] {
+                    (cost[children], first[children - 2]) = (sum, k as u8);
+                }
             }
         }
-        let count = prims.len() / 2;
-        let mut halves = [Around::EMPTY; 2];
-        prims.iter().enumerate().for_each(|(i, prim)| halves[usize::from(i >= count)].add(prim));
-        (count, halves)
+        let node = area + cost[WIDTH];
+        let leaf = if items <= LEAF { area * items as f32 * self.item_cost } else { f32::INFINITY };
+        cost[1] = node.min(leaf);
+        for children in 2..WIDTH {
+            if cost[children - 1] <= cost[children] {
+                (cost[children], first[children - 2]) = (cost[children - 1], 0);
+            }
+        }
+        let cost = from_fn(|i| cost[i + 1]);
+        let is_leaf = items <= LEAF && leaf <= node;
+        self.pairs.push(Pair { parts: [a.number, b.number], items, first, is_leaf });
+        Half { number: self.pairs.len() as u32 - 1, lo, hi, items, cost }
     }
+
+    /// Gives a node its children, and these theirs; returns what is around them.
+    fn fill(&mut self, node: usize, pair: u32) -> Around {
+        let mut children = SmallVec::new();
+        match self.pairs[pair as usize].is_leaf {
+            true => children.push(pair),
+            false => self.choose(pair, WIDTH, &mut children),
+        }
+        let mut all = Around::EMPTY;
+        let mut inner: SmallVec<[(usize, usize, u32); WIDTH]> = SmallVec::new();
+        for (slot, number) in children.into_iter().enumerate() {
+            let Pair { is_leaf, items, .. } = self.pairs[number as usize];
+            if is_leaf {
+                let mut around = Around::EMPTY;
+                self.add_items(number, &mut around);
+                let child = Child::items(self.items.len() - items as usize, items as usize);
+                self.bvh.nodes[node].set(slot, (around.lo, around.hi), child);
+                all.join(&around);
+            } else {
+                // Beside its siblings, which are wanted together.
+                inner.push((slot, self.bvh.nodes.len(), number));
+                self.bvh.nodes.push(Wide::EMPTY);
+            }
+        }
+        for (slot, child, number) in inner {
+            let around = self.fill(child, number);
+            self.bvh.nodes[node].set(slot, (around.lo, around.hi), Child::node(child));
+            all.join(&around);
+        }
+        all
+    }
+
+    /// The best pieces of a pair to be children of a node, at most so many.
+    fn choose(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
+        let pair = &self.pairs[number as usize];
+        while count > 1 && pair.first[count - 2] == 0 {
+            count -= 1;
+        }
+        if count == 1 {
+            return out.push(number);
+        }
+        let first = usize::from(pair.first[count - 2]);
+        self.choose(pair.parts[0], first, out);
+        self.choose(pair.parts[1], count - first, out);
+    }
+
+    /// Adds the items of a pair to those of the hierarchy, and their boxes to what is around.
+    fn add_items(&mut self, number: u32, around: &mut Around) {
+        match self.pairs[number as usize] {
+            Pair { items: 1, parts: [start, end], .. } => {
+                self.prims[start as usize..end as usize].iter().for_each(|prim| around.add(prim));
+                self.items.push(start..end);
+            }
+            Pair { parts: [a, b], .. } => {
+                self.add_items(a, around);
+                self.add_items(b, around);
+            }
+        }
+    }
+}
+
+/// Orders the boxes in two groups, neither empty, at the cheapest place; returns where the second one starts, and what is around each.
+fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
+    let cut = match prims.len() {
+        _ if halve => None,
+        0..=32 => Cut::find::<6>(prims, around),
+        _ => Cut::find::<16>(prims, around),
+    };
+    if let Some(cut) = cut {
+        let (count, halves) = partition(prims, |prim| cut.is_left(prim));
+        if count > 0 && count < prims.len() {
+            return (count, halves);
+        }
+    }
+    let count = prims.len() / 2;
+    let mut halves = [Around::EMPTY; 2];
+    prims.iter().enumerate().for_each(|(i, prim)| halves[usize::from(i >= count)].add(prim));
+    (count, halves)
 }
 
 /// A box to be sorted in.
 #[derive(Clone, Copy)]
+#[repr(C, align(16))]
 struct Prim {
     lo: [f32; 3],
-    hi: [f32; 3],
     index: u32,
+    hi: [f32; 3],
 }
 
 impl Prim {
@@ -172,11 +278,21 @@ impl Around {
             last: self.last.max(center),
         };
     }
+
+    fn join(&mut self, other: &Around) {
+        *self = Around {
+            lo: self.lo.min(other.lo),
+            hi: self.hi.max(other.hi),
+            first: self.first.min(other.first),
+            last: self.last.max(other.last),
+        };
+    }
 }
 
 fn area(lo: Vec3A, hi: Vec3A) -> f32 {
     let s = (hi - lo).max(Vec3A::ZERO);
-    s.x * s.y + s.y * s.z + s.z * s.x
+    // (So that the sum of all stays finite.)
+    (s.x * s.y + s.y * s.z + s.z * s.x).min(1e28)
 }
 
 #[derive(Clone, Copy)]
@@ -194,8 +310,8 @@ impl Bin {
         Bin { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi), count: self.count + other.count }
     }
 
-    fn cost(&self, pack: u32) -> f32 {
-        area(self.lo, self.hi) * self.count.div_ceil(pack) as f32
+    fn cost(&self) -> f32 {
+        area(self.lo, self.hi) * self.count as f32
     }
 }
 
@@ -209,24 +325,22 @@ struct Cut {
 
 impl Cut {
     /// The cheapest of the places between so many bins along each axis; `None` if any half is as good as the other.
-    fn find<const BINS: usize>(prims: &[Prim], around: &Around, pack: usize) -> Option<Cut> {
+    fn find<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
         let extent = around.last - around.first;
         if extent.max_element() <= 0.0 || !extent.is_finite() {
             return None;
         }
         let scale = Vec3A::select(extent.cmpgt(Vec3A::ZERO), Vec3A::splat(BINS as f32 * 0.9999) / extent, Vec3A::ZERO);
-        // Where there are many, a cut across the longest extent is as good as any.
-        let axes = if prims.len() > LARGE { extent.max_position()..extent.max_position() + 1 } else { 0..3 };
         let mut bins = [[Bin::EMPTY; BINS]; 3];
         for prim in prims {
             let one = Bin { lo: prim.lo(), hi: prim.hi(), count: 1 };
             let places = ((prim.center() - around.first) * scale).to_array();
-            for axis in axes.clone() {
+            for axis in 0..3 {
                 let bin = &mut bins[axis][(places[axis] as i32 as usize).min(BINS - 1)];
                 *bin = bin.join(one);
             }
         }
-        let cuts = axes.map(|axis| (axis, cheapest_cut(&bins[axis], pack as u32)));
+        let cuts = (0..3).map(|axis| (axis, cheapest_cut(&bins[axis])));
         let (axis, (bin, cost)) = cuts.min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
         let cut = Cut { axis, from: around.first[axis], scale: scale[axis], bin: bin as f32 };
         cost.is_finite().then_some(cut)
@@ -238,26 +352,20 @@ impl Cut {
     }
 }
 
-/// Are the levels that are left just enough for so many items, if each divides them by eight?
-fn must_halve(count: usize, leaf: usize, depth: usize) -> bool {
-    let levels = count.div_ceil(leaf).max(1).ilog2() as usize / 3 + 2;
-    depth + levels >= DEPTH
-}
-
 /// The number of bins on the left of the best cut, and its cost; infinite where all items are in one bin.
-fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS], pack: u32) -> (usize, f32) {
+fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     // Cost of everything from bin i on.
     let mut right = [0.0; BINS];
     let mut sum = Bin::EMPTY;
     for i in (1..BINS).rev() {
         sum = sum.join(bins[i]);
-        right[i] = if sum.count > 0 { sum.cost(pack) } else { f32::INFINITY };
+        right[i] = if sum.count > 0 { sum.cost() } else { f32::INFINITY };
     }
     let mut best = (0, f32::INFINITY);
     let mut sum = Bin::EMPTY;
     for cut in 1..BINS {
         sum = sum.join(bins[cut - 1]);
-        let cost = sum.cost(pack) + right[cut];
+        let cost = sum.cost() + right[cut];
         if sum.count > 0 && cost < best.1 {
             best = (cut, cost);
         }
@@ -270,12 +378,13 @@ fn partition(prims: &mut [Prim], left: impl Fn(&Prim) -> bool) -> (usize, [Aroun
     let (mut i, mut j) = (0, prims.len());
     let [mut before, mut behind] = [Around::EMPTY; 2];
     while i < j {
-        let prim = prims[i];
-        if left(&prim) {
-            before.add(&prim);
+        // (By reference: a copy would be built up in memory before it is looked at.)
+        let prim = &prims[i];
+        if left(prim) {
+            before.add(prim);
             i += 1;
         } else {
-            behind.add(&prim);
+            behind.add(prim);
             j -= 1;
             prims.swap(i, j);
         }

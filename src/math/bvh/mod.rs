@@ -5,23 +5,23 @@
 
 mod build;
 mod node;
+mod pack;
+mod triangles;
 
-pub use build::PACK;
+pub use triangles::Triangles;
 
 use crate::math::{Aabb, DVec3, Range, Ray};
-use glam::Vec4;
+use glam::{Vec3, Vec4};
 use node::{Child, Kind, WIDTH, Wide};
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
 /// Boxes whose corners reach further than this are not for a hierarchy in single precision.
 const REACH: f64 = 1e30;
-/// No hierarchy is deeper: below the level where only halving keeps this promise, it halves.
-const DEPTH: usize = 16;
-/// Each level leaves at most seven entries behind.
-const STACK: usize = 7 * DEPTH + 8;
+/// What is still to be looked at, as far as it is at hand: each level leaves at most seven entries behind, most leave one.
+const STACK: usize = 32;
 /// Rounding of the slab test in single precision, relative: three operations at each end, each off by 2⁻²⁴, and some reserve.
-const SLACK: f32 = 1e-6;
+const SLACK: f64 = 5e-7;
 
 /// The hierarchy over boxes 0 … n-1 in the order that [`Bvh::build`] returned.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,46 +36,69 @@ pub fn fits(b: &Aabb) -> bool {
 
 /// A traversal with one of the twins of `slabs`.
 macro_rules! walk {
-    ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $visit:ident) => {{
-        let flat = FlatRay::new($ray, $range);
+    ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $fetch:expr, $visit:ident) => {{
+        let flat = FlatRay::new($ray, $range, &$bvh.nodes[0]);
         let (mut max, mut flat_max) = ($range.max, padded($range.max));
         let mut stack = [Entry { near: 0.0, child: Child::NONE }; STACK];
         let mut open = 0;
-        let mut next = Some(Entry { near: f32::NEG_INFINITY, child: Child::node(0) });
-        while let Some(entry) = next {
-            if entry.near <= flat_max {
-                match entry.child.kind() {
-                    Kind::Node(number) => {
-                        let node = &$bvh.nodes[number];
-                        let (mask, near) = $slabs(node, &flat, flat_max);
-                        open = push_children(node, mask, &near, &mut stack, open);
-                    }
-                    Kind::Items(items) => {
-                        for item in items {
-                            match $visit(item, max) {
-                                ControlFlow::Continue(new_max) => max = new_max,
-                                ControlFlow::Break(()) => return,
+        // What the stack has no room for.
+        let mut below = vec![];
+        let mut child = Child::node(0);
+        loop {
+            match child.kind() {
+                Kind::Node(number) => {
+                    let node = &$bvh.nodes[number];
+                    let (mask, near) = $slabs(node, &flat, flat_max);
+                    if mask != 0 {
+                        if open > STACK - WIDTH {
+                            below.extend_from_slice(&stack[..open]);
+                            open = 0;
+                        }
+                        let before = open;
+                        (child, open) = nearest_child(node, mask, &near, &mut stack, open);
+                        for entry in &stack[before..open] {
+                            match entry.child.kind() {
+                                Kind::Node(number) => node::fetch(&$bvh.nodes, number),
+                                Kind::Items(items) => $fetch(items.start),
                             }
                         }
-                        flat_max = padded(max);
+                        continue;
                     }
                 }
+                Kind::Items(items) => {
+                    for item in items {
+                        match $visit(item, max) {
+                            ControlFlow::Continue(new_max) => max = new_max,
+                            ControlFlow::Break(()) => return,
+                        }
+                    }
+                    flat_max = padded(max);
+                }
             }
-            next = if open > 0 {
-                open -= 1;
-                Some(stack[open])
-            } else {
-                None
-            };
+            loop {
+                let entry = match open.checked_sub(1) {
+                    Some(last) => stack[last],
+                    None => match below.pop() {
+                        Some(entry) => entry,
+                        None => return,
+                    },
+                };
+                open = open.saturating_sub(1);
+                if entry.near <= flat_max {
+                    child = entry.child;
+                    break;
+                }
+            }
         }
     }};
 }
+use walk;
 
 impl Bvh {
     /// Hands the items whose boxes the ray meets in the range, and a few of their neighbours, to `visit`, near boxes first. `visit` gets the item's place
     /// and how far hits still count, and returns how far they count from now on, or breaks off. A ray that is not finite meets nothing.
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
-        if self.nodes.is_empty() || !(ray.origin.is_finite() && ray.dir.is_finite()) {
+        if !self.can_be_met(ray) {
             return;
         }
         #[cfg(target_arch = "x86_64")]
@@ -87,14 +110,19 @@ impl Bvh {
         self.traverse_plainly(ray, range, visit);
     }
 
+    #[inline(always)]
+    fn can_be_met(&self, ray: &Ray) -> bool {
+        !self.nodes.is_empty() && ray.origin.is_finite() && ray.dir.is_finite()
+    }
+
     fn traverse_plainly(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
-        walk!(node::slabs, self, ray, range, visit);
+        walk!(node::slabs, self, ray, range, |_| (), visit);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     fn traverse_avx2(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
-        walk!(node::avx2::slabs, self, ray, range, visit);
+        walk!(node::avx2::slabs, self, ray, range, |_| (), visit);
     }
 
     /// Hands the items whose boxes hold the point, and a few of their neighbours, to `visit`, until it breaks off.
@@ -133,15 +161,31 @@ struct Entry {
     child: Child,
 }
 
-/// Puts the children of a mask on the stack, the nearest last; returns how many are open then.
-#[inline]
-fn push_children(node: &Wide, mut mask: u32, near: &[f32; WIDTH], stack: &mut [Entry; STACK], open: usize) -> usize {
-    let mut end = open;
-    while mask != 0 {
+/// The nearest child of a mask, which is not empty; the others come on the stack, near ones last. Also returns how many are open then.
+#[inline(always)]
+fn nearest_child(
+    node: &Wide,
+    mut mask: u32,
+    near: &[f32; WIDTH],
+    stack: &mut [Entry; STACK],
+    open: usize,
+) -> (Child, usize) {
+    let mut take = || {
         let slot = mask.trailing_zeros() as usize & (WIDTH - 1);
         mask &= mask - 1;
-        let entry = Entry { near: near[slot], child: node.child[slot] };
-        // Insertion sort: at most eight, and mostly two.
+        (Entry { near: near[slot], child: node.child[slot] }, mask != 0)
+    };
+    let (mut first, more) = take();
+    if !more {
+        return (first.child, open);
+    }
+    let mut end = open;
+    loop {
+        let (mut entry, more) = take();
+        if entry.near < first.near {
+            std::mem::swap(&mut entry, &mut first);
+        }
+        // Insertion sort: at most seven, and mostly one.
         let mut at = end;
         while at > open && stack[at - 1].near < entry.near {
             stack[at] = stack[at - 1];
@@ -149,43 +193,60 @@ fn push_children(node: &Wide, mut mask: u32, near: &[f32; WIDTH], stack: &mut [E
         }
         stack[at] = entry;
         end += 1;
+        if !more {
+            return (first.child, end);
+        }
     }
-    end
 }
 
-/// The ray in single precision. Origins are rounded away from the ray's way, once for the planes where it enters and once for those
-/// where it leaves, so that it seems to enter earlier and to leave later.
+/// The ray in single precision, once for the planes where it enters and once for those where it leaves, so that it seems to enter
+/// earlier and to leave later: origins are moved away from its way, and of what lies before it distances are scaled.
 struct FlatRay {
     enter: [f32; 3],
     leave: [f32; 3],
-    inverse: [f32; 3],
+    enter_inverse: [f32; 3],
+    leave_inverse: [f32; 3],
     /// 1 where the direction is negative: the ray enters through the upper plane.
     side: [usize; 3],
     min: f32,
 }
 
 impl FlatRay {
-    fn new(ray: &Ray, range: Range) -> Self {
-        let side: [usize; 3] = std::array::from_fn(|i| usize::from(ray.dir[i].is_sign_negative()));
+    #[inline(always)]
+    fn new(ray: &Ray, range: Range, root: &Wide) -> Self {
         // More than the origin's rounding, and never zero: no plane is then at the distance 0, which 1/0 would spoil.
-        let error = |i: usize| (ray.origin[i].abs() * 2.5e-7).max(1e-19) * if side[i] == 1 { -1.0 } else { 1.0 };
-        let origin = |sign: f64| std::array::from_fn(|i| (ray.origin[i] + sign * error(i)) as f32);
-        let inverse = |i: usize| ((1.0 / ray.dir[i]) as f32).clamp(-f32::MAX, f32::MAX);
+        let mut error = (ray.origin.abs() * 2.5e-7).max(DVec3::splat(1e-19));
+        let mut slack = SLACK;
+        if range.min < 0.0 {
+            // What lies behind as well: instead of the distances, all that it can meet is moved.
+            error += (ray.origin.abs() + f64::from(root.reach())) * SLACK;
+            slack = 0.0;
+        }
+        let error = error.copysign(ray.dir);
+        let inverse = ray.dir.recip();
+        let scaled = |factor: f64, least: f32| {
+            (inverse * factor)
+                .as_vec3()
+                .abs()
+                .clamp(Vec3::splat(least), Vec3::splat(f32::MAX))
+                .copysign(inverse.as_vec3())
+        };
         Self {
-            enter: origin(1.0),
-            leave: origin(-1.0),
-            inverse: std::array::from_fn(inverse),
-            side,
+            enter: (ray.origin + error).as_vec3().to_array(),
+            leave: (ray.origin - error).as_vec3().to_array(),
+            enter_inverse: scaled(1.0 - slack, 0.0).to_array(),
+            leave_inverse: scaled(1.0 + slack, f32::MIN_POSITIVE).to_array(),
+            side: ray.dir.to_array().map(|x| usize::from(x.is_sign_negative())),
             min: padded_down(range.min),
         }
     }
 }
 
-/// Beyond a distance, by the rounding of the slab test.
-#[inline]
+/// Beyond a distance, by the rounding of the slab test and its own.
+#[inline(always)]
 fn padded(max: f64) -> f32 {
-    let max = round_up(max);
-    max + max.abs() * SLACK
+    let max = max as f32;
+    max + max.abs() * SLACK as f32 + f32::MIN_POSITIVE
 }
 
 fn padded_down(min: f64) -> f32 {
@@ -265,8 +326,58 @@ mod tests {
                 }
             }
         }
-        assert!(*depth.iter().max().unwrap() < DEPTH, "{depth:?}");
+        assert!(*depth.iter().max().unwrap() < 24, "{depth:?}");
         assert_eq!(met(&boxes, &Ray::new(DVec3::splat(-1.0), DVec3::ONE), Range::ALL).len(), 3000);
+    }
+
+    #[test]
+    fn far_too_many_on_the_way() {
+        // All boxes hold the origin: none is left out, and the stack is too small.
+        let boxes: Vec<Aabb> =
+            (1..5000).map(|i| DVec3::new(1.0, 0.5, 2.0) * f64::from(i)).map(|p| Aabb::from_corners(-p, p)).collect();
+        for dir in [DVec3::ONE, DVec3::NEG_X, DVec3::new(0.3, -0.5, 0.0)] {
+            assert_eq!(met(&boxes, &Ray::new(DVec3::ZERO, dir), Range::ALL).len(), boxes.len());
+        }
+    }
+
+    #[test]
+    fn immense_and_tiny_directions() {
+        for length in [1e-300, 1e-40, 1e-6, 1e6, 1e40, 1e300] {
+            let ray = Ray::new(DVec3::new(-5.0, 0.5, 0.0), DVec3::X * length);
+            for range in [Range::ALL, Range::FORWARD] {
+                assert!(met(&grid(), &ray, range).len() >= 7, "{length} {range:?}");
+            }
+        }
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[test]
+    fn twins_go_the_same_way() {
+        if !is_x86_feature_detected!("avx2") {
+            return;
+        }
+        let (bvh, _) = Bvh::build(grid().into_iter());
+        for k in 0..500 {
+            let at = |m: usize| (k * m % 97) as f64 / 9.7;
+            let ray = Ray::new(DVec3::new(at(13), at(29), at(31)), DVec3::new(at(7) - 5.0, at(11) - 5.0, at(5) - 4.0));
+            for range in [Range::ALL, Range::FORWARD] {
+                let (mut plain, mut wide) = (vec![], vec![]);
+                bvh.traverse_plainly(&ray, range, |i, max| {
+                    plain.push(i);
+                    ControlFlow::Continue(max)
+                });
+                let visit = |i, max| {
+                    wide.push(i);
+                    ControlFlow::Continue(max)
+                };
+                // SAFETY: the processor has been asked.
+                #[expect(unsafe_code, reason = "as above")]
+                unsafe {
+                    bvh.traverse_avx2(&ray, range, visit);
+                }
+                assert_eq!(plain, wide, "{ray:?}");
+            }
+        }
     }
 
     #[test]

@@ -26,8 +26,8 @@ pub(super) enum Kind {
 }
 
 impl Child {
-    /// The root is nobody's child.
-    pub const NONE: Child = Child(0);
+    /// No items.
+    pub const NONE: Child = Child(Self::LEAF);
     const LEAF: u32 = 1 << 31;
     const COUNT: u32 = 28;
 
@@ -35,9 +35,9 @@ impl Child {
         Child(number as u32)
     }
 
-    /// Of one to eight items, of which there are fewer than 2²⁸.
+    /// Of at most seven items, of which there are fewer than 2²⁸.
     pub fn items(first: usize, count: usize) -> Self {
-        Child(Self::LEAF | (count as u32 - 1) << Self::COUNT | first as u32)
+        Child(Self::LEAF | (count as u32) << Self::COUNT | first as u32)
     }
 
     #[inline]
@@ -46,13 +46,19 @@ impl Child {
             return Kind::Node(self.0 as usize);
         }
         let first = (self.0 & ((1 << Self::COUNT) - 1)) as usize;
-        Kind::Items(first..first + (self.0 >> Self::COUNT & 7) as usize + 1)
+        Kind::Items(first..first + (self.0 >> Self::COUNT & 7) as usize)
     }
 }
 
 impl Wide {
     pub const EMPTY: Wide =
         Wide { planes: [[[Vec4::INFINITY; 2]; 3], [[Vec4::NEG_INFINITY; 2]; 3]], child: [Child::NONE; WIDTH] };
+
+    /// No plane is further than this from zero.
+    pub fn reach(&self) -> f32 {
+        let used = |plane: Vec4| Vec4::select(plane.is_finite_mask(), plane.abs(), Vec4::ZERO).max_element();
+        self.planes.as_flattened().as_flattened().iter().map(|plane| used(*plane)).fold(0.0, f32::max)
+    }
 
     pub fn set(&mut self, slot: usize, (lo, hi): (Vec3A, Vec3A), child: Child) {
         for axis in 0..3 {
@@ -76,16 +82,14 @@ pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH])
 
 #[inline]
 fn half(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
-    let at = |side: usize, axis: usize, origin: f32| {
-        let planes = node.planes[side & 1][axis][which];
-        (planes - Vec4::splat(origin)) * Vec4::splat(ray.inverse[axis])
+    let at = |side: usize, axis: usize, origin: f32, inverse: f32| {
+        (node.planes[side & 1][axis][which] - Vec4::splat(origin)) * Vec4::splat(inverse)
     };
-    let enter = |axis: usize| at(ray.side[axis], axis, ray.enter[axis]);
-    let leave = |axis: usize| at(ray.side[axis] ^ 1, axis, ray.leave[axis]);
-    let near = enter(0).max(enter(1)).max(enter(2)).max(Vec4::splat(ray.min));
-    let far = leave(0).min(leave(1)).min(leave(2)).min(Vec4::splat(max));
-    let met = near.cmple(far + far.abs() * super::SLACK);
-    (met.bitmask(), near.to_array())
+    let enter = |axis: usize| at(ray.side[axis], axis, ray.enter[axis], ray.enter_inverse[axis]);
+    let leave = |axis: usize| at(ray.side[axis] ^ 1, axis, ray.leave[axis], ray.leave_inverse[axis]);
+    let near = enter(0).max(enter(1)).max(enter(2).max(Vec4::splat(ray.min)));
+    let far = leave(0).min(leave(1)).min(leave(2).min(Vec4::splat(max)));
+    (near.cmple(far).bitmask(), near.to_array())
 }
 
 /// The same for processors that compute eight numbers at once (AVX2): the same operations in the same order, and none are fused.
@@ -103,28 +107,20 @@ pub(super) mod avx2 {
 
     #[target_feature(enable = "avx2")]
     #[inline]
-    fn at(node: &Wide, ray: &FlatRay, side: usize, axis: usize, origin: &[f32; 3]) -> __m256 {
+    fn at(node: &Wide, side: usize, axis: usize, origin: f32, inverse: f32) -> __m256 {
         let planes = load(&node.planes[side & 1][axis]);
-        _mm256_mul_ps(_mm256_sub_ps(planes, _mm256_set1_ps(origin[axis])), _mm256_set1_ps(ray.inverse[axis]))
+        _mm256_mul_ps(_mm256_sub_ps(planes, _mm256_set1_ps(origin)), _mm256_set1_ps(inverse))
     }
 
     #[target_feature(enable = "avx2")]
     #[inline]
     pub fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
-        let [x, y, z] = [
-            at(node, ray, ray.side[0], 0, &ray.enter),
-            at(node, ray, ray.side[1], 1, &ray.enter),
-            at(node, ray, ray.side[2], 2, &ray.enter),
-        ];
-        let near = _mm256_max_ps(_mm256_max_ps(_mm256_max_ps(x, y), z), _mm256_set1_ps(ray.min));
-        let [x, y, z] = [
-            at(node, ray, ray.side[0] ^ 1, 0, &ray.leave),
-            at(node, ray, ray.side[1] ^ 1, 1, &ray.leave),
-            at(node, ray, ray.side[2] ^ 1, 2, &ray.leave),
-        ];
-        let far = _mm256_min_ps(_mm256_min_ps(_mm256_min_ps(x, y), z), _mm256_set1_ps(max));
-        let size = _mm256_andnot_ps(_mm256_set1_ps(-0.0), far);
-        let far = _mm256_add_ps(far, _mm256_mul_ps(size, _mm256_set1_ps(super::super::SLACK)));
+        let enter = |axis: usize| at(node, ray.side[axis], axis, ray.enter[axis], ray.enter_inverse[axis]);
+        let leave = |axis: usize| at(node, ray.side[axis] ^ 1, axis, ray.leave[axis], ray.leave_inverse[axis]);
+        let z = _mm256_max_ps(enter(2), _mm256_set1_ps(ray.min));
+        let near = _mm256_max_ps(_mm256_max_ps(enter(0), enter(1)), z);
+        let z = _mm256_min_ps(leave(2), _mm256_set1_ps(max));
+        let far = _mm256_min_ps(_mm256_min_ps(leave(0), leave(1)), z);
         let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far));
         (mask as u32, store(near))
     }
@@ -137,5 +133,22 @@ pub(super) mod avx2 {
         halves[0].write_to_slice(&mut out[..4]);
         halves[1].write_to_slice(&mut out[4..]);
         out
+    }
+}
+
+/// Begins to bring a thing near to the processor, which will be wanted soon.
+#[inline(always)]
+pub(super) fn fetch<T>(list: &[T], at: usize) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(thing) = list.get(at) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        for line in 0..size_of::<T>() / 64 {
+            let place = std::ptr::from_ref(thing).cast::<i8>().wrapping_add(64 * line);
+            // SAFETY: a hint, which reads nothing.
+            #[expect(unsafe_code, reason = "nothing else makes the processor read ahead")]
+            unsafe {
+                _mm_prefetch::<_MM_HINT_T0>(place);
+            }
+        }
     }
 }

@@ -15,11 +15,10 @@
 
 mod net;
 
-use super::mesh::Sheared;
 use super::{Hit, Hits, Kernel, Readable, Triangle, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Sheared, Transform};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Kind, Param, Reader, ReaderExt, Spec};

@@ -1,19 +1,15 @@
 //! Triangles by the million: `mesh` and `mesh2`, which differ only in how they are written, and files that other programs wrote.
 //!
-//! All triangles of one mesh are one shape with a hierarchy of its own, which its copies share. Rays meet them by the test of Woop,
-//! Benthin and Wald (Watertight ray/triangle intersection, Journal of Computer Graphics Techniques, 2013): a ray never slips through
-//! between two triangles that share a side.
+//! All triangles of one mesh are one shape with a hierarchy of its own, which its copies share. A ray never slips through between two
+//! triangles that share a side.
 
 mod face;
 mod file;
 mod ordered;
-mod pack;
 mod read;
-mod sheared;
 
 pub use face::Face;
 pub use read::{Mesh, Mesh2};
-pub(super) use sheared::Sheared;
 
 use super::{Hit, Slots};
 use crate::math::{DVec3, Ray};

@@ -1,9 +1,7 @@
 //! Triangles in the order of a hierarchy, and how rays meet them.
 
 use super::Face;
-use super::pack::Pack;
-use super::sheared::Sheared;
-use crate::math::bvh::{self, Bvh};
+use crate::math::bvh;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::mesh_io::{NONE, Triangles};
 use crate::shape::{Hit, Hits, Triangle};
@@ -16,11 +14,8 @@ pub struct Ordered {
     /// In the hierarchy's order.
     #[serde(flatten)]
     lists: Triangles,
-    /// Over the packs.
     #[serde(skip)]
-    bvh: Bvh,
-    #[serde(skip)]
-    packs: Vec<Pack>,
+    bvh: bvh::Triangles,
     #[serde(skip)]
     bounds: Option<Aabb>,
     /// Where each triangle is in that order, in the order in which they were written.
@@ -33,7 +28,8 @@ impl Ordered {
     pub fn new(lists: Triangles) -> Self {
         let mut all = Self { lists, ..Self::default() };
         let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_solid(i as usize)).collect();
-        let (bvh, order, rows) = Bvh::build_packs(kept.iter().map(|&i| all.face_bounds(i as usize)));
+        let corners = |i: u32| all.lists.corners[i as usize].map(|i| all.lists.vertices[i as usize].to_array());
+        let (bvh, order) = bvh::Triangles::build(kept.len(), |i| corners(kept[i as usize]));
         all.written = vec![0; order.len()];
         for (at, i) in order.iter().enumerate() {
             all.written[*i as usize] = at as u32;
@@ -46,9 +42,6 @@ impl Ordered {
             }
         }
         all.bounds = Some(Aabb::from_points(all.points()));
-        let lists = &all.lists;
-        let face = |i: u32| lists.corners[i as usize].map(|i| lists.vertices[i as usize].to_array());
-        all.packs = rows.into_iter().map(|row| Pack::new(row, face)).collect();
         all.bvh = bvh;
         all
     }
@@ -108,19 +101,7 @@ impl Ordered {
 
     /// Hands what the ray meets in the range to `visit`, which says how far hits count from now on.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
-        let sheared = Sheared::new(ray);
-        self.bvh.traverse(ray, range, |pack, max| {
-            let mut max = max;
-            for (part, t, uv) in self.packs[pack].meet(&sheared) {
-                if t > range.min && t < max {
-                    max = match visit(Hit { t, part, uv }) {
-                        ControlFlow::Continue(max) => max,
-                        flow => return flow,
-                    };
-                }
-            }
-            ControlFlow::Continue(max)
-        });
+        self.bvh.meet(ray, range, |part, t, uv| visit(Hit { t, part, uv }));
     }
 
     /// All hits in the range.

@@ -1,0 +1,174 @@
+//! A few triangles side by side that share corners, which a ray is asked of at once.
+
+use crate::math::{DVec2, Sheared};
+use std::array::from_fn;
+use std::ops::Range;
+
+/// A pack has no more corners, and no more triangles.
+const MANY: usize = 8;
+/// So many triangles are looked at at once.
+const HALF: usize = 4;
+
+/// Triangles that stand in a row: two lines of a cache.
+#[derive(Clone, Debug, PartialEq)]
+#[repr(align(64))]
+pub(super) struct Pack {
+    /// x, y and z of all corners.
+    corners: [[f32; MANY]; 3],
+    /// Which are the first, the second and the third corners of the triangles.
+    numbers: [[[u8; HALF]; 2]; 3],
+    first: u32,
+    count: u32,
+}
+
+/// What is known of half a pack's triangles: a number for each.
+pub(super) struct Areas {
+    /// Bits of those that the line meets.
+    mask: u32,
+    /// Twice the areas that the sides cut off with the ray.
+    areas: [[f64; HALF]; 3],
+    /// How far the corners lie along the longest axis.
+    depths: [[f64; HALF]; 3],
+}
+
+impl Pack {
+    /// Do these triangles fit in a pack?
+    pub fn holds(triangles: impl Iterator<Item = [[f32; 3]; 3]>) -> bool {
+        let mut corners = [[0.0; 3]; MANY];
+        let mut len = 0;
+        triangles.flatten().all(|p| place(&mut corners, &mut len, p).is_some())
+    }
+
+    /// Of the triangles of these numbers, of which there are at most [`Pack::MANY`].
+    pub fn new(row: Range<u32>, triangle: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
+        let mut corners = [[0.0; 3]; MANY];
+        let mut numbers = [[[0; HALF]; 2]; 3];
+        let mut len = 0;
+        for (lane, number) in row.clone().enumerate().take(MANY) {
+            for (numbers, p) in numbers.iter_mut().zip(triangle(number)) {
+                numbers[lane / HALF][lane % HALF] = place(&mut corners, &mut len, p).unwrap_or_default();
+            }
+        }
+        let corners = from_fn(|axis| corners.map(|p| p[axis]));
+        Self { corners, numbers, first: row.start, count: row.end - row.start }
+    }
+
+    /// The halves that hold any triangle.
+    #[inline(always)]
+    pub fn halves(&self) -> Range<usize> {
+        0..(self.count as usize).div_ceil(HALF)
+    }
+
+    /// Number, t and weights of the second and third corner of a triangle that the line meets; removes it from those that are left.
+    #[inline(always)]
+    pub fn next(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
+        while found.mask != 0 {
+            let i = found.mask.trailing_zeros() as usize % HALF;
+            found.mask &= found.mask - 1;
+            let [u, v, w] = [found.areas[0][i], found.areas[1][i], found.areas[2][i]];
+            let det = u + v + w;
+            if det != 0.0 {
+                let [a, b, c] = [found.depths[0][i], found.depths[1][i], found.depths[2][i]];
+                let t = line.shear.z * (u * a + v * b + w * c) / det;
+                return Some((self.first + (HALF * half + i) as u32, t, DVec2::new(v, w) / det));
+            }
+        }
+        None
+    }
+
+    /// Bits of the triangles that half a pack has.
+    #[inline(always)]
+    fn used(&self, half: usize) -> u32 {
+        ((1 << self.count) - 1) >> (HALF * half) & ((1 << HALF) - 1)
+    }
+}
+
+/// Looks at half a pack as [`Sheared::meet`] looks at one triangle: the twin for any processor.
+#[inline(always)]
+pub(super) fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
+    let (mut areas, mut depths, mut mask) = ([[0.0; HALF]; 3], [[0.0; HALF]; 3], 0);
+    for i in 0..HALF {
+        let [a, b, c] = pack.numbers.each_ref().map(|numbers| {
+            let number = usize::from(numbers[half % 2][i]) % MANY;
+            line.place(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
+        });
+        let found = Sheared::areas(a, b, c);
+        mask |= u32::from(Sheared::is_within(found)) << i;
+        (0..3).for_each(|k| (areas[k][i], depths[k][i]) = (found[k], [a, b, c][k].z));
+    }
+    Areas { mask: mask & pack.used(half), areas, depths }
+}
+
+/// The same for processors that compute four numbers at once (AVX2): the same operations in the same order, and none are fused.
+#[cfg(target_arch = "x86_64")]
+pub(super) mod avx2 {
+    use super::{Areas, HALF, MANY, Pack, Sheared, from_fn};
+    use glam::Vec4;
+    use std::arch::x86_64::*;
+
+    /// Sheared x, y and z of a corner of each triangle.
+    type Corner = [__m256d; 3];
+
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn load(values: &[f32; MANY]) -> __m256 {
+        let [a, b] = [0, HALF].map(|i| Vec4::from_slice(&values[i..]));
+        _mm256_setr_m128(a.into(), b.into())
+    }
+
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn store(v: __m256d) -> [f64; HALF] {
+        let [low, high] = [_mm256_castpd256_pd128(v), _mm256_extractf128_pd::<1>(v)];
+        [
+            _mm_cvtsd_f64(low),
+            _mm_cvtsd_f64(_mm_unpackhi_pd(low, low)),
+            _mm_cvtsd_f64(high),
+            _mm_cvtsd_f64(_mm_unpackhi_pd(high, high)),
+        ]
+    }
+
+    /// (a × b) along the ray.
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn side(a: &Corner, b: &Corner) -> __m256d {
+        _mm256_sub_pd(_mm256_mul_pd(a[0], b[1]), _mm256_mul_pd(a[1], b[0]))
+    }
+
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    pub fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
+        let values = line.axes.map(|axis| load(&pack.corners[axis % 3]));
+        let from = line.from.to_array().map(|x| _mm256_set1_pd(x));
+        let [lean_x, lean_y] = [line.shear.x, line.shear.y].map(|x| _mm256_set1_pd(x));
+        let [a, b, c]: [Corner; 3] = from_fn(|corner| {
+            let numbers = pack.numbers[corner][half % 2];
+            let numbers = _mm256_cvtepu8_epi32(_mm_cvtsi32_si128(i32::from_le_bytes(numbers)));
+            let [x, y, z]: Corner = from_fn(|k| {
+                let at = _mm256_castps256_ps128(_mm256_permutevar8x32_ps(values[k], numbers));
+                _mm256_sub_pd(_mm256_cvtps_pd(at), from[k])
+            });
+            [_mm256_sub_pd(x, _mm256_mul_pd(lean_x, z)), _mm256_sub_pd(y, _mm256_mul_pd(lean_y, z)), z]
+        });
+        let (u, v, w) = (side(&c, &b), side(&a, &c), side(&b, &a));
+        let least = _mm256_min_pd(_mm256_min_pd(u, v), w);
+        let most = _mm256_max_pd(_mm256_max_pd(u, v), w);
+        let zero = _mm256_setzero_pd();
+        let within = _mm256_or_pd(_mm256_cmp_pd::<_CMP_GE_OQ>(least, zero), _mm256_cmp_pd::<_CMP_LE_OQ>(most, zero));
+        Areas {
+            mask: _mm256_movemask_pd(within) as u32 & pack.used(half),
+            areas: [u, v, w].map(|v| store(v)),
+            depths: [a[2], b[2], c[2]].map(|v| store(v)),
+        }
+    }
+}
+
+/// Where a corner stands among those that are known, of which it becomes one; nothing if there is no room.
+fn place(corners: &mut [[f32; 3]; MANY], len: &mut usize, p: [f32; 3]) -> Option<u8> {
+    let known = corners[..*len].iter().position(|q| *q == p);
+    if known.is_none() {
+        *corners.get_mut(*len)? = p;
+        *len += 1;
+    }
+    Some(known.unwrap_or(*len - 1) as u8)
+}

@@ -1,0 +1,170 @@
+//! Triangles in single precision as the items of a hierarchy.
+
+use super::node::{self, Child, Kind, WIDTH};
+use super::pack::{self, Pack};
+use super::{Bvh, Entry, FlatRay, STACK, nearest_child, padded};
+use crate::math::{Aabb, DVec2, Range, Ray, Sheared};
+use glam::Vec3;
+use std::ops::ControlFlow;
+
+/// The hierarchy over triangles 0 … n-1 in the order that [`Triangles::build`] returned.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Triangles {
+    /// Over the packs.
+    bvh: Bvh,
+    packs: Vec<Pack>,
+}
+
+/// A traversal with one of the twins of `slabs` and of `areas`.
+macro_rules! meet {
+    ($slabs:path, $areas:path, $all:ident, $ray:ident, $range:ident, $visit:ident) => {{
+        let line = Sheared::new($ray);
+        let bvh = &$all.bvh;
+        let mut look = |pack: usize, mut max: f64| {
+            let pack = &$all.packs[pack];
+            for half in pack.halves() {
+                let mut found = $areas(pack, &line, half);
+                while let Some((number, t, uv)) = pack.next(&line, half, &mut found) {
+                    if t > $range.min && t < max {
+                        max = match $visit(number, t, uv) {
+                            ControlFlow::Continue(max) => max,
+                            flow => return flow,
+                        };
+                    }
+                }
+            }
+            ControlFlow::Continue(max)
+        };
+        super::walk!($slabs, bvh, $ray, $range, |pack| node::fetch(&$all.packs, pack), look);
+    }};
+}
+
+impl Triangles {
+    /// Over the triangles of these corners, whose boxes [`super::fits`] accepts; also returns which triangle comes at which place in its order.
+    pub fn build(count: usize, corners: impl Fn(u32) -> [[f32; 3]; 3]) -> (Self, Vec<u32>) {
+        let bounds = |i: usize| Aabb::from_points(corners(i as u32).map(|p| Vec3::from(p).as_dvec3()));
+        let (bvh, order, rows) =
+            Bvh::build_packs((0..count).map(bounds), |items| Pack::holds(items.iter().map(|i| corners(*i))));
+        let packs = rows.into_iter().map(|row| Pack::new(row, |place| corners(order[place as usize]))).collect();
+        (Self { bvh, packs }, order)
+    }
+
+    /// Hands number, t and weights of the second and third corner of each triangle that the ray meets in the range to `visit`, near
+    /// ones mostly first. It says how far hits count from now on, or breaks off. A ray that is not finite meets nothing.
+    pub fn meet(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
+        if !self.bvh.can_be_met(ray) {
+            return;
+        }
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has just been asked whether it has what the function needs.
+            #[expect(unsafe_code, reason = "the compiler can't know the processor")]
+            return unsafe { self.meet_avx2(ray, range, visit) };
+        }
+        self.meet_plainly(ray, range, visit);
+    }
+
+    fn meet_plainly(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
+        meet!(node::slabs, pack::areas, self, ray, range, visit);
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn meet_avx2(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
+        meet!(node::avx2::slabs, pack::avx2::areas, self, ray, range, visit);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{DVec3, rng};
+
+    type Found = Vec<(u32, f64, DVec2)>;
+
+    fn random(i: usize, n: u64) -> DVec3 {
+        DVec3::from_array([0, 1, 2].map(|axis| rng::unit(&[i as u64, n, axis]) * 2.0 - 1.0))
+    }
+
+    /// A wavy net, and loose triangles about it.
+    fn corners() -> Vec<[[f32; 3]; 3]> {
+        let at = |i: usize, j: usize| {
+            let [x, y] = [i, j].map(|k| k as f32 / 6.0 - 1.0);
+            [x, y, 0.4 * (x * x - y * y)]
+        };
+        let squares = (0..12).flat_map(|i| (0..12).map(move |j| (i, j)));
+        let net = squares.flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        });
+        let loose = (0..100).map(|i| [0, 1, 2].map(|k| (random(i, 9) + 0.3 * random(i, k)).as_vec3().to_array()));
+        net.chain(loose).collect()
+    }
+
+    /// Through nothing in particular, through corners, through sides, along axes.
+    fn rays(corners: &[[[f32; 3]; 3]]) -> impl Iterator<Item = Ray> {
+        (0..1200).map(|i| {
+            let [a, b, _] = corners[i * 7 % corners.len()].map(|p| Vec3::from(p).as_dvec3());
+            let from = random(i, 20) * 3.0;
+            match i % 4 {
+                0 => Ray::new(from, random(i, 21)),
+                1 => Ray::new(from, a - from),
+                2 => Ray::new(from, (a + b) / 2.0 - from),
+                _ => Ray::new(
+                    a - [DVec3::X, DVec3::NEG_Y, DVec3::Z][i % 3] * 4.0,
+                    [DVec3::X, DVec3::NEG_Y, DVec3::Z][i % 3],
+                ),
+            }
+        })
+    }
+
+    fn all(found: &mut Found, max: f64) -> impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64> {
+        move |number, t, uv| {
+            found.push((number, t, uv));
+            ControlFlow::Continue(max)
+        }
+    }
+
+    #[test]
+    fn every_hit_is_found_to_the_last_bit() {
+        let corners = corners();
+        let (triangles, order) = Triangles::build(corners.len(), |i| corners[i as usize]);
+        let mut hits = 0;
+        for ray in rays(&corners) {
+            let line = Sheared::new(&ray);
+            for range in [Range::ALL, Range { min: 0.5, max: 1.0 }] {
+                let mut found = Found::new();
+                triangles.meet(&ray, range, all(&mut found, range.max));
+                found.sort_by_key(|hit| hit.0);
+                let one = |(i, place): (usize, &u32)| {
+                    let (t, uv) = line.meet(corners[*place as usize].map(|p| Vec3::from(p).as_dvec3()))?;
+                    range.contains(t).then_some((i as u32, t, uv))
+                };
+                let want: Found = order.iter().enumerate().filter_map(one).collect();
+                assert_eq!(found, want, "{ray:?}");
+                hits += want.len();
+            }
+        }
+        assert!(hits > 3000, "{hits}");
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[test]
+    fn twins() {
+        if !is_x86_feature_detected!("avx2") {
+            return;
+        }
+        let corners = corners();
+        let (triangles, _) = Triangles::build(corners.len(), |i| corners[i as usize]);
+        for ray in rays(&corners) {
+            let (mut plain, mut wide) = (Found::new(), Found::new());
+            triangles.meet_plainly(&ray, Range::ALL, all(&mut plain, f64::INFINITY));
+            // SAFETY: the processor has been asked.
+            #[expect(unsafe_code, reason = "as above")]
+            unsafe {
+                triangles.meet_avx2(&ray, Range::ALL, all(&mut wide, f64::INFINITY));
+            }
+            assert_eq!(plain, wide, "{ray:?}");
+        }
+    }
+}
