@@ -26,6 +26,9 @@ pub struct Blob {
     pub threshold: f64,
     /// In the order of the hierarchy.
     pub components: Vec<Component>,
+    /// Has a component, even one that adds nothing, a texture of its own?
+    #[serde(skip)]
+    textured: bool,
     #[serde(skip)]
     bvh: Bvh,
     #[serde(skip)]
@@ -294,7 +297,7 @@ impl Readable for Blob {
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
-        Ok(Self { threshold: 1.0, components: vec![], bvh: Bvh::default(), bounds: Aabb::EMPTY })
+        Ok(Self { threshold: 1.0, components: vec![], textured: false, bvh: Bvh::default(), bounds: Aabb::EMPTY })
     }
 
     fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
@@ -318,6 +321,7 @@ impl Readable for Blob {
                 let mut component = Component::new(span, base, axis, radius, strength)?;
                 component.read_modifiers(kind, r, paints)?;
                 r.leave()?;
+                self.textured |= component.slot != 0;
                 self.components.push(component);
             }
             _ => return Ok(false),
@@ -417,7 +421,7 @@ impl Kernel for Blob {
 
     /// If but one component has a texture of its own (as was measured on POV-Ray 3.7).
     fn hides_interior_texture(&self) -> bool {
-        self.components.iter().any(|component| component.slot != 0)
+        self.textured
     }
 
     fn slots(&self, p: DVec3, _: &Hit) -> Slots {

@@ -467,6 +467,9 @@ class Scenes(Scene):
         """The same scene, large or small about the origin, or far away from it."""
         size = self.pick("0.0001", "0.01", "100", "10000", "1")
         away = self.v(-1e6, 1e6) if size == "1" else "<0, 0, 0>"
+        # (POV-Ray shows none of these so near: see the README.)
+        if size == "0.0001" and re.search("blob|isosurface", text):
+            size = "0.01"
         head, rest = text.split("camera {", 1)
         camera, rest = rest.split("}", 1)
         move = f"scale {size} translate {away}"
