@@ -205,7 +205,7 @@ class Scenes(Scene):
         if kind == 2:
             return f"quartic {{ {self.numbers(35)} sturm {self.near(1.3)}"
         if kind == 3:
-            terms = ", ".join(f"xyz({self.pick('0, 0, 1', '2, 1, 0', '0, 3, 1', '5, 0, 0', '0, 2, 2', '1, 1, 1', '0, 1, 0')}): {self.f(-1, 1)}" for _ in range(4))
+            terms = ", ".join(f"xyz({self.pick('0, 0, 1', '2, 1, 0', '0, 3, 1', '4, 0, 0', '0, 2, 2', '1, 1, 1', '0, 1, 0')}): {self.f(-1, 1)}" for _ in range(4))
             return f"polynomial {{ 5, {terms}, xyz(0, 2, 0): 0.2, xyz(0, 0, 0): {self.f(-0.4, 0.4)} sturm {self.near(1.3)}"
         return self.curved_solid()
 
