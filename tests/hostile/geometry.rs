@@ -217,7 +217,7 @@ fn finishes() -> Vec<Case> {
     let glass = "global_settings { max_trace_level 1e9 adc_bailout 0 }\n\
                  box { -10, 10 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } hollow }\n\
                  sphere { 0, 1 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } }\n";
-    let limited = "render a.scene -o out.png --size 8x6 --max-time 2";
+    let limited = "render a.scene -o out.png --size 8x6 --max-time 0.5";
     vec![
         drawn("mirror_box", mirrors, 0, &[]),
         drawn("glass_box", glass, 4, &["E0241"]).args(limited),
