@@ -121,7 +121,7 @@ impl Lens {
         let (n, k) = (f64::from(count), 2.0 / (9.0 * f64::from(count.max(2) - 1)));
         let root = 1.0 - k - self.quantile * k.sqrt();
         let chi_squared = (n - 1.0) * root * root * root;
-        squares <= self.variance * n * chi_squared
+        self.variance > 0.0 && squares <= self.variance * n * chi_squared
     }
 
     /// The ray that goes through a place of the lens and meets a ray through its middle where things are in focus; `place` is two
@@ -192,6 +192,8 @@ mod tests {
         let squares = |n: f64, white: f64| white * (n - white) / n;
         assert!(lens.suffices(23, squares(23.0, 1.0)) && !lens.suffices(19, squares(19.0, 1.0)));
         assert!(!lens.suffices(35, squares(35.0, 17.0)) && lens.suffices(7, 0.0));
+        // With 0 even an even pixel takes all (2000 rays a pixel: 0.78 s, and 0.01 s with 1/100000).
+        assert!(!Lens { variance: 0.0, ..lens }.suffices(7, 0.0));
     }
 
     #[test]
