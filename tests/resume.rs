@@ -79,17 +79,17 @@ fn kill_and_resume(words: &str, short: usize) {
 
 #[test]
 fn a_still() {
-    kill_and_resume("--size 200x150 --aa 0.1 -o a.png", 4);
+    kill_and_resume("--size 140x105 --aa 0.1 -o a.png", 4);
 }
 
 #[test]
 fn a_region_by_povrays_second_method() {
-    kill_and_resume("--size 240x180 --aa 0.1 --aa-method corners --region 40,30,160,120 -o a.exr", 2);
+    kill_and_resume("--size 160x120 --aa 0.1 --aa-method corners --region 30,20,100,80 -o a.exr", 2);
 }
 
 #[test]
 fn an_animation() {
-    kill_and_resume("--size 100x75 --aa 0.1 --frames 1-4 -o a.png", 3);
+    kill_and_resume("--size 70x52 --aa 0.1 --frames 1-4 -o a.png", 3);
 }
 
 #[test]
@@ -135,4 +135,33 @@ fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
     assert!(again.status.success(), "{}", err(&again));
     let stats: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
     assert_eq!(stats["rays"]["camera"], 0);
+}
+
+/// A disk with room for half of the picture: no file may grow longer, which is an error like any other where the signal for it is not heard.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_was_drawn_is_kept_when_the_disk_is_full() {
+    let (place, whole) = (Place::new(), Place::new());
+    // 44 KB as a bmp; the journal ends in the middle of a tile
+    let words = "--size 140x105 --aa off -o a.bmp";
+    let mut small = Command::new("sh");
+    // (Blocks of 512 bytes)
+    small.args([
+        "-c",
+        "trap '' XFSZ; ulimit -f 64; exec \"$0\" render a.scene --keep-after 0 \"$@\"",
+        env!("CARGO_BIN_EXE_durer"),
+    ]);
+    let out = small.args(words.split_whitespace()).current_dir(&place.0).stdin(Stdio::null()).output().unwrap();
+    let told = err(&out);
+    assert_eq!(out.status.code(), Some(5), "{told}");
+    assert!(told.contains("`a.bmp` can't be written: file too large"), "{told}");
+    assert!(told.contains("what was drawn is kept in `a.bmp.unfinished`"), "{told}");
+    assert!(!place.at("a.bmp").exists() && place.at("a.bmp.unfinished").exists());
+    let again = place.run(&format!("{words} --resume --stats json"));
+    assert!(again.status.success(), "{}", err(&again));
+    let stats: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
+    let rays = stats["rays"]["camera"].as_u64().unwrap();
+    assert!(rays > 0 && rays < 140 * 105, "{rays} rays");
+    assert!(whole.run(words).status.success());
+    assert!(place.pictures() == whole.pictures());
 }

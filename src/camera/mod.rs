@@ -1,5 +1,6 @@
 //! `camera`: POV-Ray's (manual, "Camera") and the lecture's; and what a ray needs of them, [`Eye`].
 
+mod bokeh;
 mod bumps;
 mod cylinder;
 mod eye;
@@ -16,6 +17,7 @@ mod spherical;
 mod ultra_wide_angle;
 pub mod words;
 
+pub use bokeh::Bokeh;
 pub use bumps::Bumps;
 pub use eye::{Eye, Frame, Projection, View};
 pub use focal_blur::{FocalBlur, Lens};
@@ -28,7 +30,7 @@ use crate::diagnostic::Result;
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
 use crate::source::Span;
-use crate::texture::{Normal, Texture};
+use crate::texture::{Normal, Pigment, Texture};
 use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt, Thing};
 use focal_blur::BLUR_ROWS;
@@ -96,6 +98,11 @@ impl Camera {
                     povray.read_mesh_camera(r, mesh)?;
                     r.leave()?;
                 }
+                Next::Block("bokeh") => {
+                    r.take()?;
+                    povray.bokeh = read_bokeh(r, defaults)?;
+                    r.leave()?;
+                }
                 Next::Thing("normal") => povray.normal = r.thing::<Normal>()?,
                 Next::Block("normal") => {
                     r.take()?;
@@ -139,9 +146,30 @@ impl Camera {
         match self {
             Camera::Povray(camera) => {
                 let bumps = camera.normal.as_deref().map(|normal| Bumps::new(normal, noise, waves));
-                Eye { bumps, ..camera.eye() }
+                let mut eye = camera.eye();
+                if let (Some(lens), Some(pigment)) = (&mut eye.lens, camera.bokeh.as_deref()) {
+                    lens.bokeh = Some(Arc::new(Bokeh::new(pigment, noise, waves)));
+                }
+                Eye { bumps, ..eye }
             }
             Camera::Lecture(camera) => camera.eye(),
+        }
+    }
+}
+
+/// What stands in `bokeh { }`: pigments, of which the last counts.
+fn read_bokeh(r: &mut dyn Reader, defaults: &Texture) -> Result<Option<Arc<Pigment>>> {
+    let mut pigment = None;
+    loop {
+        match r.next()? {
+            Next::End => return Ok(pigment),
+            Next::Thing("pigment") => pigment = r.thing::<Pigment>()?,
+            Next::Block("pigment") => {
+                r.take()?;
+                pigment = Some(Arc::new(Pigment::read(r, &defaults.layers[0].pigment, defaults)?));
+                r.leave()?;
+            }
+            _ => return Err(r.unknown_word("bokeh", &["pigment"]).into()),
         }
     }
 }

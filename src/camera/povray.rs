@@ -6,7 +6,7 @@ use super::{FocalBlur, MeshCamera, MeshRays};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;
-use crate::texture::Normal;
+use crate::texture::{Normal, Pigment};
 use crate::value::{RawItem, Reader};
 use serde::Serialize;
 use std::sync::Arc;
@@ -44,6 +44,9 @@ pub struct PovrayCamera {
     /// What turns its rays.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
+    /// How light its lens is where; nothing: a disc.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bokeh: Option<Arc<Pigment>>,
     /// Applied to all of it in the end.
     pub transform: Transform,
     /// What was said and is not drawn yet.
@@ -69,6 +72,7 @@ impl Default for PovrayCamera {
             blur: FocalBlur::default(),
             mesh: None,
             normal: None,
+            bokeh: None,
             transform: Transform::IDENTITY,
             undrawn: vec![],
         }

@@ -75,6 +75,12 @@ const BLOCKS: &[WordSpec] = &[
         "",
         "turns the rays as bumps turn a surface's normal; the pattern lies in the picture, from -0.5 to 0.5",
     ),
+    word(
+        "bokeh",
+        Block,
+        "",
+        "`bokeh { pigment { … } }`: a square lens, as light as the pigment from <0, 0> to <1, 1>; without it, it is a disc",
+    ),
 ];
 
 /// What blurs, for the manual.
@@ -90,7 +96,7 @@ pub const POVRAY: Vocabulary = Vocabulary {
     ),
     moves: true,
     idle: &[],
-    not_drawn: &["bokeh"],
+    not_drawn: &[],
 };
 
 /// How [`LECTURE`]'s words are read.

@@ -18,7 +18,7 @@ pub(super) struct Method {
     height: usize,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 enum Kind {
     /// One sample a pixel.
     Once,
@@ -32,7 +32,7 @@ impl Method {
         let sampling = options.sampling;
         // From 1 on no difference counts (measured on 3.7).
         let threshold = options.antialias.filter(|threshold| *threshold < 1.0 || sampling.spread == Spread::Corners);
-        let kind = match (setup.world.eye.lens, threshold) {
+        let kind = match (setup.world.eye.lens.clone(), threshold) {
             (Some(lens), _) => Kind::Blurred(lens),
             (None, Some(_)) => Kind::Adaptive(sampling.spread),
             (None, None) => Kind::Once,

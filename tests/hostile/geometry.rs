@@ -141,6 +141,8 @@ fn cameras() -> Vec<Case> {
         let camera = format!("camera {{ {words} }}\nsphere {{ 0, 1 }}\nlight_source {{ <3, 4, -5> rgb 1 }}\n");
         case(name, camera, exit, told)
     };
+    const BLUR: &str = "location -5 * z aperture 1 blur_samples 9";
+    let bokeh = |light| format!("{BLUR} bokeh {{ pigment {{ rgb {light} }} }}");
     let bad: &[&str] = &["E0213", "a.scene:1:1"];
     vec![
         camera("camera_no_direction", "location -5 * z direction 0", 1, bad),
@@ -163,6 +165,11 @@ fn cameras() -> Vec<Case> {
         camera("lecture_camera_up", "eye 0 center z up z fov_x 60", 1, bad),
         camera("lecture_camera_wide", "eye -5 * z center 0 up y fov_x 180", 1, &["a.scene:1:"]),
         camera("lecture_camera_no_angle", "eye -5 * z center 0 up y", 0, &[]),
+        camera("bokeh_black", &bokeh("0"), 0, &[]),
+        camera("bokeh_nan", &bokeh("0/0"), 0, &["W0213", "a.scene:1:"]),
+        camera("bokeh_huge", &bokeh("1e300"), 0, &[]),
+        camera("bokeh_of_nothing", &format!("{BLUR} bokeh {{ }}"), 0, &[]),
+        camera("bokeh_of_a_sphere", &format!("{BLUR} bokeh {{ sphere {{ 0, 1 }} }}"), 1, &["a.scene:1:"]),
         camera("camera_empty", "", 0, &[]),
     ]
 }
@@ -217,7 +224,7 @@ fn finishes() -> Vec<Case> {
     let glass = "global_settings { max_trace_level 1e9 adc_bailout 0 }\n\
                  box { -10, 10 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } hollow }\n\
                  sphere { 0, 1 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } }\n";
-    let limited = "render a.scene -o out.png --size 8x6 --max-time 2";
+    let limited = "render a.scene -o out.png --size 8x6 --max-time 0.5";
     vec![
         drawn("mirror_box", mirrors, 0, &[]),
         drawn("glass_box", glass, 4, &["E0241"]).args(limited),

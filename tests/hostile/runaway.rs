@@ -48,7 +48,7 @@ fn growing() -> Vec<Case> {
     let doubling = "#declare S = \"ab\";\n#while (1)\n#declare S = concat(S, S);\n#end\n";
     let held = "#declare S = \"0123456789abcdef\";\n#for (I, 1, 18) #declare S = concat(S, S); #end\n\
                 #macro M(T)\n #local U = concat(T, \"x\");\n M(U)\n#end\nM(S)\n";
-    let limited = "check a.scene --max-memory 500M";
+    let limited = "check a.scene --max-memory 120M";
     vec![
         case("string_doubles", doubling, 4, &["E0242", "a.scene:3:14"]),
         case("strings_held", held, 4, &["E0242", "a.scene:4:"]),
@@ -68,7 +68,7 @@ fn growing() -> Vec<Case> {
             .args(SOON),
         drawn("function_picture_too_large", LARGE_PICTURE, 4, &["E0242", "a.scene:1:43"]),
         drawn("function_picture_limited", LARGE_PICTURE, 4, &["E0242", "a.scene:1:43"])
-            .args("render a.scene -o out.png --size 8x6 --max-memory 500M"),
+            .args("render a.scene -o out.png --size 8x6 --max-memory 120M"),
         case("debug_floods", "#while (1)\n#debug \"x\"\n#end\n", 4, &["E0240"]).args("check a.scene --max-steps 10000"),
         case("warnings_flood", "#while (1)\n#warning \"x\"\n#end\n", 4, &["E0240"]).args("check a.scene --max-steps 100000"),
         case("warnings_differ", "#declare I = 0;\n#while (1)\n#warning str(I, 0, 0)\n#declare I = I + 1;\n#end\n", 4, &["E0240"])
@@ -146,7 +146,7 @@ fn many() -> Vec<Case> {
         drawn("many_transforms", "sphere { 0, 1 #for (I, 1, 100000) rotate <I, 1, 2> #end }", 0, &[]),
         drawn("many_layers", "sphere { 0, 1 #for (I, 1, 5000) texture { pigment { rgbt 0.5 } } #end }", 0, &[]),
         drawn("many_clear_walls", "#for (I, 1, 30000) plane { z, I / 100 pigment { rgbt 1 } } #end", 4, &["E0241"])
-            .args("render a.scene -o out.png --size 8x6 --max-time 2"),
+            .args("render a.scene -o out.png --size 8x6 --max-time 0.5"),
         drawn(
             "many_triangles",
             "union { #for (I, 1, 100000) triangle { <I, 0, 9>, <0, I, 9>, <I, I, 8> } #end }",

@@ -58,10 +58,13 @@ pub(super) fn cameras() -> String {
                  the picture, which goes from -0.5 to 0.5 in x and y; for cameras of angles, in those, in radians.\n\n";
     let blur = "What is not as far ahead as `focal_point` is blurred. More rays a pixel make it smoother: as many as the pixel needs, \
                 up to the number of `blur_samples`.\n\n";
+    let bokeh = "What is far out of focus shows the lens: a disc, or what `bokeh { pigment { … } }` says from <0, 0> to <1, 1>: more of the light \
+                 passes where the pigment is lighter; y goes down. The picture as a whole stays as bright.\n\n";
     section(&camera::words::POVRAY, "POV-Ray's camera", &[])
         + &kinds.collect::<String>()
         + &format!("## Mesh camera\n\n{mesh}## Bumps before the camera\n\n{bumps}")
         + &format!("## Focal blur\n\n{blur}{}", word_table(camera::words::BLUR, &[]))
+        + &format!("## Bokeh\n\n{bokeh}")
         + &section(&camera::words::LECTURE, "durer's own camera", contextual("camera"))
 }
 

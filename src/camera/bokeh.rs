@@ -1,0 +1,110 @@
+//! `bokeh { pigment { … } }`: where a lens lets how much light through, and so what a point out of focus looks like (measured on POV-Ray
+//! 3.7, whose manual is silent); the picture as a whole stays as bright.
+
+use crate::color::gray;
+use crate::math::DVec2;
+use crate::math::noise::NoiseGenerator;
+use crate::pattern::TextureContext;
+use crate::texture::{Pigment, PigmentProgram};
+
+/// So many cells a side: finer than any lens is seen.
+const SIDE: usize = 128;
+
+/// A square lens, lighter and darker, as what shares of its rays lie where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bokeh {
+    /// For each row of cells and the end: the share of all light that lies before it.
+    rows: Vec<f64>,
+    /// The same for each cell of each row, of the row's light.
+    cells: Vec<Vec<f64>>,
+}
+
+impl Bokeh {
+    /// Asks the pigment for its brightness, which counts from 0 to 1, from <0, 0> to <1, 1>; one that is black everywhere is as good as
+    /// white.
+    pub(super) fn new(pigment: &Pigment, noise: NoiseGenerator, waves: usize) -> Self {
+        let program = PigmentProgram::new(pigment);
+        Self::of(|at| {
+            let ctx = TextureContext { waves, ..TextureContext::free(at.extend(0.0), noise) };
+            gray(program.at(&ctx).rgb)
+        })
+    }
+
+    fn of(brightness: impl Fn(DVec2) -> f64) -> Self {
+        let middle = |cell: usize| (cell as f64 + 0.5) / SIDE as f64;
+        let light = |x, y| {
+            let light = brightness(DVec2::new(middle(x), middle(y)));
+            // (What is no number is no light.)
+            if light > 0.0 { light.min(1.0) } else { 0.0 }
+        };
+        let weights: Vec<Vec<f64>> = (0..SIDE).map(|y| (0..SIDE).map(|x| light(x, y)).collect()).collect();
+        let sums: Vec<f64> = weights.iter().map(|row| row.iter().sum()).collect();
+        Self { rows: shares(&sums), cells: weights.iter().map(|row| shares(row)).collect() }
+    }
+
+    /// A place of the lens, from -1 to 1 to the right and up, for two numbers in [0, 1): by the inverse of the distribution of its rows,
+    /// then of the cells of a row (Pharr, Jakob, Humphreys: Physically Based Rendering, 2016, 13.6.7), which keeps neighbours.
+    pub(super) fn place(&self, numbers: DVec2) -> DVec2 {
+        let (row, y) = invert(&self.rows, numbers.y);
+        let (_, x) = invert(&self.cells[row], numbers.x);
+        // The pigment's y goes down (measured).
+        DVec2::new(2.0 * x - 1.0, 1.0 - 2.0 * y)
+    }
+
+    /// Where the lens's rays lie on average.
+    #[cfg(test)]
+    fn mean(&self) -> DVec2 {
+        let n = 200;
+        let at = |i: usize| (i as f64 + 0.5) / n as f64;
+        let sum: DVec2 = (0..n * n).map(|i| self.place(DVec2::new(at(i % n), at(i / n)))).sum();
+        sum / (n * n) as f64
+    }
+}
+
+/// What share of the whole lies before each, and before the end; even ones where there is nothing.
+fn shares(weights: &[f64]) -> Vec<f64> {
+    let total: f64 = weights.iter().sum();
+    let share = |weight: f64| if total > 0.0 { weight / total } else { 1.0 / weights.len() as f64 };
+    let mut before = 0.0;
+    let mut starts = Vec::with_capacity(weights.len() + 1);
+    for weight in weights {
+        starts.push(before);
+        before += share(*weight);
+    }
+    starts.push(1.0);
+    starts
+}
+
+/// In which cell a share of the whole lies, and where along all of them, from 0 to 1.
+fn invert(shares: &[f64], at: f64) -> (usize, f64) {
+    let cells = shares.len() - 1;
+    let cell = shares.partition_point(|share| *share <= at).clamp(1, cells) - 1;
+    let width = shares[cell + 1] - shares[cell];
+    let within = if width > 0.0 { ((at - shares[cell]) / width).clamp(0.0, 1.0) } else { 0.5 };
+    (cell, (cell as f64 + within) / cells as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_lie_where_the_light_is() {
+        // ∫x·x/∫x = 2/3 of the way across, which is 1/3 of the lens; y goes down
+        let sloping = Bokeh::of(|at| at.x);
+        assert!(sloping.mean().distance(DVec2::X / 3.0) < 1e-4, "{}", sloping.mean());
+        let low = Bokeh::of(|at| f64::from(at.y > 0.5));
+        assert!(low.mean().distance(DVec2::NEG_Y / 2.0) < 1e-4, "{}", low.mean());
+        let two = Bokeh::of(|at| if at.x < 0.5 { 1.0 } else { 0.25 });
+        // 0.8·(-½) + 0.2·½
+        assert!(two.mean().distance(DVec2::X * -0.3) < 1e-2, "{}", two.mean());
+    }
+
+    #[test]
+    fn what_is_no_light_is_as_good_as_any() {
+        for none in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let lens = Bokeh::of(|_| none);
+            assert_eq!(lens.place(DVec2::splat(0.25)), DVec2::new(-0.5, 0.5), "{none}");
+        }
+    }
+}
