@@ -114,6 +114,8 @@ struct Inherited {
     /// Is it turned inside out an odd number of times?
     inverted: bool,
     interior: Option<u32>,
+    /// Is the air in the object around it hollow, if no block said what is in there?
+    hollow_air: Option<bool>,
     /// Number of the group of lights around it; 0 for none.
     lights: u32,
     /// Is the block around it that group itself?
@@ -163,6 +165,12 @@ struct Lowering {
     groups: Vec<Group>,
     /// The lights of no group.
     global: Vec<u32>,
+}
+
+impl Inherited {
+    fn has_hollow_air(&self) -> bool {
+        self.hollow_air.unwrap_or(self.flags.hollow)
+    }
 }
 
 /// A `light_group`.
@@ -219,14 +227,16 @@ impl Lowering {
         let interior = interior_of(object);
         let flags = joined(object, inherited.flags);
         let lights = object.rare.light_group.map(|global| self.add_group(global));
+        let hollow = || hollow_inside(object, inherited.flags.hollow).unwrap_or(flags.hollow);
         Ok(Inherited {
+            hollow_air: inherited.hollow_air.or_else(|| interior.is_none().then(hollow)),
             place,
             // (Of parts with textures of their own too: measured on POV-Ray 3.7.)
             inside: inside.or_else(|| inherited.inside.clone()),
             texture: texture.or_else(|| inherited.texture.clone()),
             cut: inherited.cut,
             inverted: inherited.inverted != object.rare.flags.inverse,
-            interior: interior.map(|i| self.add_interior(i, flags.hollow)).or(inherited.interior),
+            interior: interior.map(|i| self.add_interior(i, hollow())).or(inherited.interior),
             lights: lights.unwrap_or(inherited.lights),
             lights_here: lights.is_some(),
             flags,
@@ -294,7 +304,7 @@ impl Lowering {
             .chain(others.into_iter().flatten())
             .chain(carried.iter())
             .all(|placed| self.materials[placed.material as usize].opaque);
-        let interior = own.interior.unwrap_or_else(|| self.add_air(own.flags.hollow));
+        let interior = own.interior.unwrap_or_else(|| self.add_air(own.has_hollow_air()));
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, .. } = own.flags;
         let lights = own.lights;
@@ -365,7 +375,7 @@ impl Lowering {
         let mut within = own.clone();
         if op != CsgOp::Union && within.interior.is_none() {
             // All faces of one solid border on the same inside.
-            within.interior = Some(self.add_air(own.flags.hollow));
+            within.interior = Some(self.add_air(own.has_hollow_air()));
         }
         // Turned inside out, a union is an intersection, and an intersection a union. What is joined cuts nothing.
         if matches!(op, CsgOp::Union | CsgOp::Merge) != own.inverted {
@@ -396,7 +406,7 @@ impl Lowering {
         }
         let interior = match within.interior {
             Some(interior) => interior,
-            None => self.add_air(own.flags.hollow),
+            None => self.add_air(own.has_hollow_air()),
         };
         let number = self.add_object(own.flags, opaque, interior);
         let node = match op {
@@ -406,6 +416,20 @@ impl Lowering {
             CsgOp::Merge => SolidNode::merge(nodes, number),
         };
         Ok(Some(Solid { node, opaque }))
+    }
+}
+
+/// Is it hollow where blocks within it do not say what is in there? The last shape of all tells, of a union too (measured on POV-Ray
+/// 3.7). `None` where there is no such shape.
+fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
+    let hollow = object.rare.flags.hollow || inherited;
+    match &object.kind {
+        ObjectKind::Shape(_) => Some(hollow),
+        ObjectKind::Light(_) => None,
+        ObjectKind::Csg(_, parts) => {
+            let open = parts.iter().rev().filter(|part| interior_of(part).is_none());
+            open.filter_map(|part| hollow_inside(part, hollow)).next()
+        }
     }
 }
 
