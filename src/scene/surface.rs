@@ -4,7 +4,7 @@ use super::Defaults;
 use crate::diagnostic::Result;
 use crate::math::Transform;
 use crate::texture::{Interior, Material, Texture};
-use crate::value::{Next, Reader, ReaderExt};
+use crate::value::{Next, Reader, ReaderExt, Seldom};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -14,25 +14,25 @@ pub struct Painted {
     /// Shared by all objects that were given it.
     pub texture: Arc<Texture>,
     /// How the object was moved after it got the texture, if it had been moved before: else it is the object's own.
-    pub moved: Option<Box<Transform>>,
+    pub moved: Option<Seldom<Transform>>,
 }
 
 impl Painted {
     /// On an object that has been moved so before.
     pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
-        Self { texture, moved: (!before.is_identity()).then(|| Box::new(Transform::IDENTITY)) }
+        Self { texture, moved: (!before.is_identity()).then_some(Seldom::USUAL) }
     }
 
     /// The object has been moved.
     pub(super) fn transform_by(&mut self, step: &Transform) {
         if let Some(moved) = &mut self.moved {
-            **moved = moved.then(step);
+            *moved = moved.then(step).into();
         }
     }
 
     /// The space around the object from the texture's, given that from the object's.
     pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
-        self.moved.as_deref().unwrap_or(object)
+        self.moved.as_ref().map_or(object, |moved| moved)
     }
 }
 

@@ -361,6 +361,13 @@ macro_rules! shapes {
             pub fn under(&self, m: &Transform, before: Option<&Transform>) -> Cow<'_, Self> {
                 match self { $(Shape::$name(s) => s.changed_under(m, before).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
+            /// Do both share all they are?
+            pub fn is_one_with(&self, other: &Self) -> bool {
+                match (self, other) {
+                    $((Shape::$name(a), Shape::$name(b)) => Arc::ptr_eq(a, b),)*
+                    _ => false,
+                }
+            }
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }
             /// Reads one of the words of its own table, if it comes next; false if none does.
