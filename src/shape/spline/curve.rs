@@ -71,11 +71,24 @@ impl Curve {
     }
 
     /// Where p lies among its outlines: how many are crossed on the way from it in the direction in which x grows is odd.
-    /// `beyond` tells which x are on this way.
+    /// `beyond` tells which x are on this way; what lies between two of a kind is of that kind.
     pub fn surrounds(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
         let mut odd = false;
         for segment in 0..self.segments.len() {
             let height = self.coordinates(segment, |p| p.y - y);
+            let [mut all, mut none] = [true; 2];
+            for p in self.controls(segment) {
+                let counts = beyond(p.x);
+                (all, none) = (all && counts, none && !counts);
+            }
+            if none {
+                continue;
+            }
+            if all {
+                // An odd number of roots lies between values of different signs, and wherever they are, all count.
+                odd ^= (height[0] < 0.0) != (height[self.degree] < 0.0);
+                continue;
+            }
             bernstein_roots(&height, &mut |t| {
                 odd ^= beyond(blend(&self.coordinates(segment, |p| p.x), t));
                 false
