@@ -104,8 +104,8 @@ impl Hit {
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
 /// The nearest of some hits.
-fn nearest(hits: Hits) -> Option<Hit> {
-    hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+fn nearest(hits: &Hits) -> Option<Hit> {
+    hits.iter().min_by(|a, b| a.t.total_cmp(&b.t)).copied()
 }
 
 /// How a line passes a convex solid.
@@ -207,7 +207,7 @@ pub trait Kernel {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(all)
+        nearest(&all)
     }
 
     /// Is there any hit in the range?
