@@ -102,11 +102,12 @@ impl Program {
     /// The result for these parameters.
     pub fn run(&self, parameters: &[f64]) -> f64 {
         // (Most of the time that a short one takes would go by with zeros.)
-        match self.registers {
-            ..=FEW => self.run_in(&mut [0.0; FEW], parameters),
-            ..=SOME => self.run_in(&mut [0.0; SOME], parameters),
-            ..=MANY => self.run_in(&mut [0.0; MANY], parameters),
-            all => self.run_in(&mut vec![0.0; all], parameters),
+        let all = self.registers;
+        match () {
+            _ if all <= FEW => self.run_in(&mut [0.0; FEW], parameters),
+            _ if all <= SOME => self.run_in(&mut [0.0; SOME], parameters),
+            _ if all <= MANY => self.run_in(&mut [0.0; MANY], parameters),
+            _ => self.run_in(&mut vec![0.0; all], parameters),
         }
     }
 

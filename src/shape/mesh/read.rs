@@ -374,6 +374,9 @@ fn numbers(found: &[f64], span: Span) -> Result<[u32; 3]> {
     }
 }
 
+/// Three numbers for each triangle.
+type Triples = Vec<[u32; 3]>;
+
 /// Three numbers of entries.
 fn triple(found: &[f64]) -> Option<[u32; 3]> {
     let found: [f64; 3] = found.try_into().ok()?;
@@ -381,7 +384,7 @@ fn triple(found: &[f64]) -> Option<[u32; 3]> {
 }
 
 /// The corners of each face, and its textures at them, if there are any: one for all, or three.
-fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Vec<[u32; 3]>, Vec<[u32; 3]>)> {
+fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)> {
     let count = read_count(r)?;
     let mut faces = Vec::with_capacity(count.min(BELIEVED));
     let mut painted: Vec<[u32; 3]> = vec![];

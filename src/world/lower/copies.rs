@@ -21,7 +21,7 @@ const MANY: usize = 32;
 #[derive(Default)]
 pub(super) struct Copies {
     /// By the address of the parts, which are kept with it.
-    known: FxHashMap<*const Object, Option<Original>>,
+    known: FxHashMap<*const Object, Option<Arc<Original>>>,
 }
 
 /// What copies share.
@@ -51,14 +51,17 @@ impl Lowering {
             return Ok(None);
         }
         let address = parts.as_ptr();
-        if !self.copies.known.contains_key(&address) {
-            if Arc::strong_count(parts).max(Arc::strong_count(&object.body)) < MANY {
-                return Ok(None);
+        let few = || Arc::strong_count(parts).max(Arc::strong_count(&object.body)) < MANY;
+        let original = match self.copies.known.get(&address) {
+            Some(original) => original.clone(),
+            None if few() => return Ok(None),
+            None => {
+                let original = Original::of(object, parts)?.map(Arc::new);
+                self.copies.known.insert(address, original.clone());
+                original
             }
-            let original = Original::of(object, parts)?;
-            self.copies.known.insert(address, original);
-        }
-        let Some(Some(original)) = self.copies.known.get(&address) else { return Ok(None) };
+        };
+        let Some(original) = original else { return Ok(None) };
         if !is_copy(node, &original.node, before) {
             return Ok(None);
         }
