@@ -153,7 +153,7 @@ impl Geometry {
     pub fn any(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> bool {
         let mut found = false;
         self.meet(ray, range, |item, range| {
-            if accept(item.object()) && item.closest(ray, range).is_some() {
+            if accept(item.object()) && item.any(ray, range) {
                 found = true;
                 return ControlFlow::Break(());
             }
@@ -266,6 +266,13 @@ impl Item {
         match self {
             Self::Solid(node) => node.closest(ray, range),
             Self::Copied(copied) => copied.closest(ray, range),
+        }
+    }
+
+    fn any(&self, ray: &Ray, range: Range) -> bool {
+        match self {
+            Self::Solid(node) => node.closest(ray, range).is_some(),
+            Self::Copied(copied) => copied.shared().any(&copied.local(ray), range, |_| true),
         }
     }
 

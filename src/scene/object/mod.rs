@@ -26,7 +26,7 @@ pub enum ObjectKind {
     /// One shape.
     Shape(Shape),
     /// Several objects.
-    Csg(CsgOp, Arc<Vec<Object>>),
+    Csg(CsgOp, Arc<[Object]>),
     /// A light, which a union may carry along.
     Light(Arc<LightSource>),
 }

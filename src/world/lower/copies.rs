@@ -26,7 +26,7 @@ pub(super) struct Copies {
 
 /// What copies share.
 struct Original {
-    _parts: Arc<Vec<Object>>,
+    _parts: Arc<[Object]>,
     /// As it is lowered where it stands at the origin, in a world of its own.
     node: SolidNode,
     shared: Arc<Geometry>,
@@ -73,7 +73,7 @@ impl Lowering {
 
 impl Original {
     /// `None` if it can't be shared.
-    fn of(object: &Object, parts: &Arc<Vec<Object>>) -> Result<Option<Self>> {
+    fn of(object: &Object, parts: &Arc<[Object]>) -> Result<Option<Self>> {
         let mut alone = Lowering::default();
         let object = Object { transform: Seldom::USUAL, ..object.clone() };
         let Some(solid) = alone.lower_object(&object, &Inherited::default())? else { return Ok(None) };
