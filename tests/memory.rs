@@ -60,7 +60,7 @@ fn no_more_than_povray() {
 fn things_that_are_many_are_small() {
     let sizes = [
         ("scene::Object", size_of::<scene::Object>(), 32),
-        ("scene::ObjectBody", size_of::<scene::ObjectBody>(), 80),
+        ("scene::ObjectBody", size_of::<scene::ObjectBody>(), 72),
         ("texture::Layer", size_of::<texture::Layer>(), 88),
         ("texture::Pigment", size_of::<texture::Pigment>(), 64),
         ("texture::Finish", size_of::<texture::Finish>(), 152),

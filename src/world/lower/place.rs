@@ -44,7 +44,10 @@ impl Place {
     pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
         let Some(Painted { texture, moved: since }) = painted else { return Ok(None) };
         let transform = match since {
-            Some(own) if !object.rare.flags.uv_mapping => moved(own, &self.now, object.source)?,
+            Some(own) if !object.rare.flags.uv_mapping => {
+                let own = if own.is_identity() { Seldom::USUAL } else { (**own).into() };
+                moved(&own, &self.now, object.source)?
+            }
             _ => inside.of_textures(object),
         };
         Ok(Some(Look { texture: texture.clone(), transform }))
