@@ -144,7 +144,7 @@ fn a_point_knows_what_it_is_in() {
     ]);
     let at = |p: DVec3| {
         let mut found = vec![];
-        geometry.containing(p, &mut |node| found.push(node.object));
+        geometry.containing(p, &mut |item| found.push(item.object()));
         found.sort();
         found
     };

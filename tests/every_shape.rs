@@ -250,7 +250,7 @@ fn leaves(count: u64, size: f64) -> Vec<SolidNode> {
     let Some(world) = &built.world else {
         panic!("{:?}", built.diagnostics.iter().map(|d| &d.message).take(5).collect::<Vec<_>>())
     };
-    let mut items = world.geometry.items().to_vec();
+    let mut items: Vec<SolidNode> = world.geometry.items().map(|item| item.node().clone()).collect();
     items.sort_by_key(|item| item.object);
     // (Hardly any has no surface.)
     assert!(items.len() * 100 >= WRITERS.len() * count as usize * 99);

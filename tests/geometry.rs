@@ -5,7 +5,7 @@ use durer::function::{Body, Function, Graph, Id, Operation, Program, numeric};
 use durer::math::{DVec2, DVec3, Range, Ray, Transform, fp, rng};
 use durer::shape::*;
 use durer::syntax::ast::Operator;
-use durer::world::{Geometry, Intersection, Intersections, Leaf, SolidNode};
+use durer::world::{Geometry, Intersection, Intersections, Leaf, SolidNode, Standing};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
@@ -595,12 +595,12 @@ proptest! {
         for _ in 0..20 {
             let p = dice.vector(3.0);
             let mut inside = vec![];
-            geometry.containing(p, &mut |node| inside.push(node.object));
+            geometry.containing(p, &mut |item| inside.push(item.object()));
             // Of a disc, or a ball that is solid all around, whether points beyond its box count is left open.
-            let plate = |n: &SolidNode| matches!(n.kind(), durer::world::SolidKind::Leaf(l) if l.shape.reaches_beyond());
-            let all = |n: &&SolidNode| n.inside(p) && !plate(n);
-            let mut want: Vec<u32> = geometry.items().iter().filter(all).map(|n| n.object).collect();
-            let plates: Vec<u32> = geometry.items().iter().filter(|n| plate(n)).map(|n| n.object).collect();
+            let plate = |n: &Standing| matches!(n.node().kind(), durer::world::SolidKind::Leaf(l) if l.shape.reaches_beyond());
+            let all = |n: &Standing| n.inside(p) && !plate(n);
+            let mut want: Vec<u32> = geometry.items().filter(all).map(|n| n.object()).collect();
+            let plates: Vec<u32> = geometry.items().filter(|n| plate(n)).map(|n| n.object()).collect();
             inside.retain(|object| !plates.contains(object));
             want.retain(|object| !plates.contains(object));
             inside.sort();

@@ -53,6 +53,55 @@ fn normals_under_uneven_scaling() {
     assert_near(seen.normal, v(0.25, 0.0, z).normalize().to_array());
 }
 
+/// 49 of them side by side, each turned another way and of another size.
+fn rows(thing: impl Fn() -> Object) -> Scene {
+    let place = |i: i32| v(f64::from(i % 7 - 3) * 1.2, f64::from(i / 7 - 3) * 1.1, 0.0);
+    let mut objects = vec![lamp(v(-20.0, 30.0, -40.0), 1.0)];
+    objects.extend((0..49).map(|i| {
+        let size = 0.3 + 0.01 * f64::from(i % 11);
+        let thing = thing().moved(Transform::rotate(v(7.0, 40.0, 3.0) * f64::from(i))).moved(scaled(size, 0.5, size));
+        thing.moved(Transform::translate(place(i))).painted(rgb(0.5, f64::from(i) / 48.0, 0.9), Finish::default())
+    }));
+    let Scene { camera, .. } = scene(-10.0 * Z, Z, vec![]);
+    let mut scene = Scene { version: 370, camera, objects, ..Scene::default() };
+    if let durer::camera::Camera::Povray(camera) = &mut scene.camera {
+        (camera.direction, camera.up, camera.right) = (Z, DVec3::Y, X * 4.0 / 3.0);
+    }
+    scene
+}
+
+#[test]
+fn copies_look_like_what_stands_by_itself() {
+    let ball = |x: f64| sphere(v(x, 0.0, 0.0), 0.7);
+    let squares = || texture([(checker(rgb(1.0, 0.0, 0.0), rgb(0.0, 1.0, 0.0)), glowing())]);
+    let block = || cuboid(v(-0.5, -0.5, -0.5), v(0.5, 0.2, 0.5)).moved(Transform::rotate(30.0 * Z)).textured(squares());
+    let things: [&dyn Fn() -> Object; 4] = [
+        &|| csg(CsgOp::Union, vec![ball(-0.3), block(), sphere(v(0.0, 1.0, 0.0), 0.3)]),
+        &|| csg(CsgOp::Difference, vec![ball(0.0), block(), ball(0.9)]),
+        &|| csg(CsgOp::Union, vec![csg(CsgOp::Merge, vec![ball(0.0), ball(0.5)]).filled(1.3), block()]),
+        &|| {
+            csg(CsgOp::Intersection, vec![ball(0.0), plane(DVec3::Y, 0.1), csg(CsgOp::Union, vec![ball(0.6), block()])])
+        },
+    ];
+    for thing in things {
+        let apart = rows(thing);
+        let one = thing();
+        let copies = rows(|| one.clone());
+        let told = |scene: &Scene| serde_json::to_string(&lower(scene).unwrap()).unwrap().contains("\"shared\"");
+        assert_eq!([&apart, &copies].map(told), [false, true]);
+        let options = Options::new(48, 36);
+        let [a, b] = [&apart, &copies].map(|scene| draw(scene, &options).0.pixels);
+        let differ = a.iter().zip(&b).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1e-4)).count();
+        assert!(differ <= 1, "{differ} pixels are others");
+        let worlds = [&apart, &copies].map(|scene| lower(scene).unwrap());
+        for (x, y) in [(5, 5), (20, 17), (24, 18), (30, 30)] {
+            let [a, b] =
+                [0, 1].map(|i| pick(&worlds[i], &options, x, y).map(|p| (p.shape, (p.t * 1e6).round(), p.source)));
+            assert_eq!(a, b);
+        }
+    }
+}
+
 #[test]
 fn a_pick_tells_the_place_in_the_text() {
     let mut ball = sphere(DVec3::ZERO, 1.0);

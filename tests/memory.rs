@@ -66,7 +66,7 @@ fn things_that_are_many_are_small() {
         ("texture::Finish", size_of::<texture::Finish>(), 152),
         ("pattern::Pattern", size_of::<pattern::Pattern>(), 168),
         ("world::SolidNode", size_of::<world::SolidNode>(), 48),
-        ("world::Part", size_of::<world::Part>(), 48),
+        ("world::Part", size_of::<world::Part>(), 40),
         ("world::ObjectInfo", size_of::<world::ObjectInfo>(), 12),
         ("world::Material", size_of::<world::Material>(), 48),
         ("world::Layer", size_of::<world::Layer>(), 80),

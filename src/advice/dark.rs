@@ -1,6 +1,6 @@
 //! A picture that is black all over, though something is seen.
 
-use super::{named, unseen};
+use super::{first_named, named, unseen};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::DVec3;
 use crate::render;
@@ -9,7 +9,7 @@ use crate::world::{LayerColor, World};
 
 /// Of one that is.
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
-    if world.geometry.items().is_empty() {
+    if world.geometry.is_empty() {
         return None;
     }
     let (at, reason, help) = reason(world, options);
@@ -50,10 +50,10 @@ fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
 
 fn holder(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
     let mut found = None;
-    world.geometry.containing(p, &mut |node| {
-        let casts = world.objects.get(node.object as usize).is_some_and(|o| o.opaque && o.shadow);
+    world.geometry.containing(p, &mut |item| {
+        let casts = world.objects.get(item.object() as usize).is_some_and(|o| o.opaque && o.shadow);
         if casts && found.is_none() {
-            found = super::first_leaf(node).map(|leaf| named(world, leaf));
+            found = first_named(world, item);
         }
     });
     found
@@ -63,13 +63,13 @@ fn holder(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
 fn all_black(world: &World, options: &render::Options) -> Option<(Span, String, String)> {
     let mut first = None;
     for found in unseen::sample(world, options) {
-        let material = world.parts.get(found.leaf.id as usize)?.outside.material;
+        let material = world.parts.get(found.part() as usize)?.outside.material;
         let mut layers = world.materials.get(material as usize)?.layers.iter();
         let black = |color: &LayerColor| matches!(color, LayerColor::Solid(c) if c.rgb.max_element() <= 0.0);
         if !layers.all(|layer| layer.choice.is_none() && black(&layer.pigment)) {
             return None;
         }
-        first.get_or_insert(named(world, found.leaf));
+        first.get_or_insert(named(world, &found));
     }
     let (word, source) = first?;
     let help = "`pigment { rgb <1, 0.5, 0> }`; an object without a pigment is black".to_string();

@@ -15,7 +15,7 @@ use crate::render;
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
 use crate::value::decimal;
-use crate::world::{Leaf, SolidKind, SolidNode, World};
+use crate::world::{Intersection, Standing, World};
 use std::path::Path;
 
 /// What is to be said of a scene that is read.
@@ -84,25 +84,23 @@ pub fn is_incomplete(told: &[Diagnostic]) -> bool {
     told.iter().any(|d| d.code == codes::UNSUPPORTED)
 }
 
-/// Its first shape stands for an object.
-fn first_leaf(node: &SolidNode) -> Option<&Leaf> {
-    match node.kind() {
-        SolidKind::Leaf(leaf) => Some(leaf),
-        SolidKind::Union(parts) | SolidKind::Intersection(parts) | SolidKind::Merge(parts) => {
-            parts.iter().find_map(first_leaf)
-        }
-    }
-}
-
 /// Does the camera see the object of this number?
 fn shows(world: &World, object: u32) -> bool {
     world.objects.get(object as usize).is_some_and(|o| o.image)
 }
 
-/// The word of a shape, and its place in the text.
-fn named(world: &World, leaf: &Leaf) -> (&'static str, Span) {
-    let source = world.parts.get(leaf.id as usize).map_or(Span::NONE, |part| part.source);
-    (leaf.shape.spec().name, source)
+/// The word of the shape that stands for an object, and its place in the text.
+fn first_named(world: &World, item: Standing) -> Option<(&'static str, Span)> {
+    item.first_shape().map(|(word, part)| (word, source_of(world, part)))
+}
+
+/// The word of the shape that was hit, and its place in the text.
+fn named(world: &World, found: &Intersection) -> (&'static str, Span) {
+    (found.leaf.shape.spec().name, source_of(world, found.part()))
+}
+
+fn source_of(world: &World, part: u32) -> Span {
+    world.parts.get(part as usize).map_or(Span::NONE, |part| part.source)
 }
 
 /// A vector as one types it, with as many digits as help.
@@ -112,7 +110,7 @@ fn typed(p: crate::math::DVec3) -> String {
 }
 
 /// Does any box of an object hold numbers to reckon with?
-fn is_somewhere(node: &SolidNode) -> bool {
-    let bounds = node.bounds();
+fn is_somewhere(item: &Standing) -> bool {
+    let bounds = item.bounds();
     !bounds.is_empty() && bounds.is_finite()
 }

@@ -6,7 +6,7 @@ use super::shows;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{DVec3, Range, Ray, tolerance};
 use crate::render;
-use crate::world::{Intersection, SolidKind, SolidNode, World};
+use crate::world::{Intersection, SolidKind, Standing, World};
 use rustc_hash::FxHashMap;
 
 /// So many rays are asked at most, and no more than one for so many pixels: it must not be noticed.
@@ -70,11 +70,11 @@ fn meetings(world: &World, ray: &Ray) -> Vec<(u32, u32, Fight)> {
     let normal = seen.surface(ray).normal;
     let mut out = vec![];
     world.geometry.shapes_at(ray, around, &mut |item, other| {
-        if other.leaf.id != seen.leaf.id
-            && shows(world, item.object)
-            && let Some(fight) = fight(world, ray, item, &seen, &other, normal)
+        if other.part() != seen.part()
+            && shows(world, item.object())
+            && let Some(fight) = fight(world, ray, &item, &seen, &other, normal)
         {
-            let (a, b) = (seen.leaf.id.min(other.leaf.id), seen.leaf.id.max(other.leaf.id));
+            let (a, b) = (seen.part().min(other.part()), seen.part().max(other.part()));
             out.push((a, b, fight));
         }
     });
@@ -84,22 +84,22 @@ fn meetings(world: &World, ray: &Ray) -> Vec<(u32, u32, Fight)> {
 fn fight(
     world: &World,
     ray: &Ray,
-    item: &SolidNode,
+    item: &Standing,
     seen: &Intersection,
     other: &Intersection,
     normal: DVec3,
 ) -> Option<Fight> {
     // (An object that cuts its parts shows some of their surfaces and not others.)
-    let cut = matches!(item.kind(), SolidKind::Intersection(_) | SolidKind::Merge(_));
+    let cut = matches!(item.node().kind(), SolidKind::Intersection(_) | SolidKind::Merge(_));
     let along = other.surface(ray).normal.dot(normal);
     if along.abs() < 1.0 - 1e-6 {
         return None;
     }
-    if cut && item.object == seen.object && along < 0.0 {
+    if cut && item.object() == seen.object && along < 0.0 {
         return Some(Fight::Skin);
     }
     let kept = !cut || item.inside(ray.at(seen.t()) - normal * (NEAR.sqrt() * (1.0 + seen.t())));
-    let look = |found: &Intersection| world.parts.get(found.leaf.id as usize).map(|part| &part.outside);
+    let look = |found: &Intersection| world.parts.get(found.part() as usize).map(|part| &part.outside);
     let (a, b) = (look(seen)?, look(other)?);
     let same = a.material == b.material && a.place.as_deref() == b.place.as_deref();
     (kept && !same).then_some(Fight::Looks)

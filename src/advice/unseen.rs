@@ -1,12 +1,12 @@
 //! A picture that shows nothing but the background, or nothing but the inside of what is around the camera.
 
-use super::{first_leaf, is_somewhere, named, shows, typed};
+use super::{first_named, is_somewhere, named, shows, typed};
 use crate::camera::Projection;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{Aabb, DMat3, DVec3, Range, Ray, tolerance};
 use crate::render;
 use crate::source::Span;
-use crate::world::{Intersection, SolidNode, World};
+use crate::world::{Intersection, Standing, World};
 use rustc_hash::FxHashSet;
 
 /// So many rays tell what is seen.
@@ -27,10 +27,10 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
     }
     match inside {
         // Alone, it is what the picture is of.
-        Some(_) if world.geometry.items().iter().all(|item| around.contains(&item.object)) => None,
+        Some(_) if world.geometry.items().all(|item| around.contains(&item.object())) => None,
         Some(found) => Some(from_inside(world, &found)),
         // (A scene without objects and lights is not made to be looked at.)
-        None if world.geometry.items().is_empty() && world.lights.is_empty() => None,
+        None if world.geometry.is_empty() && world.lights.is_empty() => None,
         None => Some(nothing_seen(world, options)),
     }
 }
@@ -66,16 +66,16 @@ fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
 /// The objects that hold the eye and let no light through.
 fn around(world: &World, eye: DVec3) -> FxHashSet<u32> {
     let mut out = FxHashSet::default();
-    world.geometry.containing(eye, &mut |node| {
-        if world.objects.get(node.object as usize).is_some_and(|o| o.image && o.opaque) {
-            out.insert(node.object);
+    world.geometry.containing(eye, &mut |item| {
+        if world.objects.get(item.object() as usize).is_some_and(|o| o.image && o.opaque) {
+            out.insert(item.object());
         }
     });
     out
 }
 
 fn from_inside(world: &World, found: &Intersection) -> Diagnostic {
-    let (word, source) = named(world, found.leaf);
+    let (word, source) = named(world, found);
     let (message, help) = if word == "plane" {
         let message = "the camera is behind this `plane`, and sees nothing but its back";
         (message.to_string(), "move `location` to the side that the plane's normal points to".to_string())
@@ -88,20 +88,20 @@ fn from_inside(world: &World, found: &Intersection) -> Diagnostic {
 
 fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
     let message = "the picture shows nothing but the background";
-    let items: Vec<&SolidNode> = world.geometry.items().iter().filter(|item| shows(world, item.object)).collect();
+    let items: Vec<Standing> = world.geometry.items().filter(|item| shows(world, item.object())).collect();
     let eye = world.eye.frame.origin;
-    let distance = |item: &SolidNode| item.bounds().min.max(eye).min(item.bounds().max).distance(eye);
+    let distance = |item: &Standing| item.bounds().min.max(eye).min(item.bounds().max).distance(eye);
     let finite = items.iter().filter(|item| is_somewhere(item));
     let nearest = finite.min_by(|a, b| distance(a).total_cmp(&distance(b)));
     if let Some(item) = nearest
-        && let Some((word, source)) = first_leaf(item).map(|leaf| named(world, leaf))
+        && let Some((word, source)) = first_named(world, *item)
     {
         let seen = Seen::of(world, options, &item.bounds());
         let label = format!("the nearest object, this `{word}`, is {}", seen.told());
         let d = Diagnostic::new(codes::NOTHING_SEEN, source, message).label(label);
         return d.also(world.camera_source, "seen from here").help(seen.help(world, &item.bounds()));
     }
-    match items.iter().find_map(|item| first_leaf(item)).map(|leaf| named(world, leaf)) {
+    match items.iter().find_map(|item| first_named(world, *item)) {
         Some((word, source)) => Diagnostic::new(codes::NOTHING_SEEN, source, message)
             .label(format!("no ray from the camera meets this `{word}`"))
             .also(world.camera_source, "seen from here")

@@ -42,7 +42,11 @@ pub struct Program {
 }
 
 /// Most programs need no more registers than this.
-const FEW: usize = 32;
+const FEW: usize = 24;
+/// Larger ones.
+const SOME: usize = 64;
+/// Programs with more of them have memory of their own.
+const MANY: usize = 256;
 /// The most arguments of a call that need no memory of their own.
 const FEW_ARGUMENTS: usize = 12;
 /// So far behind an operation others are looked for that take components of the same call.
@@ -97,12 +101,13 @@ impl Program {
 
     /// The result for these parameters.
     pub fn run(&self, parameters: &[f64]) -> f64 {
-        if self.registers <= FEW {
-            self.run_in(&mut [0.0; FEW], parameters)
-        } else if self.registers <= 8 * FEW {
-            self.run_in(&mut [0.0; 8 * FEW], parameters)
-        } else {
-            self.run_in(&mut vec![0.0; self.registers], parameters)
+        // (Most of the time that a short one takes would go by with zeros.)
+        let all = self.registers;
+        match () {
+            _ if all <= FEW => self.run_in(&mut [0.0; FEW], parameters),
+            _ if all <= SOME => self.run_in(&mut [0.0; SOME], parameters),
+            _ if all <= MANY => self.run_in(&mut [0.0; MANY], parameters),
+            _ => self.run_in(&mut vec![0.0; all], parameters),
         }
     }
 

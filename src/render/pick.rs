@@ -10,7 +10,7 @@ pub fn pick(world: &World, options: &Options, x: usize, y: usize) -> Option<Pick
     let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
     let found = world.geometry.closest(&ray, range, |id| world.objects[id as usize].image)?;
     let surface = found.surface(&ray);
-    let part = &world.parts[found.leaf.id as usize];
+    let part = &world.parts[found.part() as usize];
     Some(Picked {
         shape: found.leaf.shape.spec().name,
         t: found.t(),

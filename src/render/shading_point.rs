@@ -52,7 +52,7 @@ pub(super) struct ShadingPoint<'w> {
 impl<'w> ShadingPoint<'w> {
     /// Where `ray` meets `found` at a border.
     pub fn new(world: &'w World, ray: &Ray, found: &Intersection, quality: &Quality, interface: &Interface) -> Self {
-        let part = &world.parts[found.leaf.id as usize];
+        let part = &world.parts[found.part() as usize];
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
         let normal = if against > 0.0 { -surface.normal } else { surface.normal };
@@ -222,11 +222,11 @@ fn of_materials<'w>(
     from_inside: bool,
     mut tell: impl FnMut(&'w PlacedMaterial, f64),
 ) {
-    let part = &world.parts[found.leaf.id as usize];
-    if let Some(inside) = part.inside.as_ref().filter(|_| from_inside) {
+    let part = &world.parts[found.part() as usize];
+    let Some(rare) = &part.rare else { return tell(&part.outside, 1.0) };
+    if let Some(inside) = rare.inside.as_ref().filter(|_| from_inside) {
         return tell(inside, 1.0);
     }
-    let Some(rare) = &part.rare else { return tell(&part.outside, 1.0) };
     if let Some(cut) = rare.cut {
         let holds = |(node, placed): &'w (SolidNode, PlacedMaterial)| node.inside(surface.point).then_some(placed);
         let materials: SmallVec<[&PlacedMaterial; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
@@ -258,7 +258,7 @@ fn texture_context<'w>(
     ray: &Ray,
 ) -> (&'w Material, TextureContext) {
     let material = &world.materials[placed.material as usize];
-    let on_surface = world.parts[found.leaf.id as usize].uv;
+    let on_surface = world.parts[found.part() as usize].uv;
     let uv = if on_surface || material.uv { found.mapped_uv(surface) } else { DVec2::ZERO };
     let ctx = TextureContext {
         p: placed.local(if on_surface { uv.extend(0.0) } else { surface.point }),
@@ -274,9 +274,9 @@ fn texture_context<'w>(
 
 /// What all layers at the place where `ray` meets `found` let pass; `quick` as the lower qualities show them.
 pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
-    let part = &world.parts[found.leaf.id as usize];
+    let part = &world.parts[found.part() as usize];
     let outside = &world.materials[part.outside.material as usize];
-    if part.inside.is_none() && part.rare.is_none() && outside.solid && !quick {
+    if part.rare.is_none() && outside.solid && !quick {
         return outside.pass;
     }
     let surface = found.surface(ray);

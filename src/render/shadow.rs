@@ -87,7 +87,7 @@ impl Tracer<'_> {
         surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
         let (mut light, mut before) = (Rgb::ONE, 0.0);
         for found in surfaces {
-            let own = world.parts[found.leaf.id as usize].interior;
+            let own = world.parts[found.part() as usize].interior;
             let interior = &world.interiors[own as usize];
             if hazy {
                 light *= self.stretch(ray, before, found.t(), &inside);

@@ -91,8 +91,8 @@ impl Sample {
 /// What a camera at a place is in.
 fn around(world: &World, origin: DVec3) -> Interiors {
     let mut inside = Interiors::new();
-    world.geometry.around_camera(origin, &mut |node| {
-        let interior = world.objects[node.object as usize].interior;
+    world.geometry.around_camera(origin, &mut |item| {
+        let interior = world.objects[item.object() as usize].interior;
         inside.extend((interior != ObjectInfo::VIEW).then_some(interior));
     });
     inside.sort_unstable();
@@ -256,7 +256,7 @@ impl<'w> Tracer<'w> {
             through *= veil.passes;
             passed *= gray(veil.passes);
             let world = self.setup.world;
-            let own = world.parts[found.leaf.id as usize].interior;
+            let own = world.parts[found.part() as usize].interior;
             let mut interface = match self.setup.asks_inside {
                 true => Interface::new(&path.inside, own, &world.interiors),
                 false => Interface::NONE,

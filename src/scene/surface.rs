@@ -6,7 +6,10 @@ use crate::math::Transform;
 use crate::texture::{Interior, Material, Texture};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
+
+/// Of all that has not been moved since: a scene of a million objects has but one.
+static STILL: LazyLock<Arc<Transform>> = LazyLock::new(Arc::default);
 
 /// A texture where it lies on an object.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -14,19 +17,19 @@ pub struct Painted {
     /// Shared by all objects that were given it.
     pub texture: Arc<Texture>,
     /// How the object was moved after it got the texture, if it had been moved before: else it is the object's own.
-    pub moved: Option<Box<Transform>>,
+    pub moved: Option<Arc<Transform>>,
 }
 
 impl Painted {
     /// On an object that has been moved so before.
     pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
-        Self { texture, moved: (!before.is_identity()).then(|| Box::new(Transform::IDENTITY)) }
+        Self { texture, moved: (!before.is_identity()).then(|| STILL.clone()) }
     }
 
     /// The object has been moved.
     pub(super) fn transform_by(&mut self, step: &Transform) {
         if let Some(moved) = &mut self.moved {
-            **moved = moved.then(step);
+            *moved = Arc::new(moved.then(step));
         }
     }
 

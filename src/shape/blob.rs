@@ -460,7 +460,7 @@ mod tests {
             Component::new(Span::new(1, 2), base, axis, radius, strength).unwrap()
         };
         let components = components.iter().map(component).collect();
-        let mut blob = Blob { threshold, components, bvh: Bvh::default(), bounds: Aabb::EMPTY };
+        let mut blob = Blob { threshold, components, textured: false, bvh: Bvh::default(), bounds: Aabb::EMPTY };
         blob.arrange();
         blob
     }

@@ -122,7 +122,7 @@ impl Frustum {
         }
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(all)
+        nearest(&all)
     }
 
     /// Appends the hits in the range.

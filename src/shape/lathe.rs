@@ -93,7 +93,7 @@ impl Kernel for Lathe {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(all)
+        nearest(&all)
     }
 
     fn inside(&self, p: DVec3) -> bool {

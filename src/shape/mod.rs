@@ -104,8 +104,8 @@ impl Hit {
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
 /// The nearest of some hits.
-fn nearest(hits: Hits) -> Option<Hit> {
-    hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+fn nearest(hits: &Hits) -> Option<Hit> {
+    hits.iter().min_by(|a, b| a.t.total_cmp(&b.t)).copied()
 }
 
 /// How a line passes a convex solid.
@@ -207,7 +207,7 @@ pub trait Kernel {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(all)
+        nearest(&all)
     }
 
     /// Is there any hit in the range?
@@ -360,6 +360,13 @@ macro_rules! shapes {
             /// The shape that M is about to place; `before` is M without its last step, where [`Kernel::remembers_moves`].
             pub fn under(&self, m: &Transform, before: Option<&Transform>) -> Cow<'_, Self> {
                 match self { $(Shape::$name(s) => s.changed_under(m, before).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
+            }
+            /// Do both share all they are?
+            pub fn is_one_with(&self, other: &Self) -> bool {
+                match (self, other) {
+                    $((Shape::$name(a), Shape::$name(b)) => Arc::ptr_eq(a, b),)*
+                    _ => false,
+                }
             }
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }

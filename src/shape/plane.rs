@@ -171,6 +171,10 @@ impl Kernel for Plane {
         Some((self.normal, self.distance))
     }
 
+    fn is_never_bounded(&self) -> bool {
+        true
+    }
+
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         out.extend(self.closest(ray, range));
     }

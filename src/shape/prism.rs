@@ -45,6 +45,9 @@ pub struct Prism {
     ends: (DVec2, DVec2),
 }
 
+/// In parts of a distance: far more than rounding.
+const MARGIN: f64 = 1e-6;
+
 impl Prism {
     /// Between two heights in any order. Outlines are told apart where a point comes again.
     pub fn new(interpolation: Interpolation, conic: bool, heights: [f64; 2], points: &[DVec2], open: bool) -> Self {
@@ -96,7 +99,8 @@ impl Prism {
         if n == DVec2::ZERO {
             return;
         }
-        for segment in 0..self.outlines.segments.len() {
+        let way = self.way_between_lids(ray, range);
+        for segment in (0..self.outlines.segments.len()).filter(|segment| self.is_on_way(ray, *segment, way)) {
             let b = self.outlines.coordinates(segment, |p| c + n.dot(p));
             bernstein_roots(&b, &mut |at| {
                 let t = self.wall(ray, self.outlines.at(segment, at));
@@ -107,6 +111,31 @@ impl Prism {
                 false
             });
         }
+    }
+
+    /// What of the range lies between the heights of the lids, and a little more.
+    fn way_between_lids(&self, ray: &Ray, range: Range) -> Range {
+        if ray.dir.y == 0.0 {
+            return range;
+        }
+        let [a, b] = [self.bottom, self.top].map(|y| (y - ray.origin.y) / ray.dir.y);
+        let (min, max) = (range.min.max(a.min(b)), range.max.min(a.max(b)));
+        let margin = MARGIN * (min.abs().max(max.abs()));
+        if margin.is_finite() { Range { min: min - margin, max: max + margin } } else { range }
+    }
+
+    /// May the ray meet a segment's straight wall there? It meets the wall over a point between those where it would over the controls.
+    fn is_on_way(&self, ray: &Ray, segment: usize, way: Range) -> bool {
+        if self.conic {
+            return true;
+        }
+        let (mut min, mut max) = (f64::INFINITY, f64::NEG_INFINITY);
+        for p in self.outlines.controls(segment) {
+            let t = self.wall(ray, *p);
+            (min, max) = (min.min(t), max.max(t));
+        }
+        let margin = MARGIN * min.abs().max(max.abs());
+        !(min - margin > way.max || max + margin < way.min)
     }
 
     fn lids(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -205,7 +234,7 @@ impl Kernel for Prism {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(all)
+        nearest(&all)
     }
 
     fn inside(&self, p: DVec3) -> bool {

@@ -161,6 +161,12 @@ impl Kernel for Quadric {
         }
     }
 
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let (t1, t2) = self.roots(ray)?;
+        let counts = |t: &f64| range.contains(*t) && t.is_finite();
+        Some(t1).filter(counts).into_iter().chain(Some(t2).filter(counts)).reduce(f64::min).map(Hit::at)
+    }
+
     fn inside(&self, p: DVec3) -> bool {
         self.implicit(p) <= 0.0
     }

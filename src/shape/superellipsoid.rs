@@ -17,6 +17,10 @@ use serde::Serialize;
 const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 /// Roots are not told apart, and not known better, than this.
 const STEP: f64 = 1e-15;
+/// After a step of Newton's as short as this, no more of it is needed.
+const SHORT: f64 = 1e-9;
+/// Powers of more factors are not multiplied out.
+const MOST_FACTORS: u32 = 64;
 
 /// A superquadric ellipsoid.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -27,6 +31,34 @@ pub struct Superellipsoid {
     pub n: f64,
 }
 
+/// xᵃ, where a is mostly whole.
+fn power(x: f64, a: f64) -> f64 {
+    let whole = a as u32;
+    if f64::from(whole) != a || whole > MOST_FACTORS {
+        return fp::pow(x, a);
+    }
+    let (mut product, mut square, mut left) = (1.0, x, whole);
+    while left > 0 {
+        if left % 2 == 1 {
+            product *= square;
+        }
+        square *= square;
+        left /= 2;
+    }
+    product
+}
+
+/// x^(1/a) of a number between 1 and 2, where a is often a power of two.
+fn root(x: f64, a: f64) -> f64 {
+    match a {
+        _ if x == 1.0 || a == 1.0 => x,
+        2.0 => x.sqrt(),
+        4.0 => x.sqrt().sqrt(),
+        8.0 => x.sqrt().sqrt().sqrt(),
+        _ => fp::pow(x, 1.0 / a),
+    }
+}
+
 /// (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by both.
 fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
@@ -35,9 +67,9 @@ fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     }
     // By the ratio, whose power can't overflow.
     let ratio = small / big;
-    let power = fp::pow(ratio, a);
+    let power = power(ratio, a);
     let sum = 1.0 + power;
-    let value = big * fp::pow(sum, 1.0 / a);
+    let value = big * root(sum, a);
     let by_big = value / big / sum;
     // (Where it has an edge, at 0, any slope between those of both sides will do.)
     let by_small = match () {
@@ -83,7 +115,8 @@ impl Superellipsoid {
             if (to - s) * toward < 0.0 {
                 return None;
             }
-            if step < STEP {
+            // So short a step doubles the digits that are right.
+            if step < SHORT {
                 break;
             }
         }

@@ -10,7 +10,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, fp, solve_between, stable_pair};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, bernstein_roots, fp, stable_pair};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -77,8 +77,24 @@ impl Torus {
         // K² - 4R²ρ² = (K - 2Rρ)·(K + 2Rρ) at s = 0
         let (rho, rest) = (fp::hypot(o.x, o.z), o.y * o.y - minor2);
         let c0 = ((rho - self.major).powi(2) + rest) * ((rho + self.major).powi(2) + rest);
+        // The same in u from 0 to 1, where s = lo + u·w
+        let w = hi - lo;
+        let a0 = ((lo * lo + c2) * lo + c1) * lo + c0;
+        let a1 = ((4.0 * lo * lo + 2.0 * c2) * lo + c1) * w;
+        let (a2, a3, a4) = ((6.0 * lo * lo + c2) * w * w, 4.0 * lo * w * w * w, w * w * w * w);
+        // Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(4,i)·aᵢ
+        let b = [
+            a0,
+            a0 + 0.25 * a1,
+            a0 + 0.5 * a1 + a2 / 6.0,
+            a0 + 0.75 * a1 + 0.5 * a2 + 0.25 * a3,
+            a0 + a1 + a2 + a3 + a4,
+        ];
         let mut roots = Roots::new();
-        solve_between(&[1.0, 0.0, c2, c1, c0], lo, hi, &mut roots);
+        bernstein_roots(&b, &mut |u| {
+            roots.push(lo + u * w);
+            false
+        });
         roots
     }
 }

@@ -117,6 +117,12 @@ pub trait Reader {
     fn vector2(&mut self) -> Result<DVec2>;
     /// Exactly `n` numbers in `< >` (more than five only as a literal, as in `matrix`).
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
+    /// Consumes items of a long list of literals all at once, as long as each is a vector of so many numbers that `take` accepts, at most
+    /// `most`; returns how many. There may be none, although vectors come next: the first and the last item of a list, and whatever is no
+    /// literal, are for the other methods.
+    fn literals(&mut self, _width: usize, _most: usize, _take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
+        0
+    }
     /// `(a, b, …)`: exactly `n` numbers in parentheses.
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>>;
     /// Consumes a `:`.

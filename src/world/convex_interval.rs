@@ -148,7 +148,7 @@ impl<'a> Gathered<'a> {
         match (child.kind(), &self.intervals[i]) {
             (SolidKind::Leaf(leaf), Some(interval)) => {
                 for end in interval.ends.into_iter().filter(|end| self.range.contains(end.t)) {
-                    self.hits.push((Intersection { hit: end.into(), leaf, object: child.object }, number));
+                    self.hits.push((Intersection::new(end.into(), leaf, child.object), number));
                 }
             }
             _ => {

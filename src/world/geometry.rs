@@ -1,9 +1,10 @@
 //! Everything that a ray can hit.
 
-use super::leaf::{Intersection, Intersections};
-use super::node::{NodeParts, SolidNode};
+use super::copied::Copied;
+use super::leaf::{Intersection, Intersections, Leaf};
+use super::node::{NodeParts, SolidKind, SolidNode};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{DVec3, Range, Ray};
+use crate::math::{Aabb, DVec3, Range, Ray};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
@@ -11,7 +12,7 @@ use std::ops::ControlFlow;
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Geometry {
     /// First the finite ones, in the hierarchy's order.
-    items: Vec<SolidNode>,
+    items: Vec<Item>,
     finite: usize,
     /// Finite ones whose inside reaches beyond their box, as that of an inverted sphere.
     unbounded: Vec<u32>,
@@ -19,10 +20,27 @@ pub struct Geometry {
     bvh: Bvh,
 }
 
+/// What the hierarchy holds.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+enum Item {
+    Solid(SolidNode),
+    /// Several solids that many objects share; all rays that see one of them see the others.
+    Copied(Copied),
+}
+
+/// A solid where it stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing<'a> {
+    /// In the space of `copied`, if it is a part of that.
+    node: &'a SolidNode,
+    copied: Option<&'a Copied>,
+}
+
 /// Objects before there is a hierarchy over them.
 #[derive(Debug, Default)]
 pub(super) struct Heap {
-    finite: Vec<SolidNode>,
+    finite: Vec<Item>,
     infinite: Vec<SolidNode>,
 }
 
@@ -34,10 +52,15 @@ impl Heap {
             NodeParts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
             NodeParts::One(node) => match node.bounds() {
                 bounds if bounds.is_empty() => {}
-                bounds if bvh::fits(&bounds) => self.finite.push(node),
+                bounds if bvh::fits(&bounds) => self.finite.push(Item::Solid(node)),
                 _ => self.infinite.push(node),
             },
         }
+    }
+
+    /// Adds what shares its parts with others, whose box [`bvh::fits`].
+    pub fn add_copied(&mut self, copied: Copied) {
+        self.finite.push(Item::Copied(copied));
     }
 }
 
@@ -49,11 +72,11 @@ impl Extend<SolidNode> for Heap {
 
 impl From<Heap> for Geometry {
     fn from(Heap { finite: mut items, infinite }: Heap) -> Self {
-        let (bvh, order) = Bvh::build(items.iter().map(SolidNode::bounds));
+        let (bvh, order) = Bvh::build(items.iter().map(Item::bounds));
         put_in_order(&mut items, order);
         let finite = items.len();
         let unbounded = (0..finite as u32).filter(|&i| items[i as usize].is_unbounded()).collect();
-        items.extend(infinite);
+        items.extend(infinite.into_iter().map(Item::Solid));
         items.shrink_to_fit();
         Self { items, finite, unbounded, bvh }
     }
@@ -67,9 +90,37 @@ impl Geometry {
         heap.into()
     }
 
+    /// Is there nothing?
+    pub fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
     /// All objects, in no particular order.
-    pub fn items(&self) -> &[SolidNode] {
-        &self.items
+    pub fn items(&self) -> impl Iterator<Item = Standing<'_>> {
+        self.items.iter().flat_map(|item| {
+            let (solid, copied) = match item {
+                Item::Solid(node) => (Some(Standing { node, copied: None }), None),
+                Item::Copied(copied) => (None, Some(copied)),
+            };
+            // (What is shared holds no copies itself.)
+            let shared = copied
+                .into_iter()
+                .flat_map(|copied| copied.shared().solids().map(|node| Standing { node, copied: Some(copied) }));
+            solid.into_iter().chain(shared)
+        })
+    }
+
+    /// Those that are no copies.
+    pub(super) fn solids(&self) -> impl Iterator<Item = &SolidNode> {
+        self.items.iter().filter_map(|item| match item {
+            Item::Solid(node) => Some(node),
+            Item::Copied(_) => None,
+        })
+    }
+
+    /// Is everything, surfaces and insides, in boxes that [`bvh::fits`]?
+    pub(super) fn is_finite(&self) -> bool {
+        self.finite == self.items.len() && self.unbounded.is_empty()
     }
 
     /// The nearest hit in the range of an object that `accept` takes by its number. Of several in one place that of an infinite
@@ -77,7 +128,7 @@ impl Geometry {
     pub fn closest(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
         let mut range = range;
         let mut infinite = None;
-        for item in self.items[self.finite..].iter().filter(|item| accept(item.object)) {
+        for item in self.items[self.finite..].iter().filter(|item| accept(item.object())) {
             if let Some(found) = item.closest(ray, range) {
                 range.max = found.t();
                 infinite = Some(found);
@@ -86,7 +137,7 @@ impl Geometry {
         let mut finite: Option<Intersection> = None;
         self.bvh.traverse(ray, range, |i, max| {
             let item = &self.items[i];
-            if accept(item.object)
+            if accept(item.object())
                 && let Some(found) = item.closest(ray, Range { max, ..range })
                 && finite.is_none_or(|best| found.goes_before(&best))
             {
@@ -102,7 +153,7 @@ impl Geometry {
     pub fn any(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> bool {
         let mut found = false;
         self.meet(ray, range, |item, range| {
-            if accept(item.object) && item.closest(ray, range).is_some() {
+            if accept(item.object()) && item.any(ray, range) {
                 found = true;
                 return ControlFlow::Break(());
             }
@@ -122,7 +173,7 @@ impl Geometry {
         let mut flow = ControlFlow::Continue(());
         let mut list = Intersections::new();
         self.meet(ray, range, |item, range| {
-            if accept(item.object) {
+            if accept(item.object()) {
                 list.clear();
                 item.hits(ray, range, &mut list);
                 flow = list.iter().try_for_each(|found| visit(*found));
@@ -134,19 +185,28 @@ impl Geometry {
 
     /// Hands every shape that the ray meets in the range to `visit` with the object that it is a part of, whether or not the object
     /// keeps its surface there.
-    pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(&'a SolidNode, Intersection<'a>)) {
+    pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Standing<'a>, Intersection<'a>)) {
         self.meet(ray, range, |item, range| {
-            item.shapes_at(ray, range, &mut |found| visit(item, found));
+            match item {
+                Item::Solid(node) => {
+                    node.shapes_at(ray, range, &mut |found| visit(Standing { node, copied: None }, found));
+                }
+                Item::Copied(copied) => copied.shared().shapes_at(&copied.local(ray), range, &mut |part, found| {
+                    visit(Standing { copied: Some(copied), ..part }, copied.own(found));
+                }),
+            }
             ControlFlow::Continue(range.max)
         });
     }
 
     /// Tells `visit` every object that the point is inside of, in no particular order.
-    pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a SolidNode)) {
-        let mut ask = |item: &'a SolidNode| {
-            if item.inside(p) {
-                visit(item);
-            }
+    pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(Standing<'a>)) {
+        let mut ask = |item: &'a Item| match item {
+            Item::Solid(node) if node.inside(p) => visit(Standing { node, copied: None }),
+            Item::Solid(_) => {}
+            Item::Copied(copied) => copied.shared().containing(copied.local_point(p), &mut |part| {
+                visit(Standing { copied: Some(copied), ..part });
+            }),
         };
         self.items[self.finite..].iter().for_each(&mut ask);
         self.unbounded.iter().for_each(|&i| ask(&self.items[i as usize]));
@@ -160,21 +220,16 @@ impl Geometry {
 
     /// Tells `visit` the objects that a camera at the point starts in. As POV-Ray 3.7, this forgets what is turned inside out and
     /// lies far from the point: see `SolidNode::reach`.
-    pub fn around_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a SolidNode)) {
+    pub fn around_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(Standing<'a>)) {
         self.containing(p, &mut |item| {
-            if !item.is_unbounded() || item.reach().contains(p) {
+            if item.copied.is_some() || !item.node.is_unbounded() || item.node.reach().contains(p) {
                 visit(item);
             }
         });
     }
 
     /// Hands every object whose box the ray meets to `visit`, which returns how far hits still count.
-    fn meet<'a>(
-        &'a self,
-        ray: &Ray,
-        range: Range,
-        mut visit: impl FnMut(&'a SolidNode, Range) -> ControlFlow<(), f64>,
-    ) {
+    fn meet<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(&'a Item, Range) -> ControlFlow<(), f64>) {
         let mut max = range.max;
         for item in &self.items[self.finite..] {
             match visit(item, Range { max, ..range }) {
@@ -186,8 +241,88 @@ impl Geometry {
     }
 }
 
+impl Item {
+    /// A number that stands for the object.
+    fn object(&self) -> u32 {
+        match self {
+            Self::Solid(node) => node.object,
+            Self::Copied(copied) => copied.object(),
+        }
+    }
+
+    fn bounds(&self) -> Aabb {
+        match self {
+            Self::Solid(node) => node.bounds(),
+            Self::Copied(copied) => copied.bounds(),
+        }
+    }
+
+    fn is_unbounded(&self) -> bool {
+        matches!(self, Self::Solid(node) if node.is_unbounded())
+    }
+
+    #[inline]
+    fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+        match self {
+            Self::Solid(node) => node.closest(ray, range),
+            Self::Copied(copied) => copied.closest(ray, range),
+        }
+    }
+
+    fn any(&self, ray: &Ray, range: Range) -> bool {
+        match self {
+            Self::Solid(node) => node.closest(ray, range).is_some(),
+            Self::Copied(copied) => copied.shared().any(&copied.local(ray), range, |_| true),
+        }
+    }
+
+    fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
+        match self {
+            Self::Solid(node) => node.hits(ray, range, out),
+            Self::Copied(copied) => copied.hits(ray, range, out),
+        }
+    }
+}
+
+impl<'a> Standing<'a> {
+    /// The caller's number for the object.
+    pub fn object(&self) -> u32 {
+        self.copied.map_or(self.node.object, |copied| copied.object_of(self.node))
+    }
+
+    /// Its shape, or what it is made of, in a space of its own.
+    pub fn node(&self) -> &'a SolidNode {
+        self.node
+    }
+
+    /// The box around all its hits.
+    pub fn bounds(&self) -> Aabb {
+        self.copied.map_or_else(|| self.node.bounds(), |copied| copied.bounds_of(self.node))
+    }
+
+    /// Is the point inside?
+    pub fn inside(&self, p: DVec3) -> bool {
+        self.node.inside(self.copied.map_or(p, |copied| copied.local_point(p)))
+    }
+
+    /// Name and [`super::World::parts`] of its first shape, which stands for it.
+    pub fn first_shape(&self) -> Option<(&'static str, u32)> {
+        let leaf = first_leaf(self.node)?;
+        Some((leaf.shape.spec().name, self.copied.map_or(leaf.id, |copied| copied.part_of(leaf))))
+    }
+}
+
+fn first_leaf(node: &SolidNode) -> Option<&Leaf> {
+    match node.kind() {
+        SolidKind::Leaf(leaf) => Some(leaf),
+        SolidKind::Union(parts) | SolidKind::Intersection(parts) | SolidKind::Merge(parts) => {
+            parts.iter().find_map(first_leaf)
+        }
+    }
+}
+
 /// Puts at each place the item whose number `order` has there, without room for a second row of items.
-fn put_in_order(items: &mut [SolidNode], mut order: Vec<u32>) {
+fn put_in_order(items: &mut [Item], mut order: Vec<u32>) {
     for start in 0..items.len() {
         // Around the cycle that begins here; a place that is done has its own number.
         let mut place = start;

@@ -1,5 +1,6 @@
 //! A shape in the world, and the hits that are found on it.
 
+use super::copied::Copied;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
 use crate::shape::{Hit, Hits, Kernel, Shape};
 use crate::value::Seldom;
@@ -25,10 +26,12 @@ pub struct Leaf {
 pub struct Intersection<'a> {
     /// In the leaf's object space, except for `t`.
     pub hit: Hit,
-    /// The shape that was hit.
+    /// The shape that was hit; its number is [`Intersection::part`].
     pub leaf: &'a Leaf,
     /// [`super::SolidNode::object`] of the outermost node that was asked.
     pub object: u32,
+    /// What the shape is a part of, if that is a copy.
+    pub(super) copied: Option<&'a Copied>,
 }
 
 /// Hits of a tree.
@@ -126,15 +129,27 @@ pub(super) fn place(transform: &Seldom<Transform>) -> Option<Arc<Transform>> {
     transform.unusual().filter(|transform| !transform.is_identity()).cloned()
 }
 
+impl<'a> Intersection<'a> {
+    /// On a shape of the node that was asked.
+    pub(super) fn new(hit: Hit, leaf: &'a Leaf, object: u32) -> Self {
+        Self { hit, leaf, object, copied: None }
+    }
+}
+
 impl Intersection<'_> {
     /// Distance along the ray.
     pub fn t(&self) -> f64 {
         self.hit.t
     }
 
+    /// Its number in [`super::World::parts`].
+    pub fn part(&self) -> u32 {
+        self.copied.map_or(self.leaf.id, |copied| copied.part_of(self.leaf))
+    }
+
     /// Is it seen instead of `other`? It is nearer, or in the same place and declared earlier.
     pub(super) fn goes_before(&self, other: &Intersection) -> bool {
-        self.hit.t < other.hit.t || (self.hit.t == other.hit.t && self.leaf.id < other.leaf.id)
+        self.hit.t < other.hit.t || (self.hit.t == other.hit.t && self.part() < other.part())
     }
 
     /// Was the leaf turned inside out on its way?
@@ -156,19 +171,19 @@ impl Intersection<'_> {
     /// intersection": points by M, normals by M⁻ᵀ).
     pub fn surface(&self, ray: &Ray) -> Surface {
         let Leaf { shape, place, inverse, .. } = self.leaf;
-        let object_point = self.leaf.local(ray).at(self.hit.t);
+        let local = self.copied.map_or(*ray, |copied| copied.local(ray));
+        let object_point = self.leaf.local(&local).at(self.hit.t);
         let normal = shape.normal(object_point, &self.hit);
-        let (point, normal) = match place {
-            Some(m) => (m.point(object_point), m.normal(normal)),
-            None => (object_point, normal),
-        };
+        let around = self.copied.and_then(Copied::place);
+        let places = [place.as_deref(), around].into_iter().flatten();
+        let (point, normal) = places.fold((object_point, normal), |(p, n), m| (m.point(p), m.normal(n)));
         let normal = if *inverse { -normal } else { normal };
         Surface { point, normal: normal.try_normalize().unwrap_or(-ray.dir), object_point }
     }
 }
 
 /// The box a little larger, so that rounding never puts a hit outside.
-fn loosened(b: Aabb) -> Aabb {
+pub(super) fn loosened(b: Aabb) -> Aabb {
     if b.is_empty() {
         return Aabb::EMPTY;
     }

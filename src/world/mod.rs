@@ -2,6 +2,7 @@
 
 mod child_bvh;
 mod convex_interval;
+mod copied;
 mod geometry;
 mod halfspace;
 mod leaf;
@@ -11,7 +12,7 @@ mod node;
 mod probe;
 mod sky;
 
-pub use geometry::Geometry;
+pub use geometry::{Geometry, Standing};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
@@ -41,7 +42,7 @@ pub struct World {
     pub camera_source: Span,
     /// All objects.
     pub geometry: Geometry,
-    /// By [`Leaf::id`].
+    /// By [`Intersection::part`].
     pub parts: Vec<Part>,
     /// By [`SolidNode::object`].
     pub objects: Vec<ObjectInfo>,
@@ -92,8 +93,6 @@ pub struct World {
 pub struct Part {
     /// Seen from outside.
     pub outside: PlacedMaterial,
-    /// Seen from inside, if that differs.
-    pub inside: Option<Box<PlacedMaterial>>,
     /// What few of them have.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rare: Option<Box<RarePart>>,
@@ -110,6 +109,9 @@ pub struct Part {
 /// What else may be seen of a leaf than its own materials.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct RarePart {
+    /// Seen from inside, if that differs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inside: Option<PlacedMaterial>,
     /// The textures that the shape carries itself; number 1 is the first.
     pub carried: Box<[PlacedMaterial]>,
     /// Number of the set of lights that shine on it; 0: those of no group.
@@ -142,7 +144,7 @@ impl PlacedMaterial {
 }
 
 /// What belongs to an object as a whole.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ObjectInfo {
     /// Does it cast shadows?
     pub shadow: bool,

@@ -1,7 +1,7 @@
 //! Questions that scripts ask of objects while the text is still running: `trace` and `inside`.
 
+use super::Geometry;
 use super::lower::lower_alone;
-use super::{Geometry, SolidNode};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
 use crate::scene::Object;
@@ -37,7 +37,7 @@ impl Probe {
 
     /// The box around all of its surfaces; empty where there is none.
     pub fn bounds(&self) -> Aabb {
-        self.0.items().iter().map(SolidNode::bounds).fold(Aabb::EMPTY, Aabb::union)
+        self.0.items().map(|item| item.bounds()).fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// Is the point in the object?

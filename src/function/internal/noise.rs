@@ -103,3 +103,115 @@ pub fn steepest(generator: &[f64]) -> f64 {
 pub fn noise_bounds(_: &[Interval]) -> Interval {
     Interval::TRUTH
 }
+
+/// The numbers beside x, y and z, if each is known.
+fn known<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
+    let mut all = [0.0; N];
+    for (to, i) in all.iter_mut().zip(a.get(3..3 + N)?) {
+        *to = i.lo;
+    }
+    a[3..].iter().all(|i| i.lo == i.hi).then_some(all)
+}
+
+/// Octaves of noise over a box: each lies as near to its value in the middle as noise is steep.
+struct Octaves {
+    p: DVec3,
+    /// How far the corners are from the middle.
+    radius: f64,
+    generator: NoiseGenerator,
+}
+
+impl Octaves {
+    fn new(a: &[Interval], generator: f64) -> Option<Self> {
+        let &[x, y, z, ..] = a else { return None };
+        let (lo, hi) = (DVec3::new(x.lo, y.lo, z.lo), DVec3::new(x.hi, y.hi, z.hi));
+        let (p, radius) = (0.5 * (lo + hi), 0.5 * (hi - lo).length());
+        (p.is_finite() && radius.is_finite()).then(|| Self {
+            p,
+            radius,
+            generator: NoiseGenerator::from_number(generator),
+        })
+    }
+
+    /// From 0 to 1, so many times as fine as at first.
+    fn noise(&self, frequency: f64) -> Interval {
+        let value = noise(self.p * frequency, self.generator);
+        let far = self.generator.steepest() * self.radius * frequency.abs();
+        Interval { lo: value - far, hi: value + far }.widened().shared(Interval::TRUTH)
+    }
+
+    /// From -1 to 1.
+    fn signed(&self, frequency: f64) -> Interval {
+        Interval::point(2.0) * self.noise(frequency) + Interval::point(-1.0)
+    }
+}
+
+/// What is no bound is none.
+fn sound(bounds: Interval) -> Interval {
+    if bounds.lo.is_nan() || bounds.hi.is_nan() { Interval::ALL } else { bounds.widened() }
+}
+
+/// Where [`hetero_mf`] lies.
+pub fn hetero_bounds(a: &[Interval]) -> Interval {
+    let Some([h, lacunarity, octaves, offset, t, generator]) = known(a) else { return Interval::ALL };
+    let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
+    let octaves = octaves.min(MOST_OCTAVES);
+    let mut value = noise.signed(1.0) + Interval::point(offset);
+    let (mut i, mut frequency) = (1.0, 1.0_f64);
+    let mut increment = || {
+        frequency *= lacunarity;
+        (noise.signed(frequency) + Interval::point(offset)) * Interval::point(fp::pow(frequency, -h))
+    };
+    let power = t.clamp(0.0, 64.0) as usize;
+    while i < octaves {
+        value = value + increment() * (0..power).fold(Interval::point(1.0), |product, _| product * value);
+        i += 1.0;
+    }
+    let rest = octaves - octaves.floor();
+    sound(if rest > 0.0 { value + Interval::point(rest) * increment() * value } else { value })
+}
+
+/// Where [`ridged_mf`] lies.
+pub fn ridged_bounds(a: &[Interval]) -> Interval {
+    let Some([h, lacunarity, octaves, offset, gain, generator]) = known(a) else { return Interval::ALL };
+    let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
+    let ridge = |frequency: f64| (Interval::point(offset) + -noise.signed(frequency).abs()).square();
+    let mut signal = ridge(1.0);
+    let mut sum = signal;
+    let (mut i, mut frequency) = (1.0, 1.0_f64);
+    while i < octaves.min(MOST_OCTAVES) {
+        frequency *= lacunarity;
+        let weight = signal * Interval::point(gain);
+        signal = ridge(frequency) * Interval { lo: weight.lo.clamp(0.0, 1.0), hi: weight.hi.clamp(0.0, 1.0) };
+        sum = sum + signal * Interval::point(fp::pow(frequency, -h));
+        i += 1.0;
+    }
+    sound(sum)
+}
+
+/// Where [`ridge`] lies.
+pub fn ridge_bounds(a: &[Interval]) -> Interval {
+    let Some([lambda, octaves, omega, offset, ridge, generator]) = known(a) else { return Interval::ALL };
+    let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
+    let octaves = octaves.min(MOST_OCTAVES);
+    let part = Interval::point(1.0 / ridge.max(1.0 - ridge));
+    let height = |frequency: f64| (noise.noise(frequency) + Interval::point(-ridge)).abs() * part;
+    let (mut sum, mut weights, mut weight, mut frequency) = (height(1.0), 1.0, 1.0, 1.0);
+    let mut add = |share: f64| {
+        frequency *= lambda;
+        weight *= omega;
+        sum = sum + Interval::point(share * weight) * height(frequency);
+        weights += share * weight;
+    };
+    let mut i = 1.0;
+    while i < octaves.floor() {
+        add(1.0);
+        i += 1.0;
+    }
+    let rest = octaves - octaves.floor();
+    if rest > 0.0 {
+        add(rest);
+    }
+    let mean = sum * Interval::point(1.0 / weights) + Interval::point(-offset);
+    sound(mean * Interval::point(1.0 / offset.max(1.0 - offset)))
+}

@@ -212,6 +212,10 @@ impl Reader for Interpreter<'_> {
         Ok(data)
     }
 
+    fn literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
+        self.inner_literals(width, most, take)
+    }
+
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
         let span = self.here();
         self.expect_paren("the word")?;

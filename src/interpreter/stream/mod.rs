@@ -432,6 +432,23 @@ impl<'a> Interpreter<'a> {
         Some(&list.data[start..end])
     }
 
+    /// The same while each has so many numbers and `take` accepts them, at most so many; returns how many.
+    pub(super) fn inner_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
+        if self.peeked.is_some() || !self.held.is_empty() {
+            return 0;
+        }
+        let Some(frame) = self.frames.last_mut() else { return 0 };
+        let Some(Element { kind: ElementKind::Numbers(list), .. }) = frame.elements.get(frame.at) else { return 0 };
+        let (first, mut at) = frame.item;
+        let end = if first == 0 { 0 } else { (list.len() - 1).min(first.saturating_add(most)) };
+        let mut i = first;
+        while i < end && list.width(i) == width && take(&list.data[at..at + width]) {
+            (i, at) = (i + 1, at + width);
+        }
+        frame.item = (i, at);
+        i - first
+    }
+
     /// The place of what comes next.
     pub(super) fn here(&self) -> Span {
         if let Some(held) = self.held.last() {

@@ -130,33 +130,53 @@ impl Grid {
         let whole = self.under(&line, [0, 0], [self.across, self.deep]);
         (line.near, line.far) = (near.max(whole.0), far.min(whole.1));
         if line.near < line.far && line.near.is_finite() && line.far.is_finite() {
-            self.descend(top, 0, 0, &mut line);
+            self.descend(top, [0, 0], (near, far), &mut line);
         }
     }
 
-    /// Passes a square of a level; true if there is enough.
-    fn descend(&self, level: usize, a: usize, b: usize, line: &mut Line) -> bool {
-        let Level { across, size, ranges } = &self.pyramid[level];
-        let from = [a * size, b * size];
-        let to = [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)];
-        let (near, far) = self.under(line, from, to);
-        let (near, far) = (near.max(line.near).max(line.range.min), far.min(line.far).min(line.range.max));
+    /// Passes a square of a level, over which the line is from `way.0` to `way.1` at most; true if there is enough.
+    fn descend(&self, level: usize, [a, b]: [usize; 2], way: (f64, f64), line: &mut Line) -> bool {
+        let Level { across, ranges, .. } = &self.pyramid[level];
+        let (near, far) = (way.0.max(line.near).max(line.range.min), way.1.min(line.far).min(line.range.max));
         let [lo, hi] = ranges[b * across + a].map(f64::from);
         let (y0, y1) = (line.o.y + line.d.y * near, line.o.y + line.d.y * far);
         // (A little more than that, because of rounding.)
         if near > far || y0.min(y1) > hi + 1e-3 || y0.max(y1) < lo - 1e-3 {
             return false;
         }
+        let [from, to] = self.square(level, a, b);
         if level == 0 {
             return self.pass_cells(from, to, line);
         }
         let below = &self.pyramid[level - 1];
+        // Where a line that is not level with the cells' edges passes the middle ones.
+        let slanted = line.d.x != 0.0 && line.d.z != 0.0;
+        let (x_middle, z_middle) = (line.x_at(from[0] + below.size), line.z_at(from[1] + below.size));
+        let half = |(near, far): (f64, f64), middle: f64, second: usize| {
+            if second == 0 { (near, far.min(middle)) } else { (near.max(middle), far) }
+        };
         let (flip_x, flip_z) = (usize::from(line.d.x < 0.0), usize::from(line.d.z < 0.0));
         // No line passes both of the middle ones.
         [(0, 0), (1, 0), (0, 1), (1, 1)].into_iter().any(|(x, z)| {
             let (a, b) = (2 * a + (x ^ flip_x), 2 * b + (z ^ flip_z));
-            a < below.across && b < below.ranges.len() / below.across && self.descend(level - 1, a, b, line)
+            if a >= below.across || b >= below.ranges.len() / below.across {
+                return false;
+            }
+            let way = if slanted {
+                half(half(way, x_middle, x), z_middle, z)
+            } else {
+                let [from, to] = self.square(level - 1, a, b);
+                self.under(line, from, to)
+            };
+            way.0 <= way.1 && self.descend(level - 1, [a, b], way, line)
         })
+    }
+
+    /// The first cell of a square, and the one beyond its last.
+    fn square(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
+        let size = self.pyramid[level].size;
+        let from = [a * size, b * size];
+        [from, [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)]]
     }
 
     /// Passes the cells of a block one by one. Whether the line is over or under the surface is asked where it crosses the cells' edges

@@ -230,7 +230,7 @@ impl Kernel for HeightField {
             all.push(hit);
             true
         });
-        nearest(all)
+        nearest(&all)
     }
 
     /// What lies under it or under the water, without a bottom (measured on POV-Ray 3.7).

@@ -261,8 +261,8 @@ impl Readable for Mesh2 {
             _ => return Ok(false),
         };
         match list {
-            "vertex_vectors" => mesh.vertices = read_list(r, |r| Ok(r.vector()?.as_vec3()))?,
-            "normal_vectors" => mesh.normals = read_list(r, |r| Ok(r.vector()?.normalize_or_zero().as_vec3()))?,
+            "vertex_vectors" => mesh.vertices = read_vectors(r, |v| v.as_vec3())?,
+            "normal_vectors" => mesh.normals = read_vectors(r, |v| v.normalize_or_zero().as_vec3())?,
             "uv_vectors" => mesh.uvs = read_list(r, |r| r.vector2())?,
             "texture_list" => {
                 *textures = read_list(r, |r| {
@@ -272,17 +272,15 @@ impl Readable for Mesh2 {
             }
             "face_indices" => {
                 *faces = Some(span);
-                let read = read_faces(r, textures)?;
-                mesh.corners = read.iter().map(|face| face.0).collect();
-                mesh.painted = if textures.is_empty() { vec![] } else { read.iter().map(|face| face.1).collect() };
+                (mesh.corners, mesh.painted) = read_faces(r, textures)?;
             }
             "normal_indices" => {
                 *normals = Some(span);
-                mesh.smooth = read_list(r, read_numbers)?;
+                mesh.smooth = read_triples(r)?;
             }
             _ => {
                 *uvs = Some(span);
-                mesh.mapped = read_list(r, read_numbers)?;
+                mesh.mapped = read_triples(r)?;
             }
         }
         r.leave()?;
@@ -328,41 +326,87 @@ fn read_count(r: &mut dyn Reader) -> Result<usize> {
     Ok(count as usize)
 }
 
-fn read_numbers(r: &mut dyn Reader) -> Result<[u32; 3]> {
-    let span = r.span();
-    numbers(&r.vector()?.to_array(), span)
+/// How many vectors there are, and so many of them.
+fn read_vectors<T>(r: &mut dyn Reader, of: impl Fn(DVec3) -> T) -> Result<Vec<T>> {
+    let count = read_count(r)?;
+    let mut list = Vec::with_capacity(count.min(BELIEVED));
+    while list.len() < count {
+        let most = count - list.len();
+        let mut literal = |v: &[f64]| {
+            let v = DVec3::from_slice(v);
+            list.extend(v.is_finite().then(|| of(v)));
+            v.is_finite()
+        };
+        if r.literals(3, most, &mut literal) == 0 {
+            list.push(of(r.vector()?));
+        }
+    }
+    Ok(list)
+}
+
+/// How many triples of numbers there are, and so many of them.
+fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
+    let count = read_count(r)?;
+    let mut list = Vec::with_capacity(count.min(BELIEVED));
+    while list.len() < count {
+        if literal_triples(r, count - list.len(), &mut list) == 0 {
+            let span = r.span();
+            list.push(numbers(&r.vector()?.to_array(), span)?);
+        }
+    }
+    Ok(list)
+}
+
+/// Triples of a long list, up to one that is wrong, which comes next then; returns how many.
+fn literal_triples(r: &mut dyn Reader, most: usize, list: &mut Vec<[u32; 3]>) -> usize {
+    r.literals(3, most, &mut |found| {
+        let triple = triple(found);
+        list.extend(triple);
+        triple.is_some()
+    })
 }
 
 fn numbers(found: &[f64], span: Span) -> Result<[u32; 3]> {
-    let &[a, b, c] = found else {
-        return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has three corners");
-    };
-    if [a, b, c].iter().any(|x| !(0.0..f64::from(u32::MAX)).contains(x)) {
-        return Diagnostic::err(codes::BAD_INDEX, span, "entries of a list are counted from 0");
+    match triple(found) {
+        Some(triple) => Ok(triple),
+        None if found.len() != 3 => Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has three corners"),
+        None => Diagnostic::err(codes::BAD_INDEX, span, "entries of a list are counted from 0"),
     }
-    Ok([a, b, c].map(|x| x as u32))
 }
 
-/// The corners of each face, and its textures at them: none, one for all, or three.
-fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<Vec<([u32; 3], [u32; 3])>> {
+/// Three numbers for each triangle.
+type Triples = Vec<[u32; 3]>;
+
+/// Three numbers of entries.
+fn triple(found: &[f64]) -> Option<[u32; 3]> {
+    let found: [f64; 3] = found.try_into().ok()?;
+    found.iter().all(|x| (0.0..f64::from(u32::MAX)).contains(x)).then(|| found.map(|x| x as u32))
+}
+
+/// The corners of each face, and its textures at them, if there are any: one for all, or three.
+fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)> {
     let count = read_count(r)?;
-    let mut faces: Vec<([u32; 3], [u32; 3])> = Vec::with_capacity(count.min(BELIEVED));
+    let mut faces = Vec::with_capacity(count.min(BELIEVED));
+    let mut painted: Vec<[u32; 3]> = vec![];
     // Of the last face.
     let mut given = 0;
     while r.next()? == Next::Value {
         match r.value()? {
-            (Value::Float(number), span) => match faces.last_mut() {
-                Some((_, slots)) if given < 3 => {
-                    slots[given] = texture(number, textures, span)?;
-                    if given == 0 {
-                        *slots = [slots[0]; 3];
-                    }
-                    given += 1;
+            (Value::Float(number), span) => {
+                if given == 3 || faces.is_empty() {
+                    return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has one texture, or three");
                 }
-                _ => return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has one texture, or three"),
-            },
+                let slot = texture(number, textures, span)?;
+                painted.resize(faces.len(), [0; 3]);
+                if let Some(slots) = painted.last_mut() {
+                    // One is for all corners, until another one comes.
+                    if given == 0 { *slots = [slot; 3] } else { slots[given] = slot }
+                }
+                given += 1;
+            }
             (Value::Vector(v), span) => {
-                faces.push((numbers(&v.c[..v.len as usize], span)?, [0; 3]));
+                faces.push(numbers(&v.c[..v.len as usize], span)?);
+                literal_triples(r, usize::MAX, &mut faces);
                 given = 0;
             }
             (_, span) => {
@@ -378,7 +422,10 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<Vec<([u32; 3], [u3
         let message = format!("{count} triangles were announced, and here are {}", faces.len());
         return Diagnostic::err(codes::WRONG_COUNT, r.span(), message);
     }
-    Ok(faces)
+    if !painted.is_empty() {
+        painted.resize(count, [0; 3]);
+    }
+    Ok((faces, painted))
 }
 
 fn texture(number: f64, textures: &[u32], span: Span) -> Result<u32> {

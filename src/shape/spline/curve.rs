@@ -13,7 +13,21 @@ pub struct Curve {
 }
 
 /// The value at t of what has these Bernstein coefficients, by de Casteljau's scheme.
+#[inline]
 pub fn blend(b: &[f64], t: f64) -> f64 {
+    let between = |a: f64, b: f64| a + (b - a) * t;
+    match *b {
+        [a, b] => between(a, b),
+        [a, b, c] => between(between(a, b), between(b, c)),
+        [a, b, c, d] => {
+            let (ab, bc, cd) = (between(a, b), between(b, c), between(c, d));
+            between(between(ab, bc), between(bc, cd))
+        }
+        _ => blend_many(b, t),
+    }
+}
+
+fn blend_many(b: &[f64], t: f64) -> f64 {
     let mut b: smallvec::SmallVec<[f64; 8]> = b.into();
     for last in (1..b.len()).rev() {
         for i in 0..last {
@@ -43,11 +57,13 @@ pub fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
 
 impl Curve {
     /// The control points of a segment.
+    #[inline]
     pub fn controls(&self, segment: usize) -> &[DVec2] {
         &self.segments[segment][..=self.degree]
     }
 
     /// A point of a segment.
+    #[inline]
     pub fn at(&self, segment: usize, t: f64) -> DVec2 {
         let along = |axis: usize| blend(&self.coordinates(segment, |p| p[axis]), t);
         DVec2::new(along(0), along(1))
@@ -66,16 +82,32 @@ impl Curve {
     }
 
     /// Bernstein coefficients of a function of the control points that keeps their weighted means.
+    #[inline]
     pub fn coordinates(&self, segment: usize, f: impl Fn(DVec2) -> f64) -> smallvec::SmallVec<[f64; 4]> {
-        self.controls(segment).iter().map(|p| f(*p)).collect()
+        let mut all = [0.0; 4];
+        all.iter_mut().zip(self.controls(segment)).for_each(|(to, p)| *to = f(*p));
+        smallvec::SmallVec::from_buf_and_len(all, self.controls(segment).len())
     }
 
     /// Where p lies among its outlines: how many are crossed on the way from it in the direction in which x grows is odd.
-    /// `beyond` tells which x are on this way.
+    /// `beyond` tells which x are on this way; what lies between two of a kind is of that kind.
     pub fn surrounds(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
         let mut odd = false;
         for segment in 0..self.segments.len() {
             let height = self.coordinates(segment, |p| p.y - y);
+            let [mut all, mut none] = [true; 2];
+            for p in self.controls(segment) {
+                let counts = beyond(p.x);
+                (all, none) = (all && counts, none && !counts);
+            }
+            if none {
+                continue;
+            }
+            if all {
+                // An odd number of roots lies between values of different signs, and wherever they are, all count.
+                odd ^= (height[0] < 0.0) != (height[self.degree] < 0.0);
+                continue;
+            }
             bernstein_roots(&height, &mut |t| {
                 odd ^= beyond(blend(&self.coordinates(segment, |p| p.x), t));
                 false

@@ -1,6 +1,7 @@
 //! From what the author said to what a ray needs: nested blocks become one M and M⁻¹ per shape, what a group says goes
 //! down to its parts, textures are lowered once however often they are used.
 
+mod copies;
 mod lights;
 mod place;
 mod shared;
@@ -17,6 +18,7 @@ use crate::shape::{Kernel, Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Interior, Rare, Texture};
 use crate::value::Seldom;
+use copies::Copies;
 use place::{Look, Place, not_finite};
 use shared::{Lowered, Shared};
 use std::sync::Arc;
@@ -44,7 +46,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let mut heap = Heap::default();
     for object in objects {
         lowering.default_texture = object.default_texture.clone();
-        let first = lowering.objects.len();
+        let before = lowering.mark();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
             // Of a shape by itself, POV-Ray 3.7 takes but the box.
             let mut node = match &object.kind {
@@ -56,7 +58,12 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
             if node.is_unbounded() {
                 node = node.lying_within(object.extent());
             }
-            lowering.add_views(node, first, &mut heap);
+            let number = node.is_dissolved().then_some(node.object);
+            match lowering.copied(&object, &node, before)? {
+                Some(copied) => heap.add_copied(copied),
+                None => lowering.add_views(node, before.objects, &mut heap),
+            }
+            lowering.forget_dissolved(number);
         }
         drop(object);
         lowering.forget_spent();
@@ -155,6 +162,7 @@ struct Lowering {
     /// Textures that may come again, and their materials.
     textures: Lowered<Texture, u32>,
     shared: Shared,
+    copies: Copies,
     interiors: Vec<Arc<Interior>>,
     /// That of all shapes that say nothing.
     air: Arc<Interior>,
@@ -190,6 +198,13 @@ impl Lowering {
     fn forget_spent(&mut self) {
         self.textures.forget_spent();
         self.shared.forget_spent();
+    }
+
+    /// What fell into its parts is no object any more.
+    fn forget_dissolved(&mut self, number: Option<u32>) {
+        if number.is_some_and(|number| number as usize + 1 == self.objects.len()) {
+            self.objects.pop();
+        }
     }
 
     /// `None` for what can't be hit: lights, empty groups.
@@ -287,7 +302,7 @@ impl Lowering {
         }
         let outside = self.lower_look(&own.texture.clone().unwrap_or_else(|| self.default_look()));
         let inside = own.inside.as_ref().filter(|_| !shape.hides_interior_texture());
-        let inside = inside.map(|look| Box::new(self.lower_look(look)));
+        let inside = inside.map(|look| self.lower_look(look));
         let carried = object.rare.carried.iter().flat_map(|all| all.iter());
         let carried: Box<[PlacedMaterial]> = carried
             .map(|painted| {
@@ -298,7 +313,7 @@ impl Lowering {
             .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());
         let others = cut.map(|cut| self.cuts[cut as usize].iter().map(|(_, placed)| placed));
-        let opaque = [Some(&outside), inside.as_deref()]
+        let opaque = [Some(&outside), inside.as_ref()]
             .into_iter()
             .flatten()
             .chain(others.into_iter().flatten())
@@ -308,9 +323,9 @@ impl Lowering {
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, .. } = own.flags;
         let lights = own.lights;
-        let is_rare = cut.is_some() || lights != 0 || !carried.is_empty();
-        let rare = is_rare.then(|| Box::new(RarePart { carried, lights, cut }));
-        self.parts.push(Part { outside, inside, rare, interior, double_illuminate, uv, source: object.source });
+        let is_rare = inside.is_some() || cut.is_some() || lights != 0 || !carried.is_empty();
+        let rare = is_rare.then(|| Box::new(RarePart { inside, carried, lights, cut }));
+        self.parts.push(Part { outside, rare, interior, double_illuminate, uv, source: object.source });
         let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
         Ok(Solid { node: SolidNode::leaf(leaf, self.add_object(own.flags, opaque, interior)), opaque })
     }

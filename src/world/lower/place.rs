@@ -42,9 +42,12 @@ impl Place {
 
     /// What is painted on an object that stands here; `inside` is the space in its block.
     pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
-        let Some(Painted { texture, moved }) = painted else { return Ok(None) };
-        let transform = match moved {
-            Some(own) if !object.rare.flags.uv_mapping => checked(own.then(&self.now), object.source)?.into(),
+        let Some(Painted { texture, moved: since }) = painted else { return Ok(None) };
+        let transform = match since {
+            Some(own) if !object.rare.flags.uv_mapping => {
+                let own = if own.is_identity() { Seldom::USUAL } else { (**own).into() };
+                moved(&own, &self.now, object.source)?
+            }
             _ => inside.of_textures(object),
         };
         Ok(Some(Look { texture: texture.clone(), transform }))

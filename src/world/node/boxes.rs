@@ -72,6 +72,11 @@ impl SolidNode {
         passed_by || self.is_unbounded()
     }
 
+    /// Do rays pass it by that miss POV-Ray's box?
+    pub(in crate::world) fn is_cut_by_reach(&self) -> bool {
+        self.more.as_ref().is_some_and(|more| more.reach.cuts)
+    }
+
     /// The same with the box that POV-Ray tells of it.
     pub(in crate::world) fn reaching(mut self, around: Aabb) -> Self {
         if let Some(more) = &mut self.more {

@@ -172,6 +172,11 @@ impl SolidNode {
         &self.kind
     }
 
+    /// Is it nothing but the collection of its children?
+    pub(super) fn is_dissolved(&self) -> bool {
+        matches!(self.kind, SolidKind::Union(_)) && self.clip().is_empty()
+    }
+
     /// Its children, if it is nothing but the collection of them: a union that is not clipped. Itself otherwise.
     pub(super) fn into_parts(mut self) -> NodeParts {
         match (self.clip().is_empty(), self.kind) {
@@ -245,7 +250,7 @@ impl SolidNode {
                 } else {
                     leaf.hits(ray, range, &mut hits);
                 }
-                out.extend(hits.into_iter().map(|hit| Intersection { hit, leaf, object: self.object }));
+                out.extend(hits.into_iter().map(|hit| Intersection::new(hit, leaf, self.object)));
             }
             SolidKind::Union(_) => {
                 self.each_child(ray, range, |_, child, range| {
@@ -273,7 +278,7 @@ impl SolidNode {
             SolidKind::Leaf(leaf) => {
                 let mut hits = Hits::new();
                 leaf.hits(ray, range, &mut hits);
-                hits.into_iter().for_each(|hit| visit(Intersection { hit, leaf, object: self.object }));
+                hits.into_iter().for_each(|hit| visit(Intersection::new(hit, leaf, self.object)));
             }
             _ => self.each_child(ray, range, |_, child, range| {
                 child.shapes_at(ray, range, visit);
@@ -287,7 +292,7 @@ impl SolidNode {
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match &self.kind {
             SolidKind::Leaf(leaf) if self.more.is_none() => {
-                leaf.closest(ray, range).map(|hit| Intersection { hit, leaf, object: self.object })
+                leaf.closest(ray, range).map(|hit| Intersection::new(hit, leaf, self.object))
             }
             _ => self.closest_of_many(ray, range),
         }
@@ -316,7 +321,7 @@ impl SolidNode {
         let merged = matches!(self.kind, SolidKind::Merge(_));
         let shows = |t| self.in_clip(ray.at(t));
         match convex_interval::nearest(self.children(), merged, ray, Range { min, max }, shows) {
-            Ok(nearest) => nearest.map(|(end, leaf)| Intersection { hit: end.into(), leaf, object: self.object }),
+            Ok(nearest) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
             Err(convex_interval::Unknown) => self.closest_survivor(ray, range),
         }
     }
