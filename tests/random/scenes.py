@@ -215,7 +215,7 @@ class Scenes(Scene):
             wave, container = self.f(0, 0.4), self.pick("box { -0.9, 0.9 }", "sphere { 0, 0.9 }")
             function = f"x*x + {self.f(0.7, 1.5)}*y*y + z*z - 0.6 + {wave}*sin({self.f(0, 7)}*x)*sin({self.f(0, 7)}*y)"
             gradient = 3 + 7 * float(wave)
-            return f"isosurface {{ function {{ {function} }} max_gradient {gradient:.2f} contained_by {{ {container} }} all_intersections"
+            return f"isosurface {{ function {{ {function} }} accuracy 0.000001 max_gradient {gradient:.2f} contained_by {{ {container} }} all_intersections"
         if kind == 0:
             return f"superellipsoid {{ <{self.pick(self.f(0.1, 1), self.f(0.2, 2))}, {self.pick(self.f(0.1, 1), self.f(0.2, 2))}>"
         if kind == 1:
