@@ -18,6 +18,9 @@ FAMILIES = GIVEN + [
 # How many entries the list of a pattern takes.
 CELLS = {"checker": 2, "brick": 2, "hexagon": 3, "triangular": 6, "square": 4, "cubic": 6}
 
+# A quick colour with its colour.
+QUICK = r" quick_color s?rgb (<[^>]*>|[\d.]+)"
+
 
 class Scenes(Scene):
     """The given scenes, and more to choose from."""
@@ -48,7 +51,8 @@ class Scenes(Scene):
         if self.chance(0.15):
             more = self.pick(
                 f"function {{ x*{self.f(-2, 2)} + sin(y*{self.f(1, 5)}) - z*z }}",
-                f"pigment_pattern {{ {self.pigment(2)} }}",
+                # (Within functions POV-Ray obeys quick colours, durer does not.)
+                f"pigment_pattern {{ {re.sub(QUICK, '', self.pigment(2))} }}",
                 f"crackle form {self.v(-1, 1)} metric {self.f(1, 3)}",
                 f"agate agate_turb {self.f(0, 1.5)}",
                 f"quilted control0 {self.f(0, 1)} control1 {self.f(0, 1)}",
