@@ -24,6 +24,14 @@ struct Incidence {
     cos: f64,
 }
 
+/// What shines on a place.
+#[derive(Clone, Copy)]
+struct Source<'a> {
+    light: &'a LightSource,
+    /// Towards its location, which is the middle of a grid; films shine as in light from there (measured on POV-Ray 3.7).
+    middle: DVec3,
+}
+
 impl Tracer<'_> {
     /// The light that a place sends back along the ray, without what it mirrors and lets pass.
     pub(super) fn shade(&mut self, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
@@ -44,7 +52,7 @@ impl Tracer<'_> {
         let extended = self.setup.quality.extended;
         let Some(area) = light.lamp.area.as_ref().filter(|area| area.illumination && extended) else {
             let from_light = |tracer: &mut Self| tracer.reaching(light, shading.point, &arriving, inside);
-            return self.answer_to(&arriving, arriving.from, light, dir, shading, from_light);
+            return self.answer_to(&arriving, Source { light, middle: arriving.from }, dir, shading, from_light);
         };
         // Each light of the grid by itself, all the same; but the shadow is that of the whole grid (measured on 3.7).
         let passed = self.reaching(light, shading.point, &arriving, inside);
@@ -58,18 +66,16 @@ impl Tracer<'_> {
             let toward = -arriving.from;
             let offset = offset(area, cell, toward, random);
             let one = light.lamp.shine_on(shading.point, offset);
-            sum += self.answer_to(&one, arriving.from, light, dir, shading, |_| passed);
+            sum += self.answer_to(&one, Source { light, middle: arriving.from }, dir, shading, |_| passed);
         }
         sum / (f64::from(n) * f64::from(m))
     }
 
-    /// What it answers to light that arrives in one way, of which `passed` says how much comes through. `middle` is where the light's
-    /// location is, in whose light films shine (measured on POV-Ray 3.7).
+    /// What it answers to light that arrives in one way, of which `passed` says how much comes through.
     fn answer_to(
         &mut self,
         arriving: &Arriving,
-        middle: DVec3,
-        light: &LightSource,
+        Source { light, middle }: Source,
         dir: DVec3,
         shading: &ShadingPoint,
         passed: impl FnOnce(&mut Self) -> Rgb,
