@@ -43,13 +43,15 @@ pub fn journal(console: &Console, args: &RenderArgs, picture: &Path, work: &Work
     Journal::new(path, work, Duration::from_secs_f64(args.keep_after.0))
 }
 
-/// The picture was not finished: tells where what was drawn is kept.
+/// The picture was not finished: tells where what was drawn is kept, all of it or what there was room for.
 pub fn tell_kept(console: &Console, journal: &Journal) {
-    if let Some(path) = journal.close() {
-        console
-            .note(&format!("what was drawn is kept in `{}`; with `--resume` it goes on from there\n", path.display()));
-    }
-    tell_failure(console, journal);
+    let Some(path) = journal.close() else { return tell_failure(console, journal) };
+    let path = path.display();
+    let kept = match journal.failure() {
+        None => format!("what was drawn is kept in `{path}`"),
+        Some(reason) => format!("a part of what was drawn is kept in `{path}` (no more could be written: {reason})"),
+    };
+    console.note(&format!("{kept}; with `--resume` it goes on from there\n"));
 }
 
 /// Tells why what was drawn could not be kept, if so.
