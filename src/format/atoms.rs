@@ -1,6 +1,5 @@
 //! Tokens and comments in a row, with what the tree knows of them.
 
-use super::columns;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::{Piece, Tokens};
@@ -47,7 +46,7 @@ pub mod flag {
     pub const BLOCK_COMMENT: u16 = 1 << 7;
     /// One of millions of vectors, blanks and all.
     pub const PACKED: u16 = 1 << 8;
-    /// A brace that has lost its other half.
+    /// A bracket that has lost its other half, or holds what the tree has no name for.
     pub const LOOSE: u16 = 1 << 9;
     /// Any comment.
     pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
@@ -109,12 +108,11 @@ const LONG_LIST: usize = 100_000;
 
 /// The atoms of a text whose first byte has the global offset `base`.
 pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
-    let pieces = Pieces::of(&ast.tokens, base);
+    let pieces = Pieces::of(&ast.tokens);
     let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0 };
     gatherer.body(&ast.elements);
     gatherer.upto(text.len());
     gatherer.between(text.len());
-    columns::pad(text, &mut gatherer.out);
     gatherer.out
 }
 
@@ -124,7 +122,7 @@ struct Pieces<'a> {
 }
 
 impl<'a> Pieces<'a> {
-    fn of(tokens: &'a Tokens, _base: usize) -> Self {
+    fn of(tokens: &'a Tokens) -> Self {
         let mut all = Box::new(tokens.pieces());
         Self { next: all.next(), all }
     }
@@ -348,7 +346,7 @@ impl Gatherer<'_> {
             ElementKind::Function(function) => self.function(function, e.span),
             ElementKind::Directive(directive) => self.directive(directive, e.span),
             ElementKind::Semicolon | ElementKind::Comma => Item::Separator,
-            ElementKind::Sign(Sign::Open(Bracket::Brace) | Sign::Close(Bracket::Brace)) => {
+            ElementKind::Sign(Sign::Open(_) | Sign::Close(_)) => {
                 self.pending |= LOOSE;
                 Item::Sign
             }
@@ -562,6 +560,9 @@ impl Gatherer<'_> {
 
     fn expr(&mut self, e: &Expr) {
         self.before(e.span);
+        if self.text[self.local(e.span.lo)..].starts_with(['-', '+', '!']) {
+            self.pending |= TIGHT;
+        }
         match &e.kind {
             ExprKind::Vector(parts) => {
                 self.pending |= OPEN;
@@ -580,11 +581,7 @@ impl Gatherer<'_> {
                 self.pending |= GLUE;
                 parts.iter().for_each(|e| self.expr(e));
             }
-            ExprKind::Paren(inner) => self.expr(inner),
-            ExprKind::Prefix(_, inner) => {
-                self.pending |= TIGHT;
-                self.expr(inner);
-            }
+            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.expr(inner),
             ExprKind::Chain(chain) => {
                 self.operand(&chain.first);
                 chain.rest.iter().for_each(|(_, e)| self.operand(e));

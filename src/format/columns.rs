@@ -1,6 +1,4 @@
-//! What the author set in columns: comments behind lines, tables of numbers.
-
-use super::atoms::Atoms;
+//! Comments behind lines: those that the author set in a column stay in one.
 
 /// A comment behind something on its line.
 pub struct Trailing {
@@ -55,6 +53,3 @@ fn columns(comments: &[Trailing]) -> Vec<usize> {
     }
     columns
 }
-
-/// Tells which atoms get more blanks than one.
-pub fn pad(_text: &str, _atoms: &mut Atoms) {}

@@ -42,7 +42,10 @@ fn changes(a: &[&str], b: &[&str]) -> Vec<Change> {
                 p < a.len() && q < b.len() && a[p] == b[q] && !a[p].trim().is_empty()
             })
         };
-        let (p, q) = (1..FAR).find_map(meets).unwrap_or((a.len(), b.len()));
+        let (mut p, mut q) = (1..FAR).find_map(meets).unwrap_or((a.len(), b.len()));
+        while p > i && q > j && a[p - 1] == b[q - 1] {
+            (p, q) = (p - 1, q - 1);
+        }
         out.push((i..p, j..q));
         (i, j) = (p, q);
     }

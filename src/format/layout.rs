@@ -61,7 +61,7 @@ impl<'a> Setter<'a> {
                 sum = sum.saturating_add((setter.gap(i) + setter.columns(i)) as u32);
             }
             if atoms.row[i].flags & flag::LOOSE != 0 {
-                loose += if setter.read(i) == "{" { 1 } else { -1 };
+                loose += if atoms.row[i].flags & flag::OPEN != 0 { 1 } else { -1 };
             }
         }
         setter.sums.push(sum);
@@ -213,12 +213,10 @@ impl<'a> Setter<'a> {
         let (start, mut open) = (at, 0i32);
         while at < to {
             let (items, next) = self.row_at(at, to);
-            let closes = self.has(at, flag::LOOSE) && self.read(at) == "}";
-            let level = open - i32::from(closes && open > 0);
-            let indent = indent + STEP * level.clamp(0, 20).unsigned_abs() as usize;
-            self.new_line(indent, at > start && self.atoms.row[at].lines > 1);
-            self.row(&items, indent);
-            open = items.iter().fold(open, |open, item| (open + self.open_braces(*item)).max(0));
+            let closes = self.has(at, flag::LOOSE) && self.has(at, flag::CLOSE);
+            let first = indent_by(indent, open - i32::from(closes));
+            self.new_line(first, at > start && self.atoms.row[at].lines > 1);
+            self.row(&items, indent, &mut open);
             at = next;
         }
     }
@@ -246,17 +244,15 @@ impl<'a> Setter<'a> {
         matches!(self.kind(item), Item::Block | Item::Group | Item::Entry | Item::Bodies) && !self.has(item.from, flag::GLUE)
     }
 
-    /// Items that the author wrote on one line.
-    fn row(&mut self, items: &[Range], indent: usize) {
-        let [first, .., last] = items else {
-            return items.iter().for_each(|item| self.piece(&[*item], indent));
+    /// Items that the author wrote on one line, where so many brackets without partner are `open`.
+    fn row(&mut self, items: &[Range], indent: usize, open: &mut i32) {
+        let flat = match items {
+            [first, .., last] => self.fits(first.from, last.to),
+            _ => false,
         };
-        if self.fits(first.from, last.to) {
-            return self.flat(first.from, last.to);
-        }
         let (mut from, mut after_big) = (0, None);
         while from < items.len() {
-            let mut to = from + 1;
+            let mut to = if flat { items.len() } else { from + 1 };
             while to < items.len() && !self.parts(&items[from..to], items[to]) {
                 to += 1;
             }
@@ -264,12 +260,13 @@ impl<'a> Setter<'a> {
             let (a, b) = (piece[0].from, piece[to - from - 1].to);
             let big = piece.iter().any(|item| self.is_big(*item));
             let trails = self.has(a, flag::LINE_COMMENT);
+            let indent = indent_by(indent, *open);
             if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
                 self.new_line(indent, false);
             }
             self.piece(piece, indent);
-            after_big = Some(big);
-            from = to;
+            *open = piece.iter().fold(*open, |open, item| (open + self.open_braces(*item)).max(0));
+            (after_big, from) = (Some(big), to);
         }
     }
 
@@ -340,9 +337,10 @@ impl<'a> Setter<'a> {
         let small = items.iter().all(|item| !self.is_big(*item) && !trails(item));
         let end = match () {
             () if values == 0 || self.begins_line(from) => from,
-            () if next < to && small => next,
-            () if items.last().is_some_and(trails) && items.len() == values + 1 => items[values].from,
-            () if is_entry && next == to && values < items.len() => items[values].from,
+            () if next < to && small && !is_entry => next,
+            () if items.get(values).is_some_and(trails) || next == to || is_entry => {
+                items.get(values).map_or(next, |item| item.from)
+            }
             () => from,
         };
         if end > from && self.fits(from, end) {
@@ -373,6 +371,11 @@ impl<'a> Setter<'a> {
         self.new_line(indent, false);
         self.flat(end, item.to);
     }
+}
+
+/// The indentation inside of so many brackets that have no partner.
+fn indent_by(indent: usize, open: i32) -> usize {
+    indent + STEP * open.clamp(0, 20).unsigned_abs() as usize
 }
 
 /// Columns of a text on one line.

@@ -14,7 +14,7 @@
 //! ```
 //!
 //! [`atoms`] makes of tokens, comments and tree a row of atoms; [`layout`] sets them in lines, [`run`] breaks those that hold one long
-//! expression, [`columns`] keeps what was aligned in line. A text that was broken once is never joined again, so that formatting twice
+//! expression, [`columns`] and [`table`] keep in line what was aligned. A text that was broken once is never joined again, so that formatting twice
 //! is formatting once.
 
 mod atoms;
@@ -22,6 +22,7 @@ mod columns;
 mod diff;
 mod layout;
 mod run;
+mod table;
 mod text;
 
 pub use diff::diff;
@@ -47,7 +48,8 @@ pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagn
     if faults.iter().any(|fault| fault.severity == Severity::Error) {
         return Err(faults);
     }
-    let atoms = atoms::gather(text, base, &ast);
+    let mut atoms = atoms::gather(text, base, &ast);
     drop(ast);
+    table::pad(text, &mut atoms, width);
     Ok(layout::set(text, &atoms, width))
 }

@@ -1,7 +1,7 @@
 //! Breaks what stands outside of bodies: expressions, heads, arguments.
 
 use super::STEP;
-use super::atoms::flag;
+use super::atoms::{Item, flag};
 use super::layout::Setter;
 
 /// Brackets that are open, by the number of the line on which each stands.
@@ -45,7 +45,9 @@ impl Setter<'_> {
                 at = end;
                 if at < to {
                     nesting.line += 1;
-                    self.new_line(indent + STEP * nesting.levels(), false);
+                    // What may be an item's row when the text is read again is indented as one.
+                    let levels = if self.is_item(at) { nesting.open.len().min(20) } else { nesting.levels() };
+                    self.new_line(indent + STEP * levels, false);
                 }
             }
         }
@@ -61,7 +63,7 @@ impl Setter<'_> {
         let (mut depth, mut best) = (depth, None);
         for i in from..to {
             let width = self.flat_width(from, i);
-            if i > from && !self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT) {
+            if i > from && self.may_break(i) {
                 if width > room && best.is_some() {
                     break;
                 }
@@ -77,6 +79,16 @@ impl Setter<'_> {
             depth = depth.saturating_sub(usize::from(self.has(i, flag::CLOSE)));
         }
         best.map_or(to, |(_, i)| i)
+    }
+
+    fn is_item(&self, i: usize) -> bool {
+        self.atoms.row[i].item != Item::None
+    }
+
+    /// Not before operators, nor between a word and its value.
+    fn may_break(&self, i: usize) -> bool {
+        let word = matches!(self.atoms.row[i - 1].item, Item::Word | Item::Plain);
+        !self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT) && !(word && self.is_item(i))
     }
 
     /// How much an atom holds what follows it.
