@@ -22,8 +22,6 @@ pub struct Atom {
     pub item: Item,
     /// Ends of lines before it: 2 stands for more.
     pub lines: u8,
-    /// Blanks before it that keep a column in line.
-    pub pad: u8,
 }
 
 /// What is known of an atom.

@@ -3,6 +3,7 @@
 use super::STEP;
 use super::atoms::{Arm, Atoms, Item, flag};
 use super::columns::{self, Trailing};
+use super::table;
 
 /// The text in its new lines.
 pub fn set(text: &str, atoms: &Atoms, width: usize) -> String {
@@ -23,6 +24,10 @@ pub(super) struct Setter<'a> {
     breaks: Vec<u32>,
     /// Braces without partner before each: those that open less those that close.
     loose: Vec<i32>,
+    /// Blanks before atoms that keep a column in line; see [`super::table`].
+    pub(super) pads: Vec<u8>,
+    /// Brackets without partner that are open before what is being set.
+    pub(super) open: i32,
     out: String,
     /// Columns that the current line has already.
     pub(super) column: usize,
@@ -37,6 +42,14 @@ struct Range {
     to: usize,
 }
 
+/// What stands on one line unless it is too long.
+pub(super) struct Row {
+    pub(super) from: usize,
+    pub(super) to: usize,
+    /// Does nothing in it break lines?
+    pub(super) flat: bool,
+}
+
 impl<'a> Setter<'a> {
     fn new(text: &'a str, atoms: &'a Atoms, width: usize) -> Self {
         let mut setter = Self {
@@ -46,6 +59,8 @@ impl<'a> Setter<'a> {
             sums: Vec::with_capacity(atoms.row.len() + 1),
             breaks: Vec::with_capacity(atoms.row.len() + 1),
             loose: Vec::with_capacity(atoms.row.len() + 1),
+            pads: vec![0; atoms.row.len()],
+            open: 0,
             out: String::with_capacity(text.len() + text.len() / 8),
             column: 0,
             line: 0,
@@ -101,10 +116,10 @@ impl<'a> Setter<'a> {
 
     /// Blanks before an atom that does not begin a line.
     pub(super) fn gap(&self, i: usize) -> usize {
-        usize::from(self.atoms.row[i].pad) + usize::from(!self.has(i, flag::GLUE))
+        usize::from(self.pads[i]) + usize::from(!self.has(i, flag::GLUE))
     }
 
-    fn columns(&self, i: usize) -> usize {
+    pub(super) fn columns(&self, i: usize) -> usize {
         if self.has(i, flag::PACKED) { unpack(self.read(i), |_| {}) } else { columns_of(self.read(i)) }
     }
 
@@ -114,7 +129,7 @@ impl<'a> Setter<'a> {
     }
 
     fn gap_in_sum(&self, i: usize) -> usize {
-        if self.has(i, flag::LINE_COMMENT) { 0 } else { self.gap(i) - usize::from(self.atoms.row[i].pad) }
+        if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::GLUE)) }
     }
 
     /// Can a range stand on one line?
@@ -156,7 +171,7 @@ impl<'a> Setter<'a> {
         if self.has(i, flag::LINE_COMMENT) && !self.at_start() {
             return self.put_trailing(i);
         }
-        let gap = if self.at_start() { usize::from(self.atoms.row[i].pad) } else { self.gap(i) };
+        let gap = if self.at_start() { usize::from(self.pads[i]) } else { self.gap(i) };
         self.out.extend(std::iter::repeat_n(' ', gap));
         let text = self.read(i);
         self.column += gap + self.columns(i);
@@ -211,13 +226,20 @@ impl<'a> Setter<'a> {
             at += 1;
         }
         let (start, mut open) = (at, 0i32);
+        let mut rows = vec![];
         while at < to {
             let (items, next) = self.row_at(at, to);
-            let closes = self.has(at, flag::LOOSE) && self.has(at, flag::CLOSE);
-            let first = indent_by(indent, open - i32::from(closes));
-            self.new_line(first, at > start && self.atoms.row[at].lines > 1);
-            self.row(&items, indent, &mut open);
+            let flat = self.is_flat(at, next) && items.iter().all(|item| self.kind(*item) != Item::Sign);
+            rows.push(Row { from: at, to: next, flat });
             at = next;
+        }
+        table::pad(self, &rows, indent);
+        for Row { from, to, .. } in rows {
+            let closes = self.has(from, flag::LOOSE) && self.has(from, flag::CLOSE);
+            let first = indent_by(indent, open - i32::from(closes));
+            self.new_line(first, from > start && self.atoms.row[from].lines > 1);
+            let (items, _) = self.row_at(from, to);
+            self.row(&items, indent, &mut open);
         }
     }
 
@@ -264,6 +286,7 @@ impl<'a> Setter<'a> {
             if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
                 self.new_line(indent, false);
             }
+            self.open = *open;
             self.piece(piece, indent);
             *open = piece.iter().fold(*open, |open, item| (open + self.open_braces(*item)).max(0));
             (after_big, from) = (Some(big), to);
@@ -281,7 +304,8 @@ impl<'a> Setter<'a> {
             return true;
         }
         match (self.kind(before), kind) {
-            (Item::Sign, _) | (_, Item::Sign) => false,
+            (Item::Sign, _) => directive,
+            (_, Item::Sign) => false,
             (Item::Declare, _) => false,
             (Item::Plain, _) => directive,
             (Item::Word, Item::Block) | (Item::Word, Item::Entry) => true,
@@ -298,7 +322,7 @@ impl<'a> Setter<'a> {
         if self.fits(from, to) {
             return self.flat(from, to);
         }
-        let mut at = from;
+        let (mut at, open) = (from, self.open);
         for item in items {
             if self.arms(item.from).is_some() {
                 self.run(at, item.from, indent);
@@ -308,7 +332,7 @@ impl<'a> Setter<'a> {
             } else {
                 continue;
             }
-            at = item.to;
+            (at, self.open) = (item.to, open);
         }
         self.run(at, to, indent);
     }
@@ -322,7 +346,7 @@ impl<'a> Setter<'a> {
         let close = self.atoms.row[open].link as usize;
         self.run(at, open + 1, indent);
         if close > open + 1 {
-            let body = self.header(open + 1, close, self.kind(item) == Item::Entry);
+            let body = self.header(open + 1, close, self.kind(item) == Item::Entry, indent);
             self.body(body, close, indent + STEP, true);
         }
         self.new_line(indent, false);
@@ -330,7 +354,7 @@ impl<'a> Setter<'a> {
     }
 
     /// Values that stay on the line of the bracket: `sphere { 0, 1`. Tells where the rest begins.
-    fn header(&mut self, from: usize, to: usize, is_entry: bool) -> usize {
+    fn header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
         let (items, next) = self.row_at(from, to);
         let values = items.iter().take_while(|item| self.kind(**item) == Item::Value).count();
         let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
@@ -343,11 +367,11 @@ impl<'a> Setter<'a> {
             }
             () => from,
         };
-        if end > from && self.fits(from, end) {
-            self.flat(from, end);
-            return end;
+        if end == from || !is_entry && !self.fits(from, end) {
+            return from;
         }
-        from
+        self.run(from, end, indent + STEP);
+        end
     }
 
     /// A directive with bodies, on several lines.
@@ -373,8 +397,8 @@ impl<'a> Setter<'a> {
     }
 }
 
-/// The indentation inside of so many brackets that have no partner.
-fn indent_by(indent: usize, open: i32) -> usize {
+/// Indented inside of so many brackets that have no partner.
+pub(super) fn indent_by(indent: usize, open: i32) -> usize {
     indent + STEP * open.clamp(0, 20).unsigned_abs() as usize
 }
 

@@ -48,8 +48,7 @@ pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagn
     if faults.iter().any(|fault| fault.severity == Severity::Error) {
         return Err(faults);
     }
-    let mut atoms = atoms::gather(text, base, &ast);
+    let atoms = atoms::gather(text, base, &ast);
     drop(ast);
-    table::pad(text, &mut atoms, width);
     Ok(layout::set(text, &atoms, width))
 }

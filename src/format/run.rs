@@ -2,17 +2,20 @@
 
 use super::STEP;
 use super::atoms::{Item, flag};
-use super::layout::Setter;
+use super::layout::{Setter, indent_by};
 
 /// Brackets that are open, by the number of the line on which each stands.
 #[derive(Default)]
 struct Nesting {
     open: Vec<u32>,
     line: u32,
+    /// Those that were opened less those that were closed.
+    net: i32,
 }
 
 impl Nesting {
     fn pass(&mut self, opens: bool, closes: bool) {
+        self.net += i32::from(opens) - i32::from(closes);
         if opens {
             self.open.push(self.line);
         } else if closes {
@@ -31,6 +34,7 @@ impl Setter<'_> {
     /// Atoms whose line is indented so far: the author's breaks, and more where it gets too long.
     pub(super) fn run(&mut self, from: usize, to: usize, indent: usize) {
         let (mut nesting, mut at) = (Nesting::default(), from);
+        let (body, mut open, mut indent) = (indent.saturating_sub(indent_by(0, self.open)), self.open, indent);
         while at < to {
             let mut hard = at + 1;
             while hard < to && self.is_flat(at, hard + 1) {
@@ -45,9 +49,15 @@ impl Setter<'_> {
                 at = end;
                 if at < to {
                     nesting.line += 1;
-                    // What may be an item's row when the text is read again is indented as one.
-                    let levels = if self.is_item(at) { nesting.open.len().min(20) } else { nesting.levels() };
-                    self.new_line(indent + STEP * levels, false);
+                    if self.is_item(at) {
+                        // When the text is read again, this is a row of the body.
+                        open = (open + nesting.net).max(0);
+                        nesting = Nesting::default();
+                        indent = indent_by(body, open);
+                        self.new_line(indent, false);
+                    } else {
+                        self.new_line(indent + STEP * nesting.levels(), false);
+                    }
                 }
             }
         }

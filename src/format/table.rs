@@ -1,125 +1,101 @@
 //! Tables: lines of one shape that the author set in columns stay in columns.
 
-use super::STEP;
-use super::atoms::{Atoms, Item, flag};
-use super::layout::columns_of;
+use super::atoms::{Item, flag};
+use super::layout::{Row, Setter, columns_of};
 
-/// Atoms of one line of the author's: whole items.
-struct Row {
-    from: usize,
-    to: usize,
-    /// It can't be indented further than this.
-    indent: usize,
-}
-
-/// Gives the atoms of tables the blanks that keep their columns in line, unless lines could get longer than `width`.
-pub fn pad(text: &str, atoms: &mut Atoms, width: usize) {
-    let mut rows: Vec<Row> = vec![];
-    let mut depth = 0;
-    let mut ends = vec![];
+/// Gives the atoms of tables the blanks that keep their columns in line, unless a line would get too long.
+pub fn pad(setter: &mut Setter, rows: &[Row], indent: usize) {
     let mut from = 0;
-    while from < atoms.row.len() {
+    while from < rows.len() {
         let mut to = from + 1;
-        while to < atoms.row.len() && atoms.row[to].lines == 0 {
+        while to < rows.len() && goes_on(setter, &rows[from], &rows[to]) {
             to += 1;
         }
-        while ends.last().is_some_and(|end| *end <= from) {
-            ends.pop();
-        }
-        let indent = STEP * (depth + 2 * ends.len()) + STEP;
-        for i in from..to {
-            let atom = &atoms.row[i];
-            depth += usize::from(atom.flags & flag::OPEN != 0);
-            depth -= usize::from(atom.flags & flag::CLOSE != 0).min(depth);
-            if atom.item == Item::Bodies {
-                ends.push(atom.next as usize);
+        // A neighbour that is broken may become rows of the same shape.
+        let before = from > 0 && splits(setter, &rows[from - 1], indent);
+        let after = rows.get(to).is_some_and(|row| splits(setter, row, indent));
+        if to > from + 1
+            && !before
+            && !after
+            && let Some(pads) = table(setter, &rows[from..to], indent)
+        {
+            for (row, pads) in rows[from..to].iter().zip(pads) {
+                setter.pads[row.from..row.from + pads.len()].copy_from_slice(&pads);
             }
         }
-        let row = row(atoms, from, to, indent);
-        let goes_on = |last: &Row| row.as_ref().is_some_and(|row| atoms.row[from].lines == 1 && alike(text, atoms, last, row));
-        if !rows.last().is_some_and(goes_on) {
-            table(text, atoms, &std::mem::take(&mut rows), width);
-        }
-        rows.extend(row);
         from = to;
     }
-    table(text, atoms, &rows, width);
 }
 
-/// The line as a row, if it will be one: whole items, and nothing that holds bodies on several lines.
-fn row(atoms: &Atoms, from: usize, to: usize, indent: usize) -> Option<Row> {
-    let first = &atoms.row[from];
-    let mut at = from;
-    while at < to && atoms.row[at].item != Item::None {
-        at = atoms.row[at].next as usize;
-    }
-    let comment = at < to && atoms.row[at].flags & flag::LINE_COMMENT != 0 && at + 1 == to;
-    let whole = at == to || comment;
-    let plain = first.flags & (flag::GLUE | flag::JOIN | flag::PACKED | flag::LOOSE) == 0 && first.lines > 0;
-    let packed = |i| atoms.row[i as usize].flags & flag::PACKED != 0;
-    (whole && plain && at > from + 1 && !(from as u32..at as u32).any(packed)).then_some(Row { from, to: at, indent })
+/// Will a row stand on more lines than the author gave it?
+fn splits(setter: &Setter, row: &Row, indent: usize) -> bool {
+    let single = setter.atoms.row[row.from].next as usize == row.to;
+    !single && (!row.flat || indent + setter.flat_width(row.from, row.to) > setter.width)
+}
+
+/// The atoms of a row, without a comment behind it.
+fn cells(setter: &Setter, row: &Row) -> std::ops::Range<usize> {
+    let trails = setter.has(row.to - 1, flag::LINE_COMMENT);
+    row.from..row.to - usize::from(trails)
 }
 
 /// Have both rows the same words and signs, and numbers, names and texts at the same places?
-fn alike(text: &str, atoms: &Atoms, a: &Row, b: &Row) -> bool {
-    let class = |i: usize| {
-        let atom = &atoms.row[i];
-        let text = &text[atom.lo as usize..atom.hi as usize];
-        let sign = text.len() == 1 && !text.starts_with(|c: char| c.is_ascii_alphanumeric());
-        match text.as_bytes()[0] {
-            b'-' | b'+' | b'.' | b'0'..=b'9' if !sign => "0",
-            b'"' => "\"",
-            b'a'..=b'z' | b'A'..=b'Z' | b'_' if atom.item != Item::Word => "a",
-            _ => text,
-        }
-    };
-    a.to - a.from == b.to - b.from && (a.from..a.to).zip(b.from..b.to).all(|(i, j)| class(i) == class(j))
+fn goes_on(setter: &Setter, first: &Row, next: &Row) -> bool {
+    let (a, b) = (cells(setter, first), cells(setter, next));
+    let together = first.flat && next.flat && setter.atoms.row[next.from].lines == 1;
+    together && a.len() > 1 && a.len() == b.len() && a.zip(b).all(|(i, j)| class(setter, i) == class(setter, j))
 }
 
-fn table(text: &str, atoms: &mut Atoms, rows: &[Row], width: usize) {
-    let [first, _, ..] = rows else { return };
-    let place = |row: &Row, j: usize| {
-        let atom = &atoms.row[row.from + j];
-        let (lo, hi) = (atom.lo as usize, atom.hi as usize);
-        (lo, columns_of(&text[lo..hi]), atom.flags & flag::GLUE == 0)
-    };
-    // What the author wrote: columns from the beginning of the line.
-    let starts: Vec<usize> = rows
-        .iter()
-        .map(|row| place(row, 0).0)
-        .map(|lo| text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1))
-        .collect();
-    let mut ends = vec![0; rows.len()];
-    let mut pads: Vec<Vec<u8>> = rows.iter().map(|row| vec![0; row.to - row.from]).collect();
-    let mut padded = false;
-    for j in 0..first.to - first.from {
-        let cells: Vec<_> = rows.iter().zip(&starts).map(|(row, start)| {
-            let (lo, columns, apart) = place(row, j);
-            (columns_of(&text[*start..lo]), columns, apart)
-        }).collect();
-        let same = |edge: &dyn Fn(&(usize, usize, bool)) -> usize| cells.iter().all(|cell| edge(cell) == edge(&cells[0]));
-        let (left, right) = (same(&|cell| cell.0), same(&|cell| cell.0 + cell.1));
-        let apart = cells[0].2;
+fn class<'a>(setter: &Setter<'a>, i: usize) -> &'a str {
+    let text = setter.read(i);
+    let sign = text.len() == 1 && !text.starts_with(|c: char| c.is_ascii_alphanumeric());
+    match text.as_bytes()[0] {
+        b'-' | b'+' | b'.' | b'0'..=b'9' if !sign => "0",
+        b'"' => "\"",
+        b'a'..=b'z' | b'A'..=b'Z' | b'_' if setter.atoms.row[i].item != Item::Word => "a",
+        _ => text,
+    }
+}
+
+/// An atom as the author wrote it: columns before it and of it.
+#[derive(Clone, Copy)]
+struct Cell {
+    start: usize,
+    columns: usize,
+}
+
+/// The blanks before all atoms of all rows, if the rows are a table that is not in line by itself.
+fn table(setter: &Setter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
+    let text = setter.text;
+    let begins = |lo: usize| text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);
+    let lo = |i: usize| setter.atoms.row[i].lo as usize;
+    let lines: Vec<usize> = rows.iter().map(|row| begins(lo(row.from))).collect();
+    let mut ends = vec![indent; rows.len()];
+    let mut pads: Vec<Vec<u8>> = vec![vec![]; rows.len()];
+    for j in 0..cells(setter, &rows[0]).len() {
+        let cell = |(row, line): (&Row, &usize)| Cell {
+            start: columns_of(&text[*line..lo(row.from + j)]),
+            columns: setter.columns(row.from + j),
+        };
+        let column: Vec<Cell> = rows.iter().zip(&lines).map(cell).collect();
+        let left = column.iter().all(|cell| cell.start == column[0].start);
+        let right = column.iter().all(|cell| cell.start + cell.columns == column[0].start + column[0].columns);
+        let apart = !setter.has(rows[0].from + j, flag::GLUE);
         if apart && !left && !right {
-            return;
+            return None;
         }
-        let natural = |r: usize| ends[r] + usize::from(apart && j > 0);
-        let edge = |r: usize| natural(r) + if left { 0 } else { cells[r].1 };
-        let target = (0..rows.len()).map(edge).max().unwrap_or(0);
-        let moves = apart || right && !left;
-        let gaps: Vec<usize> = (0..rows.len()).map(|r| if moves { target - edge(r) } else { 0 }).collect();
-        for (r, gap) in gaps.into_iter().enumerate() {
-            ends[r] = ends[r] + usize::from(apart && j > 0) + gap + cells[r].1;
-            pads[r][j] = u8::try_from(gap).unwrap_or(u8::MAX);
-            padded |= gap > 0;
-            if gap > 200 || rows[r].indent + ends[r] > width {
-                return;
+        let gap = usize::from(apart && j > 0);
+        let edge = |r: usize| ends[r] + gap + if left { 0 } else { column[r].columns };
+        let target = (0..rows.len()).map(edge).max()?;
+        let blanks: Vec<usize> =
+            (0..rows.len()).map(|r| if apart || right && !left { target - edge(r) } else { 0 }).collect();
+        for (r, blanks) in blanks.into_iter().enumerate() {
+            ends[r] += gap + blanks + column[r].columns;
+            pads[r].push(u8::try_from(blanks).ok()?);
+            if ends[r] > setter.width {
+                return None;
             }
         }
     }
-    if padded {
-        for (row, pads) in rows.iter().zip(pads) {
-            atoms.row[row.from..row.to].iter_mut().zip(pads).for_each(|(atom, pad)| atom.pad = pad);
-        }
-    }
+    pads.iter().flatten().any(|pad| *pad > 0).then_some(pads)
 }
