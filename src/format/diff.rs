@@ -38,9 +38,9 @@ fn changes(a: &[&str], b: &[&str]) -> Vec<Change> {
         }
         // The nearest pair of equal lines, by the sum of both distances; blank ones say little.
         let meets = |sum: usize| {
-            (0..=sum).map(move |k| (i + k, j + sum - k)).find(|&(p, q)| {
-                p < a.len() && q < b.len() && a[p] == b[q] && !a[p].trim().is_empty()
-            })
+            (0..=sum)
+                .map(move |k| (i + k, j + sum - k))
+                .find(|&(p, q)| p < a.len() && q < b.len() && a[p] == b[q] && !a[p].trim().is_empty())
         };
         let (mut p, mut q) = (1..FAR).find_map(meets).unwrap_or((a.len(), b.len()));
         while p > i && q > j && a[p - 1] == b[q - 1] {

@@ -247,6 +247,8 @@ impl<'a> Setter<'a> {
     /// of them runs.
     fn open_braces(&self, item: Range) -> i32 {
         let (from, to) = match self.arms(item.from) {
+            // It runs elsewhere.
+            _ if self.read(item.from).ends_with("macro") => return 0,
             Some([first, ..]) => (first.body as usize, first.end as usize),
             _ => (item.from, item.to),
         };
@@ -263,7 +265,8 @@ impl<'a> Setter<'a> {
     }
 
     fn is_big(&self, item: Range) -> bool {
-        matches!(self.kind(item), Item::Block | Item::Group | Item::Entry | Item::Bodies) && !self.has(item.from, flag::GLUE)
+        matches!(self.kind(item), Item::Block | Item::Group | Item::Entry | Item::Bodies)
+            && !self.has(item.from, flag::GLUE)
     }
 
     /// Items that the author wrote on one line, where so many brackets without partner are `open`.

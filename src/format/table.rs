@@ -33,10 +33,10 @@ fn splits(setter: &Setter, row: &Row, indent: usize) -> bool {
     !single && (!row.flat || indent + setter.flat_width(row.from, row.to) > setter.width)
 }
 
-/// The atoms of a row, without a comment behind it.
+/// The atoms of a row, without a comment behind it, nor a comma: the last row has none.
 fn cells(setter: &Setter, row: &Row) -> std::ops::Range<usize> {
-    let trails = setter.has(row.to - 1, flag::LINE_COMMENT);
-    row.from..row.to - usize::from(trails)
+    let to = row.to - usize::from(setter.has(row.to - 1, flag::LINE_COMMENT));
+    row.from..to - usize::from(to > row.from + 1 && setter.read(to - 1) == ",")
 }
 
 /// Have both rows the same words and signs, and numbers, names and texts at the same places?
@@ -81,14 +81,11 @@ fn table(setter: &Setter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
         let left = column.iter().all(|cell| cell.start == column[0].start);
         let right = column.iter().all(|cell| cell.start + cell.columns == column[0].start + column[0].columns);
         let apart = !setter.has(rows[0].from + j, flag::GLUE);
-        if apart && !left && !right {
-            return None;
-        }
         let gap = usize::from(apart && j > 0);
         let edge = |r: usize| ends[r] + gap + if left { 0 } else { column[r].columns };
         let target = (0..rows.len()).map(edge).max()?;
         let blanks: Vec<usize> =
-            (0..rows.len()).map(|r| if apart || right && !left { target - edge(r) } else { 0 }).collect();
+            (0..rows.len()).map(|r| if left && apart || right && !left { target - edge(r) } else { 0 }).collect();
         for (r, blanks) in blanks.into_iter().enumerate() {
             ends[r] += gap + blanks + column[r].columns;
             pads[r].push(u8::try_from(blanks).ok()?);

@@ -402,7 +402,8 @@ mod tests {
             (20, -0.04, 0.0, 2.0 / 3.0),
             (20, 5.01, 0.0, 2.0 / 3.0),
         ] {
-            let value = Tiling::numbered(number).value(&TextureContext::free(DVec3::new(x, 0.3, z), Default::default()));
+            let value =
+                Tiling::numbered(number).value(&TextureContext::free(DVec3::new(x, 0.3, z), Default::default()));
             assert!((value - shown).abs() < 1e-4, "{number} <{x}, {z}>: {value} instead of {shown}");
         }
     }
