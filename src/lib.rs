@@ -32,6 +32,7 @@ pub mod cli;
 pub mod color;
 pub mod diagnostic;
 pub mod font;
+pub mod format;
 pub mod function;
 pub mod image_io;
 pub mod interpreter;

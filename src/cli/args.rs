@@ -66,6 +66,8 @@ pub enum Command {
     Pick(PickArgs),
     /// Draw each scene that has a snapshot beside it, and compare
     Test(TestArgs),
+    /// Write scenes as they should look
+    Fmt(FmtArgs),
     /// Explain the code of a message, such as E0203
     Explain(ExplainArgs),
     /// Print a script that completes durer's options in your shell
@@ -283,6 +285,23 @@ pub struct TestArgs {
     /// How many threads draw [default: one for each processor]
     #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
+}
+
+/// `durer fmt`.
+#[derive(Args, Clone, Debug)]
+pub struct FmtArgs {
+    /// Scenes, include files, folders of them, or - for standard input [default: the current folder]
+    #[arg(value_name = "PATH")]
+    pub paths: Vec<PathBuf>,
+    /// Write nothing; list the files that would change on standard error, and end with exit code 1 if there are any
+    #[arg(long)]
+    pub check: bool,
+    /// Write nothing; show what would change
+    #[arg(long)]
+    pub diff: bool,
+    /// Break lines that are longer, where that can be done
+    #[arg(long, value_name = "N", default_value_t = crate::format::WIDTH as u16, value_parser = clap::value_parser!(u16).range(20..=10_000))]
+    pub width: u16,
 }
 
 /// `durer explain`.

@@ -11,6 +11,7 @@ mod dump;
 mod exit;
 mod explain;
 mod film;
+mod fmt;
 mod inputs;
 mod interrupt;
 mod journal;
@@ -89,6 +90,7 @@ fn dispatch(console: &Console, command: &Command) -> Result {
         Command::Check(args) => check::run(console, args),
         Command::Pick(args) => pick::run(console, args),
         Command::Test(args) => test::run(console, args),
+        Command::Fmt(args) => fmt::run(console, args),
         Command::Explain(args) => explain::run(console, args),
         Command::Completions(args) => completions::run(console, args),
     }

@@ -26,6 +26,10 @@ const OTHERS: &[(&str, &str)] = &[
     ("inspect", "pick"),
     ("why", "explain"),
     ("error", "explain"),
+    ("format", "fmt"),
+    ("pretty", "fmt"),
+    ("indent", "fmt"),
+    ("tidy", "fmt"),
     ("complete", "completions"),
 ];
 

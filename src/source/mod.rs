@@ -13,7 +13,7 @@ mod write;
 pub use files::{FileId, Place, Sources, decode_text};
 pub use read::{ReadError, read_text, text_of};
 pub use sandbox::Sandbox;
-pub use scenes::scenes_below;
+pub use scenes::{scenes_below, texts_below};
 pub use search::{Found, SearchPath};
 pub use seen::{Seen, fingerprint, note, read_bytes, seen};
 pub use span::Span;

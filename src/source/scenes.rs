@@ -8,22 +8,34 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// If one of the folders can't be read.
 pub fn scenes_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    below(folder, &["scene", "pov"])
+}
+
+/// Include files too.
+///
+/// # Errors
+/// If one of the folders can't be read.
+pub fn texts_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    below(folder, &["scene", "pov", "inc"])
+}
+
+fn below(folder: &Path, endings: &[&str]) -> io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
-    search(folder, &mut found)?;
+    search(folder, endings, &mut found)?;
     found.sort();
     Ok(found)
 }
 
-fn search(folder: &Path, found: &mut Vec<PathBuf>) -> io::Result<()> {
+fn search(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) -> io::Result<()> {
     for entry in std::fs::read_dir(folder)? {
         let entry = entry?;
         let (path, name) = (entry.path(), entry.file_name());
         // A link to a folder may lead in a circle.
         if entry.file_type()?.is_dir() {
             if !name.to_string_lossy().starts_with('.') && name != "target" {
-                search(&path, found)?;
+                search(&path, endings, found)?;
             }
-        } else if path.extension().is_some_and(|e| e == "scene" || e == "pov") {
+        } else if path.extension().is_some_and(|e| endings.iter().any(|ending| e == *ending)) {
             found.push(path.strip_prefix("./").unwrap_or(&path).to_path_buf());
         }
     }

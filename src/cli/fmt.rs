@@ -1,0 +1,105 @@
+//! `durer fmt [PATH…]`: writes scenes as they should look.
+
+use super::args::FmtArgs;
+use super::console::Console;
+use super::exit::{Exit, Result, usage};
+use super::session;
+use crate::diagnostic::{Diagnostic, codes, file};
+use crate::format::{self, Encoded};
+use crate::source::{Sources, read_bytes, texts_below, write_whole};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// Formats all files that are named; the worst decides the exit code.
+pub fn run(console: &Console, args: &FmtArgs) -> Result {
+    let mut worst = Exit::Fine;
+    for path in files(&args.paths)? {
+        worst = worst.max(one(console, args, &path)?);
+    }
+    Ok(worst)
+}
+
+/// Those in folders, by their names; each once.
+fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
+    let here = [PathBuf::from(".")];
+    let mut all = vec![];
+    for path in if named.is_empty() { &here } else { named } {
+        if !path.is_dir() {
+            all.push(path.clone());
+            continue;
+        }
+        if path.canonicalize().is_ok_and(|folder| folder.parent().is_none()) {
+            // All files of the machine are nobody's scenes.
+            session::check_input(path)?;
+        }
+        let found = texts_below(path).map_err(|e| Box::new(file::unreadable(path, &e.into())))?;
+        if found.is_empty() {
+            return usage(format!("no file in `{}` ends in `.scene`, `.pov` or `.inc`", path.display()));
+        }
+        all.extend(found);
+    }
+    let mut seen = std::collections::HashSet::new();
+    all.retain(|path| seen.insert(path.clone()));
+    Ok(all)
+}
+
+fn one(console: &Console, args: &FmtArgs, path: &Path) -> Result {
+    let piped = path.as_os_str() == "-";
+    let name = if piped { "<stdin>".to_string() } else { path.display().to_string() };
+    let sources = Sources::default();
+    let encoded = match bytes(path, piped).map_err(Into::into).and_then(format::decode) {
+        Ok(encoded) => encoded,
+        Err(error) => return Ok(tell(console, &sources, &[file::unreadable(path, &error)])),
+    };
+    let Some(place) = sources.add(&name, (!piped).then_some(path), encoded.text.clone()) else {
+        let text = format!("`{name}` is too large: a file holds at most 4 GB");
+        let fault = Diagnostic::new(codes::FILE_UNREADABLE, crate::source::Span::NONE, text);
+        return Ok(tell(console, &sources, &[fault]));
+    };
+    match encoded.formatted(sources.base(place), args.width.into()) {
+        Ok(text) => finish(console, args, path, &encoded, &text),
+        Err(faults) => {
+            let exit = tell(console, &sources, &faults);
+            console.note(&format!("`{name}` is left as it is\n"));
+            Ok(exit)
+        }
+    }
+}
+
+fn bytes(path: &Path, piped: bool) -> std::io::Result<Vec<u8>> {
+    if !piped {
+        return read_bytes(path);
+    }
+    let mut bytes = vec![];
+    std::io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Tells what is wrong with a file.
+fn tell(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Exit {
+    console.report(sources, faults);
+    faults.iter().map(|fault| Exit::of(fault.code)).max().unwrap_or(Exit::Scene)
+}
+
+fn finish(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded, new: &str) -> Result {
+    let same = old.text == new;
+    let name = path.display().to_string();
+    if args.diff {
+        console.data(format::diff(&name, &old.text, new))?;
+    }
+    if args.check {
+        if !same {
+            super::console::say(&format!("{name}\n"));
+        }
+        return Ok(if same { Exit::Fine } else { Exit::Scene });
+    }
+    if args.diff {
+        return Ok(Exit::Fine);
+    }
+    if name == "-" {
+        console.data(old.encode(new))?;
+    } else if !same {
+        write_whole(path, &old.encode(new)).map_err(|error| Box::new(file::unwritable(path, &error)))?;
+    }
+    Ok(Exit::Fine)
+}

@@ -1,0 +1,607 @@
+//! Tokens and comments in a row, with what the tree knows of them.
+
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::{Piece, Tokens};
+
+/// A token, or a comment. Of a list of numbers, each number, comma and bracket is one.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Atom {
+    /// Its first byte.
+    pub lo: u32,
+    /// One past its last byte.
+    pub hi: u32,
+    /// Of an item of a body: the atom behind it.
+    pub next: u32,
+    /// Of a bracket around a body: its other half; of a directive with bodies: its [`Atoms::arms`]; of another item that holds a
+    /// body: the bracket that opens it.
+    pub link: u32,
+    /// See [`flag`].
+    pub flags: u16,
+    /// What the item is that begins here.
+    pub item: Item,
+    /// Ends of lines before it: 2 stands for more.
+    pub lines: u8,
+}
+
+/// What is known of an atom.
+pub mod flag {
+    /// No blank before it.
+    pub const GLUE: u16 = 1;
+    /// It stands on the line of what is before it.
+    pub const JOIN: u16 = 1 << 1;
+    /// No blank behind it: a sign, an opening bracket.
+    pub const TIGHT: u16 = 1 << 2;
+    /// Brackets around something.
+    pub const OPEN: u16 = 1 << 3;
+    /// The other half.
+    pub const CLOSE: u16 = 1 << 4;
+    /// An operator between two operands.
+    pub const OPERATOR: u16 = 1 << 5;
+    /// `// …`
+    pub const LINE_COMMENT: u16 = 1 << 6;
+    /// `/* … */`
+    pub const BLOCK_COMMENT: u16 = 1 << 7;
+    /// One of millions of vectors, blanks and all.
+    pub const PACKED: u16 = 1 << 8;
+    /// A bracket that has lost its other half, or holds what the tree has no name for.
+    pub const LOOSE: u16 = 1 << 9;
+    /// Any comment.
+    pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
+}
+use flag::*;
+
+/// What begins at an atom.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Item {
+    /// Nothing that stands directly in a body.
+    #[default]
+    None,
+    /// A number, a vector, a call …
+    Value,
+    /// A keyword.
+    Word,
+    /// `name { … }`
+    Block,
+    /// `{ … }`
+    Group,
+    /// `[ … ]`
+    Entry,
+    /// `#declare … =`
+    Declare,
+    /// A directive without bodies.
+    Plain,
+    /// A directive with bodies.
+    Bodies,
+    /// `,` or `;`
+    Separator,
+    /// Anything else.
+    Sign,
+}
+
+/// A part of a directive: `#if (A) …`.
+#[derive(Clone, Copy, Debug)]
+pub struct Arm {
+    /// Its directive.
+    pub head: u32,
+    /// Where its body begins.
+    pub body: u32,
+    /// Where it ends.
+    pub end: u32,
+    /// Is it one of those that stand inside a `#switch`?
+    pub choice: bool,
+}
+
+/// All of a text.
+#[derive(Debug, Default)]
+pub struct Atoms {
+    /// In their order.
+    pub row: Vec<Atom>,
+    /// Of each directive with bodies.
+    pub arms: Vec<Vec<Arm>>,
+}
+
+/// Lists longer than this many bytes keep each vector as one atom.
+const LONG_LIST: usize = 100_000;
+
+/// The atoms of a text whose first byte has the global offset `base`.
+pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
+    let pieces = Pieces::of(&ast.tokens);
+    let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0 };
+    gatherer.body(&ast.elements);
+    gatherer.upto(text.len());
+    gatherer.between(text.len());
+    gatherer.out
+}
+
+struct Pieces<'a> {
+    all: Box<dyn Iterator<Item = Piece> + 'a>,
+    next: Option<Piece>,
+}
+
+impl<'a> Pieces<'a> {
+    fn of(tokens: &'a Tokens) -> Self {
+        let mut all = Box::new(tokens.pieces());
+        Self { next: all.next(), all }
+    }
+
+    fn take(&mut self) -> Option<Piece> {
+        std::mem::replace(&mut self.next, self.all.next())
+    }
+}
+
+struct Gatherer<'a> {
+    text: &'a str,
+    base: usize,
+    pieces: Pieces<'a>,
+    out: Atoms,
+    /// Local offset behind the last atom.
+    at: usize,
+    /// For the next token.
+    pending: u16,
+}
+
+impl Gatherer<'_> {
+    fn len(&self) -> usize {
+        self.out.row.len()
+    }
+
+    fn local(&self, place: u32) -> usize {
+        (place as usize).saturating_sub(self.base)
+    }
+
+    /// Takes all pieces that begin before a local offset.
+    fn upto(&mut self, end: usize) {
+        while let Some(piece) = self.pieces.next
+            && self.local(piece.span().lo) < end
+        {
+            self.pieces.take();
+            self.piece(piece);
+        }
+    }
+
+    fn before(&mut self, span: Span) {
+        self.upto(self.local(span.lo));
+    }
+
+    fn through(&mut self, span: Span) {
+        self.upto(self.local(span.hi));
+    }
+
+    /// The text of the next piece, unless it is a comment.
+    fn next_token(&self) -> Option<&str> {
+        match self.pieces.next {
+            Some(Piece::Token(span)) => self.text.get(self.local(span.lo)..self.local(span.hi)),
+            _ => None,
+        }
+    }
+
+    /// Takes the next token, and comments before it.
+    fn token(&mut self) {
+        while let Some(piece) = self.pieces.take() {
+            self.piece(piece);
+            if matches!(piece, Piece::Token(_)) {
+                break;
+            }
+        }
+    }
+
+    /// Characters that mean nothing stand between tokens: they stay.
+    fn between(&mut self, end: usize) {
+        let text = self.text;
+        let skipped = |c: char| c <= ' ' || matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}');
+        while let Some(from) = text[self.at..end].find(|c| !skipped(c)).map(|i| self.at + i) {
+            let to = text[from..end].find(skipped).map_or(end, |i| from + i);
+            self.push(from, to, 0);
+        }
+    }
+
+    fn piece(&mut self, piece: Piece) {
+        let Span { lo, hi } = piece.span();
+        let (lo, hi) = (self.local(lo), self.local(hi));
+        self.between(lo);
+        let text = &self.text[lo..hi];
+        if let Piece::Comment(_) = piece {
+            let kind = if text.starts_with("//") { LINE_COMMENT } else { BLOCK_COMMENT };
+            let blanks = text.len() - text.trim_end_matches(|c| c <= ' ').len();
+            self.push(lo, hi - blanks, kind);
+            self.at = hi;
+            return;
+        }
+        let flags = std::mem::take(&mut self.pending);
+        let sign = text.starts_with(['-', '+']);
+        match text.as_bytes() {
+            [b'<', _, _, ..] | [b'0'..=b'9' | b'.', ..] if text.len() > 2 => self.list(lo, hi),
+            [_, _, ..] if sign => self.list(lo, hi),
+            [b'(' | b'[' | b'{'] => self.push(lo, hi, flags | OPEN),
+            [b')' | b']' | b'}'] => self.push(lo, hi, flags | CLOSE),
+            _ => self.push(lo, hi, flags),
+        }
+    }
+
+    fn push(&mut self, lo: usize, hi: usize, mut flags: u16) {
+        let bytes = self.text.as_bytes();
+        let blanks = &bytes[self.at.min(lo)..lo];
+        let ends = |i: &usize| blanks[*i] == b'\n' || blanks[*i] == b'\r' && blanks.get(i + 1) != Some(&b'\n');
+        let lines = (0..blanks.len()).filter(ends).take(2).count() as u8;
+        let previous = self.out.row.last();
+        match bytes[lo] {
+            b',' | b';' | b')' | b']' => flags |= GLUE,
+            b'>' if flags & CLOSE != 0 => flags |= GLUE,
+            b'.' if hi == lo + 1 => flags |= GLUE | TIGHT,
+            b'(' | b'[' => flags |= TIGHT,
+            b'<' if flags & OPEN != 0 => flags |= TIGHT,
+            _ => {}
+        }
+        if previous.is_some_and(|p| p.flags & TIGHT != 0) {
+            flags |= GLUE;
+        }
+        if flags & COMMENT != 0 {
+            flags &= !GLUE;
+        }
+        self.out.row.push(Atom { lo: lo as u32, hi: hi as u32, flags, lines, ..Atom::default() });
+        self.at = hi;
+    }
+
+    /// A token that holds several numbers and vectors.
+    fn list(&mut self, lo: usize, hi: usize) {
+        let (bytes, packed) = (self.text.as_bytes(), hi - lo > LONG_LIST);
+        let mut at = lo;
+        while at < hi {
+            let stops = |b: &u8| matches!(b, b'<' | b'>' | b',') || *b <= b' ';
+            match bytes[at] {
+                b if b <= b' ' => at += 1,
+                b'<' if packed => {
+                    let end = bytes[at..hi].iter().position(|b| *b == b'>').map_or(hi, |i| at + i + 1);
+                    self.push(at, end, PACKED);
+                    at = end;
+                }
+                b => {
+                    let kind = match b {
+                        b'<' => OPEN,
+                        b'>' => CLOSE,
+                        _ => 0,
+                    };
+                    let end = bytes[at + 1..hi].iter().position(stops).map_or(hi, |i| at + 1 + i);
+                    let end = if matches!(b, b'<' | b'>' | b',') { at + 1 } else { end };
+                    self.push(at, end, kind);
+                    at = end;
+                }
+            }
+        }
+    }
+
+    // ------------------------------------------------------------ bodies
+
+    fn body(&mut self, elements: &[Element]) {
+        for e in elements {
+            self.before(e.span);
+            let start = self.len();
+            let item = self.element(e);
+            self.through(e.span);
+            self.comma(e);
+            self.mark(start, item);
+            if matches!(e.kind, ElementKind::Numbers(_)) {
+                self.split(start);
+            }
+        }
+    }
+
+    /// The comma behind an element.
+    fn comma(&mut self, e: &Element) {
+        if e.comma {
+            self.pending = 0;
+            self.token();
+        }
+    }
+
+    /// Tells what begins at an atom and ends with the last one.
+    fn mark(&mut self, start: usize, item: Item) {
+        let end = self.len() as u32;
+        let text = self.text;
+        let read = |atom: &Atom| &text[atom.lo as usize..atom.hi as usize];
+        let (before, rest) = self.out.row.split_at_mut(start);
+        let Some(first) = rest.first_mut() else { return };
+        (first.item, first.next) = (item, end);
+        let Some(last) = before.last().filter(|a| a.flags & COMMENT == 0) else { return };
+        let after = read(last);
+        if item == Item::Entry && (after == "array" || after == "]" && last.flags & LOOSE == 0 && first.lines == 0) {
+            // The sizes of an array: nothing else has entries that follow a word or each other so.
+            let chained = after == "array" || first.lo == last.hi;
+            first.flags |= if chained { GLUE } else { 0 };
+        }
+        let group = item == Item::Group && !matches!(after, "{" | "}" | "," | ";");
+        if group || after == "=" && item != Item::Sign {
+            first.flags |= JOIN;
+        }
+    }
+
+    /// Each item of a list is one of the body.
+    fn split(&mut self, start: usize) {
+        let (end, mut from, mut depth) = (self.len(), start, 0);
+        for i in start..end {
+            let atom = self.out.row[i];
+            depth += i32::from(atom.flags & OPEN != 0) - i32::from(atom.flags & CLOSE != 0);
+            if depth == 0 && self.text.as_bytes()[atom.lo as usize] == b',' || i + 1 == end {
+                let first = &mut self.out.row[from];
+                (first.item, first.next) = (Item::Value, i as u32 + 1);
+                from = i + 1;
+            }
+        }
+    }
+
+    fn element(&mut self, e: &Element) -> Item {
+        match &e.kind {
+            ElementKind::Word(_) => Item::Word,
+            ElementKind::Expr(expr) => {
+                self.expr(expr);
+                Item::Value
+            }
+            ElementKind::Numbers(_) => Item::Value,
+            ElementKind::Block(block) => self.braces(e.span, block.name.span, Item::Block, &block.body),
+            ElementKind::Group(group) => self.braces(e.span, Span::NONE, Item::Group, &group.body),
+            ElementKind::Entry(group) => self.braces(e.span, Span::NONE, Item::Entry, &group.body),
+            ElementKind::Function(function) => self.function(function, e.span),
+            ElementKind::Directive(directive) => self.directive(directive, e.span),
+            ElementKind::Semicolon | ElementKind::Comma => Item::Separator,
+            ElementKind::Sign(Sign::Open(_) | Sign::Close(_)) => {
+                self.pending |= LOOSE;
+                Item::Sign
+            }
+            ElementKind::Sign(_) => Item::Sign,
+        }
+    }
+
+    /// A body in brackets.
+    fn braces(&mut self, span: Span, name: Span, item: Item, body: &[Element]) -> Item {
+        let start = self.len();
+        if !name.is_none() {
+            self.through(name);
+            self.pending |= JOIN;
+        }
+        self.token();
+        self.enclosed(start, span, body);
+        item
+    }
+
+    /// What stands behind the bracket that was just taken, up to the end of its element.
+    fn enclosed(&mut self, start: usize, span: Span, body: &[Element]) {
+        let open = self.len() - 1;
+        self.body(body);
+        self.upto(self.local(span.hi).saturating_sub(1));
+        self.pending = 0;
+        self.token();
+        let close = self.len() as u32 - 1;
+        self.out.row[open].link = close;
+        if start != open {
+            self.out.row[start].link = open as u32;
+        }
+    }
+
+    fn function(&mut self, function: &Function, span: Span) -> Item {
+        let start = self.len();
+        self.token();
+        if self.next_token() == Some("(") {
+            self.pending |= GLUE;
+        }
+        function.size.iter().for_each(|e| self.expr(e));
+        while self.len() == start + 1 || self.text.as_bytes()[self.at - 1] != b'{' {
+            if self.next_token() == Some("{") {
+                self.pending |= JOIN;
+            }
+            if self.pieces.next.is_none() {
+                return Item::Value;
+            }
+            self.token();
+        }
+        self.enclosed(start, span, &function.body);
+        Item::Block
+    }
+
+    // ------------------------------------------------------------ directives
+
+    fn directive(&mut self, directive: &Directive, span: Span) -> Item {
+        match directive {
+            Directive::Declare(declare) => {
+                self.target(&declare.target);
+                declare.others.iter().for_each(|target| self.target(target));
+                return Item::Declare;
+            }
+            Directive::DeclarePieces(_) | Directive::Plain(_) => return Item::Plain,
+            _ => {}
+        }
+        let start = self.len();
+        let mut arms = vec![];
+        match directive {
+            Directive::If(branches) => {
+                for branch in branches {
+                    let head = match &branch.condition {
+                        Condition::True(head) | Condition::Declared(head) | Condition::NotDeclared(head) => Some(head),
+                        Condition::Always => None,
+                    };
+                    self.arm(&mut arms, branch.span, head, &branch.body, false);
+                }
+            }
+            Directive::While(head, body) => self.arm(&mut arms, span, Some(head), body, false),
+            Directive::For(one) => {
+                self.head_of_for(&one.head);
+                self.close_arm(&mut arms, start, &one.body, span, false);
+            }
+            Directive::Switch(head, all) => {
+                let first = all.first().map_or(span.end(), |arm| arm.span);
+                self.arm(&mut arms, Span { hi: first.lo, ..span }, Some(head), &[], false);
+                for one in all {
+                    let head = if let When::Case(head) = &one.when { Some(head) } else { None };
+                    self.arm(&mut arms, one.span, head, &one.body, true);
+                }
+            }
+            Directive::Macro(one) => {
+                self.through(one.span);
+                self.pending |= GLUE;
+                self.close_arm(&mut arms, start, &one.body, span, false);
+            }
+            Directive::Declare(_) | Directive::DeclarePieces(_) | Directive::Plain(_) => {}
+        }
+        self.finish_arms(start, arms, span);
+        Item::Bodies
+    }
+
+    /// `#end` belongs to no arm.
+    fn finish_arms(&mut self, start: usize, mut arms: Vec<Arm>, span: Span) {
+        // Whatever stands before it belongs to the last one.
+        while let Some(piece) = self.pieces.next
+            && piece.span().hi < span.hi
+        {
+            self.pieces.take();
+            self.piece(piece);
+        }
+        let end = self.len() as u32;
+        let heads: Vec<_> = arms.iter().skip(1).map(|arm| arm.head).chain([end]).collect();
+        arms.iter_mut().zip(heads).for_each(|(arm, end)| arm.end = end);
+        self.out.row[start].link = self.out.arms.len() as u32;
+        self.out.arms.push(arms);
+    }
+
+    fn target(&mut self, target: &Target) {
+        self.through(target.span);
+        self.indices(&target.indices);
+    }
+
+    fn arm(&mut self, arms: &mut Vec<Arm>, span: Span, head: Option<&Head>, body: &[Element], choice: bool) {
+        self.before(span);
+        let start = self.len();
+        self.token();
+        match head {
+            Some(Head::Whole(e)) => self.expr(e),
+            Some(Head::Pieces(Some(elements))) => self.loose(elements),
+            _ => {}
+        }
+        self.close_arm(arms, start, body, span, choice);
+    }
+
+    fn head_of_for(&mut self, head: &ForHead) {
+        self.token();
+        match head {
+            ForHead::Whole(_, parts) => parts.iter().for_each(|e| self.expr(e)),
+            ForHead::Pieces(Some(elements)) => self.loose(elements),
+            ForHead::Pieces(None) => {}
+        }
+    }
+
+    /// Takes the rest of a head in parentheses, and the body.
+    fn close_arm(&mut self, arms: &mut Vec<Arm>, start: usize, body: &[Element], span: Span, choice: bool) {
+        let first = body.first().map_or(self.local(span.hi), |e| self.local(e.span.lo));
+        let text = self.text;
+        let depth = |row: &[Atom]| {
+            let sign = |a: &Atom| match &text[a.lo as usize..a.hi as usize] {
+                "(" => 1,
+                ")" => -1,
+                _ => 0,
+            };
+            row[start.min(row.len())..].iter().map(sign).sum::<i32>()
+        };
+        let mut open = depth(&self.out.row);
+        if open == 0 && self.len() - start < 3 && self.next_token() == Some("(") {
+            self.token();
+            open = 1;
+        }
+        while open > 0
+            && let Some(piece) = self.pieces.next
+            && self.local(piece.span().lo) < first
+        {
+            open += match self.next_token() {
+                Some("(") => 1,
+                Some(")") => -1,
+                _ => 0,
+            };
+            self.pieces.take();
+            self.piece(piece);
+        }
+        self.pending = 0;
+        let (head, at) = (start as u32, self.len() as u32);
+        self.body(body);
+        arms.push(Arm { head, body: at, end: at, choice });
+    }
+
+    // ------------------------------------------------------------ expressions
+
+    /// Elements that are no items of a body: arguments.
+    fn loose(&mut self, elements: &[Element]) {
+        for e in elements {
+            self.before(e.span);
+            match &e.kind {
+                ElementKind::Expr(expr) => self.expr(expr),
+                ElementKind::Block(block) => self.loose(&block.body),
+                ElementKind::Group(group) | ElementKind::Entry(group) => self.loose(&group.body),
+                ElementKind::Function(function) => self.loose(&function.body),
+                _ => {}
+            }
+            self.through(e.span);
+        }
+    }
+
+    fn indices(&mut self, indices: &[Expr]) {
+        for index in indices {
+            self.pending |= GLUE;
+            self.expr(index);
+            self.through(index.span);
+            self.token();
+        }
+        self.pending = 0;
+    }
+
+    fn operand(&mut self, e: &Expr) {
+        self.expr(e);
+        self.through(e.span);
+        self.pending |= OPERATOR;
+    }
+
+    fn expr(&mut self, e: &Expr) {
+        self.before(e.span);
+        if self.text[self.local(e.span.lo)..].starts_with(['-', '+', '!']) {
+            self.pending |= TIGHT;
+        }
+        match &e.kind {
+            ExprKind::Vector(parts) => {
+                self.pending |= OPEN;
+                self.token();
+                self.loose(parts);
+                self.upto(self.local(e.span.hi).saturating_sub(1));
+                self.pending = CLOSE;
+            }
+            ExprKind::Call(_, parts) => {
+                self.token();
+                self.pending |= GLUE;
+                self.loose(parts);
+            }
+            ExprKind::Builtin(_, parts) => {
+                self.token();
+                self.pending |= GLUE;
+                parts.iter().for_each(|e| self.expr(e));
+            }
+            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.expr(inner),
+            ExprKind::Chain(chain) => {
+                self.operand(&chain.first);
+                chain.rest.iter().for_each(|(_, e)| self.operand(e));
+            }
+            ExprKind::Choice(parts) => parts.iter().for_each(|e| self.operand(e)),
+            ExprKind::Index(base, indices) => {
+                self.expr(base);
+                self.through(base.span);
+                self.indices(indices);
+            }
+            ExprKind::Apply(base, arguments) => {
+                self.expr(base);
+                self.through(base.span);
+                self.pending |= GLUE;
+                self.loose(arguments);
+            }
+            ExprKind::Dot(base, ..) => self.expr(base),
+            ExprKind::Function(function) => self.loose(&function.body),
+            ExprKind::Block(block) => self.loose(&block.body),
+            ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Literal(_) => {}
+        }
+        self.through(e.span);
+        self.pending = 0;
+    }
+}

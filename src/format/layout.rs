@@ -1,0 +1,427 @@
+//! Sets atoms in lines: which items of a body share one, and where blocks and directives are opened.
+
+use super::STEP;
+use super::atoms::{Arm, Atoms, Item, flag};
+use super::columns::{self, Trailing};
+use super::table;
+
+/// The text in its new lines.
+pub fn set(text: &str, atoms: &Atoms, width: usize) -> String {
+    let mut setter = Setter::new(text, atoms, width);
+    setter.body(0, atoms.row.len(), 0, false);
+    setter.finish()
+}
+
+/// Where the text grows.
+pub(super) struct Setter<'a> {
+    pub(super) text: &'a str,
+    pub(super) atoms: &'a Atoms,
+    /// How many columns a line has.
+    pub(super) width: usize,
+    /// Columns of all atoms before each, with the blanks between them, if they stood on one line.
+    sums: Vec<u32>,
+    /// How many of the atoms up to and with each must begin a line.
+    breaks: Vec<u32>,
+    /// Braces without partner before each: those that open less those that close.
+    loose: Vec<i32>,
+    /// Blanks before atoms that keep a column in line; see [`super::table`].
+    pub(super) pads: Vec<u8>,
+    /// Brackets without partner that are open before what is being set.
+    pub(super) open: i32,
+    out: String,
+    /// Columns that the current line has already.
+    pub(super) column: usize,
+    line: u32,
+    trailing: Vec<Trailing>,
+}
+
+/// What begins at an atom of a body, and the atom behind it.
+#[derive(Clone, Copy)]
+struct Range {
+    from: usize,
+    to: usize,
+}
+
+/// What stands on one line unless it is too long.
+pub(super) struct Row {
+    pub(super) from: usize,
+    pub(super) to: usize,
+    /// Does nothing in it break lines?
+    pub(super) flat: bool,
+}
+
+impl<'a> Setter<'a> {
+    fn new(text: &'a str, atoms: &'a Atoms, width: usize) -> Self {
+        let mut setter = Self {
+            text,
+            atoms,
+            width,
+            sums: Vec::with_capacity(atoms.row.len() + 1),
+            breaks: Vec::with_capacity(atoms.row.len() + 1),
+            loose: Vec::with_capacity(atoms.row.len() + 1),
+            pads: vec![0; atoms.row.len()],
+            open: 0,
+            out: String::with_capacity(text.len() + text.len() / 8),
+            column: 0,
+            line: 0,
+            trailing: vec![],
+        };
+        let (mut sum, mut breaks, mut loose) = (0u32, 0, 0);
+        for i in 0..atoms.row.len() {
+            setter.sums.push(sum);
+            setter.loose.push(loose);
+            breaks += u32::from(setter.begins_line(i));
+            setter.breaks.push(breaks);
+            if atoms.row[i].flags & flag::LINE_COMMENT == 0 {
+                sum = sum.saturating_add((setter.gap(i) + setter.columns(i)) as u32);
+            }
+            if atoms.row[i].flags & flag::LOOSE != 0 {
+                loose += if atoms.row[i].flags & flag::OPEN != 0 { 1 } else { -1 };
+            }
+        }
+        setter.sums.push(sum);
+        setter.breaks.push(breaks);
+        setter.loose.push(loose);
+        setter
+    }
+
+    // ------------------------------------------------------------ measures
+
+    pub(super) fn read(&self, i: usize) -> &'a str {
+        let atom = &self.atoms.row[i];
+        &self.text[atom.lo as usize..atom.hi as usize]
+    }
+
+    pub(super) fn has(&self, i: usize, flag: u16) -> bool {
+        self.atoms.row[i].flags & flag != 0
+    }
+
+    /// Must a line begin here?
+    fn begins_line(&self, i: usize) -> bool {
+        let Some(previous) = i.checked_sub(1) else { return false };
+        let after_comment = self.has(previous, flag::LINE_COMMENT) || self.is_tall(previous);
+        let joined = self.has(i, flag::GLUE | flag::JOIN) || self.closes_block(i);
+        after_comment || self.atoms.row[i].lines > 0 && !joined
+    }
+
+    /// A brace that ends a body needs no line because of itself.
+    fn closes_block(&self, i: usize) -> bool {
+        matches!(self.read(i), "}" | "]") && !self.has(i, flag::LOOSE)
+    }
+
+    /// Does a comment stand on several lines?
+    fn is_tall(&self, i: usize) -> bool {
+        self.has(i, flag::BLOCK_COMMENT) && self.read(i).contains(['\n', '\r'])
+    }
+
+    /// Blanks before an atom that does not begin a line.
+    pub(super) fn gap(&self, i: usize) -> usize {
+        usize::from(self.pads[i]) + usize::from(!self.has(i, flag::GLUE))
+    }
+
+    pub(super) fn columns(&self, i: usize) -> usize {
+        if self.has(i, flag::PACKED) { unpack(self.read(i), |_| {}) } else { columns_of(self.read(i)) }
+    }
+
+    /// Columns of a range that begins a line.
+    pub(super) fn flat_width(&self, from: usize, to: usize) -> usize {
+        (self.sums[to] - self.sums[from]) as usize - if from < to { self.gap_in_sum(from) } else { 0 }
+    }
+
+    fn gap_in_sum(&self, i: usize) -> usize {
+        if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::GLUE)) }
+    }
+
+    /// Can a range stand on one line?
+    pub(super) fn is_flat(&self, from: usize, to: usize) -> bool {
+        from >= to || self.breaks[to - 1] == self.breaks[from] && !(from + 1 < to && self.is_tall(from))
+    }
+
+    /// Does it, on what is left of this one?
+    fn fits(&self, from: usize, to: usize) -> bool {
+        let gap = if self.column > 0 && from < to { self.gap(from) } else { 0 };
+        self.is_flat(from, to) && self.column + gap + self.flat_width(from, to) <= self.width
+    }
+
+    // ------------------------------------------------------------ writing
+
+    pub(super) fn new_line(&mut self, indent: usize, blank: bool) {
+        if self.out.is_empty() {
+            return;
+        }
+        self.out.push('\n');
+        if blank {
+            self.out.push('\n');
+        }
+        self.line += 1 + u32::from(blank);
+        self.out.extend(std::iter::repeat_n(' ', indent));
+        self.column = indent;
+    }
+
+    /// Has nothing but blanks been written to this line?
+    fn at_start(&self) -> bool {
+        self.out.as_bytes().last().is_none_or(|b| matches!(b, b'\n' | b' '))
+    }
+
+    pub(super) fn flat(&mut self, from: usize, to: usize) {
+        (from..to).for_each(|i| self.put(i));
+    }
+
+    fn put(&mut self, i: usize) {
+        if self.has(i, flag::LINE_COMMENT) && !self.at_start() {
+            return self.put_trailing(i);
+        }
+        let gap = if self.at_start() { usize::from(self.pads[i]) } else { self.gap(i) };
+        self.out.extend(std::iter::repeat_n(' ', gap));
+        let text = self.read(i);
+        self.column += gap + self.columns(i);
+        if self.has(i, flag::PACKED) {
+            let out = &mut self.out;
+            unpack(text, |part| out.push_str(part));
+        } else {
+            self.line += self.is_tall(i).then(|| text.lines().count() as u32 - 1).unwrap_or_default();
+            self.out.push_str(text);
+        }
+    }
+
+    fn put_trailing(&mut self, i: usize) {
+        let lo = self.atoms.row[i].lo as usize;
+        let start = self.text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);
+        let written = columns_of(&self.text[start..lo]);
+        self.trailing.push(Trailing { at: self.out.len(), line: self.line, end: self.column, written });
+        self.out.push_str(self.read(i));
+    }
+
+    fn finish(mut self) -> String {
+        if !self.out.is_empty() {
+            self.out.push('\n');
+        }
+        columns::align(&self.out, &self.trailing)
+    }
+
+    // ------------------------------------------------------------ bodies
+
+    fn item_at(&self, from: usize) -> Range {
+        let atom = &self.atoms.row[from];
+        let to = if atom.item == Item::None { from + 1 } else { atom.next as usize };
+        Range { from, to: to.max(from + 1) }
+    }
+
+    /// The items up to the next that begins a line, and where that is.
+    fn row_at(&self, from: usize, to: usize) -> (Vec<Range>, usize) {
+        let (mut items, mut at) = (vec![], from);
+        while at < to && (at == from || !self.begins_line(at)) {
+            let item = self.item_at(at);
+            items.push(Range { to: item.to.min(to), ..item });
+            at = item.to;
+        }
+        (items, at.min(to))
+    }
+
+    /// Rows of items, each on a line of its own. A comment on the line that `opened` the body stays there.
+    fn body(&mut self, from: usize, to: usize, indent: usize, opened: bool) {
+        let mut at = from;
+        if opened && at < to && self.has(at, flag::LINE_COMMENT) && self.atoms.row[at].lines == 0 {
+            self.put(at);
+            at += 1;
+        }
+        let (start, mut open) = (at, 0i32);
+        let mut rows = vec![];
+        while at < to {
+            let (items, next) = self.row_at(at, to);
+            let flat = self.is_flat(at, next) && items.iter().all(|item| self.kind(*item) != Item::Sign);
+            rows.push(Row { from: at, to: next, flat });
+            at = next;
+        }
+        table::pad(self, &rows, indent);
+        for Row { from, to, .. } in rows {
+            let closes = self.has(from, flag::LOOSE) && self.has(from, flag::CLOSE);
+            let first = indent_by(indent, open - i32::from(closes));
+            self.new_line(first, from > start && self.atoms.row[from].lines > 1);
+            let (items, _) = self.row_at(from, to);
+            self.row(&items, indent, &mut open);
+        }
+    }
+
+    /// Braces without partner in an item: those that open less those that close. Of a directive, those of its first arm count: one
+    /// of them runs.
+    fn open_braces(&self, item: Range) -> i32 {
+        let (from, to) = match self.arms(item.from) {
+            // It runs elsewhere.
+            _ if self.read(item.from).ends_with("macro") => return 0,
+            Some([first, ..]) => (first.body as usize, first.end as usize),
+            _ => (item.from, item.to),
+        };
+        self.loose[to] - self.loose[from]
+    }
+
+    fn arms(&self, i: usize) -> Option<&'a [Arm]> {
+        let atom = &self.atoms.row[i];
+        (atom.item == Item::Bodies).then(|| &self.atoms.arms[atom.link as usize][..])
+    }
+
+    fn kind(&self, item: Range) -> Item {
+        self.atoms.row[item.from].item
+    }
+
+    fn is_big(&self, item: Range) -> bool {
+        matches!(self.kind(item), Item::Block | Item::Group | Item::Entry | Item::Bodies)
+            && !self.has(item.from, flag::GLUE)
+    }
+
+    /// Items that the author wrote on one line, where so many brackets without partner are `open`.
+    fn row(&mut self, items: &[Range], indent: usize, open: &mut i32) {
+        let flat = match items {
+            [first, .., last] => self.fits(first.from, last.to),
+            _ => false,
+        };
+        let (mut from, mut after_big) = (0, None);
+        while from < items.len() {
+            let mut to = if flat { items.len() } else { from + 1 };
+            while to < items.len() && !self.parts(&items[from..to], items[to]) {
+                to += 1;
+            }
+            let piece = &items[from..to];
+            let (a, b) = (piece[0].from, piece[to - from - 1].to);
+            let big = piece.iter().any(|item| self.is_big(*item));
+            let trails = self.has(a, flag::LINE_COMMENT);
+            let indent = indent_by(indent, *open);
+            if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
+                self.new_line(indent, false);
+            }
+            self.open = *open;
+            self.piece(piece, indent);
+            *open = piece.iter().fold(*open, |open, item| (open + self.open_braces(*item)).max(0));
+            (after_big, from) = (Some(big), to);
+        }
+    }
+
+    /// May a line be broken before an item that follows these?
+    fn parts(&self, piece: &[Range], item: Range) -> bool {
+        let (kind, before) = (self.kind(item), piece[piece.len() - 1]);
+        let directive = matches!(kind, Item::Declare | Item::Plain | Item::Bodies);
+        if self.has(item.from, flag::GLUE | flag::JOIN) || kind == Item::Separator {
+            return false;
+        }
+        if self.has(item.from, flag::COMMENT) || self.has(before.to - 1, flag::COMMENT) {
+            return true;
+        }
+        match (self.kind(before), kind) {
+            (Item::Sign, _) => directive,
+            (_, Item::Sign) => false,
+            (Item::Declare, _) => false,
+            (Item::Plain, _) => directive,
+            (Item::Word, Item::Block) | (Item::Word, Item::Entry) => true,
+            (Item::Word, _) => directive,
+            (Item::Value, Item::Value) => self.kind(piece[0]) == Item::Value || self.read(before.to - 1) != ",",
+            (Item::Value, Item::Group) => self.read(before.to - 1) == ",",
+            _ => true,
+        }
+    }
+
+    /// Items that belong together: on this line if they fit.
+    fn piece(&mut self, items: &[Range], indent: usize) {
+        let (from, to) = (items[0].from, items[items.len() - 1].to);
+        if self.fits(from, to) {
+            return self.flat(from, to);
+        }
+        let (mut at, open) = (from, self.open);
+        for item in items {
+            if self.arms(item.from).is_some() {
+                self.run(at, item.from, indent);
+                self.directive(*item, indent);
+            } else if self.is_big(*item) {
+                self.block(at, *item, indent);
+            } else {
+                continue;
+            }
+            (at, self.open) = (item.to, open);
+        }
+        self.run(at, to, indent);
+    }
+
+    /// A body in brackets, on several lines, and what stands before it from atom `at` on.
+    fn block(&mut self, at: usize, item: Range, indent: usize) {
+        let open = match self.kind(item) {
+            Item::Block => self.atoms.row[item.from].link as usize,
+            _ => item.from,
+        };
+        let close = self.atoms.row[open].link as usize;
+        self.run(at, open + 1, indent);
+        if close > open + 1 {
+            let body = self.header(open + 1, close, self.kind(item) == Item::Entry, indent);
+            self.body(body, close, indent + STEP, true);
+        }
+        self.new_line(indent, false);
+        self.flat(close, item.to);
+    }
+
+    /// Values that stay on the line of the bracket: `sphere { 0, 1`. Tells where the rest begins.
+    fn header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
+        let (items, next) = self.row_at(from, to);
+        let values = items.iter().take_while(|item| self.kind(**item) == Item::Value).count();
+        let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
+        let small = items.iter().all(|item| !self.is_big(*item) && !trails(item));
+        let end = match () {
+            () if values == 0 || self.begins_line(from) => from,
+            () if next < to && small && !is_entry => next,
+            () if items.get(values).is_some_and(trails) || next == to || is_entry => {
+                items.get(values).map_or(next, |item| item.from)
+            }
+            () => from,
+        };
+        if end == from || !is_entry && !self.fits(from, end) {
+            return from;
+        }
+        self.run(from, end, indent + STEP);
+        end
+    }
+
+    /// A directive with bodies, on several lines.
+    fn directive(&mut self, item: Range, indent: usize) {
+        let Some(arms) = self.arms(item.from) else { return };
+        for (i, arm) in arms.iter().enumerate() {
+            let (head, body, end) = (arm.head as usize, arm.body as usize, arm.end as usize);
+            let indent = indent + if arm.choice { STEP } else { 0 };
+            let on_line = arm.choice && !self.begins_line(head) && self.fits(head, end) && i > 1;
+            if i > 0 && !on_line {
+                self.new_line(indent, self.atoms.row[head].lines > 1);
+            }
+            if arm.choice && self.fits(head, end) {
+                self.flat(head, end);
+                continue;
+            }
+            self.run(head, body, indent);
+            self.body(body, end, indent + STEP, true);
+        }
+        let end = arms.last().map_or(item.from, |arm| arm.end as usize);
+        self.new_line(indent, false);
+        self.flat(end, item.to);
+    }
+}
+
+/// Indented inside of so many brackets that have no partner.
+pub(super) fn indent_by(indent: usize, open: i32) -> usize {
+    indent + STEP * open.clamp(0, 20).unsigned_abs() as usize
+}
+
+/// Columns of a text on one line.
+pub(super) fn columns_of(text: &str) -> usize {
+    if text.is_ascii() { text.len() } else { text.chars().count() }
+}
+
+/// Gives the parts of a vector of numbers as they should be, and tells how many columns they have.
+fn unpack(text: &str, mut part: impl FnMut(&str)) -> usize {
+    let (mut columns, mut first) = (2, true);
+    part("<");
+    for number in text.split(|c: char| matches!(c, '<' | '>' | ',') || c <= ' ').filter(|n| !n.is_empty()) {
+        if !std::mem::take(&mut first) {
+            part(", ");
+            columns += 2;
+        }
+        part(number);
+        columns += number.len();
+    }
+    part(">");
+    columns
+}

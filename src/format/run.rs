@@ -1,0 +1,116 @@
+//! Breaks what stands outside of bodies: expressions, heads, arguments.
+
+use super::STEP;
+use super::atoms::{Item, flag};
+use super::layout::{Setter, indent_by};
+
+/// Brackets that are open, by the number of the line on which each stands.
+#[derive(Default)]
+struct Nesting {
+    open: Vec<u32>,
+    line: u32,
+    /// Those that were opened less those that were closed.
+    net: i32,
+}
+
+impl Nesting {
+    fn pass(&mut self, opens: bool, closes: bool) {
+        self.net += i32::from(opens) - i32::from(closes);
+        if opens {
+            self.open.push(self.line);
+        } else if closes {
+            self.open.pop();
+        }
+    }
+
+    /// Lines with open brackets: each indents by one step, and a line that goes on is indented at least once.
+    fn levels(&self) -> usize {
+        let others = self.open.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        (others + usize::from(!self.open.is_empty())).clamp(1, 20)
+    }
+}
+
+impl Setter<'_> {
+    /// Atoms whose line is indented so far: the author's breaks, and more where it gets too long.
+    pub(super) fn run(&mut self, from: usize, to: usize, indent: usize) {
+        let (mut nesting, mut at) = (Nesting::default(), from);
+        let (body, mut open, mut indent) = (indent.saturating_sub(indent_by(0, self.open)), self.open, indent);
+        while at < to {
+            let mut hard = at + 1;
+            while hard < to && self.is_flat(at, hard + 1) {
+                hard += 1;
+            }
+            while at < hard {
+                let end = self.break_in(at, hard, nesting.open.len());
+                for i in at..end {
+                    nesting.pass(self.has(i, flag::OPEN), self.has(i, flag::CLOSE));
+                }
+                self.flat(at, end);
+                at = end;
+                if at < to {
+                    nesting.line += 1;
+                    if self.is_item(at) {
+                        // When the text is read again, this is a row of the body.
+                        open = (open + nesting.net).max(0);
+                        nesting = Nesting::default();
+                        indent = indent_by(body, open);
+                        self.new_line(indent, false);
+                    } else {
+                        self.new_line(indent + STEP * nesting.levels(), false);
+                    }
+                }
+            }
+        }
+    }
+
+    /// How many of these atoms go on the line: all, or up to the best place to break it, which is outside of as many brackets as may be.
+    fn break_in(&self, from: usize, to: usize, depth: usize) -> usize {
+        let gap = if self.column > 0 { self.gap(from) } else { 0 };
+        let room = self.width.saturating_sub(self.column + gap);
+        if self.flat_width(from, to) <= room {
+            return to;
+        }
+        let (mut depth, mut best) = (depth, None);
+        for i in from..to {
+            let width = self.flat_width(from, i);
+            if i > from && self.may_break(i) {
+                if width > room && best.is_some() {
+                    break;
+                }
+                let cost = (width < room / 3, depth * 8 + self.tie(i - 1));
+                if width > room {
+                    return i;
+                }
+                if best.is_none_or(|(least, _)| cost <= least) {
+                    best = Some((cost, i));
+                }
+            }
+            depth += usize::from(self.has(i, flag::OPEN));
+            depth = depth.saturating_sub(usize::from(self.has(i, flag::CLOSE)));
+        }
+        best.map_or(to, |(_, i)| i)
+    }
+
+    fn is_item(&self, i: usize) -> bool {
+        self.atoms.row[i].item != Item::None
+    }
+
+    /// Not before operators, nor between a word and its value.
+    fn may_break(&self, i: usize) -> bool {
+        let word = matches!(self.atoms.row[i - 1].item, Item::Word | Item::Plain);
+        !self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT) && !(word && self.is_item(i))
+    }
+
+    /// How much an atom holds what follows it.
+    fn tie(&self, i: usize) -> usize {
+        match self.read(i) {
+            "," => 1,
+            "?" | ":" | "|" | "&" => 2,
+            "+" | "-" => 4,
+            "*" | "/" => 5,
+            _ if self.has(i, flag::OPERATOR) => 3,
+            _ if self.has(i, flag::CLOSE) => 1,
+            _ => 6,
+        }
+    }
+}

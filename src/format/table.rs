@@ -1,0 +1,98 @@
+//! Tables: lines of one shape that the author set in columns stay in columns.
+
+use super::atoms::{Item, flag};
+use super::layout::{Row, Setter, columns_of};
+
+/// Gives the atoms of tables the blanks that keep their columns in line, unless a line would get too long.
+pub fn pad(setter: &mut Setter, rows: &[Row], indent: usize) {
+    let mut from = 0;
+    while from < rows.len() {
+        let mut to = from + 1;
+        while to < rows.len() && goes_on(setter, &rows[from], &rows[to]) {
+            to += 1;
+        }
+        // A neighbour that is broken may become rows of the same shape.
+        let before = from > 0 && splits(setter, &rows[from - 1], indent);
+        let after = rows.get(to).is_some_and(|row| splits(setter, row, indent));
+        if to > from + 1
+            && !before
+            && !after
+            && let Some(pads) = table(setter, &rows[from..to], indent)
+        {
+            for (row, pads) in rows[from..to].iter().zip(pads) {
+                setter.pads[row.from..row.from + pads.len()].copy_from_slice(&pads);
+            }
+        }
+        from = to;
+    }
+}
+
+/// Will a row stand on more lines than the author gave it?
+fn splits(setter: &Setter, row: &Row, indent: usize) -> bool {
+    let single = setter.atoms.row[row.from].next as usize == row.to;
+    !single && (!row.flat || indent + setter.flat_width(row.from, row.to) > setter.width)
+}
+
+/// The atoms of a row, without a comment behind it, nor a comma: the last row has none.
+fn cells(setter: &Setter, row: &Row) -> std::ops::Range<usize> {
+    let to = row.to - usize::from(setter.has(row.to - 1, flag::LINE_COMMENT));
+    row.from..to - usize::from(to > row.from + 1 && setter.read(to - 1) == ",")
+}
+
+/// Have both rows the same words and signs, and numbers, names and texts at the same places?
+fn goes_on(setter: &Setter, first: &Row, next: &Row) -> bool {
+    let (a, b) = (cells(setter, first), cells(setter, next));
+    let together = first.flat && next.flat && setter.atoms.row[next.from].lines == 1;
+    together && a.len() > 1 && a.len() == b.len() && a.zip(b).all(|(i, j)| class(setter, i) == class(setter, j))
+}
+
+fn class<'a>(setter: &Setter<'a>, i: usize) -> &'a str {
+    let text = setter.read(i);
+    let sign = text.len() == 1 && !text.starts_with(|c: char| c.is_ascii_alphanumeric());
+    match text.as_bytes()[0] {
+        b'-' | b'+' | b'.' | b'0'..=b'9' if !sign => "0",
+        b'"' => "\"",
+        b'a'..=b'z' | b'A'..=b'Z' | b'_' if setter.atoms.row[i].item != Item::Word => "a",
+        _ => text,
+    }
+}
+
+/// An atom as the author wrote it: columns before it and of it.
+#[derive(Clone, Copy)]
+struct Cell {
+    start: usize,
+    columns: usize,
+}
+
+/// The blanks before all atoms of all rows, if the rows are a table that is not in line by itself.
+fn table(setter: &Setter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
+    let text = setter.text;
+    let begins = |lo: usize| text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);
+    let lo = |i: usize| setter.atoms.row[i].lo as usize;
+    let lines: Vec<usize> = rows.iter().map(|row| begins(lo(row.from))).collect();
+    let mut ends = vec![indent; rows.len()];
+    let mut pads: Vec<Vec<u8>> = vec![vec![]; rows.len()];
+    for j in 0..cells(setter, &rows[0]).len() {
+        let cell = |(row, line): (&Row, &usize)| Cell {
+            start: columns_of(&text[*line..lo(row.from + j)]),
+            columns: setter.columns(row.from + j),
+        };
+        let column: Vec<Cell> = rows.iter().zip(&lines).map(cell).collect();
+        let left = column.iter().all(|cell| cell.start == column[0].start);
+        let right = column.iter().all(|cell| cell.start + cell.columns == column[0].start + column[0].columns);
+        let apart = !setter.has(rows[0].from + j, flag::GLUE);
+        let gap = usize::from(apart && j > 0);
+        let edge = |r: usize| ends[r] + gap + if left { 0 } else { column[r].columns };
+        let target = (0..rows.len()).map(edge).max()?;
+        let blanks: Vec<usize> =
+            (0..rows.len()).map(|r| if left && apart || right && !left { target - edge(r) } else { 0 }).collect();
+        for (r, blanks) in blanks.into_iter().enumerate() {
+            ends[r] += gap + blanks + column[r].columns;
+            pads[r].push(u8::try_from(blanks).ok()?);
+            if ends[r] > setter.width {
+                return None;
+            }
+        }
+    }
+    pads.iter().flatten().any(|pad| *pad > 0).then_some(pads)
+}

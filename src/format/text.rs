@@ -1,0 +1,70 @@
+//! Bytes of a file to text and back: encoding and ends of lines stay as they are.
+
+use super::format;
+use crate::diagnostic::Diagnostic;
+use crate::source::{ReadError, text_of};
+
+/// A file's text, and how it is written.
+#[derive(Debug)]
+pub struct Encoded {
+    /// Without a byte-order mark.
+    pub text: String,
+    marked: bool,
+    latin_1: bool,
+}
+
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// What the bytes say.
+///
+/// # Errors
+/// If they are no text.
+pub fn decode(bytes: Vec<u8>) -> Result<Encoded, ReadError> {
+    let (marked, latin_1) = (bytes.starts_with(MARK), std::str::from_utf8(&bytes).is_err());
+    Ok(Encoded { text: text_of(bytes)?, marked, latin_1 })
+}
+
+impl Encoded {
+    /// The text as it should be; see [`format`].
+    ///
+    /// # Errors
+    /// Those of [`format`].
+    pub fn formatted(&self, base: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
+        Ok(with_ends(&format(&self.text, base, width)?, line_end(&self.text)))
+    }
+
+    /// Another text, encoded as this one was.
+    pub fn encode(&self, text: &str) -> Vec<u8> {
+        let mark = if self.marked { MARK } else { b"" };
+        let narrow = || text.chars().map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')).collect();
+        let bytes: Vec<u8> = if self.latin_1 { narrow() } else { text.as_bytes().to_vec() };
+        [mark, &bytes].concat()
+    }
+}
+
+/// How the first line ends.
+fn line_end(text: &str) -> &'static str {
+    match text.find(['\n', '\r']) {
+        Some(at) if text[at..].starts_with("\r\n") => "\r\n",
+        Some(at) if text[at..].starts_with('\r') => "\r",
+        _ => "\n",
+    }
+}
+
+/// Lines that end in `\n` alone end so; those inside of strings and comments that end otherwise stay.
+fn with_ends(text: &str, end: &str) -> String {
+    if end == "\n" {
+        return text.to_string();
+    }
+    let mut out = String::with_capacity(text.len() + text.len() / 16);
+    for line in text.split_inclusive('\n') {
+        match line.strip_suffix('\n') {
+            Some(rest) if !rest.ends_with('\r') => {
+                out.push_str(rest);
+                out.push_str(end);
+            }
+            _ => out.push_str(line),
+        }
+    }
+    out
+}
