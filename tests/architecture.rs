@@ -32,7 +32,7 @@ const LAYERS: &[(&str, u32)] = &[
     ("advice", 11),
     ("cli", 12),
     ("lsp", 12),
-    ("format", 12),
+    ("format", 11),
     ("preview", 12),
 ];
 
