@@ -143,16 +143,20 @@ fn commands_that_do_not_exist() {
         ("draw ball.scene --size 8x6", "did you mean `durer render ball.scene --size 8x6`?"),
         ("lint ball.scene", "did you mean `durer check ball.scene`?"),
         ("-q chekc ball.scene", "did you mean `durer check ball.scene`?"),
-        ("fmt ball.scene", "there is no command `fmt`, and no scene of this name; the commands are `render`, `check`"),
-        ("fmt", "there is no command `fmt`"),
+        ("format ball.scene", "did you mean `durer fmt ball.scene`?"),
+        (
+            "wibble ball.scene",
+            "there is no command `wibble`, and no scene of this name; the commands are `render`, `check`",
+        ),
+        ("wibble", "there is no command `wibble`"),
     ] {
         let (out, err) = place.exits(2, line);
         assert!(out.is_empty() && err.contains(says), "{line}\n{err}");
     }
     assert_eq!(place.names(), ["ball.scene"]);
     // Files and scenes are no commands, whatever they are called.
-    place.put("fmt.pov", SCENE);
-    place.exits(0, "fmt +W4 +H3");
+    place.put("format.pov", SCENE);
+    place.exits(0, "format +W4 +H3");
     place.put("rendr", SCENE);
     place.exits(0, "rendr +W4 +H3");
 }

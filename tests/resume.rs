@@ -155,7 +155,10 @@ fn what_was_drawn_is_kept_when_the_disk_is_full() {
     let told = err(&out);
     assert_eq!(out.status.code(), Some(5), "{told}");
     assert!(told.contains("`a.bmp` can't be written: file too large"), "{told}");
-    assert!(told.contains("a part of what was drawn is kept in `a.bmp.unfinished` (no more could be written: "), "{told}");
+    assert!(
+        told.contains("a part of what was drawn is kept in `a.bmp.unfinished` (no more could be written: "),
+        "{told}"
+    );
     assert!(!told.contains("could not be kept"), "{told}");
     assert!(!place.at("a.bmp").exists() && place.at("a.bmp.unfinished").exists());
     let again = place.run(&format!("{words} --resume --stats json"));

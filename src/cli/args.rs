@@ -293,7 +293,7 @@ pub struct FmtArgs {
     /// Scenes, include files, folders of them, or - for standard input [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Write nothing; list the files that would change on standard error, and end with exit code 1 if there are any
+    /// Write nothing; list the files that would change, and end with exit code 1 if there are any
     #[arg(long)]
     pub check: bool,
     /// Write nothing; show what would change

@@ -89,7 +89,8 @@ fn table(setter: &Setter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
         for (r, blanks) in blanks.into_iter().enumerate() {
             ends[r] += gap + blanks + column[r].columns;
             pads[r].push(u8::try_from(blanks).ok()?);
-            if ends[r] > setter.width {
+            // A comma may follow.
+            if ends[r] >= setter.width {
                 return None;
             }
         }
