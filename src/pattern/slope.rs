@@ -66,7 +66,9 @@ impl Readable for Slope {
         let range = read_range(r)?;
         let mut altitude = None;
         if matches!(towards, Towards::Direction(_)) && r.accept("altitude")? {
-            altitude = Some(Box::new(Altitude { up: read_vector(r)?, range: read_range(r)? }));
+            let (up, range) = (r.vector()?, read_range(r)?);
+            // POV-Ray takes an altitude that has no direction for none.
+            altitude = (up != DVec3::ZERO).then(|| Box::new(Altitude { up, range }));
         }
         r.leave()?;
         Ok(Self { towards, range, altitude })

@@ -95,8 +95,8 @@ struct Painter<'w, 'a> {
     interface: &'a Interface,
     opacity_by_color: bool,
     bailout: f64,
-    /// The normal that pigments without bumps see: that of the last bumps before them, in whatever space those were (measured on POV-Ray
-    /// 3.7); only `slope` and `aoi` show it.
+    /// The normal that patterns see: that of the last bumps before them, in whatever space those were (measured on POV-Ray 3.7); only
+    /// `slope` and `aoi` show it.
     seen: DVec3,
     coats: SmallVec<[Coat<'w>; 1]>,
 }
@@ -107,7 +107,8 @@ impl<'w> Painter<'w, '_> {
     fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
-                let (number, inner) = choice.pattern.see(ctx);
+                let (number, inner) = choice.pattern.see(&self.sees(ctx));
+                let inner = TextureContext { normal: ctx.normal, ..inner };
                 let within = PatternSpaces { space: &choice.space, outer: frame };
                 let mut shares = choice.parts.shares(number, choice.averages());
                 // (The upper of two goes first, as `seen` shows.)
@@ -123,6 +124,11 @@ impl<'w> Painter<'w, '_> {
                 self.coats.push(coat);
             }
         }
+    }
+
+    /// The place as patterns see it.
+    fn sees(&self, ctx: &TextureContext) -> TextureContext {
+        TextureContext { normal: self.seen, ..*ctx }
     }
 
     /// Without light, the last layer that is looked at is seen alone (measured on POV-Ray 3.7).
@@ -181,7 +187,7 @@ impl<'w> Painter<'w, '_> {
         let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
         let local = frame.map_or(local, |frame| frame.inside(local));
         let local = if within { local.normalize_or(local) } else { local };
-        let inner = bumps.perturb(ctx, local);
+        let inner = bumps.perturb(&self.sees(ctx), local);
         let outer = frame.map_or(inner, |frame| frame.outside(inner));
         let lit = place.map_or(outer, |m| m.normal(outer));
         let seen = if within { inner } else { lit };

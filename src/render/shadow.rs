@@ -6,7 +6,7 @@ use super::trace::Tracer;
 use crate::color::Rgb;
 use crate::light::Arriving;
 use crate::math::{DVec3, Range, Ray, tolerance};
-use crate::world::LightSource;
+use crate::world::{Intersection, LightSource, World};
 use std::ops::ControlFlow;
 
 impl Tracer<'_> {
@@ -60,10 +60,9 @@ impl Tracer<'_> {
             return self.colored(&ray, range, filters, inside.clone(), hazy);
         }
         let mut light = Rgb::ONE;
-        let _ = world.geometry.visit(&ray, range, filters, &mut |found| {
+        for found in surfaces(world, &ray, range, filters) {
             light *= shading_point::pass(world, &ray, &found, quick);
-            if light == Rgb::ZERO { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
+        }
         light
     }
 
@@ -79,14 +78,8 @@ impl Tracer<'_> {
         hazy: bool,
     ) -> Rgb {
         let world = self.setup.world;
-        let mut surfaces = vec![];
-        let _ = world.geometry.visit(ray, range, filters, &mut |found| {
-            surfaces.push(found);
-            ControlFlow::Continue(())
-        });
-        surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
         let (mut light, mut before) = (Rgb::ONE, 0.0);
-        for found in surfaces {
+        for found in surfaces(world, ray, range, filters) {
             let own = world.parts[found.part() as usize].interior;
             let interior = &world.interiors[own as usize];
             if hazy {
@@ -113,4 +106,24 @@ impl Tracer<'_> {
     fn stretch(&mut self, ray: &Ray, from: f64, to: f64, inside: &Interiors) -> Rgb {
         self.veil(&Ray::new(ray.at(from), ray.dir), to - from, inside).passes
     }
+}
+
+/// The surfaces that take their share of a light's ray, from the nearest to the farthest. One that is no farther behind another than the
+/// tolerance is not met: a box thinner than that filters once, and so does the edge of its shadow (measured on POV-Ray 3.7).
+fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32) -> bool) -> Vec<Intersection<'w>> {
+    let mut surfaces = vec![];
+    let _ = world.geometry.visit(ray, range, filters, &mut |found| {
+        surfaces.push(found);
+        ControlFlow::Continue(())
+    });
+    surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
+    let mut last = f64::NEG_INFINITY;
+    surfaces.retain(|found| {
+        let met = found.t() - last > tolerance::SHADOW;
+        if met {
+            last = found.t();
+        }
+        met
+    });
+    surfaces
 }

@@ -119,4 +119,15 @@ impl ImageMap {
         let solid = none(self.clearness.filter) && none(self.clearness.transmit) && self.clearness.palette.is_empty();
         solid && !self.mapping.once && !self.texels.has_alpha()
     }
+
+    /// Does no light pass it as one of several pigments, as POV-Ray 3.7 tells it (measured)? There it looks at the picture's own alpha and
+    /// palette alone, not at `filter`, nor at `transmit all` of a picture that has no palette.
+    pub fn seems_opaque(&self) -> bool {
+        let clear = |i: usize| match self.texels.index(i) {
+            Some(_) => self.pixel(i).transmit != 0.0,
+            None => self.texels.rgba(i)[3] < 1.0,
+        };
+        let pixels = self.texels.width() * self.texels.height();
+        self.is_opaque() || !(self.mapping.once || (0..pixels).any(clear))
+    }
 }

@@ -35,6 +35,13 @@ pub struct Choice {
     pub parts: Blend<Texture>,
 }
 
+impl Choice {
+    /// Is it a `material_map`?
+    pub fn is_material_map(&self) -> bool {
+        matches!(self.pattern.kind, Kind::Cells(CellPattern::MaterialMap(_)))
+    }
+}
+
 impl Layer {
     /// Moves the layer after all it has been moved before.
     fn transform(&mut self, by: &Transform) {

@@ -253,12 +253,24 @@ impl Pigment {
 
     /// Does no light pass anywhere?
     pub fn is_opaque(&self) -> bool {
+        self.is_opaque_if(&ImageMap::is_opaque)
+    }
+
+    /// Does its surface cast whole shadows, as POV-Ray 3.7 tells it (see [`ImageMap::seems_opaque`])?
+    pub fn seems_opaque(&self) -> bool {
+        match &self.paint {
+            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::seems_opaque)),
+            _ => self.is_opaque(),
+        }
+    }
+
+    fn is_opaque_if(&self, image_is: &dyn Fn(&ImageMap) -> bool) -> bool {
         let opaque = |c: &Color| c.filter == 0.0 && c.transmit == 0.0;
         match &self.paint {
             Paint::Solid(color) => opaque(color),
             Paint::Colors(map) => map.entries.iter().all(|(_, color)| opaque(color)),
-            Paint::Pigments(parts) => parts.iter().all(Pigment::is_opaque),
-            Paint::Image(image) => image.is_opaque(),
+            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(image_is)),
+            Paint::Image(image) => image_is(image),
         }
     }
 }

@@ -117,7 +117,7 @@ impl Material {
         let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, shared)).collect();
         Self {
             // One layer that lets nothing pass is enough.
-            opaque: texture.layers.iter().any(is_opaque),
+            opaque: texture.layers.iter().any(seems_opaque),
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
@@ -125,6 +125,18 @@ impl Material {
             uv: texture.layers.iter().any(asks_uv),
             layers,
         }
+    }
+}
+
+/// As POV-Ray 3.7 tells it (measured): of pigments in a `pigment_map` it does not see all that light passes, but it asks each
+/// texture of a `texture_map` at the place.
+fn seems_opaque(layer: &texture::Layer) -> bool {
+    match &layer.choice {
+        Some(choice) if choice.is_material_map() => {
+            choice.parts.iter().all(|part| part.layers.iter().any(seems_opaque))
+        }
+        Some(_) => is_opaque(layer),
+        None => layer.pigment.seems_opaque(),
     }
 }
 
