@@ -289,9 +289,9 @@ pub trait Kernel {
         false
     }
 
-    /// The shape to place by M instead of this one, where that is another. `before` is M without its last step, if there is one and
+    /// The shape to place by M instead of this one, where that is another. `moves` are the steps of M, the first one first, where
     /// [`Kernel::remembers_moves`].
-    fn changed_under(&self, _m: &Transform, _before: Option<&Transform>) -> Option<Self>
+    fn changed_under(&self, _m: &Transform, _moves: &[Move]) -> Option<Self>
     where
         Self: Sized,
     {
@@ -313,9 +313,35 @@ pub trait Kernel {
         false
     }
 
-    /// Does it depend on the steps by which it was moved which side is which?
+    /// Does it depend on the steps by which it was moved what it is?
     fn remembers_moves(&self) -> bool {
         false
+    }
+}
+
+/// A step by which a shape was moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// What it does.
+    pub by: Transform,
+    /// Was it the word `scale`?
+    pub scales: bool,
+}
+
+impl Move {
+    /// As many as are remembered; from more, the first ones are taken together.
+    const MOST: usize = 32;
+
+    /// First those, then these.
+    pub fn join(first: &[Move], then: &[Move]) -> Arc<[Move]> {
+        let mut all: Vec<Move> = [first, then].concat();
+        let many = (all.len() + 1).saturating_sub(Self::MOST);
+        if many > 1 {
+            let by = all[..many].iter().fold(Transform::IDENTITY, |by, step| by.then(&step.by));
+            let together = Move { by, scales: all[many - 1].scales };
+            all.splice(..many, [together]);
+        }
+        all.into()
     }
 }
 
@@ -357,9 +383,9 @@ macro_rules! shapes {
         }
 
         impl Shape {
-            /// The shape that M is about to place; `before` is M without its last step, where [`Kernel::remembers_moves`].
-            pub fn under(&self, m: &Transform, before: Option<&Transform>) -> Cow<'_, Self> {
-                match self { $(Shape::$name(s) => s.changed_under(m, before).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
+            /// The shape that M is about to place; `moves` are the steps of M, where [`Kernel::remembers_moves`].
+            pub fn under(&self, m: &Transform, moves: &[Move]) -> Cow<'_, Self> {
+                match self { $(Shape::$name(s) => s.changed_under(m, moves).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
             /// Do both share all they are?
             pub fn is_one_with(&self, other: &Self) -> bool {

@@ -7,7 +7,7 @@
 //! smooth_triangle { <0, 0, 0>, <-1, 0, -2>, <1, 0, 0>, <1, 0, -2>, <0, 1, 0>, <0, 1, -2> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, Triangle, finite};
+use super::{Hit, Hits, Kernel, Move, Readable, Triangle, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -85,7 +85,7 @@ impl Kernel for SmoothTriangle {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        if self.is_twisted_under(m) { Aabb::EMPTY } else { self.flat.bounds_under(m) }
+        if self.is_twisted() { Aabb::EMPTY } else { self.flat.bounds_under(m) }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -106,8 +106,25 @@ impl Kernel for SmoothTriangle {
     }
 
     /// With normals that have length 1 under M, so that what lies between them there is a mean of directions (as in POV-Ray).
-    fn changed_under(&self, m: &Transform, _: Option<&Transform>) -> Option<Self> {
-        let normals = self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE));
+    fn remembers_moves(&self) -> bool {
+        true
+    }
+
+    /// With normals as POV-Ray 3.7 has them (measured): they get length 1 at each `scale`, and other steps that stretch them leave
+    /// them as they are. What a `scale` twists is gone, whatever follows; what others twist is not.
+    fn changed_under(&self, _: &Transform, moves: &[Move]) -> Option<Self> {
+        let (mut m, mut scaled) = (Transform::IDENTITY, None);
+        for step in moves {
+            m = m.then(&step.by);
+            if step.scales {
+                scaled = Some(m);
+                if self.is_twisted_under(&m) {
+                    return Some(Self { normals: [DVec3::ZERO; 3], ..self.clone() });
+                }
+            }
+        }
+        let scaled = scaled?;
+        let normals = self.normals.map(|n| n / scaled.normal(n).length().max(f64::MIN_POSITIVE));
         Some(Self { normals, ..self.clone() })
     }
 

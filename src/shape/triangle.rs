@@ -4,7 +4,7 @@
 //! triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { color rgb <0.3, 0.7, 0.3> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite};
+use super::{Hit, Hits, Kernel, Move, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -141,8 +141,9 @@ impl Kernel for Triangle {
 
     /// With the sides that it has in POV-Ray 3.7 (measured): each step that moves it turns it so that, where it lay before the step, its
     /// normal pointed to -x, y or -z, whichever is the nearest axis.
-    fn changed_under(&self, m: &Transform, before: Option<&Transform>) -> Option<Self> {
-        let before = before?;
+    fn changed_under(&self, m: &Transform, moves: &[Move]) -> Option<Self> {
+        let (_, before) = moves.split_last()?;
+        let before = before.iter().fold(Transform::IDENTITY, |all, step| all.then(&step.by));
         let [a, b, c] = [self.a, self.b, self.c].map(|p| before.point(p));
         let normal = Self::new(a, b, c).face_normal();
         let along = (normal * DVec3::new(-1.0, 1.0, -1.0))[normal.abs().max_position()];

@@ -7,7 +7,7 @@ mod read;
 
 use super::{Defaults, Painted, Weight};
 use crate::math::{Aabb, Transform};
-use crate::shape::{Kernel, Shape, moved_box};
+use crate::shape::{Kernel, Move, Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Interior, Texture};
 use crate::value::{RawItem, Seldom, Thing, Usual};
@@ -116,8 +116,8 @@ pub struct Bulk {
     pub weight: Weight,
     /// [`Kernel::remembers_moves`] of one of its shapes.
     pub remembers_moves: bool,
-    /// All its transforms but the last, if there is one and it remembers them.
-    pub before_last: Option<Arc<Transform>>,
+    /// The steps by which it was moved, if it remembers them.
+    pub moves: Option<Arc<[Move]>>,
 }
 
 /// What few objects say.
@@ -146,7 +146,7 @@ pub struct Rare {
 
 impl Bulk {
     /// That of a shape, which mostly needs none.
-    const SHAPE: Self = Self { extent: None, weight: Weight::SHAPE, remembers_moves: false, before_last: None };
+    const SHAPE: Self = Self { extent: None, weight: Weight::SHAPE, remembers_moves: false, moves: None };
 }
 
 impl Usual for Rare {
@@ -191,7 +191,7 @@ impl ObjectBody {
                     extent: None,
                     weight: Weight::default().around(parts),
                     remembers_moves,
-                    before_last: None,
+                    moves: None,
                 }))
             }
             _ => None,

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::scene::words::{FLAGS, MODIFIERS};
 use crate::scene::{Defaults, Painted, Weight, read_layers, read_material};
-use crate::shape::{self, Kernel, Shape};
+use crate::shape::{self, Kernel, Move, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
 use crate::value::words::{is_row, read_row};
@@ -159,11 +159,13 @@ impl Object {
             {
                 continue;
             }
-            if next.moves() && shape.as_deref().map_or_else(|| self.remembers_moves(), Kernel::remembers_moves) {
-                let before = self.transform.unusual().cloned().unwrap_or_default();
-                self.bulk.get_or_insert_with(|| Box::new(Bulk::SHAPE)).before_last = Some(before);
-            }
-            let read = match self.read_modifier(next, r, defaults) {
+            let remembers = shape.as_deref().map_or_else(|| self.remembers_moves(), Kernel::remembers_moves);
+            let read = if next.moves() && remembers {
+                self.read_move(r, Some(next)).map(|()| true)
+            } else {
+                self.read_modifier(next, r, defaults)
+            };
+            let read = match read {
                 // (Its number has been read by then.)
                 Err(fault) if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.moves() => {
                     r.report(nothing_seen(self.word, *fault));
@@ -185,10 +187,24 @@ impl Object {
         }
     }
 
+    /// Reads a transform and moves by it; what it was called is kept if it is told.
+    fn read_move(&mut self, r: &mut dyn Reader, called: Option<Next>) -> Result<()> {
+        let Some(step) = r.transform()? else { return Ok(()) };
+        self.transform_by(&step);
+        if let Some(called) = called {
+            let bulk = self.bulk.get_or_insert_with(|| Box::new(Bulk::SHAPE));
+            let last = Move { by: *step, scales: called == Next::Word("scale") };
+            bulk.moves = Some(Move::join(bulk.moves.as_deref().unwrap_or_default(), &[last]));
+        }
+        Ok(())
+    }
+
     /// Have its transforms so far left nothing of the shape? What follows does not bring it back (measured on POV-Ray 3.7 with
     /// smooth triangles, whose normals get to both sides).
     fn loses(&self, shape: &Shape) -> bool {
-        shape.is_patch() && !shape.bounds().is_empty() && shape.bounds_under(&self.transform).is_empty()
+        let moves = self.bulk.as_ref().and_then(|bulk| bulk.moves.as_deref()).unwrap_or_default();
+        let left = || shape.under(&self.transform, moves).bounds_under(&self.transform);
+        shape.is_patch() && !shape.bounds().is_empty() && left().is_empty()
     }
 
     /// Reads one modifier; false if it is none.
@@ -203,9 +219,7 @@ impl Object {
         }
         match next {
             next if next.moves() => {
-                if let Some(step) = r.transform()? {
-                    self.transform_by(&step);
-                }
+                self.read_move(r, None)?;
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
             Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.ignores(word) => {

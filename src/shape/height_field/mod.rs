@@ -12,7 +12,7 @@
 mod grid;
 mod heights;
 
-use super::{Hit, Hits, Kernel, Readable, nearest};
+use super::{Hit, Hits, Kernel, Move, Readable, nearest};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Gives};
@@ -253,7 +253,7 @@ impl Kernel for HeightField {
     }
 
     /// With the means of directions taken where it stands, as in POV-Ray.
-    fn changed_under(&self, m: &Transform, _: Option<&Transform>) -> Option<Self> {
+    fn changed_under(&self, m: &Transform, _: &[Move]) -> Option<Self> {
         self.smooth.then(|| Self { place: Some(Box::new(*m)), ..self.clone() })
     }
 

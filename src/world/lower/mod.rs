@@ -213,9 +213,10 @@ impl Lowering {
         let clip = self.lower_clip(object, inherited)?;
         let solid = match &object.kind {
             ObjectKind::Light(light) => self.lower_light(light, &own, inherited)?,
-            ObjectKind::Shape(shape) if shape.is_patch() && shape.bounds_under(&own.place.now).is_empty() => None,
             ObjectKind::Shape(shape) => {
-                Some(self.lower_shape(object, &shape.under(&own.place.now, own.place.before.as_deref()), &own)?)
+                let shape = shape.under(&own.place.now, own.place.moves.as_deref().unwrap_or_default());
+                let is_there = !shape.is_patch() || !shape.bounds_under(&own.place.now).is_empty();
+                is_there.then(|| self.lower_shape(object, &shape, &own)).transpose()?
             }
             ObjectKind::Csg(op, parts) => self.lower_csg(*op, parts, &own)?,
         };

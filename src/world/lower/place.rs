@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::scene::{Object, Painted};
+use crate::shape::Move;
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::Seldom;
@@ -13,8 +14,8 @@ use std::sync::Arc;
 pub(super) struct Place {
     /// World from this space.
     pub now: Seldom<Transform>,
-    /// The same before the last step of all, if somebody inside wants to know.
-    pub before: Option<Seldom<Transform>>,
+    /// Its steps, the first one first, if somebody inside wants to know.
+    pub moves: Option<Arc<[Move]>>,
 }
 
 /// A texture and its place in the world.
@@ -27,11 +28,11 @@ pub(super) struct Look {
 impl Place {
     /// The space in the block of an object that stands in this one: world from object = world from block · block from object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
-        let before = match (&self.before, object.bulk.as_ref().and_then(|bulk| bulk.before_last.as_ref())) {
-            (Some(around), _) => Some(composed(&object.transform, around)),
-            (None, own) => own.map(|own| (**own).into()),
+        let moves = match (object.bulk.as_ref().and_then(|bulk| bulk.moves.as_ref()), &self.moves) {
+            (Some(own), Some(around)) => Some(Move::join(own, around)),
+            (own, around) => own.or(around.as_ref()).cloned(),
         };
-        Ok(Self { now: moved(&object.transform, &self.now, object.source)?, before })
+        Ok(Self { now: moved(&object.transform, &self.now, object.source)?, moves })
     }
 
     /// Where textures lie that move with the object in whose block this is: those of what has `uv_mapping` do not (measured on POV-Ray
