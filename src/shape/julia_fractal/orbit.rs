@@ -7,7 +7,10 @@ use super::function::Function;
 use crate::math::{Complex, fp};
 use smallvec::SmallVec;
 use std::array::from_fn;
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+
+/// After so many rounds back, the ball that holds all hardly shrinks.
+const BALL_ROUNDS: usize = 6;
 
 /// x + iy + jz + kw.
 pub type Four = [f64; 4];
@@ -39,15 +42,15 @@ pub fn product(a: Four, b: Four) -> Four {
 /// h², whose vector part is twice the product of both parts.
 fn square([x, y, z, w]: Four) -> Four {
     let twice = x + x;
-    [x * x - y * y - z * z - w * w, twice * y, twice * z, twice * w]
+    [(x * x - y * y) - (z * z + w * w), twice * y, twice * z, twice * w]
 }
 
 fn sum(a: Four, b: Four) -> Four {
     from_fn(|i| a[i] + b[i])
 }
 
-fn length_squared(h: Four) -> f64 {
-    h.iter().map(|x| x * x).sum()
+fn length_squared([x, y, z, w]: Four) -> f64 {
+    (x * x + y * y) + (z * z + w * w)
 }
 
 /// The pair of complex numbers.
@@ -129,29 +132,49 @@ impl Rule {
         if most.is_nan() { f64::INFINITY } else { most }
     }
 
+    /// All that never goes further than `radius` in so many rounds lies no further than this from the origin.
+    ///
+    /// |h² + c| ≥ |h|² - |c|: so what is at r at most after a round was at √(r + |c|) at most, and so for cubes.
+    pub fn ball(self, c: Four, radius: f64, count: usize) -> f64 {
+        let steps = 0..count.min(BALL_ROUNDS);
+        let size = length_squared(c).sqrt();
+        match self {
+            Rule::Square => steps.fold(radius, |r, _| r.min((r + size).sqrt())),
+            Rule::Cube => steps.fold(radius, |r, _| r.min(fp::cbrt(r + size))),
+            Rule::Pair(Function::Sqr) => {
+                let [a, b] = pair(c).map(|c| {
+                    let size = c.length_squared().sqrt();
+                    steps.clone().fold(SQRT_2 * radius, |r, _| r.min((r + size).sqrt()))
+                });
+                radius.min(mean([a * a, b * b]).sqrt())
+            }
+            Rule::Pair(_) => radius,
+        }
+    }
+
     /// Is it known how far neighbours stray?
     pub fn is_proved(self) -> bool {
         matches!(self, Rule::Square | Rule::Cube | Rule::Pair(Function::Sqr))
     }
 
-    /// How far a number may stray in a round, so that it strays by `e` at most in the next one.
+    /// How far a number may stray in a round, so that it strays by no more in the next one than it may there.
     ///
     /// |(h + d)² - h²| ≤ (|h| + |d|)² - |h|², and so for cubes; both are solved for |d|, or by less where it costs less.
-    fn before(self, square: f64, e: f64) -> f64 {
-        let length = square.sqrt();
+    fn before(self, square: f64, next: Stray) -> Stray {
+        let (length, Stray { least: e, most }) = (square.sqrt(), next);
         match self {
-            _ if e == 0.0 => 0.0,
+            _ if e == 0.0 => Stray::exactly(0.0),
             Rule::Cube if e <= square * length => {
                 let most = e / (3.0 * square);
-                e / (3.0 * square + most * (3.0 * length + most))
+                Stray::exactly(e / (3.0 * square + most * (3.0 * length + most)))
             }
-            Rule::Cube => fp::cbrt(square * length + e) - length,
+            Rule::Cube => Stray::exactly(fp::cbrt(square * length + e) - length),
             // d = e / (2|h| + d) ≥ e / (2|h| + e / 2|h|) ≥ e / 2|h| (1 - e / 4|h|²)
-            _ if e <= square => {
+            _ if most <= square => {
                 let half = 0.5 / length;
-                e * half * (1.0 - e * (half * half))
+                Stray { least: e * (half * (1.0 - most * (half * half))), most: most * half }
             }
-            _ => (square + e).sqrt() - length,
+            _ => Stray::exactly((square + e).sqrt() - length),
         }
     }
 
@@ -172,30 +195,48 @@ impl Rule {
 
     /// How far N numbers may stray before the first round so that they are near in all of them.
     fn staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
-        let mut e = [f64::INFINITY; N];
+        let mut e = [Stray::exactly(f64::INFINITY); N];
         for squares in trail.iter().rev() {
             let gap = (radius - mean(*squares).sqrt()).max(0.0);
             e = from_fn(|i| self.before(squares[i], e[i]).min(gap));
         }
-        least(e)
+        least(&e)
     }
 
     /// The same for numbers that are far in one of the last rounds.
     fn leaving<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
-        let mut e = [0.0; N];
+        let mut e = [Stray::exactly(0.0); N];
         for squares in trail.iter().rev() {
             e = from_fn(|i| self.before(squares[i], e[i]));
             if mean(*squares) > radius * radius {
                 let gap = mean(*squares).sqrt() - radius;
-                e = if gap > least(e) { [gap; N] } else { e };
+                e = if gap > least(&e) { [Stray::exactly(gap); N] } else { e };
             }
         }
-        least(e)
+        least(&e)
     }
 }
 
-fn least<const N: usize>(e: [f64; N]) -> f64 {
-    e.into_iter().fold(f64::INFINITY, f64::min)
+/// How far a number may stray: by `least` at least, and that is no more than `most`. (Each follows from its own before, so that a
+/// processor need not wait for one to begin with the other.)
+#[derive(Clone, Copy)]
+struct Stray {
+    least: f64,
+    most: f64,
+}
+
+impl Stray {
+    fn exactly(e: f64) -> Self {
+        Self { least: e, most: e }
+    }
+
+    fn min(self, e: f64) -> Self {
+        Self { least: self.least.min(e), most: self.most.min(e) }
+    }
+}
+
+fn least<const N: usize>(e: &[Stray; N]) -> f64 {
+    e.iter().fold(f64::INFINITY, |least, stray| least.min(stray.least))
 }
 
 /// The squared length of the point from those of its pair.
