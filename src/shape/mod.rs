@@ -111,15 +111,19 @@ fn nearest(hits: &Hits) -> Option<Hit> {
 /// How a line passes a convex solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Crossing {
-    /// The shape is not convex, or this line is too close to call.
+    /// The shape does not know, or this line is too close to call.
     Unknown,
     /// It never gets in.
     Misses,
     /// In by the first end and out by the second; at an infinite t where there is no such end.
     Through([End; 2]),
+    /// Out by the first end and in again by the second.
+    Around([End; 2]),
+    /// It never gets out.
+    Stays,
 }
 
-/// Where a line goes into a convex solid, or out of it: a [`Hit`] that remembers nothing else.
+/// Where a line goes into a solid, or out of it: a [`Hit`] that remembers nothing else.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// See [`Hit::t`].
@@ -244,12 +248,17 @@ pub trait Kernel {
         false
     }
 
-    /// Is it convex, and can [`Kernel::crossing`] tell of nearly all lines?
+    /// Is it convex?
     fn is_convex(&self) -> bool {
         false
     }
 
-    /// Where a line goes into a solid and out of it, of shapes that know it as one stretch.
+    /// Can [`Kernel::crossing`] tell of nearly all lines?
+    fn knows_crossings(&self) -> bool {
+        self.is_convex()
+    }
+
+    /// Where a line goes into a solid and out of it, of shapes that know it as one stretch, or all but one.
     fn crossing(&self, _ray: &Ray) -> Crossing {
         Crossing::Unknown
     }
@@ -368,6 +377,7 @@ macro_rules! shapes {
             fn reaches_beyond(&self) -> bool { match self { $(Shape::$name(s) => s.reaches_beyond()),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
             fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
+            fn knows_crossings(&self) -> bool { match self { $(Shape::$name(s) => s.knows_crossings()),* } }
             fn crossing(&self, ray: &Ray) -> Crossing { match self { $(Shape::$name(s) => s.crossing(ray)),* } }
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }

@@ -14,6 +14,9 @@ use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 
+/// A line along which the sum bends less than this, in parts of what it could, is left to `hits` and `inside`.
+const STRAIGHT: f64 = 1e-6;
+
 /// A surface of the second order.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quadric {
@@ -38,6 +41,8 @@ struct Centered {
     h: DVec3,
     c: f64,
     center: DVec3,
+    /// The largest number in Q.
+    size: f64,
     /// Of a closed surface: the box around it. Empty if there is no surface.
     ends: Option<Aabb>,
     /// Is it an ellipsoid that is filled?
@@ -59,7 +64,7 @@ impl Quadric {
         let c = center.dot(at_center) + constant;
         let has_center = determinant.abs() > 1e-9;
         let h = if has_center { DVec3::ZERO } else { h };
-        let mut centered = Centered { q, h, c, center, ends: None, convex: false };
+        let mut centered = Centered { q, h, c, center, size, ends: None, convex: false };
         centered.ends = centered.box_around().filter(|_| has_center);
         centered.convex = centered.ends.is_some_and(|b| !b.is_empty()) && centered.definite() > 0.0;
         Self { squares, mixed, linear, constant, centered }
@@ -71,6 +76,11 @@ impl Quadric {
     }
 
     fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
+        self.curve(ray).1
+    }
+
+    /// How the sum bends along a ray, and where it is 0.
+    fn curve(&self, ray: &Ray) -> (f64, Option<(f64, f64)>) {
         let Centered { q, h, center, .. } = &self.centered;
         // From the ray's point nearest to the centre, so that a far eye loses nothing.
         let from = ray.origin - *center;
@@ -78,8 +88,8 @@ impl Quadric {
         let o = from + ray.dir * shift;
         let qv = *q * ray.dir;
         let (a, half_b, c) = (qv.dot(ray.dir), qv.dot(o) + h.dot(ray.dir), self.centered.value(o));
-        let (t1, t2) = stable_pair(a, half_b, c, half_b * half_b - a * c)?;
-        Some((t1 + shift, t2 + shift))
+        let roots = stable_pair(a, half_b, c, half_b * half_b - a * c);
+        (a, roots.map(|(t1, t2)| (t1 + shift, t2 + shift)))
     }
 }
 
@@ -184,12 +194,26 @@ impl Kernel for Quadric {
         self.centered.convex
     }
 
+    fn knows_crossings(&self) -> bool {
+        true
+    }
+
     fn crossing(&self, ray: &Ray) -> Crossing {
-        // (Between the nappes of a cone lies what is not in it.)
-        if !self.centered.convex {
+        let (bend, roots) = self.curve(ray);
+        // Along a line that is all but straight in a pipe or in a cone's wall, t says little; an egg has none of those.
+        let straight = STRAIGHT * self.centered.size * ray.dir.length_squared();
+        if self.centered.ends.is_none() && !(bend.abs() > straight) {
             return Crossing::Unknown;
         }
-        self.roots(ray).map_or(Crossing::Misses, |(t1, t2)| Crossing::Through([End::at(t1), End::at(t2)]))
+        match roots {
+            None if bend > 0.0 => Crossing::Misses,
+            None if bend < 0.0 => Crossing::Stays,
+            Some((t1, t2)) if t1.is_finite() && t2.is_finite() => {
+                let ends = [End::at(t1), End::at(t2)];
+                if bend > 0.0 { Crossing::Through(ends) } else { Crossing::Around(ends) }
+            }
+            _ => Crossing::Unknown,
+        }
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
@@ -264,6 +288,42 @@ mod tests {
         let hole = made("<-1,-1,-1> 0 0 1");
         assert!(!hole.inside(DVec3::ZERO) && hole.inside(DVec3::X * 9.0) && hole.reaches_beyond());
         assert!(hole.bounds().is_finite() && !hole.is_convex() && ball.is_convex());
+    }
+
+    /// Where `crossing` says that a line is inside, `inside` says so too.
+    #[test]
+    fn crossings_agree_with_inside() {
+        let surfaces = [
+            "<1,1,1> 0 0 -1",
+            "<-1,-1,-1> 0 0 1",
+            "<0,1,1> 0 0 -1",
+            "<1,-1,1> 0 0 0",
+            "<1,-1,1> 0 0 -1",
+            "<1,0,1> 0 <0,-1,0> 0",
+        ];
+        let (mut known, mut rng) = ([0; 4], crate::math::rng::Stream::new(&[7]));
+        for surface in surfaces.map(made) {
+            for _ in 0..400 {
+                let mut any = || 3.0 * DVec3::from_array(std::array::from_fn(|_| rng.next() - 0.5));
+                let ray = Ray::new(any(), any());
+                let holds: (usize, Box<dyn Fn(f64) -> bool>) = match surface.crossing(&ray) {
+                    Crossing::Unknown => continue,
+                    Crossing::Misses => (0, Box::new(|_| false)),
+                    Crossing::Stays => (1, Box::new(|_| true)),
+                    Crossing::Through([a, b]) => (2, Box::new(move |t| t > a.t && t < b.t)),
+                    Crossing::Around([a, b]) => (3, Box::new(move |t| t < a.t || t > b.t)),
+                };
+                known[holds.0] += 1;
+                assert!(
+                    (-9..9).map(|i| 0.37 * f64::from(i)).all(|t| surface.inside(ray.at(t)) == holds.1(t)),
+                    "{ray:?}"
+                );
+            }
+        }
+        assert!(known.iter().all(|&n| n > 50) && known.iter().sum::<i32>() > 2390, "{known:?}");
+        // Along a pipe's wall nothing is known.
+        let along = Ray::new(DVec3::Y, DVec3::new(1.0, 1e-5, 0.0));
+        assert_eq!(made("<0,1,1> 0 0 -1").crossing(&along), Crossing::Unknown);
     }
 
     #[test]

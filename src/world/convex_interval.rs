@@ -10,7 +10,7 @@ use smallvec::SmallVec;
 /// another is settled there. Far above rounding and above what `inside` tolerates.
 const SLACK: f64 = 1e-6;
 
-/// The interval of a ray that lies inside a convex part.
+/// The interval of a ray that lies inside a part, or all that does not.
 #[derive(Clone, Copy, Debug)]
 struct ConvexInterval {
     /// Where it begins and ends; at an infinite t where it does not, the first behind the second where there is none.
@@ -27,19 +27,24 @@ impl ConvexInterval {
     /// That of a ray with a leaf, if it is known.
     fn of(leaf: &Leaf, ray: &Ray) -> Option<Self> {
         let local = leaf.local(ray);
-        let ends = match leaf.shape.crossing(&local) {
+        let (ends, around) = match leaf.shape.crossing(&local) {
             Crossing::Unknown => return None,
-            Crossing::Misses => Self::NONE,
-            Crossing::Through(ends) => ends,
+            Crossing::Misses => (Self::NONE, false),
+            Crossing::Through(ends) => (ends, false),
+            Crossing::Around(ends) => (ends, true),
+            Crossing::Stays => (Self::NONE, true),
         };
         // (At most the length of the direction, and no root.)
         let slack = SLACK / local.dir.abs().element_sum();
-        Some(Self { ends, inverse: leaf.inverse, slack })
+        Some(Self { ends, inverse: leaf.inverse != around, slack })
     }
 
-    /// All that can count if only what lies inside does.
-    fn reach(&self) -> Range {
-        Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack }
+    /// What of the range can count if only what lies inside does.
+    fn reach(&self, range: Range) -> Range {
+        if self.inverse {
+            return range;
+        }
+        range.and(Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack })
     }
 
     /// Is the point at `t` inside the part? `None` where that is for the part itself to say.
@@ -53,8 +58,8 @@ impl ConvexInterval {
 /// What of the range can count if only what lies inside the solid does; all of it, if that is not known.
 pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     match solid.kind() {
-        SolidKind::Leaf(leaf) if !leaf.inverse && leaf.shape.is_convex() => {
-            ConvexInterval::of(leaf, ray).map_or(range, |interval| range.and(interval.reach()))
+        SolidKind::Leaf(leaf) if !(leaf.inverse && leaf.shape.is_convex()) => {
+            ConvexInterval::of(leaf, ray).map_or(range, |interval| interval.reach(range))
         }
         _ => range,
     }
@@ -63,7 +68,7 @@ pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
 /// A part that can't tell where a ray is inside it.
 pub(super) struct Unknown;
 
-/// The nearest hit of an intersection, or if `merged` of a merge, whose children are all convex, and the shape that it is on.
+/// The nearest hit of an intersection, or if `merged` of a merge, whose children all know their crossings, and the shape that it is on.
 /// `shows` says of a hit at t whether nothing clips it.
 pub(super) fn nearest<'a>(
     children: &'a [SolidNode],
@@ -76,8 +81,8 @@ pub(super) fn nearest<'a>(
     for child in children {
         let SolidKind::Leaf(leaf) = child.kind() else { return Err(Unknown) };
         let interval = ConvexInterval::of(leaf, ray).ok_or(Unknown)?;
-        if !merged && !leaf.inverse {
-            range = range.and(interval.reach());
+        if !merged {
+            range = interval.reach(range);
             if range.is_empty() {
                 return Ok(None);
             }
@@ -131,8 +136,8 @@ impl<'a> Gathered<'a> {
             && child.is_whole()
             && let Some(interval) = ConvexInterval::of(leaf, ray)
         {
-            if only_inside && !leaf.inverse {
-                self.range = self.range.and(interval.reach());
+            if only_inside {
+                self.range = interval.reach(self.range);
             }
             self.intervals[i] = Some(interval);
         }
@@ -154,7 +159,7 @@ impl<'a> Gathered<'a> {
             _ => {
                 let mut all = Intersections::new();
                 child.hits_as(true, ray, self.range, &mut all);
-                self.hits.extend(all.into_iter().map(|found| (found, number)));
+                self.hits.extend(all.iter().map(|found| (*found, number)));
             }
         }
     }

@@ -166,15 +166,15 @@ impl SolidNode {
             SolidKind::Intersection(_) => boxes.surface.union(c.hole()),
             _ => boxes.surface.union(boxes.solid),
         };
-        let is_convex =
-            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.is_convex());
-        let convex = match &self.kind {
+        let is_known =
+            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.knows_crossings());
+        let known = match &self.kind {
             SolidKind::Leaf(_) | SolidKind::Union(_) => false,
-            SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_convex),
+            SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_known),
         };
         let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
         // Many are quicker found by their boxes.
-        let convex_parts = convex && child_bvh.is_none();
+        let convex_parts = known && child_bvh.is_none();
         let boxes = Boxes { surface, solid };
         let reach = Reach { around: Aabb::INFINITE, inverted: false, cuts: false };
         self.more = Some(Box::new(More { clip, bounds, unseen, boxes, reach, convex_parts, child_bvh }));

@@ -44,7 +44,7 @@ struct More {
     /// See [`SolidNode::reach`].
     #[serde(skip)]
     reach: Reach,
-    /// Is it an intersection or a merge of a few whole convex shapes?
+    /// Is it an intersection or a merge of a few whole shapes that know where rays cross them?
     #[serde(skip)]
     convex_parts: bool,
     /// Over its children, if they are many.
@@ -250,7 +250,7 @@ impl SolidNode {
                 } else {
                     leaf.hits(ray, range, &mut hits);
                 }
-                out.extend(hits.into_iter().map(|hit| Intersection::new(hit, leaf, self.object)));
+                out.extend(hits.iter().map(|hit| Intersection::new(*hit, leaf, self.object)));
             }
             SolidKind::Union(_) => {
                 self.each_child(ray, range, |_, child, range| {
@@ -307,7 +307,7 @@ impl SolidNode {
             SolidKind::Leaf(_) => {
                 let mut all = Intersections::new();
                 self.hits(ray, range, &mut all);
-                all.into_iter().min_by(|a, b| a.t().total_cmp(&b.t()))
+                all.iter().min_by(|a, b| a.t().total_cmp(&b.t())).copied()
             }
             SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_all(ray, range),
             SolidKind::Union(_) => self.closest_of_clipped(ray, range),
@@ -368,7 +368,7 @@ impl SolidNode {
             met.push(i as u32);
             all.look(i, child, ray, range, only_inside)
         });
-        met.into_iter().for_each(|i| all.add(i as usize, &children[i as usize], ray));
+        met.iter().for_each(|&i| all.add(i as usize, &children[i as usize], ray));
     }
 
     /// Gathers the children's hits and asks about them in order, until one is kept.
