@@ -312,6 +312,32 @@ mod tests {
         }
     }
 
+    /// Numbers that single precision does not have: nothing is met, or what slabs meet, and both twins say the same.
+    #[test]
+    fn rays_from_where_nobody_is() {
+        let (bvh, _) = Bvh::build(grid().into_iter());
+        let far = [1e308, 1.7e308, 1e39, 3e38, 1e-308];
+        let ways = [DVec3::Z, DVec3::new(1e-300, 0.0, 1.0), DVec3::splat(1e308), DVec3::splat(-1e-308), DVec3::ZERO];
+        for k in 0..far.len() * 2 * 3 {
+            let axis = DVec3::AXES[k % 3] * if k % 2 == 0 { 1.0 } else { -1.0 };
+            let origin = axis * far[k / 6];
+            for (dir, range) in ways.into_iter().flat_map(|dir| [Range::ALL, Range::FORWARD].map(|range| (dir, range)))
+            {
+                let ray = Ray::new(origin, dir);
+                let (mut found, mut plainly) = (vec![], vec![]);
+                bvh.traverse(&ray, range, |i, max| {
+                    found.push(i);
+                    ControlFlow::Continue(max)
+                });
+                bvh.traverse_plainly(&ray, range, |i, max| {
+                    plainly.push(i);
+                    ControlFlow::Continue(max)
+                });
+                assert!(found == plainly && found.iter().all(|i| *i < 200), "{ray:?}");
+            }
+        }
+    }
+
     #[test]
     fn never_too_deep() {
         // Each box is half as far and half as large as the one before, so that the heuristic peels off one at a time.
