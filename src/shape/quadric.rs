@@ -202,7 +202,7 @@ impl Kernel for Quadric {
         let (bend, roots) = self.curve(ray);
         // Along a line that is all but straight in a pipe or in a cone's wall, t says little; an egg has none of those.
         let straight = STRAIGHT * self.centered.size * ray.dir.length_squared();
-        if self.centered.ends.is_none() && !(bend.abs() > straight) {
+        if self.centered.ends.is_none() && bend.abs() <= straight {
             return Crossing::Unknown;
         }
         match roots {
