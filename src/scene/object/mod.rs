@@ -114,7 +114,7 @@ pub struct Bulk {
     pub extent: Option<Aabb>,
     /// What is in it.
     pub weight: Weight,
-    /// [`Kernel::remembers_moves`] of one of its shapes.
+    /// [`Kernel::remembers_moves`] of one of its shapes, or one of its parts is turned inside out.
     pub remembers_moves: bool,
     /// The steps by which it was moved, if it remembers them.
     pub moves: Option<Arc<[Move]>>,
@@ -186,7 +186,8 @@ impl ObjectBody {
     pub fn new(kind: ObjectKind, word: &'static str) -> Self {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
-                let remembers_moves = parts.iter().any(|part| part.remembers_moves());
+                // (What is turned inside out is there as far as the boxes around it, which every step moves by itself.)
+                let remembers_moves = parts.iter().any(|part| part.remembers_moves() || part.rare.flags.inverse);
                 Some(Box::new(Bulk {
                     extent: None,
                     weight: Weight::default().around(parts),

@@ -14,7 +14,7 @@ use crate::color::Gamma;
 use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
-use crate::shape::{Kernel, Shape, moved_box};
+use crate::shape::{Kernel, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Rare, Texture};
 use crate::value::Seldom;
@@ -222,7 +222,7 @@ impl Lowering {
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
         if matches!(object.kind, ObjectKind::Csg(..)) && node.shows_reach() {
-            node = node.reaching(moved_box(&inherited.place.now, &object.extent()));
+            node = node.reaching(inherited.place.moved_box(object.extent()));
         }
         if object.rare.flags.inverse {
             node = node.inverted();

@@ -1,9 +1,9 @@
 //! Where objects and their textures are: nested blocks become one M and M⁻¹.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::Transform;
+use crate::math::{Aabb, Transform};
 use crate::scene::{Object, Painted};
-use crate::shape::Move;
+use crate::shape::{Move, moved_box};
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::Seldom;
@@ -33,6 +33,14 @@ impl Place {
             (own, around) => own.or(around.as_ref()).cloned(),
         };
         Ok(Self { now: moved(&object.transform, &self.now, object.source)?, moves })
+    }
+
+    /// What POV-Ray makes of the box of something in this space: the box around it, moved by step after step (measured on 3.7).
+    pub fn moved_box(&self, around: Aabb) -> Aabb {
+        match &self.moves {
+            Some(moves) => moves.iter().fold(around, |around, step| moved_box(&step.by, &around)),
+            None => moved_box(&self.now, &around),
+        }
     }
 
     /// Where textures lie that move with the object in whose block this is: those of what has `uv_mapping` do not (measured on POV-Ray
