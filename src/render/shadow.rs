@@ -28,10 +28,11 @@ impl Tracer<'_> {
     /// from twice.
     pub(super) fn unshadowed(&mut self, light: &LightSource, point: DVec3, ray: &Arriving, inside: &Interiors) -> Rgb {
         let mut range = Range { min: tolerance::SHADOW, max: ray.distance - tolerance::SHADOW };
+        let distance = ray.distance;
         let ray = Ray::new(point, ray.from);
         if let Some(through) = light.through.as_ref().filter(|_| self.setup.quality.shadows) {
             let Some(passed) = through.closest(&ray, range, |_| true) else { return Rgb::ZERO };
-            // What lies between it and the light is not in the way (measured on POV-Ray 3.7).
+            // What lies between it and the light is not in the way, but for air (measured on POV-Ray 3.7).
             range.max = passed.t();
         }
         if light.lamp.shadowless || !self.setup.quality.shadows || range.max <= range.min {
@@ -57,7 +58,7 @@ impl Tracer<'_> {
             object.shadow && !object.opaque
         };
         if world.colors_light || hazy {
-            return self.colored(&ray, range, filters, inside.clone(), hazy);
+            return self.colored(&ray, range, filters, inside.clone(), hazy.then_some(distance));
         }
         let mut light = Rgb::ONE;
         for found in surfaces(world, &ray, range, filters) {
@@ -68,21 +69,21 @@ impl Tracer<'_> {
 
     /// What comes through if light also changes between surfaces: those are taken from the nearest to the farthest. What a
     /// ray leaves takes its share of the way from the surface before; of a light that is `media_attenuation`, fog takes its share of each
-    /// stretch (measured on 3.7).
+    /// stretch (measured on 3.7), as far as `hazy`, the light's distance.
     fn colored(
         &mut self,
         ray: &Ray,
         range: Range,
         filters: impl Fn(u32) -> bool,
         mut inside: Interiors,
-        hazy: bool,
+        hazy: Option<f64>,
     ) -> Rgb {
         let world = self.setup.world;
         let (mut light, mut before) = (Rgb::ONE, 0.0);
         for found in surfaces(world, ray, range, filters) {
             let own = world.parts[found.part() as usize].interior;
             let interior = &world.interiors[own as usize];
-            if hazy {
+            if hazy.is_some() {
                 light *= self.stretch(ray, before, found.t(), &inside);
             }
             light *= shading_point::pass(world, ray, &found, !self.setup.quality.real);
@@ -99,7 +100,10 @@ impl Tracer<'_> {
             }
             before = found.t();
         }
-        if hazy { light * self.stretch(ray, before, range.max + tolerance::SHADOW, &inside) } else { light }
+        match hazy {
+            Some(distance) => light * self.stretch(ray, before, distance, &inside),
+            None => light,
+        }
     }
 
     /// What the air leaves of light along a stretch of a ray.
