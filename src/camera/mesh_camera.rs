@@ -244,7 +244,8 @@ mod tests {
     }
 
     fn rays(distribution: Distribution, meshes: Vec<Vec<Face>>) -> MeshRays {
-        let meshes = meshes.into_iter().map(|faces| PlacedMesh { faces: faces.into(), transform: Transform::default() });
+        let meshes =
+            meshes.into_iter().map(|faces| PlacedMesh { faces: faces.into(), transform: Transform::default() });
         let meshes = meshes.collect();
         let camera = MeshCamera { rays: 1, distribution, reach: f64::INFINITY, smooth: false, meshes };
         MeshRays::new(&Arc::new(camera), DVec3::Z * 2.0, DVec3::Z)
