@@ -4,8 +4,8 @@
 use super::{Cancelled, Watch};
 use rayon::prelude::*;
 
-/// Objects that are inside each other 5000 deep, as many as are read, need 17 MB of stack, mirrors more. Only what is used costs memory.
-const STACK: usize = 64 << 20;
+/// Objects that are inside each other 5000 deep, as many as are read, need 17 MB of stack. Only what is used costs memory.
+const STACK: usize = 32 << 20;
 
 /// The threads, and who waits for them.
 pub(super) struct Workers<'a> {
