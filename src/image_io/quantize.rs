@@ -119,7 +119,7 @@ impl Integers {
     fn lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
         let [r, g, b] = if self.alpha { [r, g, b] } else { over_black([r, g, b, a]) };
         // (What is not a number becomes 0: `max` takes the other one.)
-        [r, g, b, a].into_iter().take(if self.alpha { 4 } else { 3 }).map(|x| x.max(0.0).min(1.0))
+        [r, g, b, a].into_iter().take(if self.alpha { 4 } else { 3 }).map(|x| x.clamp(0.0, 1.0).max(0.0))
     }
 }
 
