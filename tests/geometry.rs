@@ -529,6 +529,11 @@ proptest! {
             }
         }
     }
+}
+
+// Each case asks many trees with many rays.
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 120, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// A node with many children has a hierarchy of its own; a chain of pairs has none.
     #[test]

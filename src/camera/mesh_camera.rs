@@ -4,7 +4,7 @@
 use super::povray::{Kind, PovrayCamera};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::shape::Face;
 use crate::value::{Next, Reader};
 use serde::Serialize;
@@ -22,9 +22,31 @@ pub struct MeshCamera {
     pub reach: f64,
     /// Rays go along the normals of the corners, as far as there are some.
     pub smooth: bool,
-    /// In world space, in the order in which they were written.
+    /// In the order in which they were written.
     #[serde(skip)]
-    pub meshes: Vec<Vec<Face>>,
+    pub meshes: Vec<PlacedMesh>,
+}
+
+/// The faces of a mesh where it lies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedMesh {
+    /// In its own space, in the order in which they were written. Copies of one mesh share them.
+    pub faces: Arc<[Face]>,
+    /// From there to world space.
+    pub transform: Transform,
+}
+
+impl PlacedMesh {
+    /// The middle of a face and its normal, of any length.
+    fn middle(&self, index: usize) -> Option<(DVec3, DVec3)> {
+        let Face { corners: [a, b, c], normal, .. } = self.faces.get(index)?;
+        Some((self.transform.point((*a + *b + *c) / 3.0), self.transform.normal(*normal)))
+    }
+
+    /// A face in world space.
+    fn face(&self, index: usize) -> Face {
+        self.faces[index].clone().moved(&self.transform)
+    }
 }
 
 /// How faces and pixels belong together; the numbers are those of the manual.
@@ -41,8 +63,8 @@ pub enum Distribution {
     Uv,
 }
 
-/// What reads a mesh between the braces of its block, as faces in world space; objects lie above this layer.
-pub type ReadMesh<'a> = &'a mut dyn FnMut(&mut dyn Reader) -> Result<Vec<Face>>;
+/// What reads a mesh between the braces of its block; objects lie above this layer.
+pub type ReadMesh<'a> = &'a mut dyn FnMut(&mut dyn Reader) -> Result<PlacedMesh>;
 
 impl PovrayCamera {
     /// Reads what stands between the braces.
@@ -118,7 +140,7 @@ impl MeshRays {
     /// it goes back.
     pub(super) fn new(camera: &Arc<MeshCamera>, location: DVec3, direction: DVec3) -> Self {
         let boxes = match camera.distribution {
-            Distribution::Uv => camera.meshes[0].iter().map(uv_box).collect(),
+            Distribution::Uv => camera.meshes[0].faces.iter().map(uv_box).collect(),
             _ => vec![],
         };
         let kept: Vec<u32> = (0..boxes.len() as u32).filter(|i| bvh::fits(&boxes[*i as usize])).collect();
@@ -144,21 +166,28 @@ impl MeshRays {
         let meshes = &self.camera.meshes;
         let index = x as usize + y as usize * size.x as usize;
         match self.camera.distribution {
-            Distribution::Layers => self.of_face(meshes.get(number)?.get(index)?),
-            Distribution::Row => self.of_face(meshes.iter().flatten().nth(index)?),
+            Distribution::Layers => self.of_face(meshes.get(number)?, index),
+            Distribution::Row => {
+                // (So many faces have the meshes up to that one.)
+                let mut end = 0;
+                let mesh = meshes.iter().find(|mesh| {
+                    end += mesh.faces.len();
+                    index < end
+                })?;
+                self.of_face(mesh, index + mesh.faces.len() - end)
+            }
             Distribution::Stripes => {
                 let stripe = (x / size.x * meshes.len() as f64) as usize;
                 let width = size.x as usize / meshes.len();
-                self.of_face(meshes.get(stripe)?.get(x as usize + y as usize * width)?)
+                self.of_face(meshes.get(stripe)?, x as usize + y as usize * width)
             }
             Distribution::Uv => self.by_uv(DVec2::new((x - 0.5) / size.x, 1.0 - (y + 0.5) / size.y)),
         }
     }
 
-    /// From the middle of the face.
-    fn of_face(&self, face: &Face) -> Option<Ray> {
-        let [a, b, c] = face.corners;
-        self.from((a + b + c) / 3.0, face.normal)
+    fn of_face(&self, mesh: &PlacedMesh, index: usize) -> Option<Ray> {
+        let (middle, normal) = mesh.middle(index)?;
+        self.from(middle, normal)
     }
 
     /// From the place of the first face that has this uv.
@@ -168,13 +197,13 @@ impl MeshRays {
         bvh.traverse(&Ray::new(uv.extend(-1.0), DVec3::Z), Range::ALL, |at, max| {
             let number = order[at];
             if first.is_none_or(|(best, _)| number < best) {
-                let inside = within(&self.camera.meshes[0][number as usize], uv);
+                let inside = within(&self.camera.meshes[0].faces[number as usize], uv);
                 first = inside.map(|weights| (number, weights)).or(first);
             }
             ControlFlow::Continue(max)
         });
         let (number, weights) = first?;
-        let face = &self.camera.meshes[0][number as usize];
+        let face = self.camera.meshes[0].face(number as usize);
         let between = |[a, b, c]: [DVec3; 3]| a * weights.x + b * weights.y + c * weights.z;
         let normal = match face.normals {
             Some(normals) if self.camera.smooth => between(normals),
@@ -215,6 +244,9 @@ mod tests {
     }
 
     fn rays(distribution: Distribution, meshes: Vec<Vec<Face>>) -> MeshRays {
+        let meshes =
+            meshes.into_iter().map(|faces| PlacedMesh { faces: faces.into(), transform: Transform::default() });
+        let meshes = meshes.collect();
         let camera = MeshCamera { rays: 1, distribution, reach: f64::INFINITY, smooth: false, meshes };
         MeshRays::new(&Arc::new(camera), DVec3::Z * 2.0, DVec3::Z)
     }

@@ -22,7 +22,7 @@ pub use bumps::Bumps;
 pub use eye::{Eye, Frame, Projection, View};
 pub use focal_blur::{FocalBlur, Lens};
 pub use lecture::LectureCamera;
-pub use mesh_camera::{Distribution, MeshCamera, MeshRays, ReadMesh};
+pub use mesh_camera::{Distribution, MeshCamera, MeshRays, PlacedMesh, ReadMesh};
 pub use perspective::Window;
 pub use povray::{Kind, PovrayCamera};
 

@@ -128,7 +128,7 @@ pub const DEFAULT_STEPS: u64 = 200_000_000;
 #[derive(Args, Clone, Debug, Default)]
 pub struct LookArgs {
     /// Smooth edges where neighbours differ by more than this, or `off` [default: 0.3]
-    #[arg(help_heading = PICTURE, long, value_name = "THRESHOLD")]
+    #[arg(help_heading = PICTURE, long, value_name = "THRESHOLD", allow_negative_numbers = true)]
     pub aa: Option<Antialias>,
     /// Where the samples of smooth edges lie [default: net]
     #[arg(help_heading = PICTURE, long, value_name = "METHOD")]
@@ -137,10 +137,10 @@ pub struct LookArgs {
     #[arg(help_heading = PICTURE, long, value_name = "1..9", value_parser = clap::value_parser!(u8).range(1..=9))]
     pub aa_depth: Option<u8>,
     /// How far samples of `grid` and `corners` are off their places at random, from 0 to 1 [default: 1]
-    #[arg(help_heading = PICTURE, long, value_name = "AMOUNT")]
+    #[arg(help_heading = PICTURE, long, value_name = "AMOUNT", allow_negative_numbers = true)]
     pub aa_jitter: Option<Share>,
     /// Judge differences of neighbours after this gamma [default: 2.5]
-    #[arg(help_heading = PICTURE, long, value_name = "GAMMA")]
+    #[arg(help_heading = PICTURE, long, value_name = "GAMMA", allow_negative_numbers = true)]
     pub aa_gamma: Option<Gamma>,
     /// How much is drawn, from 0 (quick colours) to 11 (everything) [default: 9]
     #[arg(help_heading = PICTURE, long, value_name = "0..11", value_parser = clap::value_parser!(u8).range(0..=11))]
@@ -178,7 +178,7 @@ pub struct RenderArgs {
     #[arg(help_heading = PICTURE, long, value_name = "8|16|32", value_parser = clap::builder::PossibleValuesParser::new(["8", "16", "32"]))]
     pub bit_depth: Option<String>,
     /// The curve that the numbers of png, jpg, ppm, bmp, tga and tiff follow: a gamma, or `srgb` [default: srgb]
-    #[arg(help_heading = PICTURE, long, value_name = "GAMMA|srgb")]
+    #[arg(help_heading = PICTURE, long, value_name = "GAMMA|srgb", allow_negative_numbers = true)]
     pub file_gamma: Option<FileGamma>,
     /// Round neighbours up and down in turn, so that more shades are seen than the file has
     #[arg(help_heading = PICTURE, long, value_name = "METHOD")]

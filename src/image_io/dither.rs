@@ -1,5 +1,8 @@
 //! Dithering (manual, "Output File Dithering"): where neighbours are rounded up and down in turn, more shades are seen than a file has.
-//! The patterns and directions are those of POV-Ray 3.7, measured on it; a file is the same however its rows come.
+//! Patterns, shares and what is rounded are those of POV-Ray 3.7, measured on it; a file is the same however its rows come. Patterns are
+//! added to the numbers of the file; errors are handed on as light, so that the light of the whole is kept.
+
+use super::quantize::Scale;
 
 /// How numbers are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,74 +31,93 @@ pub(super) struct Ditherer {
     dither: Dither,
     channels: usize,
     row: usize,
-    /// Errors that this row and the next one get.
-    errors: [Vec<f32>; 2],
+    /// Light that this row and the two below get more, by channel.
+    errors: [Vec<f32>; 3],
     /// What the last pixel left, by channel.
     last: [f32; 4],
 }
 
 impl Ditherer {
     pub fn new(dither: Dither, width: usize, channels: usize) -> Self {
-        let errors = [vec![0.0; width * channels], vec![0.0; width * channels]];
+        let errors = [(); 3].map(|()| vec![0.0; width * channels]);
         Self { dither, channels, row: 0, errors, last: [0.0; 4] }
     }
 
-    /// Numbers of a row, which are at most `max`, to codes.
-    pub fn codes(&mut self, row: &[f32], max: f32) -> Vec<u16> {
-        let codes = row.iter().enumerate().map(|(i, &x)| self.code(i, x, max) as u16).collect();
-        self.errors.swap(0, 1);
-        self.errors[1].fill(0.0);
+    /// Light of a row, from 0 to 1, channel by channel, to codes.
+    pub fn codes(&mut self, row: &[f32], scale: Scale) -> Vec<u16> {
+        let codes = row.iter().enumerate().map(|(i, &x)| self.code(i, x, scale)).collect();
+        self.errors.rotate_left(1);
+        self.errors[2].fill(0.0);
         self.row += 1;
         codes
     }
 
-    /// The code of the number with this index in its row.
-    fn code(&mut self, i: usize, x: f32, max: f32) -> f32 {
+    /// The code of the light with this index in its row.
+    fn code(&mut self, i: usize, light: f32, scale: Scale) -> u16 {
         let (column, channel) = (i / self.channels, i % self.channels);
-        let shares = match self.dither {
+        let round = |light| scale.code(scale.number(channel, light) + 0.5);
+        match self.dither {
             Dither::Bayer(n) => {
                 let pattern: &[usize] = [&TWO[..], &THREE, &FOUR][n.clamp(2, 4) - 2];
                 let level = pattern[self.row % n * n + column % n] as f32;
-                return (x + level / (n * n) as f32).floor().clamp(0.0, max);
+                scale.code(scale.number(channel, light) + level / (n * n) as f32)
             }
             Dither::Row => {
-                let wanted = x + self.last[channel];
-                let code = (wanted + 0.5).floor().clamp(0.0, max);
-                self.last[channel] = wanted - code;
-                return code;
+                let wanted = light + self.last[channel];
+                let code = round(wanted);
+                self.last[channel] = wanted - scale.light(channel, code);
+                code
             }
-            Dither::Simple => SIMPLE,
-            Dither::FloydSteinberg => FLOYD_STEINBERG,
-        };
-        let wanted = x + self.errors[0][i];
-        let code = (wanted + 0.5).floor().clamp(0.0, max);
-        for &(right, down, share) in shares {
-            let at = i.checked_add_signed(right * self.channels as isize);
-            if let Some(error) = at.and_then(|at| self.errors[down].get_mut(at)) {
-                *error += share * (wanted - code);
+            Dither::Simple | Dither::FloydSteinberg => {
+                let wanted = light + self.errors[0][i];
+                let code = round(wanted);
+                self.share(i, wanted - scale.light(channel, code));
+                code
             }
         }
-        code
+    }
+
+    /// Hands the error of the pixel on. What the first column gets from above comes one row later than it should, and what
+    /// leaves the picture at its sides is lost (both measured on POV-Ray 3.7).
+    fn share(&mut self, i: usize, error: f32) {
+        let shares = if self.dither == Dither::Simple { SIMPLE } else { FLOYD_STEINBERG };
+        for &(right, down, share) in shares {
+            let Some(at) = i.checked_add_signed(right * self.channels as isize) else { continue };
+            let late = usize::from(at < self.channels);
+            if let Some(sum) = self.errors[down + late].get_mut(at) {
+                *sum += error * share;
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::color::Gamma;
 
     const ALL: [Dither; 6] =
         [Dither::Bayer(2), Dither::Bayer(3), Dither::Bayer(4), Dither::Row, Dither::Simple, Dither::FloydSteinberg];
 
+    fn scale(gamma: Gamma) -> Scale {
+        Scale { gamma, max: 255.0 }
+    }
+
     #[test]
-    fn shades_between_codes_are_kept_on_the_whole() {
-        for dither in ALL {
+    fn light_between_codes_is_kept_on_the_whole() {
+        for (dither, gamma) in ALL.into_iter().flat_map(|dither| [(dither, Gamma::Raw), (dither, Gamma::Srgb)]) {
             for shade in [0.25, 100.4, 254.7] {
+                let (scale, light) = (scale(gamma), gamma.decode(f64::from(shade) / 255.0) as f32);
                 let mut ditherer = Ditherer::new(dither, 120, 3);
-                let codes: Vec<u16> = (0..120).flat_map(|_| ditherer.codes(&[shade; 360], 255.0)).collect();
+                let codes: Vec<u16> = (0..120).flat_map(|_| ditherer.codes(&[light; 360], scale)).collect();
                 let mean = codes.iter().map(|&c| f64::from(c)).sum::<f64>() / codes.len() as f64;
                 // A pattern of nine or sixteen has so many shades; and all of its levels are rounded up.
                 assert!((mean - f64::from(shade)).abs() < 0.27, "{dither:?}: {mean}, not {shade}");
                 assert!(codes.iter().all(|&code| (f32::from(code) - shade).abs() <= 1.0), "{dither:?}");
+                let lights = codes.iter().map(|&code| f64::from(scale.light(0, code)));
+                let mean = lights.sum::<f64>() / codes.len() as f64;
+                let pattern = matches!(dither, Dither::Bayer(_));
+                assert!(pattern || (mean - f64::from(light)).abs() < 2e-5, "{dither:?}: {mean}, not {light}");
             }
         }
     }
@@ -104,7 +126,35 @@ mod tests {
     #[test]
     fn patterns_are_povrays() {
         let mut ditherer = Ditherer::new(Dither::Bayer(4), 4, 1);
-        let rows: Vec<Vec<u16>> = (0..4).map(|_| ditherer.codes(&[100.53; 4], 255.0)).collect();
+        let row = [100.53 / 255.0; 4];
+        let rows: Vec<Vec<u16>> = (0..4).map(|_| ditherer.codes(&row, scale(Gamma::Raw))).collect();
         assert_eq!(rows, [[100, 101, 100, 101], [101, 100, 101, 101], [100, 101, 100, 101], [101, 100, 101, 100]]);
+    }
+
+    /// Of a picture of `rgb 0.03` (POV-Ray 3.7, `+THD1`, `+THD2`, `+THFS`).
+    #[test]
+    fn errors_go_where_povrays_go() {
+        let rows = |dither| {
+            let mut ditherer = Ditherer::new(dither, 12, 1);
+            [(); 4].map(|()| {
+                let up =
+                    ditherer.codes(&[0.03; 12], scale(Gamma::Srgb)).into_iter().map(|code| (code - 48).to_string());
+                up.collect::<String>()
+            })
+        };
+        assert_eq!(rows(Dither::Row), ["010100100101", "001010010010", "100100101001", "010010010100"]);
+        assert_eq!(rows(Dither::Simple), ["010010010010", "010100100100", "010010101010", "010100100100"]);
+        assert_eq!(rows(Dither::FloydSteinberg), ["010010010010", "001001001001", "010101010100", "100100100101"]);
+    }
+    #[test]
+    fn what_is_no_light_leaves_no_error() {
+        for dither in ALL {
+            let mut ditherer = Ditherer::new(dither, 1, 4);
+            let codes = [(); 3].map(|()| ditherer.codes(&[0.0, 1.0, 1.0, 0.0], scale(Gamma::Srgb)));
+            assert!(
+                codes.iter().all(|row| *row == [0, 255, 255, 0]) || matches!(dither, Dither::Bayer(_)),
+                "{dither:?}"
+            );
+        }
     }
 }

@@ -96,13 +96,16 @@ impl Integers {
                 true => words(rows, self.alpha).into_iter().flat_map(order).collect(),
             };
         }
-        let max = if self.wide { 65_535.0 } else { 255.0 };
+        let scale = Scale { gamma: self.gamma, max: if self.wide { 65_535.0 } else { 255.0 } };
+        let channels = if self.alpha { 4 } else { 3 };
         let mut out = vec![];
         for row in rows.chunks(self.width) {
-            let numbers: Vec<f32> = row.iter().flat_map(|pixel| self.numbers(pixel, max)).collect();
+            let lights: Vec<f32> = row.iter().flat_map(|pixel| self.lights(pixel)).collect();
             let codes = match &mut self.ditherer {
-                Some(ditherer) => ditherer.codes(&numbers, max),
-                None => numbers.iter().map(|x| (x + 0.5) as u16).collect(),
+                Some(ditherer) => ditherer.codes(&lights, scale),
+                None => {
+                    lights.iter().enumerate().map(|(i, x)| scale.code(scale.number(i % channels, *x) + 0.5)).collect()
+                }
             };
             match self.wide {
                 true => out.extend(codes.into_iter().flat_map(order)),
@@ -112,14 +115,38 @@ impl Integers {
         out
     }
 
-    /// What a pixel's channels would be if there were numbers between the codes.
-    fn numbers(&self, &[r, g, b, a]: &[f32; 4], max: f32) -> impl Iterator<Item = f32> {
+    /// A pixel's channels, from 0 to 1.
+    fn lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
         let [r, g, b] = if self.alpha { [r, g, b] } else { over_black([r, g, b, a]) };
-        let curve = |x: f32| self.gamma.encode(f64::from(x)).clamp(0.0, 1.0) as f32 * max;
         // (What is not a number becomes 0: `max` takes the other one.)
-        let color = [r, g, b].map(|x| curve(x).max(0.0));
-        let opacity = self.alpha.then(|| (a.clamp(0.0, 1.0) * max).max(0.0));
-        color.into_iter().chain(opacity)
+        [r, g, b, a].into_iter().take(if self.alpha { 4 } else { 3 }).map(|x| x.clamp(0.0, 1.0).max(0.0))
+    }
+}
+
+/// How light becomes the numbers of a file, and these light. A fourth channel is opacity, which has no curve.
+#[derive(Clone, Copy)]
+pub(super) struct Scale {
+    pub gamma: Gamma,
+    /// The largest code.
+    pub max: f32,
+}
+
+impl Scale {
+    /// What the code would be if there were numbers between the codes.
+    pub fn number(self, channel: usize, light: f32) -> f32 {
+        let encoded = if channel == 3 { light } else { self.gamma.encode(f64::from(light)) as f32 };
+        encoded.clamp(0.0, 1.0) * self.max
+    }
+
+    /// The code at or below a number.
+    pub fn code(self, number: f32) -> u16 {
+        number.min(self.max) as u16
+    }
+
+    /// What a code stands for.
+    pub fn light(self, channel: usize, code: u16) -> f32 {
+        let number = f64::from(code) / f64::from(self.max);
+        (if channel == 3 { number } else { self.gamma.decode(number) }) as f32
     }
 }
 

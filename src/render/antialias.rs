@@ -141,17 +141,23 @@ pub(super) struct Difference {
     /// Differences are judged after this (`Antialias_Gamma`).
     gamma: f64,
     alpha: bool,
-    /// How steep that curve is at most from [`DARK`] on.
-    slope: f64,
+    /// How steep that curve is at most from [`DARK`] on, and at least up to 1.
+    slopes: [f64; 2],
+    /// Numbers that differ by no more than this differ by no more than a quarter of the threshold on the curve, wherever they are.
+    little: f64,
 }
 
 const DARK: f64 = 1.0 / 32.0;
 
 impl Difference {
     fn new(threshold: f64, gamma: f64, alpha: bool) -> Self {
-        // The slope of x^(1/γ), which falls where γ is more than 1: most neighbours need no powers.
-        let slope = if gamma >= 1.0 { fp::pow(DARK, 1.0 / gamma - 1.0) / gamma } else { f64::INFINITY };
-        Self { threshold, gamma, alpha, slope }
+        // The slope of x^(1/γ), which falls where γ is more than 1; and there no step is as high as that from 0. So most neighbours
+        // need no powers.
+        let (slopes, little) = match gamma >= 1.0 {
+            true => ([fp::pow(DARK, 1.0 / gamma - 1.0) / gamma, 1.0 / gamma], fp::pow(threshold * 0.25, gamma)),
+            false => ([f64::INFINITY, 0.0], 0.0),
+        };
+        Self { threshold, gamma, alpha, slopes, little }
     }
 
     /// Does the sum of the channels' differences reach the threshold, after the gamma?
@@ -162,9 +168,18 @@ impl Difference {
             return self.threshold <= 0.0;
         }
         let pairs = [0, 1, 2].map(|c| (f64::from(a[c]).max(0.0), f64::from(b[c]).max(0.0)));
-        let steep = |(a, b): &(f64, f64)| if a.min(*b) >= DARK { self.slope * (a - b).abs() } else { f64::INFINITY };
-        if pairs.iter().map(steep).sum::<f64>() + opacity < self.threshold {
-            return false;
+        let (mut most, mut least) = (opacity, opacity);
+        for &(a, b) in &pairs {
+            let (difference, [low, high]) = ((a - b).abs(), [a.min(b), a.max(b)]);
+            most += match low >= DARK {
+                true => self.slopes[0] * difference,
+                false if difference <= self.little => self.threshold * 0.25,
+                false => f64::INFINITY,
+            };
+            least += if high <= 1.0 { self.slopes[1] * difference } else { 0.0 };
+        }
+        if most < self.threshold || least > self.threshold * 1.000_001 {
+            return most >= self.threshold;
         }
         let curve = |x: f64| fp::pow(x, 1.0 / self.gamma);
         pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity >= self.threshold

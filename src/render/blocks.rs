@@ -76,7 +76,11 @@ impl Blocks<'_> {
         }
     }
 
+    /// What lies outside of the block stays as it was first seen.
     fn sample_once(&self, tracer: &mut Tracer, now: &mut Grid, sampled: &mut [bool], [x, y]: [usize; 2]) {
+        if x == now.area.x || y == now.area.y {
+            return;
+        }
         let known = &mut sampled[(y - now.area.y) * now.area.width + x - now.area.x];
         if !std::mem::replace(known, true) {
             let pixel = self.resample(tracer, [x, y], now.at(x, y));

@@ -56,6 +56,7 @@ impl<'w> ShadingPoint<'w> {
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
         let normal = if against > 0.0 { -surface.normal } else { surface.normal };
+        let mut this = Self { part, point: surface.point, smooth: normal, coats: SmallVec::new() };
         let mut painter = Painter {
             placed: &part.outside,
             quality,
@@ -63,14 +64,14 @@ impl<'w> ShadingPoint<'w> {
             opacity_by_color: world.opacity_by_color,
             bailout: world.adc_bailout,
             seen: normal,
-            coats: SmallVec::new(),
+            coats: &mut this.coats,
         };
         of_materials(world, found, &surface, against > 0.0, |placed, share| {
             let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
             painter.placed = placed;
             painter.paint(material, &ctx, share, None);
         });
-        Self { part, point: surface.point, smooth: normal, coats: painter.coats }
+        this
     }
 
     /// All layers of all coats.
@@ -98,7 +99,7 @@ struct Painter<'w, 'a> {
     /// The normal that patterns see: that of the last bumps before them, in whatever space those were (measured on POV-Ray 3.7); only
     /// `slope` and `aoi` show it.
     seen: DVec3,
-    coats: SmallVec<[Coat<'w>; 1]>,
+    coats: &'a mut SmallVec<[Coat<'w>; 1]>,
 }
 
 impl<'w> Painter<'w, '_> {
@@ -119,10 +120,7 @@ impl<'w> Painter<'w, '_> {
                     self.paint(part, &inner, share * s, Some(&within));
                 }
             }
-            None => {
-                let coat = self.coat(material, ctx, share, frame);
-                self.coats.push(coat);
-            }
+            None => self.coat(material, ctx, share, frame),
         }
     }
 
@@ -132,14 +130,10 @@ impl<'w> Painter<'w, '_> {
     }
 
     /// Without light, the last layer that is looked at is seen alone (measured on POV-Ray 3.7).
-    fn coat(
-        &mut self,
-        material: &'w Material,
-        ctx: &TextureContext,
-        share: f64,
-        frame: Option<&PatternSpaces>,
-    ) -> Coat<'w> {
-        let mut layers = SmallVec::<[ShadedLayer; 2]>::new();
+    fn coat(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
+        // (It is filled where it stays: it is large.)
+        let number = self.coats.len();
+        self.coats.push(Coat { share, normal: ctx.normal, layers: SmallVec::new(), pass: Rgb::ONE });
         let mut pass = Rgb::ONE;
         for layer in &material.layers {
             let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
@@ -158,6 +152,7 @@ impl<'w> Painter<'w, '_> {
             let color = layer.color(&seen, quick);
             let cos = -ctx.ray.dot(normal);
             let opacity = color.opacity(self.opacity_by_color);
+            let layers = &mut self.coats[number].layers;
             if !self.quality.lit {
                 layers.clear();
             }
@@ -174,9 +169,12 @@ impl<'w> Painter<'w, '_> {
                 break;
             }
         }
-        let (normal, refraction) =
-            layers.first().map_or((ctx.normal, 1.0), |top| (top.normal, top.layer.finish.refraction));
-        Coat { share, normal, layers, pass: refraction * pass }
+        let coat = &mut self.coats[number];
+        let refraction = coat.layers.first().map_or(1.0, |top| {
+            coat.normal = top.normal;
+            top.layer.finish.refraction
+        });
+        coat.pass = refraction * pass;
     }
 
     /// The normal with bumps: into the space of its texture by Mᵀ, back by M⁻ᵀ. What is in the entry of a map, or in a texture with

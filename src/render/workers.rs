@@ -4,8 +4,8 @@
 use super::{Cancelled, Watch};
 use rayon::prelude::*;
 
-/// Deep recursion needs room on the stack.
-const STACK: usize = 16 << 20;
+/// Objects that are inside each other 5000 deep, as many as are read, need 17 MB of stack. Only what is used costs memory.
+const STACK: usize = 32 << 20;
 
 /// The threads, and who waits for them.
 pub(super) struct Workers<'a> {

@@ -198,13 +198,15 @@ fn csg() -> Vec<Case> {
     let deep = "#declare A = sphere { 0, 1 }\n#for (I, 1, 10000)\n  #declare A = difference { object { A } sphere { <I, 9, 9>, 1 } }\n#end\nobject { A }\n";
     let deep_union = "#declare A = sphere { 0, 1 }\n#for (I, 1, 10000)\n  #declare A = union { object { A } sphere { <I, 9, 9>, 1 } rotate x }\n#end\nobject { A }\n";
     let moved = "#declare A = sphere { 0, 1 }\n#for (I, 1, 10000)\n  #declare A = object { A translate x / 1e4 }\n#end\nobject { A }\n";
-    let just = "#declare A = sphere { 0, 1 }\n#for (I, 1, 4900)\n  #declare A = difference { object { A } sphere { <I, 9, 9>, 1 } }\n#end\nobject { A }\n";
+    let just = "#declare A = sphere { 0, 1 }\n#for (I, 1, 1000)\n  #declare A = difference { object { A } sphere { <I, 9, 9>, 1 } }\n#end\nobject { A }\n";
+    let merged = "#declare A = sphere { 0, 1 }\n#for (I, 1, 4900)\n  #declare A = merge { object { A } sphere { <I / 9, 0, 0>, 2 } }\n#end\nobject { A }\n";
     let doubled = "#declare A = sphere { 0, 1 }\n#for (I, 1, 40)\n  #declare A = union { object { A } object { A translate I } }\n#end\nobject { A }\n";
     vec![
         drawn("csg_deep", deep, 1, &["E0104", "a.scene:3:"]),
         drawn("csg_deep_union", deep_union, 1, &["E0104", "a.scene:3:"]),
         drawn("csg_deep_objects", moved, 0, &[]),
-        drawn("csg_as_deep_as_can_be", just, 0, &[]),
+        drawn("csg_deep_difference", just, 0, &[]),
+        drawn("csg_as_deep_as_can_be", merged, 0, &[]),
         drawn("csg_doubled", doubled, 4, &["E0242", "a.scene:5:1"]),
         drawn("csg_empty", "difference { }", 0, &[]),
         drawn("csg_single", "difference { sphere { 0, 1 } }", 0, &[]),
