@@ -111,16 +111,16 @@ impl Kernel for SmoothTriangle {
     }
 
     /// With normals as POV-Ray 3.7 has them (measured): they get length 1 at each `scale`, and other steps that stretch them leave
-    /// them as they are. What a `scale` twists is gone, whatever follows; what others twist is not.
+    /// them as they are. What a step twists is gone, whatever follows.
     fn changed_under(&self, _: &Transform, moves: &[Move]) -> Option<Self> {
         let (mut m, mut scaled) = (Transform::IDENTITY, None);
         for step in moves {
             m = m.then(&step.by);
+            if self.is_twisted_under(&m) {
+                return Some(Self { normals: [DVec3::ZERO; 3], ..self.clone() });
+            }
             if step.scales {
                 scaled = Some(m);
-                if self.is_twisted_under(&m) {
-                    return Some(Self { normals: [DVec3::ZERO; 3], ..self.clone() });
-                }
             }
         }
         let scaled = scaled?;

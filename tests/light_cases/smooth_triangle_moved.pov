@@ -16,3 +16,7 @@ Show(1, 1, union { object { Sail scale <1, 1.2, 3> } rotate 20*x transform Shear
 #declare Bent = smooth_triangle { <1, 0, 0>, 1, 1, 1, <0, 0, 1>, <1, 0, 0> }
 Show(2, 1, object { Bent rotate 10*y })
 Show(3, 1, object { Bent scale <2, 1, 1.5> scale <1, 1.3, 0.7> })
+#declare Bow = smooth_triangle { <0.543, 0.917, 0.679>, <0, 0.3, -1>, <0.93, 0.663, -0.317>, <0.3, 0, -1>, <0.096, -0.431, -0.791>, <-0.3, 0, -1> }
+Show(0, 2, object { Bow rotate 10*y })
+Show(1, 2, object { Bow matrix <1, 0.228, 0, 0.224, 1, 0, 0, -0.215, 1, 0, 0, 0> })
+Show(2, 2, object { Bow matrix <1, 0.32, 0, 0.275, 1, 0, 0, -0.296, 1, 0, 0, 0> translate x })
