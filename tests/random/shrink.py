@@ -167,9 +167,10 @@ class Judge:
         return bool(chosen) and same * 2 > len(chosen)
 
     @staticmethod
-    def moved(text):
-        """The scene with its camera a billionth away."""
-        return re.sub(r"(camera \{[^}]*)\}", r"\1 translate <1e-9, 2e-9, 1e-9> }", text, count=1)
+    def moved(text, way=0):
+        """The scene with its camera a billionth away, in one of eight ways."""
+        by = [f"{-size if way >> axis & 1 else size}e-9" for axis, size in enumerate((1, 2, 1))]
+        return re.sub(r"(camera \{[^}]*)\}", rf"\1 translate <{', '.join(by)}> }}", text, count=1)
 
     def differs(self, text, prove=True):
         """The share of pixels that differ; 0 where POV-Ray does not know it itself, which takes eight pictures more to prove."""
