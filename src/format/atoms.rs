@@ -2,7 +2,7 @@
 
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::{Piece, Tokens};
+use crate::syntax::{Piece, Tokens, word};
 
 /// A token, or a comment. Of a list of numbers, each number, comma and bracket is one.
 #[derive(Clone, Copy, Debug, Default)]
@@ -46,6 +46,8 @@ pub mod flag {
     pub const PACKED: u16 = 1 << 8;
     /// A bracket that has lost its other half, or holds what the tree has no name for.
     pub const LOOSE: u16 = 1 << 9;
+    /// One of several textures of a declaration, which lie on each other.
+    pub const LAYER: u16 = 1 << 10;
     /// Any comment.
     pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
 }
@@ -107,7 +109,7 @@ const LONG_LIST: usize = 100_000;
 /// The atoms of a text whose first byte has the global offset `base`.
 pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
     let pieces = Pieces::of(&ast.tokens);
-    let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0 };
+    let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
     gatherer.body(&ast.elements);
     gatherer.upto(text.len());
     gatherer.between(text.len());
@@ -130,6 +132,12 @@ impl<'a> Pieces<'a> {
     }
 }
 
+/// Would two tokens that touch become others with a blank between them? `0.5.6` is no number, but `0.5 .6` are two.
+fn holds(before: u8, first: u8) -> bool {
+    let numeric = |byte: u8| byte.is_ascii_digit() || byte == b'.';
+    numeric(before) && numeric(first) || before == b'>' && first == b'='
+}
+
 struct Gatherer<'a> {
     text: &'a str,
     base: usize,
@@ -139,15 +147,21 @@ struct Gatherer<'a> {
     at: usize,
     /// For the next token.
     pending: u16,
+    /// The name of the innermost block.
+    block: &'a str,
 }
 
-impl Gatherer<'_> {
+impl<'a> Gatherer<'a> {
     fn len(&self) -> usize {
         self.out.row.len()
     }
 
     fn local(&self, place: u32) -> usize {
         (place as usize).saturating_sub(self.base)
+    }
+
+    fn read(&self, span: Span) -> &'a str {
+        self.text.get(self.local(span.lo)..self.local(span.hi)).unwrap_or_default()
     }
 
     /// Takes all pieces that begin before a local offset.
@@ -228,12 +242,13 @@ impl Gatherer<'_> {
         match bytes[lo] {
             b',' | b';' | b')' | b']' => flags |= GLUE,
             b'>' if flags & CLOSE != 0 => flags |= GLUE,
-            b'.' if hi == lo + 1 => flags |= GLUE | TIGHT,
+            b'.' if hi == lo + 1 && self.is_access(hi) => flags |= GLUE | TIGHT,
             b'(' | b'[' => flags |= TIGHT,
             b'<' if flags & OPEN != 0 => flags |= TIGHT,
             _ => {}
         }
-        if previous.is_some_and(|p| p.flags & TIGHT != 0) {
+        if lo == self.at && lo > 0 && holds(bytes[lo - 1], bytes[lo]) || previous.is_some_and(|p| p.flags & TIGHT != 0)
+        {
             flags |= GLUE;
         }
         if flags & COMMENT != 0 {
@@ -241,6 +256,13 @@ impl Gatherer<'_> {
         }
         self.out.row.push(Atom { lo: lo as u32, hi: hi as u32, flags, lines, ..Atom::default() });
         self.at = hi;
+    }
+
+    /// Does the point before a local offset choose a part of what stands before it?
+    fn is_access(&self, hi: usize) -> bool {
+        let word = |byte: Option<&u8>| byte.is_some_and(|b| b.is_ascii_alphabetic() || *b == b'_');
+        let first = self.out.row.last().and_then(|atom| self.text.as_bytes().get(atom.lo as usize));
+        word(self.text[hi..].trim_start().as_bytes().first()) && (word(first) || matches!(first, Some(b')' | b']')))
     }
 
     /// A token that holds several numbers and vectors.
@@ -274,6 +296,8 @@ impl Gatherer<'_> {
     // ------------------------------------------------------------ bodies
 
     fn body(&mut self, elements: &[Element]) {
+        // Where a declaration ends, and the textures that follow it.
+        let mut layers = vec![];
         for e in elements {
             self.before(e.span);
             let start = self.len();
@@ -281,9 +305,39 @@ impl Gatherer<'_> {
             self.through(e.span);
             self.comma(e);
             self.mark(start, item);
+            match &e.kind {
+                ElementKind::Block(block) if !layers.is_empty() && self.read(block.name.span) == "texture" => {
+                    layers.push(start)
+                }
+                _ => self.layer(&std::mem::take(&mut layers)),
+            }
+            if item == Item::Declare {
+                layers.push(start);
+            }
             if matches!(e.kind, ElementKind::Numbers(_)) {
                 self.split(start);
             }
+        }
+        self.layer(&layers);
+    }
+
+    /// Several textures of one declaration begin lines if one of them does.
+    fn layer(&mut self, starts: &[usize]) {
+        let [_, first, rest @ ..] = starts else { return };
+        if rest.is_empty() {
+            return;
+        }
+        let breaks = rest.iter().any(|i| self.out.row[*i].lines > 0);
+        let mut from = *first;
+        for i in &starts[1..] {
+            // Comments before it too.
+            self.out.row[from..=*i].iter_mut().for_each(|atom| atom.flags |= LAYER);
+            let atom = &mut self.out.row[*i];
+            if breaks {
+                atom.lines = atom.lines.max(1);
+                atom.flags &= !JOIN;
+            }
+            from = atom.next as usize;
         }
     }
 
@@ -360,7 +414,10 @@ impl Gatherer<'_> {
             self.pending |= JOIN;
         }
         self.token();
+        let name = self.read(name);
+        let outside = std::mem::replace(&mut self.block, name);
         self.enclosed(start, span, body);
+        self.block = outside;
         item
     }
 
@@ -501,7 +558,11 @@ impl Gatherer<'_> {
             row[start.min(row.len())..].iter().map(sign).sum::<i32>()
         };
         let mut open = depth(&self.out.row);
-        if open == 0 && self.len() - start < 3 && self.next_token() == Some("(") {
+        let headless = self.out.row.get(start).is_some_and(|a| {
+            let head = &text[..a.hi as usize];
+            head.ends_with("else") || head.ends_with("default")
+        });
+        if open == 0 && !headless && self.len() - start < 3 && self.next_token() == Some("(") {
             self.token();
             open = 1;
         }
@@ -582,6 +643,10 @@ impl Gatherer<'_> {
             ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.expr(inner),
             ExprKind::Chain(chain) => {
                 self.operand(&chain.first);
+                if word::contextual(self.block).contains(&self.read(chain.first.span)) {
+                    // A word and its value: `point -y`.
+                    self.pending = TIGHT;
+                }
                 chain.rest.iter().for_each(|(_, e)| self.operand(e));
             }
             ExprKind::Choice(parts) => parts.iter().for_each(|e| self.operand(e)),
