@@ -30,6 +30,11 @@ const OTHERS: &[(&str, &str)] = &[
     ("pretty", "fmt"),
     ("indent", "fmt"),
     ("tidy", "fmt"),
+    ("init", "new"),
+    ("create", "new"),
+    ("list", "query"),
+    ("info", "query"),
+    ("show", "query"),
     ("complete", "completions"),
 ];
 
