@@ -191,7 +191,7 @@ impl<'a> Setter<'a> {
             let out = &mut self.out;
             unpack(text, |part| out.push_str(part));
         } else {
-            self.line += self.is_tall(i).then(|| text.lines().count() as u32 - 1).unwrap_or_default();
+            self.line += if self.is_tall(i) { text.lines().count() as u32 - 1 } else { 0 };
             self.out.push_str(text);
         }
     }

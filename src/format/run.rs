@@ -98,7 +98,8 @@ impl Setter<'_> {
     /// Not before operators, nor between a word and its value.
     fn may_break(&self, i: usize) -> bool {
         let word = matches!(self.atoms.row[i - 1].item, Item::Word | Item::Plain);
-        !self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT) && !(word && self.is_item(i))
+        let held = self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT);
+        !(held || word && self.is_item(i))
     }
 
     /// How much an atom holds what follows it.
