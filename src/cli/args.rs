@@ -72,6 +72,8 @@ pub enum Command {
     New(NewArgs),
     /// List a scene's cameras, lights, objects and textures
     Query(QueryArgs),
+    /// Serve editors: messages, completion and the like, over standard input and output
+    Lsp(LspArgs),
     /// Explain the code of a message, such as E0203
     Explain(ExplainArgs),
     /// Print a script that completes durer's options in your shell
@@ -331,6 +333,17 @@ pub struct QueryArgs {
     /// As one JSON object
     #[arg(help_heading = TOLD, long)]
     pub json: bool,
+}
+
+/// `durer lsp`.
+#[derive(Args, Clone, Debug)]
+pub struct LspArgs {
+    /// Understood and needless: nothing else is spoken
+    #[arg(long, hide = true)]
+    pub stdio: bool,
+    /// Look for included files here too
+    #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
+    pub include: Vec<PathBuf>,
 }
 
 /// `durer explain`.

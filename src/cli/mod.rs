@@ -17,6 +17,7 @@ mod inputs;
 mod interrupt;
 mod journal;
 mod keeping;
+mod lsp;
 pub mod manual;
 mod memory;
 mod new;
@@ -96,6 +97,7 @@ fn dispatch(console: &Console, command: &Command) -> Result {
         Command::Fmt(args) => fmt::run(console, args),
         Command::New(args) => new::run(console, args),
         Command::Query(args) => query::run(console, args),
+        Command::Lsp(args) => lsp::run(args),
         Command::Explain(args) => explain::run(console, args),
         Command::Completions(args) => completions::run(console, args),
     }
