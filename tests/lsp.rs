@@ -211,6 +211,15 @@ fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
 }
 
 #[test]
+fn names_that_nobody_uses_are_faint() {
+    let (mut editor, uri) = hall();
+    editor.change(&uri, 2, [2, 0, 2, 0], "#declare Nobody = 1;\n");
+    let told = editor.until(&uri, |told| codes(told) == ["W0209"]);
+    assert_eq!((&told[0]["severity"], &told[0]["tags"]), (&json!(4), &json!([1])));
+    editor.bye();
+}
+
+#[test]
 fn a_run_that_never_ends_is_stopped_by_the_next_key() {
     let mut editor = Editor::new();
     let uri = editor.open("loop.pov", "#while (1) #end\n");

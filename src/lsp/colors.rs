@@ -50,7 +50,8 @@ fn color(word: &str, numbers: &str) -> Option<Color> {
 /// A colour that was chosen, in the words that may stand there.
 pub fn present<S: Out>(server: &mut Server<S>, params: &ColorPresentationParams) -> Vec<ColorPresentation> {
     let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
-    let old = &document.text.as_str()[document.text.offset(params.range.start)..document.text.offset(params.range.end)];
+    let bytes = document.text.offset(params.range.start)..document.text.offset(params.range.end);
+    let old = document.text.as_str().get(bytes).unwrap_or_default();
     let word: String = old.chars().take_while(char::is_ascii_alphabetic).collect();
     // What else the colour had stays.
     let rest: Vec<String> =

@@ -54,6 +54,8 @@ fn told(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformation>
         range,
         severity: Some(match d.severity {
             Severity::Error => DiagnosticSeverity::ERROR,
+            // Shown faint, in the middle of being written as it may be.
+            Severity::Warning if unused => DiagnosticSeverity::HINT,
             Severity::Warning => DiagnosticSeverity::WARNING,
         }),
         code: Some(NumberOrString::String(d.code.0.into())),

@@ -2,8 +2,10 @@
 
 use super::diagnostics::{Told, tell};
 use crate::Keep;
+use crate::diagnostic::Severity;
 use crate::interpreter::{Options, ParsedFiles};
 use crate::source::{Sandbox, SearchPath, Sources};
+use crate::syntax::lint::{self, Lints};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -79,7 +81,13 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
     };
     let built = crate::build_with(&parsed, &sources, file, &options, Keep::World, &mut |_| {});
     let mut told: BTreeMap<Option<PathBuf>, Vec<Told>> = BTreeMap::new();
-    for diagnostic in &built.diagnostics {
+    let mut found = built.diagnostics;
+    if found.iter().all(|diagnostic| diagnostic.severity == Severity::Warning) {
+        // The scene's own file is the first that was parsed.
+        let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();
+        found.extend(lint::lint(&sources, parsed.names(), &files, Lints { unused: true, ..Lints::default() }));
+    }
+    for diagnostic in &found {
         let place = sources.locate(diagnostic.span()).map_or(file, |(id, _)| id);
         let path = sources.path(place).filter(|_| place != file).map(Path::to_path_buf);
         told.entry(path).or_default().push(tell(diagnostic, &sources, place));

@@ -12,6 +12,7 @@ use lsp_types::{
 };
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::Arc;
@@ -100,7 +101,10 @@ impl<S: Out> Server<S> {
             _ if self.is_shut_down => {
                 Response::new_err(id, ErrorCode::InvalidRequest as i32, "the server is shut down".into())
             }
-            _ => requests::answer(self, request),
+            _ => catch_unwind(AssertUnwindSafe(|| requests::answer(self, request))).unwrap_or_else(|_| {
+                // The texts are whole all the same: nobody shall lose his editor's help over one question.
+                Response::new_err(id, ErrorCode::InternalError as i32, "durer made a mistake; please report it".into())
+            }),
         };
         self.out.send(Message::Response(response));
     }

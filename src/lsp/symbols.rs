@@ -35,7 +35,7 @@ fn of_declaration(document: &Document, d: &Declaration) -> DocumentSymbol {
     let value = document.scan.pairs.iter().find(|pair| {
         pair.open == b'{'
             && pair.whole.start > d.at.end
-            && document.text.as_str()[d.at.end..pair.named.start].trim() == "="
+            && document.text.as_str().get(d.at.end..pair.named.start).is_some_and(|between| between.trim() == "=")
     });
     let end = value.map_or(d.whole.end, |pair| pair.whole.end);
     symbol(document, &d.name, kind(d.what), d.whole.start..end.max(d.at.end), d.at.clone())
