@@ -4,7 +4,7 @@ use super::document::{BASE, Document};
 use super::scan::Kind;
 use super::server::{Out, Server};
 use super::text::Text;
-use crate::format::{WIDTH, format as formatted};
+use crate::format::{WIDTH, decode};
 use lsp_types::{
     DocumentFormattingParams, DocumentRangeFormattingParams, FoldingRange, FoldingRangeKind, FoldingRangeParams,
     Position, Range, SelectionRange, SelectionRangeParams, TextEdit,
@@ -26,12 +26,8 @@ pub fn format_range<S: Out>(server: &mut Server<S>, params: &DocumentRangeFormat
 /// One edit for each run of lines that change.
 fn edits(document: &Document) -> Option<Vec<TextEdit>> {
     let old = document.text.as_str();
-    let mut new = formatted(old, BASE, WIDTH).ok()?;
-    if old.contains("\r\n") {
-        new = new.replace("\r\n", "\n").replace('\n', "\r\n");
-    }
-    let lines = |text: &str| text.split_inclusive('\n').map(String::from).collect::<Vec<_>>();
-    let (a, b) = (lines(old), lines(&new));
+    let new = Text::new(decode(old.as_bytes().to_vec()).ok()?.formatted(BASE, WIDTH).ok()?);
+    let (a, b) = (document.text.lines_with_ends(), new.lines_with_ends());
     let mut out = vec![];
     let (mut i, mut j) = (0, 0);
     while i < a.len() || j < b.len() {
@@ -49,7 +45,7 @@ fn edits(document: &Document) -> Option<Vec<TextEdit>> {
 }
 
 /// Behind lines that differ, the nearest pair that is the same again.
-fn meet(a: &[String], b: &[String], i: usize, j: usize) -> (usize, usize) {
+fn meet(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
     const FAR: usize = 60;
     for apart in 1..FAR {
         for k in 0..=apart {

@@ -63,6 +63,13 @@ impl Text {
         self.all[start..end].trim_end_matches(['\n', '\r'])
     }
 
+    /// All lines, each with its end; the last one only if there is something in it.
+    pub fn lines_with_ends(&self) -> Vec<&str> {
+        let ends = self.lines.iter().copied().skip(1).chain([self.all.len()]);
+        let lines = self.lines.iter().zip(ends).map(|(start, end)| &self.all[*start..end]);
+        lines.filter(|line| !line.is_empty()).collect()
+    }
+
     /// Makes a change; tells which bytes it took away and how many it put there.
     pub fn change(&mut self, change: TextDocumentContentChangeEvent) -> (std::ops::Range<usize>, usize) {
         let Some(range) = change.range else {
@@ -119,6 +126,7 @@ mod tests {
         assert_eq!(text.offset(Position::new(0, 99)), 11);
         assert_eq!(text.offset(Position::new(9, 0)), text.as_str().len());
         assert_eq!(text.line(2), "d");
+        assert_eq!(text.lines_with_ends(), ["aä€😀b\r\n", "c\r", "d\n"]);
     }
 
     /// A simple generator of numbers.
