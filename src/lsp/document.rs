@@ -131,6 +131,7 @@ mod tests {
         assert_eq!(uri.as_str(), "file:///tmp/a%20b/%C3%BC%23.pov");
         assert_eq!(path_of(&uri).unwrap(), Path::new("/tmp/a b/ü#.pov"));
         assert_eq!(path_of(&Uri::from_str("untitled:1").unwrap()), None);
-        assert_eq!(path_of(&Uri::from_str("file:///a%2").unwrap()), Some("/a%2".into()));
+        assert_eq!(path_of(&Uri::from_str("file://host/%e4b").unwrap()), None);
+        assert_eq!(path_of(&Uri::from_str("file://localhost/a%25").unwrap()), Some("/a%".into()));
     }
 }
