@@ -30,9 +30,10 @@ const LAYERS: &[(&str, u32)] = &[
     ("render", 10),
     ("snapshot", 11),
     ("advice", 11),
-    ("cli", 12),
+    ("cli", 13),
     ("lsp", 12),
     ("format", 11),
+    ("reference", 11),
     ("preview", 12),
 ];
 
@@ -47,6 +48,8 @@ const RESERVED: &[(&str, &[&str])] = &[
     ("rayon", &["render/", "world/"]),
     ("indicatif", &["cli/progress.rs"]),
     ("clap::", &["cli/"]),
+    ("lsp_types", &["lsp/"]),
+    ("lsp_server", &["lsp/"]),
     ("image::", &["image_io/"]),
     ("exr::", &["image_io/"]),
     ("ttf_parser", &["font/"]),

@@ -6,6 +6,9 @@ use durer::format::{WIDTH, decode, format};
 use durer::syntax::{Names, Piece, Wholes, parse_text};
 use std::path::{Path, PathBuf};
 
+#[path = "hostile/mutate.rs"]
+mod mutate;
+
 fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
     for path in std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path()) {
         if path.is_dir() && !path.is_symlink() {
@@ -54,11 +57,11 @@ fn check(text: &str, width: usize) -> Result<(), String> {
     }
 }
 
-fn hold(texts: impl IntoIterator<Item = (String, String)> + Send) {
+fn hold(texts: impl IntoIterator<Item = (String, String)> + Send, widths: &[usize]) {
     let mut wrong = vec![];
     durer::on_big_stack(|| {
         for (name, text) in texts {
-            let found = [WIDTH, 40].into_iter().find_map(|width| check(&text, width).err());
+            let found = widths.iter().find_map(|width| check(&text, *width).err());
             wrong.extend(found.map(|why| format!("{name}: {why}")));
         }
     });
@@ -72,7 +75,26 @@ fn tokens_stay_and_twice_is_once() {
         // Half a megabyte of numbers is like another.
         (text.len() < 500_000).then(|| (path.display().to_string(), text))
     };
-    hold(texts().into_iter().filter_map(read));
+    hold(texts().into_iter().filter_map(read), &[WIDTH, 40]);
+}
+
+/// `DURER_FUZZ=100000 cargo test --test format mutants` takes more, `DURER_SEED=N DURER_FUZZ=1` keeps one as a file.
+#[test]
+fn mutants_are_formatted_too() {
+    let read = |path: &PathBuf| decode(std::fs::read(path).ok()?).ok().map(|text| text.text);
+    let texts: Vec<String> = texts().iter().filter_map(read).filter(|text| text.len() < 20_000).collect();
+    let number = |name, or| std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(or);
+    let (first, count) = (number("DURER_SEED", 0), number("DURER_FUZZ", 600));
+    let mutants = (first..first + count).map(move |seed| {
+        let mut rng = mutate::Rng::new(seed);
+        let [one, other] = [(); 2].map(|()| &texts[rng.below(texts.len())]);
+        let mutant = mutate::mutate(one, other, &mut rng);
+        if std::env::var("DURER_SEED").is_ok() {
+            std::fs::write(Path::new(env!("CARGO_TARGET_TMPDIR")).join("mutant.scene"), &mutant).ok();
+        }
+        (format!("seed {seed}"), mutant)
+    });
+    hold(mutants, &[WIDTH]);
 }
 
 #[test]

@@ -11,6 +11,8 @@
 mod arena;
 #[path = "hostile/files.rs"]
 mod files;
+#[path = "hostile/format.rs"]
+mod format;
 #[path = "hostile/fuzz.rs"]
 mod fuzz;
 #[path = "hostile/geometry.rs"]
@@ -35,8 +37,15 @@ mod trials;
 use libtest_mimic::Trial;
 
 fn main() {
-    let tables =
-        [text::cases(), runaway::cases(), pieces::cases(), geometry::cases(), outside::cases(), files::cases()];
+    let tables = [
+        text::cases(),
+        runaway::cases(),
+        pieces::cases(),
+        geometry::cases(),
+        outside::cases(),
+        files::cases(),
+        format::cases(),
+    ];
     let cases = tables.into_iter().flatten();
     let mut trials: Vec<Trial> = cases.map(|case| Trial::test(case.name, move || case.run())).collect();
     trials.extend(outside::trials());

@@ -68,6 +68,12 @@ pub enum Command {
     Test(TestArgs),
     /// Write scenes as they should look
     Fmt(FmtArgs),
+    /// Write a first scene to change
+    New(NewArgs),
+    /// List a scene's cameras, lights, objects and textures
+    Query(QueryArgs),
+    /// Serve editors: messages, completion and the like, over standard input and output
+    Lsp(LspArgs),
     /// Explain the code of a message, such as E0203
     Explain(ExplainArgs),
     /// Print a script that completes durer's options in your shell
@@ -216,6 +222,9 @@ pub struct RenderArgs {
     /// Print what was understood as JSON, and draw nothing
     #[arg(help_heading = TOLD, long, value_name = "STAGE")]
     pub dump: Option<Dump>,
+    /// Write the names of all files that were read, as a rule for make; as JSON if FILE ends in .json
+    #[arg(help_heading = TOLD, long, value_name = "FILE")]
+    pub deps: Option<PathBuf>,
 }
 
 fn format_parser() -> clap::builder::PossibleValuesParser {
@@ -302,6 +311,39 @@ pub struct FmtArgs {
     /// Break lines that are longer, where that can be done
     #[arg(long, value_name = "N", default_value_t = crate::format::WIDTH as u16, value_parser = clap::value_parser!(u16).range(20..=10_000))]
     pub width: u16,
+}
+
+/// `durer new`.
+#[derive(Args, Clone, Debug)]
+pub struct NewArgs {
+    /// The scene's name; .scene is put behind it if it has no ending
+    #[arg(value_name = "NAME")]
+    pub name: PathBuf,
+}
+
+/// `durer query`.
+#[derive(Args, Clone, Debug)]
+pub struct QueryArgs {
+    /// The scene, an INI file, or - for standard input
+    #[arg(value_name = "INPUT")]
+    pub input: PathBuf,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub scene: SceneArgs,
+    /// As one JSON object
+    #[arg(help_heading = TOLD, long)]
+    pub json: bool,
+}
+
+/// `durer lsp`.
+#[derive(Args, Clone, Debug)]
+pub struct LspArgs {
+    /// Understood and needless: nothing else is spoken
+    #[arg(long, hide = true)]
+    pub stdio: bool,
+    /// Look for included files here too
+    #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
+    pub include: Vec<PathBuf>,
 }
 
 /// `durer explain`.

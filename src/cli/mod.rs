@@ -7,6 +7,7 @@ mod check;
 mod choices;
 mod completions;
 mod console;
+mod deps;
 mod dump;
 mod exit;
 mod explain;
@@ -16,12 +17,15 @@ mod inputs;
 mod interrupt;
 mod journal;
 mod keeping;
+mod lsp;
 pub mod manual;
 mod memory;
+mod new;
 mod overlay;
 mod pick;
 mod povray;
 mod progress;
+mod query;
 mod render;
 mod session;
 mod stats;
@@ -91,6 +95,9 @@ fn dispatch(console: &Console, command: &Command) -> Result {
         Command::Pick(args) => pick::run(console, args),
         Command::Test(args) => test::run(console, args),
         Command::Fmt(args) => fmt::run(console, args),
+        Command::New(args) => new::run(console, args),
+        Command::Query(args) => query::run(console, args),
+        Command::Lsp(args) => lsp::run(args),
         Command::Explain(args) => explain::run(console, args),
         Command::Completions(args) => completions::run(console, args),
     }

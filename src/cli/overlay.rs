@@ -115,6 +115,7 @@ impl RenderArgs {
             stats: self.stats.clone(),
             warn: self.warn.clone(),
             dump: self.dump,
+            deps: self.deps.clone(),
         }
     }
 }

@@ -14,7 +14,7 @@ use super::stats::{self, Report};
 use super::target::{Target, is_folder};
 use super::values::Stats;
 use super::watch::Watcher;
-use super::{dump, keeping, memory, overlay, povray, session, summary};
+use super::{deps, dump, keeping, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::image_io::Format;
 use crate::interpreter::{ParsedFiles, Timing};
@@ -28,10 +28,27 @@ use std::time::{Duration, Instant};
 
 /// Draws each scene: one picture, or one for each frame.
 pub fn run(console: &Console, args: &RenderArgs) -> Result {
+    let mut done = Done::default();
+    let exit = draw_all(console, args, &mut done);
+    // Whoever waits for a file to be mended has to know of it.
+    if let (Some(file), Ok(_) | Err(Failure::Told(_) | Failure::Fault(_))) = (&args.deps, &exit) {
+        deps::write(console, file, &done.pictures)?;
+    }
+    exit
+}
+
+/// What became of one command's scenes.
+#[derive(Default)]
+struct Done {
+    reports: Vec<Report>,
+    /// Those that were begun.
+    pictures: Vec<PathBuf>,
+}
+
+fn draw_all(console: &Console, args: &RenderArgs, done: &mut Done) -> Result {
     let inputs = Inputs::of(&args.inputs)?;
-    let mut reports = Vec::new();
     if !inputs.several {
-        let mut draw = |input| draw_scene(console, args, input, &mut reports).map(|(exit, _)| exit);
+        let mut draw = |input| draw_scene(console, args, input, done).map(|(exit, _)| exit);
         return inputs.all.iter().try_fold(Exit::Fine, |_, input| draw(input));
     }
     check_several(args, &inputs.all)?;
@@ -39,7 +56,7 @@ pub fn run(console: &Console, args: &RenderArgs) -> Result {
         console.note(line);
         Ok(())
     };
-    summary::each(console, &inputs.all, tell, |console, input| draw_scene(console, args, input, &mut reports))
+    summary::each(console, &inputs.all, tell, |console, input| draw_scene(console, args, input, done))
 }
 
 /// Several pictures need a file each.
@@ -80,7 +97,7 @@ fn check_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
 }
 
 /// One scene; also says what became of it, in a few words.
-fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, reports: &mut Vec<Report>) -> Result<(Exit, String)> {
+fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, done: &mut Done) -> Result<(Exit, String)> {
     let args = RenderArgs { input: input.to_path_buf(), ..args.clone() };
     let (console, mut args) = overlay::with_ini(console, &args)?;
     session::check_input(&args.input)?;
@@ -90,7 +107,7 @@ fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, reports: &mut 
     settle_frames(&mut args)?;
     let target = check_target(&args)?;
     check_stdout(&args, &target)?;
-    let mut job = Job::new(&console, &args, reports)?;
+    let mut job = Job::new(&console, &args, done)?;
     let exit = match &args.scene.animation {
         Some(animation) if args.scene.frame.is_none() => {
             let film = target.file().filter(|_| args.dump.is_none()).map(|path| Film::new(path, args.resume));
@@ -197,7 +214,7 @@ struct Job<'a> {
     parsed: ParsedFiles,
     file: FileId,
     /// Of all scenes of the command.
-    reports: &'a mut Vec<Report>,
+    all: &'a mut Done,
     /// The pictures so far.
     written: Vec<PathBuf>,
     start: Instant,
@@ -216,12 +233,12 @@ struct Drawn {
 }
 
 impl<'a> Job<'a> {
-    fn new(console: &'a Console, args: &'a RenderArgs, reports: &'a mut Vec<Report>) -> Result<Self> {
+    fn new(console: &'a Console, args: &'a RenderArgs, all: &'a mut Done) -> Result<Self> {
         let (sources, start) = (Sources::default(), Instant::now());
         let file = session::open_or_tell(console, &sources, &args.input)?;
         let parsed = ParsedFiles::default();
         let program = keeping::program();
-        Ok(Self { console, args, sources, parsed, file, reports, written: vec![], start, told: vec![], program })
+        Ok(Self { console, args, sources, parsed, file, all, written: vec![], start, told: vec![], program })
     }
 
     /// What was written, in a few words.
@@ -273,6 +290,7 @@ impl<'a> Job<'a> {
         let (Some(film), Some(picture)) = (film, target.file()) else { return self.draw(target, timing) };
         let Work { program, options, .. } = self.work(timing);
         if film.has(timing.frame, picture, &program, &options) {
+            self.all.pictures.push(picture.to_path_buf());
             self.written.push(picture.to_path_buf());
             return Ok(Exit::Fine);
         }
@@ -305,6 +323,7 @@ impl<'a> Job<'a> {
         let (console, args, start) = (self.console, self.args, Instant::now());
         if args.dump.is_none() {
             target.check()?;
+            self.all.pictures.extend(target.file().map(Path::to_path_buf));
         }
         let mut built = self.build(timing);
         let incomplete = advice::is_incomplete(&built.diagnostics);
@@ -336,8 +355,8 @@ impl<'a> Job<'a> {
         self.advise(&world, timing, advice::Circumstances { one_of_many, incomplete, black });
         if let Some(stats) = &args.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
-            self.reports.push(Report::new(times, rays, args));
-            stats::give(self.reports, console, stats)?;
+            self.all.reports.push(Report::new(times, rays, args));
+            stats::give(&self.all.reports, console, stats)?;
         }
         if let (Some(path), true) = (written, console.terminal && !console.is_among_several()) {
             console.note(&format!("{} ({:.1} s)\n", path.display(), start.elapsed().as_secs_f64()));

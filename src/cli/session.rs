@@ -98,6 +98,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         max_steps: args.max_steps,
         max_time: args.max_time.map(|s| s.0),
         max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
+        stop: None,
         wholes: if args.single_tokens { Wholes::TakenApart } else { Wholes::Kept },
         origins: false,
     }

@@ -30,6 +30,12 @@ const OTHERS: &[(&str, &str)] = &[
     ("pretty", "fmt"),
     ("indent", "fmt"),
     ("tidy", "fmt"),
+    ("language-server", "lsp"),
+    ("init", "new"),
+    ("create", "new"),
+    ("list", "query"),
+    ("info", "query"),
+    ("show", "query"),
     ("complete", "completions"),
 ];
 

@@ -32,6 +32,10 @@ pub(super) struct Setter<'a> {
     /// Columns that the current line has already.
     pub(super) column: usize,
     line: u32,
+    /// How far the current line is indented.
+    indent: usize,
+    /// Does the current line end in a comment?
+    commented: bool,
     trailing: Vec<Trailing>,
 }
 
@@ -64,6 +68,8 @@ impl<'a> Setter<'a> {
             out: String::with_capacity(text.len() + text.len() / 8),
             column: 0,
             line: 0,
+            indent: 0,
+            commented: false,
             trailing: vec![],
         };
         let (mut sum, mut breaks, mut loose) = (0u32, 0, 0);
@@ -139,7 +145,7 @@ impl<'a> Setter<'a> {
 
     /// Does it, on what is left of this one?
     fn fits(&self, from: usize, to: usize) -> bool {
-        let gap = if self.column > 0 && from < to { self.gap(from) } else { 0 };
+        let gap = if from < to && !self.at_start() { self.gap(from) } else { 0 };
         self.is_flat(from, to) && self.column + gap + self.flat_width(from, to) <= self.width
     }
 
@@ -156,10 +162,11 @@ impl<'a> Setter<'a> {
         self.line += 1 + u32::from(blank);
         self.out.extend(std::iter::repeat_n(' ', indent));
         self.column = indent;
+        (self.indent, self.commented) = (indent, false);
     }
 
     /// Has nothing but blanks been written to this line?
-    fn at_start(&self) -> bool {
+    pub(super) fn at_start(&self) -> bool {
         self.out.as_bytes().last().is_none_or(|b| matches!(b, b'\n' | b' '))
     }
 
@@ -168,6 +175,11 @@ impl<'a> Setter<'a> {
     }
 
     fn put(&mut self, i: usize) {
+        if self.commented {
+            // A comma, or whatever else nobody else breaks lines before.
+            self.new_line(self.indent, false);
+        }
+        self.commented = self.has(i, flag::LINE_COMMENT);
         if self.has(i, flag::LINE_COMMENT) && !self.at_start() {
             return self.put_trailing(i);
         }
@@ -179,7 +191,7 @@ impl<'a> Setter<'a> {
             let out = &mut self.out;
             unpack(text, |part| out.push_str(part));
         } else {
-            self.line += self.is_tall(i).then(|| text.lines().count() as u32 - 1).unwrap_or_default();
+            self.line += if self.is_tall(i) { text.lines().count() as u32 - 1 } else { 0 };
             self.out.push_str(text);
         }
     }
@@ -236,7 +248,7 @@ impl<'a> Setter<'a> {
         table::pad(self, &rows, indent);
         for Row { from, to, .. } in rows {
             let closes = self.has(from, flag::LOOSE) && self.has(from, flag::CLOSE);
-            let first = indent_by(indent, open - i32::from(closes));
+            let first = indent_by(indent, open - i32::from(closes)) + self.layer(from);
             self.new_line(first, from > start && self.atoms.row[from].lines > 1);
             let (items, _) = self.row_at(from, to);
             self.row(&items, indent, &mut open);
@@ -285,7 +297,7 @@ impl<'a> Setter<'a> {
             let (a, b) = (piece[0].from, piece[to - from - 1].to);
             let big = piece.iter().any(|item| self.is_big(*item));
             let trails = self.has(a, flag::LINE_COMMENT);
-            let indent = indent_by(indent, *open);
+            let indent = indent_by(indent, *open) + self.layer(a);
             if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
                 self.new_line(indent, false);
             }
@@ -296,11 +308,17 @@ impl<'a> Setter<'a> {
         }
     }
 
+    /// How much further in a line begins that goes on with a declaration.
+    fn layer(&self, i: usize) -> usize {
+        if self.has(i, flag::LAYER) { STEP } else { 0 }
+    }
+
     /// May a line be broken before an item that follows these?
     fn parts(&self, piece: &[Range], item: Range) -> bool {
         let (kind, before) = (self.kind(item), piece[piece.len() - 1]);
         let directive = matches!(kind, Item::Declare | Item::Plain | Item::Bodies);
-        if self.has(item.from, flag::GLUE | flag::JOIN) || kind == Item::Separator {
+        let layer = self.has(item.from, flag::LAYER);
+        if self.has(item.from, flag::GLUE | flag::JOIN) && !layer || kind == Item::Separator {
             return false;
         }
         if self.has(item.from, flag::COMMENT) || self.has(before.to - 1, flag::COMMENT) {
@@ -309,7 +327,7 @@ impl<'a> Setter<'a> {
         match (self.kind(before), kind) {
             (Item::Sign, _) => directive,
             (_, Item::Sign) => false,
-            (Item::Declare, _) => false,
+            (Item::Declare, _) => layer,
             (Item::Plain, _) => directive,
             (Item::Word, Item::Block) | (Item::Word, Item::Entry) => true,
             (Item::Word, _) => directive,
@@ -364,6 +382,8 @@ impl<'a> Setter<'a> {
         let small = items.iter().all(|item| !self.is_big(*item) && !trails(item));
         let end = match () {
             () if values == 0 || self.begins_line(from) => from,
+            // Only the closing bracket would have no room.
+            () if !is_entry && next == to && values == items.len() && self.is_flat(from, to) => from,
             () if next < to && small && !is_entry => next,
             () if items.get(values).is_some_and(trails) || next == to || is_entry => {
                 items.get(values).map_or(next, |item| item.from)

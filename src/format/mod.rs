@@ -13,13 +13,14 @@
 //! }
 //! ```
 //!
-//! [`atoms`] makes of tokens, comments and tree a row of atoms; [`layout`] sets them in lines, [`run`] breaks those that hold one long
+//! [`gather`] makes of tokens, comments and tree a row of [`atoms`]; [`layout`] sets them in lines, [`run`] breaks those that hold one long
 //! expression, [`columns`] and [`table`] keep in line what was aligned. A text that was broken once is never joined again, so that formatting twice
 //! is formatting once.
 
 mod atoms;
 mod columns;
 mod diff;
+mod gather;
 mod layout;
 mod run;
 mod table;
@@ -48,7 +49,7 @@ pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagn
     if faults.iter().any(|fault| fault.severity == Severity::Error) {
         return Err(faults);
     }
-    let atoms = atoms::gather(text, base, &ast);
+    let atoms = gather::gather(text, base, &ast);
     drop(ast);
     Ok(layout::set(text, &atoms, width))
 }

@@ -65,7 +65,7 @@ impl Setter<'_> {
 
     /// How many of these atoms go on the line: all, or up to the best place to break it, which is outside of as many brackets as may be.
     fn break_in(&self, from: usize, to: usize, depth: usize) -> usize {
-        let gap = if self.column > 0 { self.gap(from) } else { 0 };
+        let gap = if self.at_start() { 0 } else { self.gap(from) };
         let room = self.width.saturating_sub(self.column + gap);
         if self.flat_width(from, to) <= room {
             return to;
@@ -98,7 +98,8 @@ impl Setter<'_> {
     /// Not before operators, nor between a word and its value.
     fn may_break(&self, i: usize) -> bool {
         let word = matches!(self.atoms.row[i - 1].item, Item::Word | Item::Plain);
-        !self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT) && !(word && self.is_item(i))
+        let held = self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT);
+        !(held || word && self.is_item(i))
     }
 
     /// How much an atom holds what follows it.

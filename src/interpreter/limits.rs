@@ -3,6 +3,7 @@
 use super::Interpreter;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
+use std::sync::atomic::Ordering;
 
 /// Macro calls inside each other.
 pub(super) const MAX_CALLS: usize = 5_000;
@@ -42,6 +43,9 @@ impl<'a> Interpreter<'a> {
     }
 
     fn look_at_clock(&mut self, span: Span) -> Result<()> {
+        if self.options.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+            return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "it is of no use any more");
+        }
         if let Some(seconds) = self.options.max_time
             && self.started.elapsed().as_secs_f64() > seconds
         {

@@ -39,7 +39,7 @@ use std::cell::RefCell;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::time::Instant;
 use stream::{FrameKind, Held, Opened, StackFrame, Token};
 pub use timing::Timing;
@@ -73,6 +73,8 @@ pub struct Options {
     pub max_time: Option<f64>,
     /// `--max-memory` in bytes.
     pub max_memory: Option<u64>,
+    /// Ends the run as a limit does when somebody sets it.
+    pub stop: Option<Arc<AtomicBool>>,
     /// How much of the text the parser keeps whole; tests have it taken apart.
     pub wholes: Wholes,
     /// Keep through which macros and includes each object came into the scene.
@@ -93,6 +95,7 @@ impl Default for Options {
             max_steps: 1_000_000,
             max_time: None,
             max_memory: None,
+            stop: None,
             wholes: Wholes::Kept,
             origins: false,
         }

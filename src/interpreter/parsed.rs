@@ -66,6 +66,11 @@ impl ParsedFiles {
         self.files.borrow_mut().retain(|known, _| !same(known));
     }
 
+    /// From now on, a text that is at hand stands for the file that lies there.
+    pub fn hold(&self, path: &Path, file: FileId) {
+        self.keep_file(path, file);
+    }
+
     /// All trees of files with their files, in the order of reading.
     pub fn all(&self) -> Vec<(FileId, &Ast)> {
         let mut all: Vec<_> = self.trees.borrow().iter().map(|(&file, &index)| (file, index)).collect();

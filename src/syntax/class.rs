@@ -111,6 +111,11 @@ pub fn structural_directives() -> impl Iterator<Item = &'static str> {
     DIRECTIVES.iter().map(|(name, ..)| *name)
 }
 
+/// Does the directive of this name open a body? `#end` closes it.
+pub fn opens(word: &str) -> bool {
+    DIRECTIVES.iter().any(|row| row.0 == word && row.2 == Role::Opens)
+}
+
 /// Does this directive open a body?
 pub(super) fn opens_body(class: u8) -> bool {
     DIRECTIVES.iter().any(|row| row.1 == class && row.2 == Role::Opens)

@@ -1,52 +1,13 @@
 //! The index: every word of the language, and where it belongs.
 
 use super::{code, list, table};
-use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp, bitmap};
+use crate::pattern::{Modifiers, Turbulent, bitmap};
+use crate::reference::{BLOCKS, Block, ELSEWHERE, FAMILIES};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
 use crate::value::words::TRANSFORMS;
-use crate::value::{Spec, Vocabulary, WordSpec};
-use crate::{atmosphere, camera, function, interpreter, light, scene, shape, texture};
+use crate::value::{Spec, WordSpec};
+use crate::{function, interpreter};
 use std::collections::BTreeMap;
-
-/// Words that stand in no table of a block, and the chapter about them.
-const ELSEWHERE: &[(&str, &str)] = &[
-    ("albedo", "[`finish`](finishes.md), before the number of `diffuse`, `phong` or `specular`"),
-    ("all", "`filter all` and `transmit all` in [`image_map`](pigments.md#image_map)"),
-    ("altitude", "[`slope`](pigments.md#slope)"),
-    ("append", "[`#fopen`](directives.md)"),
-    ("ascii", "behind `charset`"),
-    ("array", "[arrays](../arrays.md)"),
-    ("average", "[a pattern](pigments.md#average)"),
-    ("b_spline", "[splines](../functions.md)"),
-    ("cubic_spline", "[splines](../functions.md)"),
-    ("deprecated", "behind `#declare`: using the name gets a warning"),
-    ("df3", "[`density_file`](pigments.md#density_file)"),
-    ("function", "[functions](../functions.md)"),
-    ("gray", "a component of a [pigment's function](../functions.md)"),
-    ("internal", "functions of `functions.inc`, in `function { }`"),
-    ("linear_spline", "[splines](../functions.md)"),
-    ("natural_spline", "[splines](../functions.md)"),
-    ("once", "behind `#declare deprecated`: warns only once"),
-    ("pattern", "[a function](../functions.md) made of a pattern"),
-    ("prod", "products in `function { }`"),
-    ("quadratic_spline", "[splines](../functions.md)"),
-    ("read", "[`#fopen`](directives.md)"),
-    ("sint16be", "[`#write`](directives.md)"),
-    ("sint16le", "[`#write`](directives.md)"),
-    ("sint32be", "[`#write`](directives.md)"),
-    ("sint32le", "[`#write`](directives.md)"),
-    ("sint8", "[`#write`](directives.md)"),
-    ("spline", "[splines](../functions.md)"),
-    ("sum", "sums in `function { }`"),
-    ("sys", "behind `charset`"),
-    ("tile2", "`tiles` in [`texture`](finishes.md)"),
-    ("uint16be", "[`#write`](directives.md)"),
-    ("uint16le", "[`#write`](directives.md)"),
-    ("uint8", "[`#write`](directives.md)"),
-    ("utf8", "behind `charset`"),
-    ("warp", "[a block](pigments.md#warps) among transforms"),
-    ("write", "[`#fopen`](directives.md)"),
-];
 
 type Index = BTreeMap<&'static str, Vec<String>>;
 
@@ -83,36 +44,12 @@ fn add_words(index: &mut Index, words: &'static [WordSpec], place: &str) {
 }
 
 fn blocks(index: &mut Index) {
-    use texture::words::{FINISH, IMAGE_MAP, INTERIOR, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
-    let blocks: [(&'static Vocabulary, &str, &str); 17] = [
-        (&interpreter::STATEMENTS, "the scene", "scene.md"),
-        (&scene::words::MODIFIERS, "objects", "objects.md"),
-        (&camera::words::POVRAY, "`camera`", "cameras.md"),
-        (&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
-        (&light::words::LIGHT, "`light_source`", "lights.md"),
-        (&scene::LIGHT_GROUP, "`light_group`", "lights.md#light_group"),
-        (&atmosphere::SKY_SPHERE, "`sky_sphere`", "atmosphere.md"),
-        (&atmosphere::FOG, "`fog`", "atmosphere.md"),
-        (&atmosphere::RAINBOW, "`rainbow`", "atmosphere.md"),
-        (&PIGMENT, "`pigment`", "pigments.md"),
-        (&IMAGE_MAP, "`image_map`", "pigments.md#image_map"),
-        (&TEXTURE, "`texture`", "finishes.md"),
-        (&NORMAL, "`normal`", "finishes.md"),
-        (&FINISH, "`finish`", "finishes.md"),
-        (&REFLECTION, "`reflection`", "finishes.md"),
-        (&IRID, "`irid`", "finishes.md"),
-        (&INTERIOR, "`interior`", "finishes.md"),
-    ];
-    for (block, name, page) in blocks {
+    for Block { words: block, name, page } in BLOCKS {
         let place = format!("[{name}]({page})");
         add_words(index, block.words, &place);
         block.idle.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
         block.not_drawn.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
     }
-    let settings: &'static Vocabulary = &scene::words::SETTINGS;
-    add_words(index, settings.words, "[`global_settings`](settings.md)");
-    settings.idle.iter().for_each(|word| add(index, word, "[`global_settings`](settings.md), without effect"));
-    settings.not_drawn.iter().for_each(|word| add(index, word, "[`global_settings`](settings.md), not drawn yet"));
     for (inner, page) in [
         ("finish", "finishes.md"),
         ("normal", "finishes.md"),
@@ -130,10 +67,9 @@ fn families(index: &mut Index) {
             add_words(index, spec.words, &format!("[`{}`]({page}#{})", spec.name, spec.name));
         }
     };
-    family(shape::SPECS, "shape", "shapes.md");
-    family(CellPattern::SPECS, "pattern", "pigments.md");
-    family(FieldPattern::SPECS, "pattern", "pigments.md");
-    family(Warp::SPECS, "warp", "pigments.md");
+    for one in FAMILIES {
+        family(one.specs, one.kind, one.page);
+    }
     add_words(index, bitmap::WORDS, "[pictures](pigments.md#pictures)");
     add_words(index, bitmap::CHANNELS, "[`image_pattern`, `bump_map`](pigments.md#what-counts-of-a-pixel)");
     bitmap::FORMATS.iter().for_each(|word| add(index, word, "[pictures](pigments.md#pictures), without effect"));

@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::image_io::Picture;
 use crate::interpreter::Interpreter;
 use crate::mesh_io::{self, MeshFile, Reading};
-use crate::source::{ReadError, Span};
+use crate::source::{ReadError, Span, read_bytes};
 use crate::value::{BuildMesh, Reader, Thing};
 use std::path::Path;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ impl Interpreter<'_> {
     }
 
     fn read_mesh(&self, path: &Path, at: Span) -> Result<MeshFile> {
-        let bytes = match std::fs::read(path) {
+        let bytes = match read_bytes(path) {
             Ok(bytes) => bytes,
             Err(error) => return Err(file::unreadable(path, &ReadError::Io(error)).at(at)),
         };
@@ -43,7 +43,7 @@ impl Interpreter<'_> {
             if beside.exists() && !self.options.sandbox.may_read(&beside) {
                 return Err(format!("the file `{name}` may not be read by the scene"));
             }
-            std::fs::read(&beside).map_err(|_| format!("there is no file `{name}` that can be read"))
+            read_bytes(&beside).map_err(|_| format!("there is no file `{name}` that can be read"))
         };
         mesh_io::read(&bytes, ending, &mut open).map_err(|why| {
             let message = format!("the mesh's file `{}` can't be read: {why}", path.display());

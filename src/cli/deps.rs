@@ -1,0 +1,92 @@
+//! `--deps FILE`: which files were read for the pictures, for make and for programs.
+
+use super::console::Console;
+use super::exit::Result;
+use crate::diagnostic::file;
+use crate::source;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Writes all files that were read so far, as those that the pictures depend on: JSON if the file's name ends so, else a rule for
+/// make.
+pub fn write(console: &Console, to: &Path, pictures: &[PathBuf]) -> Result<()> {
+    let mut files: Vec<PathBuf> = source::seen().into_keys().filter(|path| path.is_file()).map(plain).collect();
+    files.sort();
+    let is_json = to.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+    let text = if is_json { as_json(pictures, &files) } else { as_rule(pictures, &files) };
+    if to == Path::new("-") {
+        return console.data(text);
+    }
+    source::write_whole(to, &text).map_err(|error| Box::new(file::unwritable(to, &error)).into())
+}
+
+/// `./a.inc` is `a.inc`, as whoever wrote a rule for it would call it.
+fn plain(path: PathBuf) -> PathBuf {
+    path.strip_prefix("./").map(Path::to_path_buf).unwrap_or(path)
+}
+
+fn as_json(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
+    let names = |paths: &[PathBuf]| paths.iter().map(|path| path.to_string_lossy().into_owned()).collect::<Vec<_>>();
+    let text = json!({"pictures": names(pictures), "files": names(files)});
+    format!("{text:#}\n").into_bytes()
+}
+
+/// A rule without commands, and one for each file, so that make does not stop if it is gone.
+fn as_rule(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
+    let mut text = vec![];
+    for (i, picture) in pictures.iter().enumerate() {
+        text.extend(if i > 0 { &b" "[..] } else { b"" });
+        text.extend(escaped(picture));
+    }
+    if !pictures.is_empty() {
+        text.push(b':');
+        for file in files {
+            text.extend(b" \\\n  ");
+            text.extend(escaped(file));
+        }
+        text.push(b'\n');
+    }
+    for file in files {
+        text.push(b'\n');
+        text.extend(escaped(file));
+        text.extend(b":\n");
+    }
+    text
+}
+
+/// As make reads it. (GNU make's manual, "Rule Syntax" and "Using Wildcard Characters in File Names".)
+fn escaped(path: &Path) -> Vec<u8> {
+    let (mut out, mut slashes) = (vec![], 0);
+    for &byte in path.as_os_str().as_encoded_bytes() {
+        match byte {
+            b'$' => out.push(b'$'),
+            // Backslashes before one that is put in front of a sign stand for themselves when doubled.
+            b' ' | b'\t' | b'#' => out.extend(std::iter::repeat_n(b'\\', slashes + 1)),
+            b':' | b'%' | b'*' | b'?' | b'[' | b']' | b'~' if cfg!(unix) => out.push(b'\\'),
+            _ => {}
+        }
+        slashes = if byte == b'\\' { slashes + 1 } else { 0 };
+        out.push(byte);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_escaped_for_make() {
+        let escaped = |name: &str| String::from_utf8(super::escaped(Path::new(name))).unwrap();
+        assert_eq!(escaped("a b.inc"), r"a\ b.inc");
+        assert_eq!(escaped("a$b#c"), r"a$$b\#c");
+        assert_eq!(escaped(r"a\ b\c"), r"a\\\ b\c");
+    }
+
+    #[test]
+    fn a_rule_and_one_for_each_file() {
+        let [out, a, b] = ["o ut.png", "a.scene", "b c.inc"].map(PathBuf::from);
+        let text = String::from_utf8(as_rule(&[out], &[a, b])).unwrap();
+        assert_eq!(text, "o\\ ut.png: \\\n  a.scene \\\n  b\\ c.inc\n\na.scene:\n\nb\\ c.inc:\n");
+    }
+}

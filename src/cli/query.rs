@@ -1,0 +1,294 @@
+//! `durer query INPUT`: what is in a scene, where the text stands that put it there, and how large it is in the world.
+
+use super::args::QueryArgs;
+use super::console::Console;
+use super::exit::{Exit, Result};
+use super::{overlay, session};
+use crate::interpreter::ParsedFiles;
+use crate::light::{Beam, Light};
+use crate::math::{Aabb, DVec3, Transform};
+use crate::scene::{Object, ObjectKind, Scene};
+use crate::source::{Place, Sources, Span};
+use crate::texture::{Paint, Texture};
+use crate::value::decimal;
+use crate::world::{Probe, World};
+use crate::{Built, Keep};
+use serde::Serialize;
+use serde_json::Value;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// What `--json` prints.
+#[derive(Serialize, Default)]
+struct Contents {
+    cameras: Vec<CameraRow>,
+    lights: Vec<LightRow>,
+    objects: Vec<ObjectRow>,
+    textures: Vec<TextureRow>,
+}
+
+#[derive(Serialize)]
+struct CameraRow {
+    source: Option<Source>,
+    /// Is it the one that draws?
+    used: bool,
+    /// What follows is told of that one.
+    projection: Option<String>,
+    location: Option<[f64; 3]>,
+    direction: Option<[f64; 3]>,
+}
+
+#[derive(Serialize)]
+struct LightRow {
+    source: Option<Source>,
+    kind: &'static str,
+    location: [f64; 3],
+    color: [f64; 3],
+}
+
+#[derive(Serialize)]
+struct ObjectRow {
+    source: Option<Source>,
+    word: &'static str,
+    /// How many shapes it is made of.
+    shapes: u32,
+    /// Two corners in the world; null for what has no end, and where nothing is left.
+    #[serde(rename = "box")]
+    extent: Option<[[f64; 3]; 2]>,
+    infinite: bool,
+    /// Counts from 0 in `textures`.
+    texture: usize,
+}
+
+#[derive(Serialize)]
+struct TextureRow {
+    pigment: String,
+    layers: usize,
+    /// How many outermost objects wear it, and where the first one stands.
+    objects: usize,
+    first: Option<Source>,
+}
+
+#[derive(Serialize, Clone, PartialEq)]
+struct Source {
+    file: String,
+    line: usize,
+    column: usize,
+}
+
+impl From<Place> for Source {
+    fn from(place: Place) -> Self {
+        Self { file: place.file, line: place.line, column: place.column }
+    }
+}
+
+/// Lists what is in the scene.
+pub fn run(console: &Console, args: &QueryArgs) -> Result {
+    let (input, scene) = overlay::scene_with_ini(console, &session::named(&args.input), &args.scene)?;
+    session::check_input(&input)?;
+    let sources = Sources::default();
+    let file = session::open_or_tell(console, &sources, &input)?;
+    let options = session::reading_options(&scene, &input, session::timing(&scene)?);
+    let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
+    let world = session::settle(console, &sources, &mut built)?;
+    let contents = contents(&built, &world, &sources);
+    if args.json {
+        console.json(&contents)?;
+    } else {
+        console.data(in_words(&contents))?;
+    }
+    Ok(Exit::Fine)
+}
+
+fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
+    let Some(scene) = &built.scene else { return Contents::default() };
+    let mut out = Contents { cameras: cameras(scene, world, sources), ..Contents::default() };
+    let mut numbers = HashMap::new();
+    for object in &scene.objects {
+        lights(object, &Transform::default(), sources, &mut out.lights);
+        if matches!(object.kind, ObjectKind::Light(_)) {
+            continue;
+        }
+        let texture = object.texture.as_ref().map_or(&object.default_texture, |painted| &painted.texture);
+        let source = sources.place(object.source).map(Source::from);
+        let number = *numbers.entry(Arc::as_ptr(texture)).or_insert_with(|| {
+            out.textures.push(row_of_texture(texture, source.clone()));
+            out.textures.len() - 1
+        });
+        out.textures[number].objects += 1;
+        let extent = extent(object);
+        let is_infinite = !extent.is_empty() && !is_finite(&extent);
+        let corners = (is_finite(&extent) && !extent.is_empty()).then(|| [extent.min.into(), extent.max.into()]);
+        out.objects.push(ObjectRow {
+            source,
+            word: object.word,
+            shapes: object.weight().shapes(),
+            extent: corners,
+            infinite: is_infinite,
+            texture: number,
+        });
+    }
+    out
+}
+
+/// All of them; the last one draws.
+fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
+    let spans = if scene.cameras.is_empty() { &[Span::NONE][..] } else { &scene.cameras };
+    let row = |(i, span): (usize, &Span)| {
+        let used = i + 1 == spans.len();
+        let frame = used.then_some(world.eye.frame);
+        CameraRow {
+            source: sources.place(*span).map(Source::from),
+            used,
+            projection: used.then(|| name_of(&world.eye.projection)),
+            location: frame.map(|frame| frame.origin.into()),
+            direction: frame.and_then(|frame| frame.direction.try_normalize()).map(Into::into),
+        }
+    };
+    spans.iter().enumerate().map(row).collect()
+}
+
+/// The lights in an object, which has been moved so.
+fn lights(object: &Object, moved: &Transform, sources: &Sources, out: &mut Vec<LightRow>) {
+    let moved = object.transform.then(moved);
+    match &object.kind {
+        ObjectKind::Light(lit) => out.push(row_of_light(&lit.light, &moved, sources)),
+        ObjectKind::Csg(_, parts) => parts.iter().for_each(|part| lights(part, &moved, sources, out)),
+        ObjectKind::Shape(_) => {}
+    }
+}
+
+fn row_of_light(light: &Light, moved: &Transform, sources: &Sources) -> LightRow {
+    let kind = match light.beam {
+        _ if light.parallel => "parallel",
+        Beam::Round if light.spreads => "area_light",
+        Beam::Round => "point",
+        Beam::Spotlight(_) => "spotlight",
+        Beam::Cylinder(_) => "cylinder",
+    };
+    let source = sources.place(light.source).map(Source::from);
+    LightRow { source, kind, location: moved.point(light.location).into(), color: light.color.into() }
+}
+
+fn row_of_texture(texture: &Texture, first: Option<Source>) -> TextureRow {
+    let top = texture.layers.last();
+    let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.unusual()) {
+        (Some(choice), _) => name_of(&choice.pattern.kind),
+        (None, Some(pattern)) => name_of(&pattern.kind),
+        (None, None) => match &layer.pigment.paint {
+            Paint::Solid(color) => {
+                let DVec3 { x, y, z } = color.rgb;
+                let clear = [color.filter, color.transmit];
+                if clear == [0.0; 2] {
+                    return format!("rgb {}", vector(&[x, y, z]));
+                }
+                format!("rgbft {}", vector(&[x, y, z, clear[0], clear[1]]))
+            }
+            other => name_of(other),
+        },
+    });
+    TextureRow { pigment: pigment.unwrap_or_default(), layers: texture.layers.len(), objects: 0, first }
+}
+
+/// The innermost word by which a thing of the language is known: `{"field": {"granite": …}}` is `granite`.
+fn name_of(thing: &impl Serialize) -> String {
+    let mut value = serde_json::to_value(thing).unwrap_or_default();
+    let mut name = String::new();
+    for _ in 0..2 {
+        match value {
+            Value::String(word) => return word,
+            Value::Object(fields) if fields.len() == 1 => {
+                let Some((word, inner)) = fields.into_iter().next() else { break };
+                (name, value) = (word, inner);
+            }
+            _ => break,
+        }
+    }
+    name
+}
+
+/// The box around all of its surfaces; what scripts are told where there is no such thing.
+fn extent(object: &Object) -> Aabb {
+    Probe::new(object).map_or_else(|_| object.extent(), |probe| probe.bounds())
+}
+
+/// What is further away than this has no end.
+const FAR: f64 = 1e9;
+
+fn is_finite(extent: &Aabb) -> bool {
+    extent.is_finite() && extent.min.min_element() > -FAR && extent.max.max_element() < FAR
+}
+
+// ------------------------------------------------------------ as a person reads it
+
+fn in_words(contents: &Contents) -> String {
+    let mut rows: Vec<[String; 2]> = vec![];
+    let place = |source: &Option<Source>| match source {
+        Some(source) => format!("{}:{}:{}", source.file, source.line, source.column),
+        None => String::new(),
+    };
+    for camera in &contents.cameras {
+        let text = match (&camera.projection, camera.location, camera.direction) {
+            (Some(projection), Some(at), Some(to)) => {
+                format!("{projection} at {}, looks along {}", vector(&at), vector(&to))
+            }
+            _ => "not used: another one follows".into(),
+        };
+        rows.push([place(&camera.source), format!("camera    {text}")]);
+    }
+    for light in &contents.lights {
+        let (at, color) = (vector(&light.location), vector(&light.color));
+        rows.push([place(&light.source), format!("light     {} at {at}, rgb {color}", light.kind)]);
+    }
+    for same in contents.objects.chunk_by(|a, b| a.source == b.source && a.word == b.word) {
+        rows.push([place(&same[0].source), format!("object    {}", objects_in_words(same))]);
+    }
+    let mut number = 1;
+    for same in contents.textures.chunk_by(|a, b| a.first == b.first) {
+        rows.push([place(&same[0].first), format!("texture   {}", textures_in_words(same, number))]);
+        number += same.len();
+    }
+    let width = rows.iter().map(|[place, _]| place.chars().count()).max().unwrap_or(0).min(40);
+    rows.iter().map(|[place, text]| format!("{place:width$}  {text}\n")).collect()
+}
+
+/// Objects that one text made.
+fn objects_in_words(same: &[ObjectRow]) -> String {
+    let first = &same[0];
+    let count = if same.len() > 1 { format!("{} × ", same.len()) } else { String::new() };
+    let corner = |corners: [f64; 3]| DVec3::from_array(corners);
+    let boxes = same.iter().filter_map(|row| row.extent).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
+    let extent = match boxes.reduce(Aabb::union) {
+        _ if same.iter().any(|row| row.infinite) => "without end".into(),
+        Some(all) => format!("{} to {}", vector(&all.min.to_array()), vector(&all.max.to_array())),
+        None => "nothing of it is left".into(),
+    };
+    let shapes =
+        if first.shapes > 1 { format!(" of {}", counted(first.shapes as usize, "shape")) } else { String::new() };
+    let textures = same.iter().map(|row| row.texture + 1);
+    let range = (textures.clone().min().unwrap_or(0), textures.max().unwrap_or(0));
+    format!("{count}{}{shapes}, {extent}, {}", first.word, numbers("texture", range))
+}
+
+/// Textures that one text made, the first of which has this number.
+fn textures_in_words(same: &[TextureRow], number: usize) -> String {
+    let first = &same[0];
+    let layers = if first.layers > 1 { format!(", {} layers", first.layers) } else { String::new() };
+    let more = if same.len() > 1 { format!(" and {} more", same.len() - 1) } else { String::new() };
+    let on = counted(same.iter().map(|texture| texture.objects).sum(), "object");
+    format!("{}: {}{layers}{more}; on {on}", numbers("number", (number, number + same.len() - 1)), first.pigment)
+}
+
+fn numbers(what: &str, (first, last): (usize, usize)) -> String {
+    if first == last { format!("{what} {first}") } else { format!("{what}s {first} to {last}") }
+}
+
+fn counted(n: usize, thing: &str) -> String {
+    format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
+}
+
+/// Four digits behind the point are enough to find a thing.
+fn vector(numbers: &[f64]) -> String {
+    let texts: Vec<_> = numbers.iter().map(|x| if x.is_finite() { decimal(*x, 4) } else { x.to_string() }).collect();
+    format!("<{}>", texts.join(", "))
+}

@@ -1,0 +1,223 @@
+//! Directives and expressions: what no body holds as an item of its own.
+
+use super::Gatherer;
+use crate::format::atoms::flag::*;
+use crate::format::atoms::{Arm, Atom, Item};
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::word;
+
+impl Gatherer<'_> {
+    pub(super) fn directive(&mut self, directive: &Directive, span: Span) -> Item {
+        match directive {
+            Directive::Declare(declare) => {
+                self.target(&declare.target);
+                declare.others.iter().for_each(|target| self.target(target));
+                return Item::Declare;
+            }
+            Directive::DeclarePieces(_) | Directive::Plain(_) => return Item::Plain,
+            _ => {}
+        }
+        let start = self.len();
+        let mut arms = vec![];
+        match directive {
+            Directive::If(branches) => {
+                for branch in branches {
+                    let head = match &branch.condition {
+                        Condition::True(head) | Condition::Declared(head) | Condition::NotDeclared(head) => Some(head),
+                        Condition::Always => None,
+                    };
+                    self.arm(&mut arms, branch.span, head, &branch.body, false);
+                }
+            }
+            Directive::While(head, body) => self.arm(&mut arms, span, Some(head), body, false),
+            Directive::For(one) => {
+                self.head_of_for(&one.head);
+                self.close_arm(&mut arms, start, &one.body, span, false);
+            }
+            Directive::Switch(head, all) => {
+                let first = all.first().map_or(span.end(), |arm| arm.span);
+                self.arm(&mut arms, Span { hi: first.lo, ..span }, Some(head), &[], false);
+                for one in all {
+                    let head = if let When::Case(head) = &one.when { Some(head) } else { None };
+                    self.arm(&mut arms, one.span, head, &one.body, true);
+                }
+            }
+            Directive::Macro(one) => {
+                self.through(one.span);
+                self.pending |= GLUE;
+                self.close_arm(&mut arms, start, &one.body, span, false);
+            }
+            Directive::Declare(_) | Directive::DeclarePieces(_) | Directive::Plain(_) => {}
+        }
+        self.finish_arms(start, arms, span);
+        Item::Bodies
+    }
+
+    /// `#end` belongs to no arm.
+    fn finish_arms(&mut self, start: usize, mut arms: Vec<Arm>, span: Span) {
+        // Whatever stands before it belongs to the last one.
+        while let Some(piece) = self.pieces.next
+            && piece.span().hi < span.hi
+        {
+            self.pieces.take();
+            self.piece(piece);
+        }
+        let end = self.len() as u32;
+        let heads: Vec<_> = arms.iter().skip(1).map(|arm| arm.head).chain([end]).collect();
+        arms.iter_mut().zip(heads).for_each(|(arm, end)| arm.end = end);
+        self.out.row[start].link = self.out.arms.len() as u32;
+        self.out.arms.push(arms);
+    }
+
+    fn target(&mut self, target: &Target) {
+        self.through(target.span);
+        self.indices(&target.indices);
+    }
+
+    fn arm(&mut self, arms: &mut Vec<Arm>, span: Span, head: Option<&Head>, body: &[Element], choice: bool) {
+        self.before(span);
+        let start = self.len();
+        self.token();
+        match head {
+            Some(Head::Whole(e)) => self.expr(e),
+            Some(Head::Pieces(Some(elements))) => self.loose(elements),
+            _ => {}
+        }
+        self.close_arm(arms, start, body, span, choice);
+    }
+
+    fn head_of_for(&mut self, head: &ForHead) {
+        self.token();
+        match head {
+            ForHead::Whole(_, parts) => parts.iter().for_each(|e| self.expr(e)),
+            ForHead::Pieces(Some(elements)) => self.loose(elements),
+            ForHead::Pieces(None) => {}
+        }
+    }
+
+    /// Takes the rest of a head in parentheses, and the body.
+    fn close_arm(&mut self, arms: &mut Vec<Arm>, start: usize, body: &[Element], span: Span, choice: bool) {
+        let first = body.first().map_or(self.local(span.hi), |e| self.local(e.span.lo));
+        let text = self.text;
+        let depth = |row: &[Atom]| {
+            let sign = |a: &Atom| match &text[a.lo as usize..a.hi as usize] {
+                "(" => 1,
+                ")" => -1,
+                _ => 0,
+            };
+            row[start.min(row.len())..].iter().map(sign).sum::<i32>()
+        };
+        let mut open = depth(&self.out.row);
+        let headless = self.out.row.get(start).is_some_and(|a| {
+            let head = &text[..a.hi as usize];
+            head.ends_with("else") || head.ends_with("default")
+        });
+        if open == 0 && !headless && self.len() - start < 3 && self.next_token() == Some("(") {
+            self.token();
+            open = 1;
+        }
+        while open > 0
+            && let Some(piece) = self.pieces.next
+            && self.local(piece.span().lo) < first
+        {
+            open += match self.next_token() {
+                Some("(") => 1,
+                Some(")") => -1,
+                _ => 0,
+            };
+            self.pieces.take();
+            self.piece(piece);
+        }
+        self.pending = 0;
+        let (head, at) = (start as u32, self.len() as u32);
+        self.body(body);
+        arms.push(Arm { head, body: at, end: at, choice });
+    }
+
+    // ------------------------------------------------------------ expressions
+
+    /// Elements that are no items of a body: arguments.
+    fn loose(&mut self, elements: &[Element]) {
+        for e in elements {
+            self.before(e.span);
+            match &e.kind {
+                ElementKind::Expr(expr) => self.expr(expr),
+                ElementKind::Block(block) => self.loose(&block.body),
+                ElementKind::Group(group) | ElementKind::Entry(group) => self.loose(&group.body),
+                ElementKind::Function(function) => self.loose(&function.body),
+                _ => {}
+            }
+            self.through(e.span);
+        }
+    }
+
+    fn indices(&mut self, indices: &[Expr]) {
+        for index in indices {
+            self.pending |= GLUE;
+            self.expr(index);
+            self.through(index.span);
+            self.token();
+        }
+        self.pending = 0;
+    }
+
+    fn operand(&mut self, e: &Expr) {
+        self.expr(e);
+        self.through(e.span);
+        self.pending |= OPERATOR;
+    }
+
+    pub(super) fn expr(&mut self, e: &Expr) {
+        self.before(e.span);
+        if self.text[self.local(e.span.lo)..].starts_with(['-', '+', '!']) {
+            self.pending |= TIGHT;
+        }
+        match &e.kind {
+            ExprKind::Vector(parts) => {
+                self.pending |= OPEN;
+                self.token();
+                self.loose(parts);
+                self.upto(self.local(e.span.hi).saturating_sub(1));
+                self.pending = CLOSE;
+            }
+            ExprKind::Call(_, parts) => {
+                self.token();
+                self.pending |= GLUE;
+                self.loose(parts);
+            }
+            ExprKind::Builtin(_, parts) => {
+                self.token();
+                self.pending |= GLUE;
+                parts.iter().for_each(|e| self.expr(e));
+            }
+            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.expr(inner),
+            ExprKind::Chain(chain) => {
+                self.operand(&chain.first);
+                if word::contextual(self.block).contains(&self.read(chain.first.span)) {
+                    // A word and its value: `point -y`.
+                    self.pending = TIGHT;
+                }
+                chain.rest.iter().for_each(|(_, e)| self.operand(e));
+            }
+            ExprKind::Choice(parts) => parts.iter().for_each(|e| self.operand(e)),
+            ExprKind::Index(base, indices) => {
+                self.expr(base);
+                self.through(base.span);
+                self.indices(indices);
+            }
+            ExprKind::Apply(base, arguments) => {
+                self.expr(base);
+                self.through(base.span);
+                self.pending |= GLUE;
+                self.loose(arguments);
+            }
+            ExprKind::Dot(base, ..) => self.expr(base),
+            ExprKind::Function(function) => self.loose(&function.body),
+            ExprKind::Block(block) => self.loose(&block.body),
+            ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Literal(_) => {}
+        }
+        self.through(e.span);
+        self.pending = 0;
+    }
+}

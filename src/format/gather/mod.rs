@@ -1,0 +1,362 @@
+//! Makes the row of atoms: walks the tree and the tokens side by side.
+
+mod inside;
+
+use super::atoms::flag::*;
+use super::atoms::{Atom, Atoms, Item};
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::{Piece, Tokens};
+
+/// Lists longer than this many bytes keep each vector as one atom.
+const LONG_LIST: usize = 100_000;
+
+/// The atoms of a text whose first byte has the global offset `base`.
+pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
+    let pieces = Pieces::of(&ast.tokens);
+    let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
+    gatherer.body(&ast.elements);
+    gatherer.upto(text.len());
+    gatherer.between(text.len());
+    gatherer.out
+}
+
+struct Pieces<'a> {
+    all: Box<dyn Iterator<Item = Piece> + 'a>,
+    next: Option<Piece>,
+}
+
+impl<'a> Pieces<'a> {
+    fn of(tokens: &'a Tokens) -> Self {
+        let mut all = Box::new(tokens.pieces());
+        Self { next: all.next(), all }
+    }
+
+    fn take(&mut self) -> Option<Piece> {
+        std::mem::replace(&mut self.next, self.all.next())
+    }
+}
+
+/// Would two tokens that touch become others with a blank between them? `0.5.6` is no number, but `0.5 .6` are two.
+fn holds(before: u8, first: u8) -> bool {
+    let numeric = |byte: u8| byte.is_ascii_digit() || byte == b'.';
+    numeric(before) && numeric(first) || before == b'>' && first == b'='
+}
+
+struct Gatherer<'a> {
+    text: &'a str,
+    base: usize,
+    pieces: Pieces<'a>,
+    out: Atoms,
+    /// Local offset behind the last atom.
+    at: usize,
+    /// For the next token.
+    pending: u16,
+    /// The name of the innermost block.
+    block: &'a str,
+}
+
+impl<'a> Gatherer<'a> {
+    fn len(&self) -> usize {
+        self.out.row.len()
+    }
+
+    fn local(&self, place: u32) -> usize {
+        (place as usize).saturating_sub(self.base)
+    }
+
+    fn read(&self, span: Span) -> &'a str {
+        self.text.get(self.local(span.lo)..self.local(span.hi)).unwrap_or_default()
+    }
+
+    /// Takes all pieces that begin before a local offset.
+    fn upto(&mut self, end: usize) {
+        while let Some(piece) = self.pieces.next
+            && self.local(piece.span().lo) < end
+        {
+            self.pieces.take();
+            self.piece(piece);
+        }
+    }
+
+    fn before(&mut self, span: Span) {
+        self.upto(self.local(span.lo));
+    }
+
+    fn through(&mut self, span: Span) {
+        self.upto(self.local(span.hi));
+    }
+
+    /// The text of the next piece, unless it is a comment.
+    fn next_token(&self) -> Option<&str> {
+        match self.pieces.next {
+            Some(Piece::Token(span)) => self.text.get(self.local(span.lo)..self.local(span.hi)),
+            _ => None,
+        }
+    }
+
+    /// Takes the next token, and comments before it.
+    fn token(&mut self) {
+        while let Some(piece) = self.pieces.take() {
+            self.piece(piece);
+            if matches!(piece, Piece::Token(_)) {
+                break;
+            }
+        }
+    }
+
+    /// Characters that mean nothing stand between tokens: they stay.
+    fn between(&mut self, end: usize) {
+        let text = self.text;
+        let skipped = |c: char| c <= ' ' || matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}');
+        while let Some(from) = text[self.at..end].find(|c| !skipped(c)).map(|i| self.at + i) {
+            let to = text[from..end].find(skipped).map_or(end, |i| from + i);
+            self.push(from, to, 0);
+        }
+    }
+
+    fn piece(&mut self, piece: Piece) {
+        let Span { lo, hi } = piece.span();
+        let (lo, hi) = (self.local(lo), self.local(hi));
+        self.between(lo);
+        let text = &self.text[lo..hi];
+        if let Piece::Comment(_) = piece {
+            let kind = if text.starts_with("//") { LINE_COMMENT } else { BLOCK_COMMENT };
+            let blanks = text.len() - text.trim_end_matches(|c| c <= ' ').len();
+            self.push(lo, hi - blanks, kind);
+            self.at = hi;
+            return;
+        }
+        let flags = std::mem::take(&mut self.pending);
+        let sign = text.starts_with(['-', '+']);
+        match text.as_bytes() {
+            [b'<', _, _, ..] | [b'0'..=b'9' | b'.', ..] if text.len() > 2 => self.list(lo, hi),
+            [_, _, ..] if sign => self.list(lo, hi),
+            [b'(' | b'[' | b'{'] => self.push(lo, hi, flags | OPEN),
+            [b')' | b']' | b'}'] => self.push(lo, hi, flags | CLOSE),
+            _ => self.push(lo, hi, flags),
+        }
+    }
+
+    fn push(&mut self, lo: usize, hi: usize, mut flags: u16) {
+        let bytes = self.text.as_bytes();
+        let blanks = &bytes[self.at.min(lo)..lo];
+        let ends = |i: &usize| blanks[*i] == b'\n' || blanks[*i] == b'\r' && blanks.get(i + 1) != Some(&b'\n');
+        let lines = (0..blanks.len()).filter(ends).take(2).count() as u8;
+        let previous = self.out.row.last();
+        match bytes[lo] {
+            b',' | b';' | b')' | b']' => flags |= GLUE,
+            b'>' if flags & CLOSE != 0 => flags |= GLUE,
+            b'.' if hi == lo + 1 && self.is_access(hi) => flags |= GLUE | TIGHT,
+            b'(' | b'[' => flags |= TIGHT,
+            b'<' if flags & OPEN != 0 => flags |= TIGHT,
+            _ => {}
+        }
+        if lo == self.at && lo > 0 && holds(bytes[lo - 1], bytes[lo]) || previous.is_some_and(|p| p.flags & TIGHT != 0)
+        {
+            flags |= GLUE;
+        }
+        if flags & COMMENT != 0 {
+            flags &= !GLUE;
+        }
+        self.out.row.push(Atom { lo: lo as u32, hi: hi as u32, flags, lines, ..Atom::default() });
+        self.at = hi;
+    }
+
+    /// Does the point before a local offset choose a part of what stands before it?
+    fn is_access(&self, hi: usize) -> bool {
+        let word = |byte: Option<&u8>| byte.is_some_and(|b| b.is_ascii_alphabetic() || *b == b'_');
+        let first = self.out.row.last().and_then(|atom| self.text.as_bytes().get(atom.lo as usize));
+        word(self.text[hi..].trim_start().as_bytes().first()) && (word(first) || matches!(first, Some(b')' | b']')))
+    }
+
+    /// A token that holds several numbers and vectors.
+    fn list(&mut self, lo: usize, hi: usize) {
+        let (bytes, packed) = (self.text.as_bytes(), hi - lo > LONG_LIST);
+        let mut at = lo;
+        while at < hi {
+            let stops = |b: &u8| matches!(b, b'<' | b'>' | b',') || *b <= b' ';
+            match bytes[at] {
+                b if b <= b' ' => at += 1,
+                b'<' if packed => {
+                    let end = bytes[at..hi].iter().position(|b| *b == b'>').map_or(hi, |i| at + i + 1);
+                    self.push(at, end, PACKED);
+                    at = end;
+                }
+                b => {
+                    let kind = match b {
+                        b'<' => OPEN,
+                        b'>' => CLOSE,
+                        _ => 0,
+                    };
+                    let end = bytes[at + 1..hi].iter().position(stops).map_or(hi, |i| at + 1 + i);
+                    let end = if matches!(b, b'<' | b'>' | b',') { at + 1 } else { end };
+                    self.push(at, end, kind);
+                    at = end;
+                }
+            }
+        }
+    }
+
+    // ------------------------------------------------------------ bodies
+
+    fn body(&mut self, elements: &[Element]) {
+        // Where a declaration ends, and the textures that follow it.
+        let mut layers = vec![];
+        for e in elements {
+            self.before(e.span);
+            let start = self.len();
+            let item = self.element(e);
+            self.through(e.span);
+            self.comma(e);
+            self.mark(start, item);
+            match &e.kind {
+                ElementKind::Block(block) if !layers.is_empty() && self.read(block.name.span) == "texture" => {
+                    layers.push(start)
+                }
+                _ => self.layer(&std::mem::take(&mut layers)),
+            }
+            if item == Item::Declare {
+                layers.push(start);
+            }
+            if matches!(e.kind, ElementKind::Numbers(_)) {
+                self.split(start);
+            }
+        }
+        self.layer(&layers);
+    }
+
+    /// Several textures of one declaration begin lines if one of them does.
+    fn layer(&mut self, starts: &[usize]) {
+        let [_, first, rest @ ..] = starts else { return };
+        if rest.is_empty() {
+            return;
+        }
+        let breaks = rest.iter().any(|i| self.out.row[*i].lines > 0);
+        let mut from = *first;
+        for i in &starts[1..] {
+            // Comments before it too.
+            self.out.row[from..=*i].iter_mut().for_each(|atom| atom.flags |= LAYER);
+            let atom = &mut self.out.row[*i];
+            if breaks {
+                atom.lines = atom.lines.max(1);
+                atom.flags &= !JOIN;
+            }
+            from = atom.next as usize;
+        }
+    }
+
+    /// The comma behind an element.
+    fn comma(&mut self, e: &Element) {
+        if e.comma {
+            self.pending = 0;
+            self.token();
+        }
+    }
+
+    /// Tells what begins at an atom and ends with the last one.
+    fn mark(&mut self, start: usize, item: Item) {
+        let end = self.len() as u32;
+        let text = self.text;
+        let read = |atom: &Atom| &text[atom.lo as usize..atom.hi as usize];
+        let (before, rest) = self.out.row.split_at_mut(start);
+        let Some(first) = rest.first_mut() else { return };
+        (first.item, first.next) = (item, end);
+        let Some(last) = before.last().filter(|a| a.flags & COMMENT == 0) else { return };
+        let after = read(last);
+        if item == Item::Entry && (after == "array" || after == "]" && last.flags & LOOSE == 0 && first.lines == 0) {
+            // The sizes of an array: nothing else has entries that follow a word or each other so.
+            let chained = after == "array" || first.lo == last.hi;
+            first.flags |= if chained { GLUE } else { 0 };
+        }
+        let group = item == Item::Group && !matches!(after, "{" | "}" | "," | ";");
+        if group || after == "=" && item != Item::Sign {
+            first.flags |= JOIN;
+        }
+    }
+
+    /// Each item of a list is one of the body.
+    fn split(&mut self, start: usize) {
+        let (end, mut from, mut depth) = (self.len(), start, 0);
+        for i in start..end {
+            let atom = self.out.row[i];
+            depth += i32::from(atom.flags & OPEN != 0) - i32::from(atom.flags & CLOSE != 0);
+            if depth == 0 && self.text.as_bytes()[atom.lo as usize] == b',' || i + 1 == end {
+                let first = &mut self.out.row[from];
+                (first.item, first.next) = (Item::Value, i as u32 + 1);
+                from = i + 1;
+            }
+        }
+    }
+
+    fn element(&mut self, e: &Element) -> Item {
+        match &e.kind {
+            ElementKind::Word(_) => Item::Word,
+            ElementKind::Expr(expr) => {
+                self.expr(expr);
+                Item::Value
+            }
+            ElementKind::Numbers(_) => Item::Value,
+            ElementKind::Block(block) => self.braces(e.span, block.name.span, Item::Block, &block.body),
+            ElementKind::Group(group) => self.braces(e.span, Span::NONE, Item::Group, &group.body),
+            ElementKind::Entry(group) => self.braces(e.span, Span::NONE, Item::Entry, &group.body),
+            ElementKind::Function(function) => self.function(function, e.span),
+            ElementKind::Directive(directive) => self.directive(directive, e.span),
+            ElementKind::Semicolon | ElementKind::Comma => Item::Separator,
+            ElementKind::Sign(Sign::Open(_) | Sign::Close(_)) => {
+                self.pending |= LOOSE;
+                Item::Sign
+            }
+            ElementKind::Sign(_) => Item::Sign,
+        }
+    }
+
+    /// A body in brackets.
+    fn braces(&mut self, span: Span, name: Span, item: Item, body: &[Element]) -> Item {
+        let start = self.len();
+        if !name.is_none() {
+            self.through(name);
+            self.pending |= JOIN;
+        }
+        self.token();
+        let name = self.read(name);
+        let outside = std::mem::replace(&mut self.block, name);
+        self.enclosed(start, span, body);
+        self.block = outside;
+        item
+    }
+
+    /// What stands behind the bracket that was just taken, up to the end of its element.
+    fn enclosed(&mut self, start: usize, span: Span, body: &[Element]) {
+        let open = self.len() - 1;
+        self.body(body);
+        self.upto(self.local(span.hi).saturating_sub(1));
+        self.pending = 0;
+        self.token();
+        let close = self.len() as u32 - 1;
+        self.out.row[open].link = close;
+        if start != open {
+            self.out.row[start].link = open as u32;
+        }
+    }
+
+    fn function(&mut self, function: &Function, span: Span) -> Item {
+        let start = self.len();
+        self.token();
+        if self.next_token() == Some("(") {
+            self.pending |= GLUE;
+        }
+        function.size.iter().for_each(|e| self.expr(e));
+        while self.len() == start + 1 || self.text.as_bytes()[self.at - 1] != b'{' {
+            if self.next_token() == Some("{") {
+                self.pending |= JOIN;
+            }
+            if self.pieces.next.is_none() {
+                return Item::Value;
+            }
+            self.token();
+        }
+        self.enclosed(start, span, &function.body);
+        Item::Block
+    }
+}

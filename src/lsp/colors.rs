@@ -1,0 +1,71 @@
+//! Colours with literal numbers: swatches, and what a picker chose.
+
+use super::scan::Kind;
+use super::server::{Out, Server};
+use crate::color::transfer::{srgb_decode, srgb_encode};
+use crate::interpreter::COLOR_WORDS;
+use crate::value::decimal;
+use lsp_types::{Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams, TextEdit};
+use std::ops::Range;
+
+/// A colour in a text.
+struct Found {
+    /// From its word to the end of its numbers.
+    at: Range<usize>,
+    color: Color,
+}
+
+/// Of the whole text.
+pub fn colors<S: Out>(server: &mut Server<S>, params: &DocumentColorParams) -> Vec<ColorInformation> {
+    let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
+    let tokens: Vec<_> = document.scan.tokens.iter().filter(|token| token.kind != Kind::Comment).collect();
+    let text = document.text.as_str();
+    let word = |pair: &[&super::scan::Token]| -> Option<Found> {
+        let name = &text[pair[0].at.clone()];
+        let is_color = matches!(pair[0].kind, Kind::Word(_))
+            && name.contains("rgb")
+            && COLOR_WORDS.iter().any(|row| row.name == name);
+        if !is_color {
+            return None;
+        }
+        let rest = &text[pair[1].at.start..];
+        let numbers = rest.strip_prefix('<')?.split_once('>')?.0;
+        let end = pair[1].at.start + numbers.len() + 2;
+        Some(Found { at: pair[0].at.start..end, color: color(name, numbers)? })
+    };
+    let found = tokens.windows(2).filter_map(word);
+    found.map(|found| ColorInformation { range: document.text.range(found.at), color: found.color }).collect()
+}
+
+/// What a screen shows for the numbers behind a word. Those of `rgb` are light, as with `assumed_gamma 1`.
+fn color(word: &str, numbers: &str) -> Option<Color> {
+    let read: Result<Vec<f64>, _> = numbers.split(',').map(|number| number.trim().parse::<f64>()).collect();
+    let read = read.ok().filter(|read| (3..=5).contains(&read.len()))?;
+    let shown = |x: f64| if word.starts_with('s') { x } else { srgb_encode(x.clamp(0.0, 1.0)) };
+    let [red, green, blue] = [0, 1, 2].map(|i| shown(read[i]).clamp(0.0, 1.0) as f32);
+    let clear: f64 = read[3..].iter().sum();
+    Some(Color { red, green, blue, alpha: (1.0 - clear).clamp(0.0, 1.0) as f32 })
+}
+
+/// A colour that was chosen, in the words that may stand there.
+pub fn present<S: Out>(server: &mut Server<S>, params: &ColorPresentationParams) -> Vec<ColorPresentation> {
+    let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
+    let bytes = document.text.offset(params.range.start)..document.text.offset(params.range.end);
+    let old = document.text.as_str().get(bytes).unwrap_or_default();
+    let word: String = old.chars().take_while(char::is_ascii_alphabetic).collect();
+    // What else the colour had stays.
+    let rest: Vec<String> =
+        old.split([',', '<', '>']).skip(4).map(|n| n.trim().to_string()).filter(|n| !n.is_empty()).collect();
+    let suffix = word.trim_start_matches('s').trim_start_matches("rgb").to_string();
+    let screen = [params.color.red, params.color.green, params.color.blue].map(f64::from);
+    let light = screen.map(srgb_decode);
+    let mut all = [(format!("srgb{suffix}"), screen), (format!("rgb{suffix}"), light)];
+    all.sort_by_key(|(name, _)| *name != word);
+    let one = |(name, numbers): (String, [f64; 3])| {
+        let numbers = numbers.iter().map(|x| decimal(*x, 3)).chain(rest.iter().cloned()).collect::<Vec<_>>().join(", ");
+        let text = format!("{name} <{numbers}>");
+        let edit = TextEdit { range: params.range, new_text: text.clone() };
+        ColorPresentation { label: text, text_edit: Some(edit), additional_text_edits: None }
+    };
+    all.map(one).into()
+}

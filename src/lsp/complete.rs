@@ -1,0 +1,208 @@
+//! What may be typed at a place: words that the block takes, names, directives, files.
+
+use super::document::Document;
+use super::files::Reached;
+use super::scan::{Declaration, Kind as Token, What};
+use super::server::{Out, Server};
+use super::{actions, words};
+use crate::interpreter;
+use crate::library;
+use crate::syntax::word::CONSTANTS;
+use crate::value::Kind;
+use lsp_types::{
+    CompletionItem, CompletionItemKind, CompletionList, CompletionParams, CompletionResponse, Documentation,
+    InsertTextFormat, MarkupContent, MarkupKind,
+};
+use std::path::Path;
+
+/// Names of standard include files are offered from so many letters on, and so many of them.
+const LETTERS: usize = 2;
+const MOST: usize = 100;
+
+/// All that may be typed here.
+pub fn complete<S: Out>(server: &mut Server<S>, params: &CompletionParams) -> Option<CompletionResponse> {
+    let at = &params.text_document_position;
+    let uri = &at.text_document.uri;
+    let reached = server.reachable(uri);
+    let document = server.document(uri)?;
+    let offset = document.text.offset(at.position);
+    let items = items(document, &reached, offset)?;
+    // What begins with other letters was left out.
+    Some(CompletionResponse::List(CompletionList { is_incomplete: true, items }))
+}
+
+fn items(document: &Document, reached: &[Reached], offset: usize) -> Option<Vec<CompletionItem>> {
+    let (text, scan) = (document.text.as_str(), &document.scan);
+    let before = &text[..offset];
+    let inside = scan.tokens.iter().find(|token| token.at.start < offset && offset <= token.at.end);
+    match inside.map(|token| (token.kind, token.at.clone())) {
+        // Behind its end a comment is over, unless it ends with its line.
+        Some((Token::Comment, at)) if offset < at.end || text[at.clone()].starts_with("//") => return None,
+        Some((Token::Text, at)) => return Some(paths(document, &text[at.start + 1..offset])),
+        _ => {}
+    }
+    // A text that is not closed yet swallows the rest of the file.
+    let line = &before[before.rfind(['\n', '\r']).map_or(0, |i| i + 1)..];
+    if let (1, Some((_, path))) = (line.matches('"').count() % 2, line.rsplit_once('"')) {
+        return Some(paths(document, path));
+    }
+    let typed = &before[before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').len()..];
+    if before[..before.len() - typed.len()].trim_end_matches([' ', '\t']).ends_with('#') {
+        return Some(directives());
+    }
+    let block = words::block_at(scan, offset);
+    let mut out: Vec<_> = words::of_block(block).iter().map(item_of_word).collect();
+    let values = words::functions().map(|(name, usage, summary)| CompletionItem {
+        kind: Some(CompletionItemKind::FUNCTION),
+        insert_text: Some(format!("{name}($1)$0")),
+        insert_text_format: Some(InsertTextFormat::SNIPPET),
+        sort_text: Some(format!("3{name}")),
+        ..item(name, format!("{name}{usage}"), summary)
+    });
+    out.extend(values);
+    for (name, what) in CONSTANTS {
+        let constant = CompletionItem { kind: Some(CompletionItemKind::CONSTANT), ..item(name, String::new(), what) };
+        out.push(CompletionItem { sort_text: Some(format!("3{name}")), ..constant });
+    }
+    let colors = interpreter::COLOR_WORDS.iter().map(|row| item_of_word(&row.into()));
+    out.extend(colors.map(|word| CompletionItem { sort_text: Some(format!("2{}", word.label)), ..word }));
+    out.extend(names(reached, document.scan.macro_at(offset)));
+    if typed.len() >= LETTERS {
+        out.extend(of_library(document, &out, typed));
+    }
+    Some(out)
+}
+
+fn item(label: &str, detail: String, about: &str) -> CompletionItem {
+    let text = MarkupContent { kind: MarkupKind::Markdown, value: about.to_string() };
+    CompletionItem {
+        label: label.into(),
+        detail: (!detail.is_empty()).then_some(detail),
+        documentation: (!about.is_empty()).then_some(Documentation::MarkupContent(text)),
+        ..CompletionItem::default()
+    }
+}
+
+/// A word of the block; shapes and blocks come with their braces.
+fn item_of_word(taken: &words::Taken) -> CompletionItem {
+    let shape = words::shape(taken.name);
+    let snippet = match shape {
+        Some(spec) if !spec.params.is_empty() => {
+            let place = |(i, param): (usize, &crate::value::Param)| format!("${{{}:{}}}", i + 1, param.name);
+            let params: Vec<_> = spec.params.iter().enumerate().map(place).collect();
+            Some(format!("{} {{ {}$0 }}", taken.name, params.join(", ")))
+        }
+        Some(_) => Some(format!("{} {{ $0 }}", taken.name)),
+        None if taken.kind == Kind::Block && !matches!(taken.name, "matrix" | "spline") => {
+            Some(format!("{} {{ $0 }}", taken.name))
+        }
+        None => None,
+    };
+    let detail = if shape.is_some() { "shape".into() } else { words::kind(taken.kind).to_string() };
+    CompletionItem {
+        kind: Some(if shape.is_some() { CompletionItemKind::CLASS } else { CompletionItemKind::KEYWORD }),
+        insert_text_format: snippet.is_some().then_some(InsertTextFormat::SNIPPET),
+        insert_text: snippet,
+        sort_text: Some(format!("1{}", taken.name)),
+        ..item(taken.name, detail, taken.summary)
+    }
+}
+
+fn directives() -> Vec<CompletionItem> {
+    let rows = interpreter::directives::TABLE.iter();
+    rows.flat_map(|row| row.names.iter().map(move |name| (name, row)))
+        .map(|(name, row)| CompletionItem {
+            kind: Some(CompletionItemKind::KEYWORD),
+            ..item(name, row.form.to_string(), row.summary)
+        })
+        .collect()
+}
+
+/// Declared names that are seen from within this macro of the text itself.
+fn names(reached: &[Reached], within: Option<usize>) -> Vec<CompletionItem> {
+    let mut out: Vec<CompletionItem> = vec![];
+    let mut seen = std::collections::HashSet::new();
+    for (i, one) in reached.iter().enumerate() {
+        let is_seen = |d: &&Declaration| match d.what {
+            What::Declare | What::Macro => true,
+            What::Counter | What::Local => i == 0 && (d.scope.is_none() || d.scope == within),
+            What::Parameter => i == 0 && d.scope == within,
+        };
+        for d in one.scan.declarations.iter().filter(is_seen) {
+            if !seen.insert(d.name.as_str()) {
+                continue;
+            }
+            let file = one
+                .path
+                .as_deref()
+                .filter(|_| i > 0)
+                .and_then(Path::file_name)
+                .map(|name| name.to_string_lossy().into_owned());
+            out.push(item_of_name(one, d, file.unwrap_or_default()));
+        }
+    }
+    out
+}
+
+fn item_of_name(one: &Reached, d: &Declaration, file: String) -> CompletionItem {
+    let parameters = parameters(one, d);
+    let snippet = parameters.as_ref().map(|parameters| {
+        let place = |(i, name): (usize, &String)| format!("${{{}:{name}}}", i + 1);
+        format!("{}({})", d.name, parameters.iter().enumerate().map(place).collect::<Vec<_>>().join(", "))
+    });
+    let detail = parameters.map_or(file.clone(), |parameters| format!("({}) {file}", parameters.join(", ")));
+    CompletionItem {
+        kind: Some(if d.what == What::Macro { CompletionItemKind::METHOD } else { CompletionItemKind::VARIABLE }),
+        insert_text_format: snippet.is_some().then_some(InsertTextFormat::SNIPPET),
+        insert_text: snippet,
+        sort_text: Some(format!("{}{}", if file.is_empty() { '0' } else { '4' }, d.name)),
+        ..item(&d.name, detail.trim().to_string(), "")
+    }
+}
+
+/// Of a macro: its parameters.
+pub fn parameters(one: &Reached, d: &Declaration) -> Option<Vec<String>> {
+    let found = one.scan.macros.iter().find(|m| d.what == What::Macro && m.whole.start == d.whole.start);
+    found.map(|m| m.parameters.clone())
+}
+
+/// Names that a standard include file declares which is not included.
+fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec<CompletionItem> {
+    let lower = typed.to_lowercase();
+    let fits = |name: &&str| name.to_lowercase().starts_with(&lower) && !known.iter().any(|item| item.label == **name);
+    let item = |name: &str| {
+        let file = library::declared_in(name)?;
+        Some(CompletionItem {
+            kind: Some(CompletionItemKind::VARIABLE),
+            sort_text: Some(format!("5{name}")),
+            additional_text_edits: Some(vec![actions::include(document, file)]),
+            ..item(name, format!("of {file}, which is included too"), "")
+        })
+    };
+    library::index_names().filter(fits).take(MOST).filter_map(item).collect()
+}
+
+/// Files and folders behind what was typed of a path.
+fn paths(document: &Document, typed: &str) -> Vec<CompletionItem> {
+    let (folder, _) = typed.rsplit_once('/').unwrap_or(("", typed));
+    let place = document.folder().join(folder);
+    let mut out = vec![];
+    for entry in std::fs::read_dir(place).into_iter().flatten().flatten().take(2000) {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with('.') {
+            continue;
+        }
+        let is_folder = entry.path().is_dir();
+        let kind = if is_folder { CompletionItemKind::FOLDER } else { CompletionItemKind::FILE };
+        out.push(CompletionItem { kind: Some(kind), ..item(&name, String::new(), "") });
+    }
+    if folder.is_empty() {
+        let standard = library::names().map(|name| CompletionItem {
+            kind: Some(CompletionItemKind::FILE),
+            ..item(name, "standard include file".into(), "")
+        });
+        out.extend(standard);
+    }
+    out.sort_by(|a, b| a.label.cmp(&b.label));
+    out
+}

@@ -1,0 +1,85 @@
+//! Messages as editors show them.
+
+use super::document::{BASE, uri_of};
+use super::text::Text;
+use crate::diagnostic::{Diagnostic, Label, Remedy, Severity, codes};
+use crate::source::{FileId, Sources};
+use lsp_types::{
+    DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, Location, NumberOrString, Range, Uri,
+};
+use serde_json::json;
+
+/// As the protocol has it.
+pub type Told = lsp_types::Diagnostic;
+
+/// A message of a run; its first place is in `file`.
+pub fn tell(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> Told {
+    let text = |id: FileId| Text::new(sources.text(id).to_string());
+    let range = match sources.locate(diagnostic.span()) {
+        Some((id, bytes)) if id == file => text(id).range(bytes),
+        _ => Range::default(),
+    };
+    let related = |label: &Label| {
+        let (id, bytes) = sources.locate(label.span)?;
+        let location = Location { uri: uri_of(sources.path(id)?)?, range: text(id).range(bytes) };
+        let message = if label.text.is_empty() { "here".to_string() } else { label.text.clone() };
+        Some(DiagnosticRelatedInformation { location, message })
+    };
+    let places = diagnostic.labels.iter().skip(1).chain(&diagnostic.trace);
+    told(diagnostic, range, places.filter_map(related).collect())
+}
+
+/// A fault of the text itself.
+pub fn tell_fault(fault: &Diagnostic, text: &Text, uri: &Uri) -> Told {
+    let local = |place: u32| (place as usize).saturating_sub(BASE);
+    let range = |label: &Label| text.range(local(label.span.lo)..local(label.span.hi));
+    let related = fault.labels.iter().skip(1).map(|label| DiagnosticRelatedInformation {
+        location: Location { uri: uri.clone(), range: range(label) },
+        message: label.text.clone(),
+    });
+    told(fault, fault.labels.first().map(range).unwrap_or_default(), related.collect())
+}
+
+fn told(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformation>) -> Told {
+    let label = d.labels.first().map(|label| label.text.as_str()).filter(|text| !text.is_empty());
+    let help = d.help.as_ref().map(|help| format!("help: {help}"));
+    let message =
+        [Some(d.message.clone()), label.map(String::from), help].into_iter().flatten().collect::<Vec<_>>().join("\n");
+    let include = d.cause.as_ref().and_then(|cause| match cause.remedy {
+        Remedy::Include(file) => Some(file),
+        Remedy::Declare => None,
+    });
+    let unused = d.code == codes::UNUSED_NAME;
+    Told {
+        range,
+        severity: Some(match d.severity {
+            Severity::Error => DiagnosticSeverity::ERROR,
+            // Shown faint, in the middle of being written as it may be.
+            Severity::Warning if unused => DiagnosticSeverity::HINT,
+            Severity::Warning => DiagnosticSeverity::WARNING,
+        }),
+        code: Some(NumberOrString::String(d.code.0.into())),
+        code_description: None,
+        source: Some("durer".into()),
+        message,
+        related_information: (!related.is_empty()).then_some(related),
+        tags: unused.then(|| vec![DiagnosticTag::UNNECESSARY]),
+        data: Some(json!({"help": d.help, "include": include})),
+    }
+}
+
+/// Moves what a run has found through a change of its text: bytes that were taken away, and how many came. What it was about may be
+/// gone.
+pub fn moved(told: Vec<Told>, before: &Text, after: &Text, bytes: &std::ops::Range<usize>, new: usize) -> Vec<Told> {
+    let shift = |offset: usize| offset - bytes.len() + new;
+    let place = |mut told: Told| {
+        let (lo, hi) = (before.offset(told.range.start), before.offset(told.range.end));
+        told.range = match () {
+            () if hi < bytes.start => told.range,
+            () if lo > bytes.end || lo == bytes.end && bytes.is_empty() => after.range(shift(lo)..shift(hi)),
+            () => return None,
+        };
+        Some(told)
+    };
+    told.into_iter().filter_map(place).collect()
+}

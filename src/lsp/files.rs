@@ -1,0 +1,106 @@
+//! Files that open texts include: read from the disk once, and again when they have changed; open texts stand for their files.
+
+use super::document::{BASE, Document};
+use super::scan::Scan;
+use super::text::Text;
+use crate::library;
+use crate::source::{SearchPath, read_text};
+use crate::syntax::{Names, Wholes, parse_text};
+use std::collections::{BTreeMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::SystemTime;
+
+/// A file that is included.
+pub struct File {
+    /// What stands in it.
+    pub text: Arc<Text>,
+    /// Its tokens and names.
+    pub scan: Arc<Scan>,
+    read: Option<(SystemTime, u64)>,
+}
+
+/// Those that were read, by their paths.
+#[derive(Default)]
+pub struct Files(BTreeMap<PathBuf, File>);
+
+/// More files than this are not looked at.
+const MOST: usize = 500;
+
+fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
+    let meta = std::fs::metadata(path).ok()?;
+    Some((meta.modified().ok()?, meta.len()))
+}
+
+impl Files {
+    /// The file that lies there, or is built in.
+    fn get(&mut self, path: &Path) -> Option<&File> {
+        let now = stamp(path);
+        if self.0.get(path).is_none_or(|file| file.read != now) {
+            let built_in = path.strip_prefix(library::FOLDER).ok().and_then(Path::to_str).and_then(library::find);
+            let text = match built_in {
+                Some(text) => text.to_string(),
+                None => read_text(path).ok()?,
+            };
+            let (ast, _) = parse_text(&text, BASE, &Names::default(), Wholes::Kept);
+            let scan = Arc::new(Scan::of(&text, BASE, &ast.tokens));
+            self.0.insert(path.to_path_buf(), File { text: Arc::new(Text::new(text)), scan, read: now });
+        }
+        self.0.get(path)
+    }
+}
+
+/// A text that can be reached from an open one.
+#[derive(Clone)]
+pub struct Reached {
+    /// Where it lies; none of a text that lies nowhere.
+    pub path: Option<PathBuf>,
+    /// What stands in it, where it is not open.
+    pub text: Arc<Text>,
+    /// Its tokens and names.
+    pub scan: Arc<Scan>,
+}
+
+/// Where the file is that a text in `folder` calls so.
+pub fn find(name: &str, folder: &Path, search: &SearchPath) -> Option<PathBuf> {
+    let including = folder.join("file");
+    let found = search.resolve(name, Some(&including)).map(|found| found.path);
+    found.or_else(|| library::find(name).map(|_| Path::new(library::FOLDER).join(name)))
+}
+
+/// The text itself, and all that it includes, each once.
+pub fn reachable(
+    files: &mut Files,
+    open: &BTreeMap<String, Document>,
+    from: &Document,
+    include: &[PathBuf],
+) -> Vec<Reached> {
+    let search = SearchPath::new(&from.folder(), include);
+    let own = Reached { path: from.path.clone(), text: Arc::new(from.text.clone()), scan: from.scan.clone() };
+    let (mut out, mut seen) = (vec![own], HashSet::new());
+    seen.extend(from.path.clone());
+    let mut at = 0;
+    while at < out.len() && out.len() < MOST {
+        let (scan, folder) =
+            (out[at].scan.clone(), out[at].path.as_deref().and_then(Path::parent).map(Path::to_path_buf));
+        for (name, _) in &scan.includes {
+            let Some(path) = find(name, folder.as_deref().unwrap_or(Path::new(".")), &search) else { continue };
+            if !seen.insert(path.clone()) {
+                continue;
+            }
+            let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| same(open, &path));
+            let reached = match open.values().find(is_it) {
+                Some(open) => Some((Arc::new(open.text.clone()), open.scan.clone())),
+                None => files.get(&path).map(|file| (file.text.clone(), file.scan.clone())),
+            };
+            out.extend(reached.map(|(text, scan)| Reached { path: Some(path), text, scan }));
+        }
+        at += 1;
+    }
+    out
+}
+
+/// Do both name one file?
+pub fn same(a: &Path, b: &Path) -> bool {
+    a == b || a.file_name() == b.file_name() && matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}

@@ -1,0 +1,106 @@
+//! What is known of the word under the pointer.
+
+use super::files::Reached;
+use super::scan::{Kind, What};
+use super::server::{Out, Server};
+use super::{complete, words};
+use lsp_types::{Hover, HoverContents, HoverParams, MarkupContent, MarkupKind};
+use std::path::Path;
+
+/// So much of a declaration is shown.
+const LINES: usize = 8;
+const LETTERS: usize = 400;
+
+/// What the manual says of a word; what a name was declared as, and where.
+pub fn hover<S: Out>(server: &mut Server<S>, params: &HoverParams) -> Option<Hover> {
+    let at = &params.text_document_position_params;
+    let uri = &at.text_document.uri;
+    let related = server.related(uri);
+    let document = server.document(uri)?;
+    let offset = document.text.offset(at.position);
+    let token = document.scan.token_at(offset)?;
+    let text = &document.text.as_str()[token.at.clone()];
+    let value = match token.kind {
+        Kind::Directive => words::of_directive(text).map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}")),
+        Kind::Word(_) => told(text, words::block_at(&document.scan, offset)),
+        Kind::Name => {
+            let scope = document.scan.owner(text, document.scan.macro_at(token.at.end));
+            let own = related.iter().position(|one| one.path == document.path);
+            declared(&related, text, scope, own).or_else(|| told(text, words::block_at(&document.scan, offset)))
+        }
+        _ => None,
+    };
+    let contents = HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value: value? });
+    Some(Hover { contents, range: Some(document.text.range(token.at.clone())) })
+}
+
+fn told(word: &str, block: &str) -> Option<String> {
+    let lines = words::explain(word, block);
+    (!lines.is_empty()).then(|| format!("**{word}**\n\n- {}", lines.join("\n- ")))
+}
+
+/// The last declaration of a name.
+fn declared(related: &[Reached], name: &str, scope: Option<usize>, own: Option<usize>) -> Option<String> {
+    let all = related.iter().enumerate().flat_map(|(i, one)| one.scan.declarations.iter().map(move |d| (i, one, d)));
+    let fits = |(i, one, d): &(usize, &Reached, &super::scan::Declaration)| {
+        d.name == name && one.scan.owner(name, d.scope) == scope && (scope.is_none() || Some(*i) == own)
+    };
+    let found: Vec<_> = all.filter(fits).collect();
+    let (_, one, d) = found.iter().find(|(i, ..)| Some(*i) == own).or(found.first())?;
+    let place = one.path.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
+    let line = one.text.position(d.at.start).line + 1;
+    let place = place.map(|file| format!("{file}, line {line}")).unwrap_or(format!("line {line}"));
+    let text = one.text.as_str();
+    let shown = match d.what {
+        What::Macro => {
+            let about = comment_before(text, d.whole.start);
+            let parameters = complete::parameters(one, d).unwrap_or_default();
+            format!("{about}#macro {}({})", d.name, parameters.join(", "))
+        }
+        What::Parameter => format!("{name}: a parameter"),
+        _ => format!("{}{}", comment_before(text, d.whole.start), statement(&text[d.whole.start..])),
+    };
+    let more = if found.len() > 1 { format!("; declared {} times", found.len()) } else { String::new() };
+    Some(format!("```pov\n{shown}\n```\n{place}{more}"))
+}
+
+/// Comments directly above a line.
+fn comment_before(text: &str, at: usize) -> String {
+    let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
+    let mut lines: Vec<&str> =
+        text[..start].lines().rev().take_while(|line| line.trim_start().starts_with("//")).take(LINES).collect();
+    lines.reverse();
+    lines.iter().map(|line| format!("{}\n", line.trim())).collect()
+}
+
+/// A declaration up to its `;`, its closing brace, or as much of it as may be shown.
+fn statement(text: &str) -> String {
+    let (mut depth, mut end) = (0i32, text.len());
+    for (i, c) in text.char_indices() {
+        depth += match c {
+            '{' | '(' => 1,
+            '}' | ')' => -1,
+            _ => 0,
+        };
+        let ends = match c {
+            ';' => depth <= 0,
+            '}' => depth == 0,
+            '\n' => {
+                depth <= 0 && text[..i].contains('=') && !text[..i].trim_end().ends_with(['=', ',', '+', '-', '*', '/'])
+            }
+            _ => false,
+        };
+        if ends {
+            end = i + usize::from(c != '\n');
+            break;
+        }
+        if i > LETTERS {
+            end = i;
+            break;
+        }
+    }
+    let mut lines: Vec<&str> = text[..end].lines().collect();
+    let whole = lines.len() <= LINES && end <= LETTERS;
+    lines.truncate(LINES);
+    lines.join("\n") + if whole { "" } else { " …" }
+}

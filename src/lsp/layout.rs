@@ -1,0 +1,125 @@
+//! How a text is laid out: formatting, folding, what is selected step by step.
+
+use super::document::{BASE, Document};
+use super::scan::Kind;
+use super::server::{Out, Server};
+use super::text::Text;
+use crate::format::{WIDTH, decode};
+use lsp_types::{
+    DocumentFormattingParams, DocumentRangeFormattingParams, FoldingRange, FoldingRangeKind, FoldingRangeParams,
+    Position, Range, SelectionRange, SelectionRangeParams, TextEdit,
+};
+
+/// The text as `durer fmt` writes it; nothing if it can't be understood.
+pub fn format<S: Out>(server: &mut Server<S>, params: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
+    edits(server.document(&params.text_document.uri)?)
+}
+
+/// The same, but only what touches a range.
+pub fn format_range<S: Out>(server: &mut Server<S>, params: &DocumentRangeFormattingParams) -> Option<Vec<TextEdit>> {
+    let wanted = params.range;
+    let touches =
+        |edit: &TextEdit| edit.range.start.line <= wanted.end.line && wanted.start.line <= edit.range.end.line;
+    Some(edits(server.document(&params.text_document.uri)?)?.into_iter().filter(touches).collect())
+}
+
+/// One edit for each run of lines that change.
+fn edits(document: &Document) -> Option<Vec<TextEdit>> {
+    let old = document.text.as_str();
+    let new = Text::new(decode(old.as_bytes().to_vec()).ok()?.formatted(BASE, WIDTH).ok()?);
+    let (a, b) = (document.text.lines_with_ends(), new.lines_with_ends());
+    let mut out = vec![];
+    let (mut i, mut j) = (0, 0);
+    while i < a.len() || j < b.len() {
+        if i < a.len() && j < b.len() && a[i] == b[j] {
+            (i, j) = (i + 1, j + 1);
+            continue;
+        }
+        let (k, l) = meet(&a, &b, i, j);
+        let start = Position::new(i as u32, 0);
+        let end = if k < a.len() { Position::new(k as u32, 0) } else { document.text.position(old.len()) };
+        out.push(TextEdit { range: Range::new(start, end), new_text: b[j..l].concat() });
+        (i, j) = (k, l);
+    }
+    Some(out)
+}
+
+/// Behind lines that differ, the nearest pair that is the same again.
+fn meet(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
+    const FAR: usize = 60;
+    for apart in 1..FAR {
+        for k in 0..=apart {
+            let (x, y) = (i + k, j + apart - k);
+            // Lines of a brace alone are everywhere.
+            if x < a.len() && y < b.len() && a[x] == b[y] && a[x].trim().len() > 1 {
+                return (x, y);
+            }
+        }
+    }
+    (a.len(), b.len())
+}
+
+/// Blocks, directives with bodies, and comments that stand on several lines.
+pub fn folds<S: Out>(server: &mut Server<S>, params: &FoldingRangeParams) -> Option<Vec<FoldingRange>> {
+    let document = server.document(&params.text_document.uri)?;
+    let (text, scan) = (&document.text, &document.scan);
+    let line = |offset: usize| text.position(offset).line;
+    let mut out: Vec<FoldingRange> = vec![];
+    for pair in scan.pairs.iter().filter(|pair| pair.closed) {
+        // The line that closes it stays in sight.
+        let (start, end) = (line(pair.whole.start), line(pair.whole.end).saturating_sub(1));
+        if start < end && out.last().is_none_or(|last| last.start_line != start) {
+            out.push(fold(start, end, FoldingRangeKind::Region));
+        }
+    }
+    let comments: Vec<_> = scan.tokens.iter().filter(|token| token.kind == Kind::Comment).collect();
+    let starts_line =
+        |at: usize| text.as_str()[..at].rsplit(['\n', '\r']).next().is_some_and(|before| before.trim().is_empty());
+    let whole: Vec<(u32, u32)> = comments
+        .iter()
+        .filter(|token| starts_line(token.at.start))
+        .map(|token| (line(token.at.start), line(text.as_str()[..token.at.end].trim_end().len())))
+        .collect();
+    for run in whole.chunk_by(|a, b| a.1 + 1 == b.0) {
+        let (start, end) = (run[0].0, run[run.len() - 1].1);
+        if start < end {
+            out.push(fold(start, end, FoldingRangeKind::Comment));
+        }
+    }
+    Some(out)
+}
+
+fn fold(start_line: u32, end_line: u32, kind: FoldingRangeKind) -> FoldingRange {
+    FoldingRange { start_line, end_line, kind: Some(kind), ..FoldingRange::default() }
+}
+
+/// The word, what its brackets hold, the brackets with their name, and so on up to the whole text.
+pub fn selections<S: Out>(server: &mut Server<S>, params: &SelectionRangeParams) -> Option<Vec<SelectionRange>> {
+    let document = server.document(&params.text_document.uri)?;
+    Some(params.positions.iter().map(|at| selection(document, document.text.offset(*at))).collect())
+}
+
+fn selection(document: &Document, offset: usize) -> SelectionRange {
+    let (text, scan): (&Text, _) = (&document.text, &document.scan);
+    let whole = 0..text.as_str().len();
+    let mut ranges = Vec::from([whole]);
+    for pair in scan.pairs.iter().filter(|pair| pair.closed && pair.whole.start <= offset && offset <= pair.whole.end) {
+        ranges.push(pair.named.start.min(pair.whole.start)..pair.whole.end);
+        if pair.open != b'#' && pair.whole.len() > 2 && pair.whole.start < offset && offset < pair.whole.end {
+            ranges.push(pair.whole.start + 1..pair.whole.end - 1);
+        }
+    }
+    ranges.extend(scan.token_at(offset).map(|token| token.at.clone()));
+    let mut out: Option<SelectionRange> = None;
+    for range in ranges {
+        let range = text.range(range);
+        // Each lies within the one before.
+        let fits = |outer: &SelectionRange| {
+            outer.range.start <= range.start && range.end <= outer.range.end && outer.range != range
+        };
+        if out.as_ref().is_none_or(fits) {
+            out = Some(SelectionRange { range, parent: out.map(Box::new) });
+        }
+    }
+    out.unwrap_or(SelectionRange { range: Range::default(), parent: None })
+}

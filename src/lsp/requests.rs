@@ -1,0 +1,86 @@
+//! Which requests are answered, and by whom.
+
+use super::server::{Out, Server};
+use super::{actions, colors, complete, hover, inlay, layout, names, semantic, signature, symbols};
+use lsp_server::{ErrorCode, Request, Response};
+use lsp_types::request as ask;
+use serde_json::{Value, json};
+
+/// What the server can do. Places count in UTF-16, which every editor understands.
+pub fn capabilities() -> Value {
+    json!({
+        "positionEncoding": "utf-16",
+        "textDocumentSync": {"openClose": true, "change": 2, "save": true},
+        "completionProvider": {"triggerCharacters": ["#", "\"", "/"]},
+        "hoverProvider": true,
+        "signatureHelpProvider": {"triggerCharacters": ["(", ","]},
+        "definitionProvider": true,
+        "referencesProvider": true,
+        "documentHighlightProvider": true,
+        "renameProvider": {"prepareProvider": true},
+        "documentSymbolProvider": true,
+        "workspaceSymbolProvider": true,
+        "documentFormattingProvider": true,
+        "documentRangeFormattingProvider": true,
+        "foldingRangeProvider": true,
+        "selectionRangeProvider": true,
+        "semanticTokensProvider": {"legend": semantic::legend(), "full": true},
+        "codeActionProvider": {"codeActionKinds": ["quickfix"]},
+        "colorProvider": true,
+        "inlayHintProvider": true,
+    })
+}
+
+/// The answer to a request.
+pub fn answer<S: Out>(server: &mut Server<S>, request: Request) -> Response {
+    fn by<R: ask::Request>(request: Request, answer: impl FnOnce(R::Params) -> R::Result) -> Response {
+        match serde_json::from_value(request.params) {
+            Ok(params) => Response::new_ok(request.id, answer(params)),
+            Err(error) => Response::new_err(request.id, ErrorCode::InvalidParams as i32, error.to_string()),
+        }
+    }
+    match request.method.as_str() {
+        "textDocument/completion" => by::<ask::Completion>(request, |p| complete::complete(server, &p)),
+        "textDocument/hover" => by::<ask::HoverRequest>(request, |p| hover::hover(server, &p)),
+        "textDocument/signatureHelp" => by::<ask::SignatureHelpRequest>(request, |p| signature::help(server, &p)),
+        "textDocument/definition" => by::<ask::GotoDefinition>(request, |p| names::definition(server, &p)),
+        "textDocument/references" => by::<ask::References>(request, |p| names::references(server, &p)),
+        "textDocument/documentHighlight" => {
+            by::<ask::DocumentHighlightRequest>(request, |p| names::highlights(server, &p))
+        }
+        "textDocument/prepareRename" => by::<ask::PrepareRenameRequest>(request, |p| names::prepare(server, &p)),
+        "textDocument/rename" => rename(server, request),
+        "textDocument/documentSymbol" => {
+            by::<ask::DocumentSymbolRequest>(request, |p| symbols::of_document(server, &p))
+        }
+        "workspace/symbol" => by::<ask::WorkspaceSymbolRequest>(request, |p| symbols::of_workspace(server, &p)),
+        "textDocument/formatting" => by::<ask::Formatting>(request, |p| layout::format(server, &p)),
+        "textDocument/rangeFormatting" => by::<ask::RangeFormatting>(request, |p| layout::format_range(server, &p)),
+        "textDocument/foldingRange" => by::<ask::FoldingRangeRequest>(request, |p| layout::folds(server, &p)),
+        "textDocument/selectionRange" => by::<ask::SelectionRangeRequest>(request, |p| layout::selections(server, &p)),
+        "textDocument/semanticTokens/full" => {
+            by::<ask::SemanticTokensFullRequest>(request, |p| semantic::tokens(server, &p))
+        }
+        "textDocument/codeAction" => by::<ask::CodeActionRequest>(request, |p| actions::actions(server, &p)),
+        "textDocument/documentColor" => by::<ask::DocumentColor>(request, |p| colors::colors(server, &p)),
+        "textDocument/colorPresentation" => {
+            by::<ask::ColorPresentationRequest>(request, |p| colors::present(server, &p))
+        }
+        "textDocument/inlayHint" => by::<ask::InlayHintRequest>(request, |p| inlay::hints(server, &p)),
+        other => {
+            let text = format!("`{other}` is not answered");
+            Response::new_err(request.id, ErrorCode::MethodNotFound as i32, text)
+        }
+    }
+}
+
+/// The one request whose refusal has a reason.
+fn rename<S: Out>(server: &mut Server<S>, request: Request) -> Response {
+    match serde_json::from_value(request.params) {
+        Ok(params) => match names::rename(server, &params) {
+            Ok(edit) => Response::new_ok(request.id, edit),
+            Err(reason) => Response::new_err(request.id, ErrorCode::InvalidRequest as i32, reason),
+        },
+        Err(error) => Response::new_err(request.id, ErrorCode::InvalidParams as i32, error.to_string()),
+    }
+}

@@ -1,0 +1,319 @@
+//! What the server knows, and what it does when something happens.
+
+use super::diagnostics::{Told, moved, tell_fault};
+use super::document::{Document, uri_of};
+use super::files::{self, Files, Reached};
+use super::requests;
+use super::run::{self, Job, Ran};
+use super::text::Text;
+use lsp_server::{ErrorCode, Message, Notification, Request, Response};
+use lsp_types::{
+    DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, PublishDiagnosticsParams, Uri,
+};
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
+use std::time::{Duration, Instant};
+
+/// How long nobody types before a scene is run.
+const PAUSE: Duration = Duration::from_millis(250);
+
+/// What happens.
+pub enum Event {
+    /// The editor says something.
+    Client(Message),
+    /// It has left.
+    Gone,
+    /// A run has ended.
+    Ran(Ran),
+}
+
+/// All state.
+pub struct Server<S> {
+    out: S,
+    events: Sender<Event>,
+    /// By address.
+    pub open: BTreeMap<String, Document>,
+    /// What open texts include.
+    pub files: Files,
+    /// Where included files are looked for.
+    pub include: Vec<PathBuf>,
+    /// What the last run of each scene found, for each address.
+    ran: BTreeMap<String, BTreeMap<String, Vec<Told>>>,
+    /// Did the editor say goodbye?
+    pub is_shut_down: bool,
+}
+
+/// Where messages to the editor go.
+pub trait Out {
+    /// Sends one; nobody may be there any more.
+    fn send(&self, message: Message);
+}
+
+impl<F: Fn(Message)> Out for F {
+    fn send(&self, message: Message) {
+        self(message);
+    }
+}
+
+impl<S: Out> Server<S> {
+    /// One without texts.
+    pub fn new(out: S, events: Sender<Event>, include: Vec<PathBuf>) -> Self {
+        let (open, ran) = (BTreeMap::new(), BTreeMap::new());
+        Self { out, events, open, files: Files::default(), include, ran, is_shut_down: false }
+    }
+
+    /// Does what is to be done until the editor leaves.
+    pub fn run(&mut self, events: &Receiver<Event>) {
+        loop {
+            let event = match self.open.values().filter_map(|document| document.due).min() {
+                Some(due) => events.recv_timeout(due.saturating_duration_since(Instant::now())),
+                None => events.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            };
+            match event {
+                Ok(Event::Client(Message::Request(request))) => self.request(request),
+                Ok(Event::Client(Message::Notification(note))) if note.method == "exit" => break,
+                Ok(Event::Client(Message::Notification(note))) => self.notice(note),
+                Ok(Event::Client(Message::Response(_))) => {}
+                Ok(Event::Ran(ran)) => self.take(ran),
+                Ok(Event::Gone) | Err(RecvTimeoutError::Disconnected) => break,
+                Err(RecvTimeoutError::Timeout) => self.start_runs(),
+            }
+        }
+        self.open
+            .values()
+            .filter_map(|document| document.stop.as_ref())
+            .for_each(|stop| stop.store(true, Ordering::Relaxed));
+    }
+
+    fn request(&mut self, request: Request) {
+        let id = request.id.clone();
+        let response = match request.method.as_str() {
+            "shutdown" => {
+                self.is_shut_down = true;
+                Response::new_ok(id, ())
+            }
+            _ if self.is_shut_down => {
+                Response::new_err(id, ErrorCode::InvalidRequest as i32, "the server is shut down".into())
+            }
+            _ => catch_unwind(AssertUnwindSafe(|| requests::answer(self, request))).unwrap_or_else(|_| {
+                // The texts are whole all the same: nobody shall lose his editor's help over one question.
+                Response::new_err(id, ErrorCode::InternalError as i32, "durer made a mistake; please report it".into())
+            }),
+        };
+        self.out.send(Message::Response(response));
+    }
+
+    fn notice(&mut self, note: Notification) {
+        fn read<P: DeserializeOwned>(note: Notification) -> Option<P> {
+            serde_json::from_value(note.params).ok()
+        }
+        match note.method.as_str() {
+            "textDocument/didOpen" => {
+                let Some(DidOpenTextDocumentParams { text_document: new }) = read(note) else { return };
+                let key = new.uri.as_str().to_string();
+                self.open.insert(key.clone(), Document::new(new.uri, new.version, new.text));
+                self.changed(&key);
+            }
+            "textDocument/didChange" => {
+                if let Some(params) = read(note) {
+                    self.change(params);
+                }
+            }
+            "textDocument/didSave" | "workspace/didChangeWatchedFiles" => {
+                // What is included may have changed on the disk.
+                let all: Vec<_> = self.open.keys().cloned().collect();
+                all.iter().for_each(|key| self.schedule(key));
+            }
+            "textDocument/didClose" => {
+                let Some(DidCloseTextDocumentParams { text_document: old }) = read(note) else { return };
+                self.close(old.uri.as_str());
+            }
+            _ => {}
+        }
+    }
+
+    fn change(&mut self, params: DidChangeTextDocumentParams) {
+        let key = params.text_document.uri.as_str().to_string();
+        let Some(document) = self.open.get_mut(&key) else { return };
+        let mut before: Text = document.text.clone();
+        for change in params.content_changes {
+            let made = document.change(params.text_document.version, vec![change]);
+            for found in self.ran.values_mut().filter_map(|found| found.get_mut(&key)) {
+                for (bytes, new) in &made {
+                    *found = moved(std::mem::take(found), &before, &document.text, bytes, *new);
+                }
+            }
+            before = document.text.clone();
+        }
+        self.changed(&key);
+    }
+
+    fn changed(&mut self, key: &str) {
+        self.publish(key);
+        self.schedule(key);
+    }
+
+    /// The scenes that read this text are to be run when nobody has typed for a while.
+    fn schedule(&mut self, key: &str) {
+        let due = Some(Instant::now() + PAUSE);
+        for scene in self.scenes_of(key) {
+            if let Some(document) = self.open.get_mut(&scene) {
+                document.due = due;
+                if let Some(stop) = document.stop.take() {
+                    stop.store(true, Ordering::Relaxed);
+                }
+            }
+        }
+    }
+
+    /// The open scenes that read a text, itself among them if it is one.
+    fn scenes_of(&mut self, key: &str) -> Vec<String> {
+        let Some(document) = self.open.get(key) else { return vec![] };
+        let (path, is_scene) = (document.path.clone(), document.is_scene());
+        let mut out = vec![];
+        for (other, scene) in self.open.iter().filter(|(_, scene)| scene.is_scene()) {
+            let mut reads = || {
+                let reached = files::reachable(&mut self.files, &self.open, scene, &self.include);
+                reached.iter().any(|one| matches!((&one.path, &path), (Some(a), Some(b)) if files::same(a, b)))
+            };
+            let belongs =
+                if other == key { is_scene } else { path.is_some() && !scene.scan.includes.is_empty() && reads() };
+            if belongs {
+                out.push(other.clone());
+            }
+        }
+        out
+    }
+
+    fn start_runs(&mut self) {
+        let now = Instant::now();
+        let due: Vec<_> =
+            self.open.iter().filter(|(_, d)| d.due.is_some_and(|due| due <= now)).map(|(k, _)| k.clone()).collect();
+        for key in due {
+            let held = self.open.iter().filter(|(other, _)| **other != key);
+            let held =
+                held.filter_map(|(_, other)| Some((other.path.clone()?, other.text.as_str().to_string()))).collect();
+            let Some(document) = self.open.get_mut(&key) else { continue };
+            let stop = Arc::new(AtomicBool::new(false));
+            (document.due, document.stop) = (None, Some(stop.clone()));
+            let job = Job {
+                uri: key,
+                version: document.version,
+                path: document.path.clone(),
+                text: document.text.as_str().to_string(),
+                held,
+                include: self.include.clone(),
+                stop,
+            };
+            let events = self.events.clone();
+            run::start(job, move |ran| {
+                events.send(Event::Ran(ran)).ok();
+            });
+        }
+    }
+
+    /// Takes what a run has found, unless it is about a text that is no more.
+    fn take(&mut self, ran: Ran) {
+        let Some(document) = self.open.get_mut(&ran.uri) else { return };
+        if document.version != ran.version || document.due.is_some() {
+            return;
+        }
+        document.stop = None;
+        let mut found = BTreeMap::new();
+        for (path, told) in ran.told {
+            let address = match path {
+                None => Some(ran.uri.clone()),
+                Some(path) => self.address(&path),
+            };
+            found.extend(address.map(|address| (address, told)));
+        }
+        let old = self.ran.insert(ran.uri.clone(), found).unwrap_or_default();
+        let new = self.ran.get(&ran.uri).into_iter().flat_map(BTreeMap::keys);
+        let mut all: Vec<String> = old.into_keys().chain(new.cloned()).chain([ran.uri]).collect();
+        all.sort();
+        all.dedup();
+        all.iter().for_each(|address| self.publish(address));
+    }
+
+    /// The editor's address of a file, if it is open; else one of ours.
+    fn address(&self, path: &std::path::Path) -> Option<String> {
+        let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| files::same(open, path));
+        let open = self.open.values().find(is_it).map(|document| document.uri.clone());
+        open.or_else(|| uri_of(path)).map(|uri| uri.as_str().to_string())
+    }
+
+    /// Shows all that is wrong with a text: what it says by itself, and what runs have found.
+    fn publish(&self, address: &str) {
+        let Ok(uri) = Uri::from_str(address) else { return };
+        let document = self.open.get(address);
+        let faults = document
+            .iter()
+            .flat_map(|document| document.faults.iter().map(|fault| tell_fault(fault, &document.text, &document.uri)));
+        let mut all: Vec<Told> = faults.collect();
+        for told in self.ran.values().filter_map(|found| found.get(address)).flatten() {
+            // A run finds the faults of the text too, and two scenes may find the same in what they share.
+            if !all.iter().any(|other| other.range == told.range && other.code == told.code) {
+                all.push(told.clone());
+            }
+        }
+        let params =
+            PublishDiagnosticsParams { uri, diagnostics: all, version: document.map(|document| document.version) };
+        self.out.send(Message::Notification(Notification::new("textDocument/publishDiagnostics".into(), params)));
+    }
+
+    /// Messages that are shown of a text now.
+    pub fn told(&self, address: &str) -> Vec<Told> {
+        self.ran.values().filter_map(|found| found.get(address)).flatten().cloned().collect()
+    }
+
+    fn close(&mut self, key: &str) {
+        let scenes = self.scenes_of(key);
+        if let Some(stop) = self.open.remove(key).and_then(|document| document.stop) {
+            stop.store(true, Ordering::Relaxed);
+        }
+        let gone = self.ran.remove(key).unwrap_or_default();
+        gone.keys().map(String::as_str).chain([key]).for_each(|address| self.publish(address));
+        scenes.iter().filter(|scene| *scene != key).for_each(|scene| self.schedule(scene));
+    }
+
+    /// The open text of this address.
+    pub fn document(&self, uri: &Uri) -> Option<&Document> {
+        self.open.get(uri.as_str())
+    }
+
+    /// It and all that it includes.
+    pub fn reachable(&mut self, uri: &Uri) -> Vec<Reached> {
+        match self.open.get(uri.as_str()) {
+            Some(document) => files::reachable(&mut self.files, &self.open, document, &self.include),
+            None => vec![],
+        }
+    }
+
+    /// All texts that belong together with one: what it includes, and the open scenes that include it with what these include.
+    pub fn related(&mut self, uri: &Uri) -> Vec<Reached> {
+        let mut out = self.reachable(uri);
+        for scene in self.scenes_of(uri.as_str()) {
+            let Some(document) = self.open.get(&scene) else { continue };
+            for reached in files::reachable(&mut self.files, &self.open, document, &self.include) {
+                if !out.iter().any(|one| one.path == reached.path) {
+                    out.push(reached);
+                }
+            }
+        }
+        out
+    }
+
+    /// The address of a text that was reached from this one.
+    pub fn uri(&self, reached: &Reached, from: &Uri) -> Option<Uri> {
+        match &reached.path {
+            None => Some(from.clone()),
+            Some(path) => self.address(path).and_then(|address| Uri::from_str(&address).ok()),
+        }
+    }
+}

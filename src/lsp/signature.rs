@@ -1,0 +1,60 @@
+//! Which arguments a macro or a function takes, while its call is being typed.
+
+use super::scan::What;
+use super::server::{Out, Server};
+use super::{complete, words};
+use lsp_types::{
+    Documentation, MarkupContent, MarkupKind, ParameterInformation, ParameterLabel, SignatureHelp, SignatureHelpParams,
+    SignatureInformation,
+};
+
+/// Of the innermost call around a place.
+pub fn help<S: Out>(server: &mut Server<S>, params: &SignatureHelpParams) -> Option<SignatureHelp> {
+    let at = &params.text_document_position_params;
+    let uri = &at.text_document.uri;
+    let related = server.related(uri);
+    let document = server.document(uri)?;
+    let offset = document.text.offset(at.position);
+    let call = document.scan.around(offset, |pair| pair.open == b'(' && !pair.name.is_empty())?;
+    let declared = related.iter().find_map(|one| {
+        let d = one.scan.declarations.iter().find(|d| d.what == What::Macro && d.name == call.name)?;
+        complete::parameters(one, d)
+    });
+    let (parameters, about) = match declared {
+        Some(parameters) => (parameters, ""),
+        None => {
+            let (_, usage, summary) = words::functions().find(|(name, ..)| *name == call.name)?;
+            let inner = usage.trim_start_matches('(').trim_end_matches(')');
+            (inner.split(',').map(|part| part.trim().to_string()).filter(|part| !part.is_empty()).collect(), summary)
+        }
+    };
+    // Commas of this call, not of calls, vectors and blocks inside of it.
+    let number = call.whole.start;
+    let inner = |at: usize| {
+        document.scan.around(at + 1, |pair| pair.open != b'#').is_none_or(|pair| pair.whole.start == number)
+    };
+    let text = document.text.as_str();
+    let tokens = document.scan.tokens.iter().filter(|token| token.at.start > number && token.at.end <= offset);
+    let mut depth = 0i32;
+    let mut commas = 0;
+    for token in tokens {
+        match &text[token.at.clone()] {
+            "<" => depth += 1,
+            ">" => depth -= 1,
+            "," if depth <= 0 && inner(token.at.start) => commas += 1,
+            _ => {}
+        }
+    }
+    let label = format!("{}({})", call.name, parameters.join(", "));
+    let information =
+        |name: &String| ParameterInformation { label: ParameterLabel::Simple(name.clone()), documentation: None };
+    let documentation = MarkupContent { kind: MarkupKind::Markdown, value: about.into() };
+    let active = Some(commas.min(parameters.len().saturating_sub(1)) as u32);
+    let signature = SignatureInformation {
+        label,
+        documentation: (!about.is_empty()).then_some(Documentation::MarkupContent(documentation)),
+        parameters: Some(parameters.iter().map(information).collect()),
+        active_parameter: active,
+    };
+    Some(SignatureHelp { signatures: vec![signature], active_signature: Some(0), active_parameter: active })
+}

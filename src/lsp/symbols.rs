@@ -1,0 +1,99 @@
+//! What a text declares and puts into the scene: for outlines and for searches.
+
+use super::document::Document;
+use super::scan::{Declaration, Pair, What};
+use super::server::{Out, Server};
+use lsp_types::{
+    DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, OneOf, SymbolKind, WorkspaceSymbol,
+    WorkspaceSymbolParams, WorkspaceSymbolResponse,
+};
+
+/// At most so many are found.
+const MOST: usize = 1000;
+
+/// Declared names, macros, and the outermost blocks.
+pub fn of_document<S: Out>(server: &mut Server<S>, params: &DocumentSymbolParams) -> Option<DocumentSymbolResponse> {
+    let document = server.document(&params.text_document.uri)?;
+    let scan = &document.scan;
+    let declared = scan.declarations.iter().filter(|d| d.scope.is_none() || d.what == What::Macro);
+    let mut all: Vec<DocumentSymbol> = declared.map(|d| of_declaration(document, d)).collect();
+    let is_outer = |pair: &&Pair| pair.open == b'{' && pair.outer.is_none() && !pair.name.is_empty();
+    let is_value = |pair: &Pair| {
+        let before = document.text.as_str()[..pair.named.start].trim_end();
+        before.ends_with('=')
+    };
+    all.extend(scan.pairs.iter().filter(is_outer).filter(|pair| !is_value(pair)).map(|pair| {
+        let whole = pair.named.start..pair.whole.end;
+        symbol(document, &pair.name, SymbolKind::OBJECT, whole, pair.named.clone())
+    }));
+    all.sort_by_key(|symbol| symbol.range.start);
+    Some(DocumentSymbolResponse::Nested(all))
+}
+
+fn of_declaration(document: &Document, d: &Declaration) -> DocumentSymbol {
+    // What is declared goes to the end of the braces behind it.
+    let value = document.scan.pairs.iter().find(|pair| {
+        pair.open == b'{'
+            && pair.whole.start > d.at.end
+            && document.text.as_str().get(d.at.end..pair.named.start).is_some_and(|between| between.trim() == "=")
+    });
+    let end = value.map_or(d.whole.end, |pair| pair.whole.end);
+    symbol(document, &d.name, kind(d.what), d.whole.start..end.max(d.at.end), d.at.clone())
+}
+
+fn kind(what: What) -> SymbolKind {
+    match what {
+        What::Macro => SymbolKind::FUNCTION,
+        What::Declare | What::Local | What::Parameter | What::Counter => SymbolKind::VARIABLE,
+    }
+}
+
+#[allow(deprecated)]
+fn symbol(
+    document: &Document,
+    name: &str,
+    kind: SymbolKind,
+    whole: std::ops::Range<usize>,
+    at: std::ops::Range<usize>,
+) -> DocumentSymbol {
+    DocumentSymbol {
+        name: name.to_string(),
+        detail: None,
+        kind,
+        tags: None,
+        deprecated: None,
+        range: document.text.range(whole),
+        selection_range: document.text.range(at),
+        children: None,
+    }
+}
+
+/// Names that hold these letters, in all open texts and in what they include.
+pub fn of_workspace<S: Out>(server: &mut Server<S>, params: &WorkspaceSymbolParams) -> Option<WorkspaceSymbolResponse> {
+    let wanted = params.query.to_lowercase();
+    let uris: Vec<_> = server.open.values().map(|document| document.uri.clone()).collect();
+    let mut out: Vec<WorkspaceSymbol> = vec![];
+    let mut seen = std::collections::HashSet::new();
+    for from in uris {
+        for reached in server.reachable(&from) {
+            let Some(uri) = server.uri(&reached, &from) else { continue };
+            if !seen.insert(uri.as_str().to_string()) {
+                continue;
+            }
+            let fits = |d: &&Declaration| d.what != What::Parameter && d.scope.is_none() | (d.what == What::Macro);
+            for d in reached.scan.declarations.iter().filter(fits).filter(|d| d.name.to_lowercase().contains(&wanted)) {
+                let location = Location { uri: uri.clone(), range: reached.text.range(d.at.clone()) };
+                out.push(WorkspaceSymbol {
+                    name: d.name.clone(),
+                    kind: kind(d.what),
+                    tags: None,
+                    container_name: None,
+                    location: OneOf::Left(location),
+                    data: None,
+                });
+            }
+        }
+    }
+    out.truncate(MOST);
+    Some(WorkspaceSymbolResponse::Nested(out))
+}

@@ -1,0 +1,154 @@
+//! A text that is being edited: places as the protocol counts them, in UTF-16, and changes.
+
+use lsp_types::{Position, Range, TextDocumentContentChangeEvent};
+
+/// A text and where its lines begin.
+#[derive(Clone, Debug, Default)]
+pub struct Text {
+    all: String,
+    /// Byte offsets; the first is 0.
+    lines: Vec<usize>,
+}
+
+impl Text {
+    /// With its lines.
+    pub fn new(all: String) -> Self {
+        let lines = line_starts(&all);
+        Self { all, lines }
+    }
+
+    /// All of it.
+    pub fn as_str(&self) -> &str {
+        &self.all
+    }
+
+    /// How many lines it has: one more than ends of lines.
+    pub fn line_count(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// The byte at a place. Behind the end of a line, the line's end; behind the end of the text, its end; inside of a letter, its
+    /// start.
+    pub fn offset(&self, at: Position) -> usize {
+        let Some(&start) = self.lines.get(at.line as usize) else { return self.all.len() };
+        let line = self.line(at.line as usize);
+        let mut units = 0;
+        for (i, c) in line.char_indices() {
+            let after = units + c.len_utf16() as u32;
+            if after > at.character {
+                return start + i;
+            }
+            units = after;
+        }
+        start + line.len()
+    }
+
+    /// The place of a byte.
+    pub fn position(&self, offset: usize) -> Position {
+        let offset = offset.min(self.all.len());
+        let line = self.lines.partition_point(|start| *start <= offset).saturating_sub(1);
+        let before = self.all.get(self.lines[line]..offset).unwrap_or_default();
+        Position::new(line as u32, before.encode_utf16().count() as u32)
+    }
+
+    /// The place of some bytes.
+    pub fn range(&self, bytes: std::ops::Range<usize>) -> Range {
+        Range::new(self.position(bytes.start), self.position(bytes.end))
+    }
+
+    /// A line without its end.
+    pub fn line(&self, line: usize) -> &str {
+        let Some(&start) = self.lines.get(line) else { return "" };
+        let end = self.lines.get(line + 1).copied().unwrap_or(self.all.len());
+        self.all[start..end].trim_end_matches(['\n', '\r'])
+    }
+
+    /// All lines, each with its end; the last one only if there is something in it.
+    pub fn lines_with_ends(&self) -> Vec<&str> {
+        let ends = self.lines.iter().copied().skip(1).chain([self.all.len()]);
+        let lines = self.lines.iter().zip(ends).map(|(start, end)| &self.all[*start..end]);
+        lines.filter(|line| !line.is_empty()).collect()
+    }
+
+    /// Makes a change; tells which bytes it took away and how many it put there.
+    pub fn change(&mut self, change: TextDocumentContentChangeEvent) -> (std::ops::Range<usize>, usize) {
+        let Some(range) = change.range else {
+            let old = self.all.len();
+            let new = change.text.len();
+            *self = Self::new(change.text);
+            return (0..old, new);
+        };
+        let (a, b) = (self.offset(range.start), self.offset(range.end));
+        let bytes = a.min(b)..a.max(b);
+        self.all.replace_range(bytes.clone(), &change.text);
+        self.move_lines(&bytes, &change.text);
+        (bytes, change.text.len())
+    }
+
+    /// Finds the lines anew around what was changed.
+    fn move_lines(&mut self, bytes: &std::ops::Range<usize>, new: &str) {
+        // A `\r` before the change may have got a `\n` behind it, or lost it: the lines around are counted again.
+        let first = self.lines.partition_point(|start| *start < bytes.start).saturating_sub(1);
+        let last = self.lines.partition_point(|start| *start <= bytes.end + 1);
+        let moved = |start: usize| start - bytes.len() + new.len();
+        let from = self.lines[first];
+        let until = self.lines.get(last).map_or(self.all.len(), |start| moved(*start));
+        let between = line_starts(&self.all[from..until]).into_iter().skip(1).map(|start| from + start);
+        let mut lines = self.lines[..=first].to_vec();
+        lines.extend(between);
+        if lines.last() == Some(&until) && last < self.lines.len() {
+            lines.pop();
+        }
+        lines.extend(self.lines[last..].iter().map(|start| moved(*start)));
+        self.lines = lines;
+    }
+}
+
+/// `\n`, `\r\n` and `\r` end lines.
+fn line_starts(text: &str) -> Vec<usize> {
+    let bytes = text.as_bytes();
+    let ends = |i: &usize| bytes[*i] == b'\n' || bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n');
+    std::iter::once(0).chain((0..bytes.len()).filter(ends).map(|i| i + 1)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_count_in_utf_16() {
+        let text = Text::new("aä€😀b\r\nc\rd\n".into());
+        assert_eq!(text.line_count(), 4);
+        assert_eq!(text.position(10), Position::new(0, 5));
+        assert_eq!(text.offset(Position::new(0, 5)), 10);
+        // Inside of the two halves of one letter.
+        assert_eq!(text.offset(Position::new(0, 4)), 6);
+        assert_eq!(text.offset(Position::new(0, 99)), 11);
+        assert_eq!(text.offset(Position::new(9, 0)), text.as_str().len());
+        assert_eq!(text.line(2), "d");
+        assert_eq!(text.lines_with_ends(), ["aä€😀b\r\n", "c\r", "d\n"]);
+    }
+
+    /// A simple generator of numbers.
+    fn next(seed: &mut u64) -> usize {
+        *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (*seed >> 33) as usize
+    }
+
+    #[test]
+    fn lines_stay_true_through_any_edits() {
+        let (mut seed, pieces) = (7, ["", "a", "\n", "\r", "\r\n", "ä😀", "x\ny\r\nz"]);
+        let mut text = Text::new("one\r\ntwo\n\rthree".into());
+        for _ in 0..3000 {
+            let mut place = || Position::new((next(&mut seed) % 8) as u32, (next(&mut seed) % 6) as u32);
+            let (a, b) = (place(), place());
+            let range = Some(Range::new(a.min(b), a.max(b)));
+            let piece = pieces[next(&mut seed) % pieces.len()].to_string();
+            text.change(TextDocumentContentChangeEvent { range, range_length: None, text: piece });
+            assert_eq!(text.lines, line_starts(&text.all), "{:?}", text.all);
+            if text.all.len() > 200 {
+                text = Text::new(String::new());
+            }
+        }
+    }
+}

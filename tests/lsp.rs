@@ -1,0 +1,471 @@
+//! The language server over the wire, as an editor speaks with it.
+
+#![allow(clippy::unwrap_used)]
+
+use serde_json::{Value, json};
+use std::collections::HashMap;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+/// Whoever takes longer hangs.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// An editor with a server at its other end.
+struct Editor {
+    child: Child,
+    stdin: ChildStdin,
+    messages: Receiver<Value>,
+    next: i64,
+    /// What was told last, by address.
+    told: HashMap<String, Value>,
+    place: tempfile::TempDir,
+}
+
+fn read_all(stdout: impl Read, mut take: impl FnMut(Value) -> bool) {
+    let mut reader = BufReader::new(stdout);
+    loop {
+        let mut length = 0;
+        loop {
+            let mut line = String::new();
+            if reader.read_line(&mut line).unwrap_or(0) == 0 {
+                return;
+            }
+            if line.trim().is_empty() {
+                break;
+            }
+            if let Some(number) = line.to_lowercase().strip_prefix("content-length:") {
+                length = number.trim().parse().unwrap();
+            }
+        }
+        let mut body = vec![0; length];
+        if reader.read_exact(&mut body).is_err() || !take(serde_json::from_slice(&body).unwrap()) {
+            return;
+        }
+    }
+}
+
+impl Editor {
+    fn new() -> Self {
+        let place = tempfile::tempdir().unwrap();
+        let mut child = Command::new(env!("CARGO_BIN_EXE_durer"))
+            .arg("lsp")
+            .current_dir(place.path())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let (sender, messages) = channel();
+        let stdout = child.stdout.take().unwrap();
+        std::thread::spawn(move || read_all(stdout, |message| sender.send(message).is_ok()));
+        let stdin = child.stdin.take().unwrap();
+        let mut editor = Self { child, stdin, messages, next: 0, told: HashMap::new(), place };
+        let told = editor.ask("initialize", json!({"capabilities": {}, "processId": null, "rootUri": null}));
+        assert_eq!(told["capabilities"]["positionEncoding"], "utf-16");
+        editor.say("initialized", json!({}));
+        editor
+    }
+
+    fn send(&mut self, message: &Value) {
+        let body = message.to_string();
+        write!(self.stdin, "Content-Length: {}\r\n\r\n{body}", body.len()).unwrap();
+        self.stdin.flush().unwrap();
+    }
+
+    fn say(&mut self, method: &str, params: Value) {
+        self.send(&json!({"jsonrpc": "2.0", "method": method, "params": params}));
+    }
+
+    /// The next message; notices are kept.
+    fn take(&mut self, patience: Duration) -> Option<Value> {
+        let message = self.messages.recv_timeout(patience).ok()?;
+        if message["method"] == "textDocument/publishDiagnostics" {
+            let uri = message["params"]["uri"].as_str().unwrap().to_string();
+            self.told.insert(uri, message["params"].clone());
+        }
+        Some(message)
+    }
+
+    fn answer(&mut self, method: &str, params: Value) -> Value {
+        self.next += 1;
+        let id = self.next;
+        self.send(&json!({"jsonrpc": "2.0", "id": id, "method": method, "params": params}));
+        loop {
+            let message = self.take(PATIENCE).expect("no answer");
+            if message["id"] == id {
+                return message;
+            }
+        }
+    }
+
+    #[track_caller]
+    fn ask(&mut self, method: &str, params: Value) -> Value {
+        let answer = self.answer(method, params);
+        assert!(answer["error"].is_null(), "{method}: {answer}");
+        answer["result"].clone()
+    }
+
+    fn uri(&self, name: &str) -> String {
+        format!("file://{}", self.place.path().canonicalize().unwrap().join(name).display())
+    }
+
+    fn open(&mut self, name: &str, text: &str) -> String {
+        let uri = self.uri(name);
+        let document = json!({"uri": uri, "languageId": "povray", "version": 1, "text": text});
+        self.say("textDocument/didOpen", json!({"textDocument": document}));
+        uri
+    }
+
+    fn put(&self, name: &str, text: &str) {
+        std::fs::write(self.place.path().join(name), text).unwrap();
+    }
+
+    /// One change: a range as four numbers, and what takes its place.
+    fn change(&mut self, uri: &str, version: i64, [a, b, c, d]: [u64; 4], text: &str) {
+        let range = json!({"start": {"line": a, "character": b}, "end": {"line": c, "character": d}});
+        let changes = json!([{"range": range, "text": text}]);
+        self.say(
+            "textDocument/didChange",
+            json!({"textDocument": {"uri": uri, "version": version}, "contentChanges": changes}),
+        );
+    }
+
+    /// Waits until what is told of a text is so.
+    #[track_caller]
+    fn until(&mut self, uri: &str, holds: impl Fn(&[Value]) -> bool) -> Vec<Value> {
+        let start = Instant::now();
+        loop {
+            let told = self.told.get(uri).and_then(|told| told["diagnostics"].as_array().cloned());
+            match told {
+                Some(told) if holds(&told) => return told,
+                _ => assert!(self.take(PATIENCE).is_some() && start.elapsed() < PATIENCE, "{:?}", self.told.get(uri)),
+            }
+        }
+    }
+
+    fn bye(mut self) {
+        self.ask("shutdown", Value::Null);
+        self.say("exit", Value::Null);
+        assert_eq!(self.child.wait().unwrap().code(), Some(0));
+    }
+}
+
+fn at(uri: &str, line: u64, character: u64) -> Value {
+    json!({"textDocument": {"uri": uri}, "position": {"line": line, "character": character}})
+}
+
+fn codes(told: &[Value]) -> Vec<&str> {
+    told.iter().map(|one| one["code"].as_str().unwrap()).collect()
+}
+
+const HALL: &str = "#version 3.7;
+#include \"parts.inc\"
+// How far apart
+#declare Gap = 2.5;
+#macro Row(Count, Thing)
+  #local Shift = 0.5;
+  #for (I, 1, Count)
+    object { Thing translate <I * Gap + Shift, 0, 0> }
+  #end
+#end
+camera { location <0, 1, -9> look_at 0 }
+light_source { <2, 5, -5> rgb 1 }
+Row(3, Ball)
+sphere { <0, 2, 0>, 1 pigment { rgb <1, 0, 0> } }
+";
+const PARTS: &str = "#declare Ball = sphere { 0, 1 pigment { srgb <1, 0.5, 0> } }\n#declare Shift = 3;\n";
+
+fn hall() -> (Editor, String) {
+    let mut editor = Editor::new();
+    editor.put("parts.inc", PARTS);
+    let uri = editor.open("hall.pov", HALL);
+    (editor, uri)
+}
+
+#[test]
+fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
+    let (mut editor, uri) = hall();
+    editor.until(&uri, <[Value]>::is_empty);
+    // A word that is no block, and a string that is not closed.
+    editor.change(&uri, 2, [13, 0, 13, 6], "spere");
+    let told = editor.until(&uri, |told| codes(told).contains(&"E0204"));
+    assert_eq!(told[0]["range"], json!({"start": {"line": 13, "character": 0}, "end": {"line": 13, "character": 5}}));
+    assert!(told[0]["message"].as_str().unwrap().contains("did you mean `sphere`?"), "{told:?}");
+    let actions = editor.ask(
+        "textDocument/codeAction",
+        json!({"textDocument": {"uri": uri}, "range": told[0]["range"], "context": {"diagnostics": told}}),
+    );
+    assert_eq!(actions[0]["edit"]["changes"][&uri][0]["newText"], "sphere");
+    // Lines above move what was found.
+    editor.change(&uri, 3, [0, 0, 0, 0], "// two\n// lines\n");
+    let told = editor.until(&uri, |told| told.first().is_some_and(|one| one["range"]["start"]["line"] == 15));
+    assert_eq!(codes(&told), ["E0204"]);
+    editor.change(&uri, 4, [15, 0, 15, 5], "#if (1) sphere");
+    let told = editor.until(&uri, |told| codes(told).contains(&"E0101"));
+    assert_eq!(codes(&told), ["E0101"]);
+    editor.change(&uri, 5, [15, 0, 15, 8], "");
+    editor.until(&uri, <[Value]>::is_empty);
+    editor.bye();
+}
+
+#[test]
+fn names_that_nobody_uses_are_faint() {
+    let (mut editor, uri) = hall();
+    editor.change(&uri, 2, [2, 0, 2, 0], "#declare Nobody = 1;\n");
+    let told = editor.until(&uri, |told| codes(told) == ["W0209"]);
+    assert_eq!((&told[0]["severity"], &told[0]["tags"]), (&json!(4), &json!([1])));
+    editor.bye();
+}
+
+#[test]
+fn a_run_that_never_ends_is_stopped_by_the_next_key() {
+    let mut editor = Editor::new();
+    let uri = editor.open("loop.pov", "#while (1) #end\n");
+    std::thread::sleep(Duration::from_millis(600));
+    editor.change(&uri, 2, [0, 0, 0, 15], "sphre { 0, 1 }");
+    let start = Instant::now();
+    editor.until(&uri, |told| codes(told) == ["E0204"]);
+    assert!(start.elapsed() < Duration::from_secs(10));
+    editor.bye();
+}
+
+#[test]
+fn includes_are_seen_as_they_are_typed() {
+    let (mut editor, uri) = hall();
+    editor.until(&uri, <[Value]>::is_empty);
+    let parts = editor.open("parts.inc", PARTS);
+    editor.change(&parts, 2, [0, 9, 0, 13], "Boll");
+    editor.until(&uri, |told| codes(told).contains(&"E0203"));
+    editor.change(&parts, 3, [0, 9, 0, 13], "Ball");
+    editor.until(&uri, <[Value]>::is_empty);
+    // What a run finds in a file that is included is told there.
+    editor.change(&parts, 4, [1, 0, 1, 0], "#declare A = 1 + Nowhere;\n");
+    editor.until(&parts, |told| codes(told).contains(&"E0203"));
+    editor.bye();
+}
+
+#[test]
+fn names_are_found_across_includes_and_renamed() {
+    let (mut editor, uri) = hall();
+    let parts = editor.uri("parts.inc");
+    let found = editor.ask("textDocument/definition", at(&uri, 12, 8));
+    assert_eq!((&found[0]["uri"], &found[0]["range"]["start"]["character"]), (&json!(parts), &json!(9)));
+    let found = editor.ask("textDocument/definition", at(&uri, 1, 12));
+    assert_eq!(found["uri"], json!(parts));
+    let mut params = at(&uri, 3, 10);
+    params["context"] = json!({"includeDeclaration": true});
+    assert_eq!(editor.ask("textDocument/references", params).as_array().unwrap().len(), 2);
+    // The macro's own `Shift` is not that of the other file.
+    let mut params = at(&uri, 7, 41);
+    params["newName"] = json!("Step");
+    let edit = editor.ask("textDocument/rename", params.clone());
+    let lines: Vec<_> =
+        edit["changes"][&uri].as_array().unwrap().iter().map(|e| e["range"]["start"]["line"].clone()).collect();
+    assert_eq!((lines, edit["changes"].as_object().unwrap().len()), (vec![json!(5), json!(7)], 1));
+    let mut ball = at(&uri, 12, 8);
+    ball["newName"] = json!("Marble");
+    assert_eq!(editor.ask("textDocument/rename", ball)["changes"].as_object().unwrap().len(), 2);
+    for bad in ["sphere", "2x", "a b", "", "Gap"] {
+        params["newName"] = json!(bad);
+        let refused = editor.answer("textDocument/rename", params.clone());
+        assert!(
+            refused["error"]["message"].as_str().is_some_and(|text| text.contains(&format!("`{bad}`"))),
+            "{refused}"
+        );
+    }
+    assert_eq!(editor.ask("textDocument/documentHighlight", at(&uri, 6, 8)).as_array().unwrap().len(), 2);
+    assert_eq!(editor.ask("textDocument/prepareRename", at(&uri, 3, 10))["start"]["character"], 9);
+    assert!(editor.ask("textDocument/prepareRename", at(&uri, 13, 2)).is_null());
+    editor.bye();
+}
+
+fn labels(list: &Value) -> Vec<&str> {
+    list["items"].as_array().unwrap().iter().map(|item| item["label"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn what_may_be_typed() {
+    let (mut editor, uri) = hall();
+    let outside = editor.ask("textDocument/completion", at(&uri, 12, 0));
+    for word in ["sphere", "camera", "Ball", "Row", "Gap", "sin", "pi"] {
+        assert!(labels(&outside).contains(&word), "{word}");
+    }
+    let row = outside["items"].as_array().unwrap().iter().find(|item| item["label"] == "Row").unwrap();
+    assert_eq!(row["insertText"], "Row(${1:Count}, ${2:Thing})");
+    let camera = editor.ask("textDocument/completion", at(&uri, 10, 9));
+    assert!(labels(&camera).contains(&"look_at") && !labels(&camera).contains(&"sphere"));
+    let inside = editor.ask("textDocument/completion", at(&uri, 7, 4));
+    assert!(["Shift", "Count", "I"].iter().all(|name| labels(&inside).contains(name)), "{:?}", labels(&inside));
+    editor.change(&uri, 2, [12, 0, 12, 0], "#\nT_Woo\n#include \"pa\n");
+    assert!(labels(&editor.ask("textDocument/completion", at(&uri, 12, 1))).contains(&"declare"));
+    let wood = editor.ask("textDocument/completion", at(&uri, 13, 5));
+    let item = wood["items"].as_array().unwrap().iter().find(|item| item["label"] == "T_Wood1").unwrap();
+    assert_eq!(item["additionalTextEdits"][0]["newText"], "#include \"woods.inc\"\n");
+    assert_eq!(item["additionalTextEdits"][0]["range"]["start"], json!({"line": 2, "character": 0}));
+    assert!(labels(&editor.ask("textDocument/completion", at(&uri, 14, 12))).contains(&"parts.inc"));
+    assert!(editor.ask("textDocument/completion", at(&uri, 2, 10)).is_null());
+    editor.bye();
+}
+
+#[test]
+fn what_words_and_names_are() {
+    let (mut editor, uri) = hall();
+    let mut about = |line, character| {
+        editor.ask("textDocument/hover", at(&uri, line, character))["contents"]["value"]
+            .as_str()
+            .unwrap_or("")
+            .to_string()
+    };
+    let gap = about(7, 34);
+    assert!(gap.contains("// How far apart\n#declare Gap = 2.5;") && gap.contains("hall.pov, line 4"), "{gap}");
+    assert!(about(12, 1).contains("#macro Row(Count, Thing)"));
+    assert!(about(12, 8).contains("parts.inc, line 1"));
+    assert!(about(13, 2).contains("sphere { center, radius"), "{}", about(13, 2));
+    assert!(about(10, 30).contains("in `camera`"), "{}", about(10, 30));
+    assert!(about(6, 4).contains("#for"));
+    assert_eq!(about(2, 5), "");
+    let help = editor.ask("textDocument/signatureHelp", at(&uri, 12, 7));
+    assert_eq!((&help["signatures"][0]["label"], &help["activeParameter"]), (&json!("Row(Count, Thing)"), &json!(1)));
+    editor.bye();
+}
+
+#[test]
+fn the_shape_of_a_text() {
+    let (mut editor, uri) = hall();
+    let document = json!({"textDocument": {"uri": uri}});
+    let symbols = editor.ask("textDocument/documentSymbol", document.clone());
+    let names: Vec<_> = symbols.as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["Gap", "Row", "camera", "light_source", "sphere"]);
+    let found = editor.ask("workspace/symbol", json!({"query": "bal"}));
+    assert_eq!(found[0]["location"]["uri"], json!(editor.uri("parts.inc")));
+    let folds = editor.ask("textDocument/foldingRange", document.clone());
+    assert_eq!(folds[0], json!({"startLine": 4, "endLine": 8, "kind": "region"}));
+    let selection = editor.ask(
+        "textDocument/selectionRange",
+        json!({"textDocument": {"uri": uri}, "positions": [{"line": 13, "character": 41}]}),
+    );
+    assert_eq!(selection[0]["parent"]["range"]["start"]["line"], 13);
+    let tokens = editor.ask("textDocument/semanticTokens/full", document.clone());
+    assert!(tokens["data"].as_array().unwrap().len() % 5 == 0 && tokens["data"][0] == 0);
+    let colors = editor.ask("textDocument/documentColor", document);
+    assert_eq!(colors[0]["color"], json!({"red": 1.0, "green": 0.0, "blue": 0.0, "alpha": 1.0}));
+    let mut params = json!({"textDocument": {"uri": uri}, "range": colors[0]["range"]});
+    params["color"] = json!({"red": 1.0, "green": 1.0, "blue": 0.0, "alpha": 1.0});
+    let offered = editor.ask("textDocument/colorPresentation", params);
+    assert_eq!((&offered[0]["label"], &offered[1]["label"]), (&json!("rgb <1, 1, 0>"), &json!("srgb <1, 1, 0>")));
+    let all = json!({"start": {"line": 0, "character": 0}, "end": {"line": 99, "character": 0}});
+    let hints = editor.ask("textDocument/inlayHint", json!({"textDocument": {"uri": uri}, "range": all}));
+    let hints: Vec<_> = hints.as_array().unwrap().iter().map(|one| one["label"].as_str().unwrap()).collect();
+    assert_eq!(hints, ["Count:", "Thing:"]);
+    editor.bye();
+}
+
+/// Applies edits to a text, the last one first.
+fn apply(text: &str, edits: &Value) -> String {
+    let mut lines: Vec<String> = text.split_inclusive('\n').map(String::from).collect();
+    for edit in edits.as_array().unwrap().iter().rev() {
+        let line = |end: &str| edit["range"][end]["line"].as_u64().unwrap() as usize;
+        assert_eq!(edit["range"]["start"]["character"], 0);
+        let to = if edit["range"]["end"]["character"] == 0 { line("end") } else { lines.len() };
+        lines.splice(line("start")..to, [edit["newText"].as_str().unwrap().to_string()]);
+    }
+    lines.concat()
+}
+
+#[test]
+fn texts_are_formatted() {
+    let mut editor = Editor::new();
+    for ugly in [
+        "sphere{0,1}\n\n\n\nbox   {0,1\n pigment{rgb 1}}\n// end",
+        "sphere{0,1}",
+        "",
+        "#if(1)\r\nsphere{0,1}\r\n#end\r\n",
+    ] {
+        let uri = editor.open("ugly.pov", ugly);
+        let options = json!({"tabSize": 2, "insertSpaces": true});
+        let edits = editor.ask("textDocument/formatting", json!({"textDocument": {"uri": uri}, "options": options}));
+        let wanted = durer::format::format(&ugly.replace("\r\n", "\n"), 0, durer::format::WIDTH).unwrap();
+        let wanted = if ugly.contains('\r') { wanted.replace('\n', "\r\n") } else { wanted };
+        assert_eq!(apply(ugly, &edits), wanted);
+    }
+    let uri = editor.open("broken.pov", "sphere { \"");
+    let options = json!({"tabSize": 2, "insertSpaces": true});
+    assert!(editor.ask("textDocument/formatting", json!({"textDocument": {"uri": uri}, "options": options})).is_null());
+    editor.bye();
+}
+
+/// A simple generator of numbers.
+fn number(seed: &mut u64, below: u64) -> u64 {
+    *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+    (*seed >> 33) % below.max(1)
+}
+
+/// Keys, one at a time, all over a text; at the end nothing is told that isn't so.
+#[test]
+fn typing_leaves_nothing_behind() {
+    let (mut editor, uri) = hall();
+    let (mut seed, mut version) = (11, 1);
+    let keys = [
+        "{",
+        "}",
+        "\"",
+        "#end\n",
+        "#if (1)\n",
+        "ä😀",
+        "/*",
+        "*/",
+        "\n",
+        "(",
+        ")",
+        "<",
+        "sphere",
+        " ",
+        "//",
+        "#macro A(B",
+    ];
+    for _ in 0..600 {
+        version += 1;
+        let (line, a, b) = (number(&mut seed, 20), number(&mut seed, 30), number(&mut seed, 4));
+        let key = keys[number(&mut seed, keys.len() as u64) as usize];
+        editor.change(&uri, version, [line, a, line, a + b], key);
+        let asked =
+            ["hover", "completion", "definition", "signatureHelp", "documentHighlight"][number(&mut seed, 5) as usize];
+        editor.answer(&format!("textDocument/{asked}"), at(&uri, number(&mut seed, 20), number(&mut seed, 40)));
+        let asked = ["documentSymbol", "foldingRange", "semanticTokens/full", "documentColor", "formatting"]
+            [number(&mut seed, 5) as usize];
+        let options = json!({"tabSize": 2, "insertSpaces": true});
+        editor.answer(&format!("textDocument/{asked}"), json!({"textDocument": {"uri": uri}, "options": options}));
+    }
+    let all = json!([{"text": HALL}]);
+    editor.say(
+        "textDocument/didChange",
+        json!({"textDocument": {"uri": uri, "version": version + 1}, "contentChanges": all}),
+    );
+    std::thread::sleep(Duration::from_secs(2));
+    editor.until(&uri, <[Value]>::is_empty);
+    editor.bye();
+}
+
+#[test]
+fn what_is_not_understood() {
+    let mut editor = Editor::new();
+    let nowhere = editor.uri("nowhere.pov");
+    assert!(editor.answer("textDocument/hover", json!({"wrong": 1}))["error"]["code"].is_i64());
+    assert!(editor.answer("textDocument/unheardOf", json!({}))["error"]["code"].is_i64());
+    assert!(editor.ask("textDocument/hover", at(&nowhere, 3, 4)).is_null());
+    editor.change(&nowhere, 3, [0, 0, 0, 0], "text");
+    editor.say("textDocument/didChange", json!({"nonsense": true}));
+    let deep = "union{".repeat(20_000);
+    let uri = editor.open("deep.pov", &deep);
+    editor.until(&uri, |told| codes(told).contains(&"E0104"));
+    // A text that lies nowhere.
+    let document = json!({"uri": "untitled:Untitled-1", "languageId": "povray", "version": 1, "text": "spere { }"});
+    editor.say("textDocument/didOpen", json!({"textDocument": document}));
+    editor.until("untitled:Untitled-1", |told| codes(told).contains(&"E0204"));
+    editor.say("textDocument/didClose", json!({"textDocument": {"uri": "untitled:Untitled-1"}}));
+    editor.until("untitled:Untitled-1", <[Value]>::is_empty);
+    assert!(Path::new(&editor.place.path().join("nowhere.pov")).metadata().is_err());
+    editor.bye();
+}
