@@ -121,7 +121,7 @@ fn what_is_stale_or_damaged_is_told_and_not_used() {
 fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
     let place = Place::new();
     std::fs::create_dir(place.at("out")).unwrap();
-    let mut durer = place.durer("--size 200x150 --aa 0.1 -o out/a.png").spawn().unwrap();
+    let mut durer = place.durer("--size 600x450 --aa 0.1 -o out/a.png").spawn().unwrap();
     std::thread::sleep(Duration::from_millis(300));
     std::fs::rename(place.at("out"), place.at("away")).unwrap();
     let out = {
@@ -131,7 +131,7 @@ fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
     assert_eq!(out.status.code(), Some(5), "{}", err(&out));
     assert!(err(&out).contains("out/a.png` can't be written") && err(&out).contains("what was drawn is kept"));
     std::fs::rename(place.at("away"), place.at("out")).unwrap();
-    let again = place.run("--size 200x150 --aa 0.1 -o out/a.png --resume --stats json");
+    let again = place.run("--size 600x450 --aa 0.1 -o out/a.png --resume --stats json");
     assert!(again.status.success(), "{}", err(&again));
     let stats: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
     assert_eq!(stats["rays"]["camera"], 0);
