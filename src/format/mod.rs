@@ -13,8 +13,8 @@
 //! }
 //! ```
 //!
-//! [`gather`] makes of tokens, comments and tree a row of [`atoms`]; [`layout`] sets them in lines, [`run`] breaks those that hold one long
-//! expression, [`columns`] and [`table`] keep in line what was aligned. A text that was broken once is never joined again, so that formatting twice
+//! `gather` makes of tokens, comments and tree a row of `atoms`; `layout` sets them in lines, `run` breaks those that hold one long
+//! expression, `columns` and `table` keep in line what was aligned. A text that was broken once is never joined again, so that formatting twice
 //! is formatting once.
 
 mod atoms;

@@ -25,10 +25,10 @@ pub fn decode(bytes: Vec<u8>) -> Result<Encoded, ReadError> {
 }
 
 impl Encoded {
-    /// The text as it should be; see [`format`].
+    /// The text as it should be; see [`format()`].
     ///
     /// # Errors
-    /// Those of [`format`].
+    /// Those of [`format()`].
     pub fn formatted(&self, base: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
         Ok(with_ends(&format(&self.text, base, width)?, line_end(&self.text)))
     }

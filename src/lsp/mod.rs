@@ -2,8 +2,8 @@
 //!
 //! Editors tell each change of a text; what is wrong with the text itself is told at once, what a run finds a little later: it runs in a
 //! thread of its own, within limits, without writing a file, and the next change stops it. All that editors ask is answered from the
-//! lossless tokens ([`scan`]) of the open texts and of the files that they include ([`files`]), and from the tables that the readers
-//! obey ([`words`]): there is no second parser, and no second list of words. One file for each family of requests.
+//! lossless tokens (`scan`) of the open texts and of the files that they include (`files`), and from the tables that the readers
+//! obey (`words`): there is no second parser, and no second list of words. One file for each family of requests.
 
 // What changes inside of an address is no part of it.
 #![allow(clippy::mutable_key_type)]
