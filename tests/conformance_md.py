@@ -57,7 +57,7 @@ BESIDE = {"adaptive", "jitter", "circular", "orient", "point_at", "radius", "fal
 GRAIN = "grain (`crand`) is made of random numbers; durer has others than POV-Ray, of the same law (its mean is met to 0.02 of 255)"
 JITTER = "an area light's `jitter` is random; durer has other numbers than POV-Ray"
 BLUR = "the places on the lens are random in POV-Ray, and durer takes others"
-JULIA = "POV-Ray's steps have the length that `precision` says, and pass thin pieces; its normals of functions but `sqr` and `cube` do not fit the surface"
+JULIA = "both walk in steps as short as `precision` says, and pass other thin pieces; POV-Ray's normals of functions but `sqr` and `cube` do not fit the surface"
 # What was found by experiment, for scenes that are drawn in full: scene -> cause.
 CAUSES = {
     "lights/orient": f"{JITTER}. Without `jitter` 59 pixels of 19200 differ, one of them by more than 8.",
@@ -76,7 +76,6 @@ CAUSES = {
     "advanced/glasschess/glasschess": "474 pixels, in glass: not looked at closer yet.",
     "advanced/blocks/stackergold": "589 pixels: not looked at closer yet.",
     "language/trace2": "blades of grass a pixel wide stand where `trace` meets an isosurface: not looked at closer yet.",
-    "textures/patterns/slopemt_37": "1409 pixels of a mountain: not looked at closer yet.",
     "advanced/pawns": "the tops of two boxes of the board lie in one plane (W0411): chance decides which is seen, and POV-Ray's hierarchy over many "
     "objects decides otherwise than durer, which takes what was declared first. Open: whether that is all of it.",
     "language/fileio/fileio": "letters a pixel wide, and the edges of the checkered wall: not looked at closer yet.",
