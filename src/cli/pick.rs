@@ -42,11 +42,12 @@ struct What<'a> {
     trace: Vec<Step>,
 }
 
-#[derive(Serialize)]
-struct Source {
-    file: String,
-    line: usize,
-    column: usize,
+/// Where something stands, for programs.
+#[derive(Serialize, Clone, PartialEq)]
+pub(super) struct Source {
+    pub file: String,
+    pub line: usize,
+    pub column: usize,
 }
 
 impl From<Place> for Source {

@@ -3,12 +3,13 @@
 use super::args::QueryArgs;
 use super::console::Console;
 use super::exit::{Exit, Result};
+use super::pick::Source;
 use super::{overlay, session};
 use crate::interpreter::ParsedFiles;
 use crate::light::{Beam, Light};
 use crate::math::{Aabb, DVec3, Transform};
 use crate::scene::{Object, ObjectKind, Scene};
-use crate::source::{Place, Sources, Span};
+use crate::source::{Sources, Span};
 use crate::texture::{Paint, Texture};
 use crate::value::decimal;
 use crate::world::{Probe, World};
@@ -67,19 +68,6 @@ struct TextureRow {
     /// How many outermost objects wear it, and where the first one stands.
     objects: usize,
     first: Option<Source>,
-}
-
-#[derive(Serialize, Clone, PartialEq)]
-struct Source {
-    file: String,
-    line: usize,
-    column: usize,
-}
-
-impl From<Place> for Source {
-    fn from(place: Place) -> Self {
-        Self { file: place.file, line: place.line, column: place.column }
-    }
 }
 
 /// Lists what is in the scene.
