@@ -19,25 +19,33 @@ fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
     }
 }
 
-/// Those of the repository, and POV-Ray's where they are installed.
-fn texts() -> Vec<PathBuf> {
+/// Those of the repository, in an order that is the same everywhere.
+fn own_texts() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut files = vec![];
     for folder in ["scenes", "tests", "src/library", "docs"] {
         gather(&root.join(folder), &mut files);
     }
     assert!(files.len() > 200);
+    files.sort();
+    files
+}
+
+/// They, and POV-Ray's where they are installed.
+fn texts() -> Vec<PathBuf> {
+    let mut files = own_texts();
     gather(Path::new("/usr/share/povray-3.7"), &mut files);
     gather(Path::new("/usr/share/doc/povray"), &mut files);
     gather(Path::new("/usr/share/doc/povray-examples"), &mut files);
-    files.sort();
     files
 }
 
 /// Every number and sign a token of its own; blanks behind comments are nothing.
 fn pieces(text: &str) -> Vec<String> {
     let (ast, _) = parse_text(text, 0, &Names::default(), Wholes::TakenApart);
-    let read = |piece: Piece| text[piece.span().lo as usize..piece.span().hi as usize].trim_end().to_string();
+    let read = |piece: Piece| {
+        text[piece.span().lo as usize..piece.span().hi as usize].trim_end_matches(|c| c <= ' ').to_string()
+    };
     // Blanks between `#` and its word are none of ours.
     ast.tokens.pieces().map(read).collect()
 }
@@ -82,7 +90,7 @@ fn tokens_stay_and_twice_is_once() {
 #[test]
 fn mutants_are_formatted_too() {
     let read = |path: &PathBuf| decode(std::fs::read(path).ok()?).ok().map(|text| text.text);
-    let texts: Vec<String> = texts().iter().filter_map(read).filter(|text| text.len() < 20_000).collect();
+    let texts: Vec<String> = own_texts().iter().filter_map(read).filter(|text| text.len() < 20_000).collect();
     let number = |name, or| std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(or);
     let (first, count) = (number("DURER_SEED", 0), number("DURER_FUZZ", 600));
     let mutants = (first..first + count).map(move |seed| {

@@ -193,6 +193,9 @@ impl<'a> Setter<'a> {
         } else {
             self.line += if self.is_tall(i) { text.lines().count() as u32 - 1 } else { 0 };
             self.out.push_str(text);
+            if let Some(end) = text.rfind(['\n', '\r']) {
+                self.column = columns_of(&text[end + 1..]);
+            }
         }
     }
 
@@ -273,7 +276,11 @@ impl<'a> Setter<'a> {
     }
 
     fn kind(&self, item: Range) -> Item {
-        self.atoms.row[item.from].item
+        match self.atoms.row[item.from].item {
+            // One comma more, which the tree passes over.
+            Item::None if self.read(item.from) == "," => Item::Separator,
+            kind => kind,
+        }
     }
 
     fn is_big(&self, item: Range) -> bool {
@@ -377,11 +384,14 @@ impl<'a> Setter<'a> {
     /// Values that stay on the line of the bracket: `sphere { 0, 1`. Tells where the rest begins.
     fn header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
         let (items, next) = self.row_at(from, to);
-        let values = items.iter().take_while(|item| self.kind(**item) == Item::Value).count();
+        // A comma never begins a line.
+        let stays = |item: &&Range| matches!(self.kind(**item), Item::Value | Item::Separator);
+        let values = items.iter().take_while(stays).count();
         let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
         let small = items.iter().all(|item| !self.is_big(*item) && !trails(item));
+        let held = |item: &Range| self.has(item.from, flag::JOIN | flag::GLUE);
         let end = match () {
-            () if values == 0 || self.begins_line(from) => from,
+            () if values == 0 || self.begins_line(from) || items.get(values).is_some_and(held) => from,
             // Only the closing bracket would have no room.
             () if !is_entry && next == to && values == items.len() && self.is_flat(from, to) => from,
             () if next < to && small && !is_entry => next,

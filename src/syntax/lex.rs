@@ -78,6 +78,11 @@ struct Lexer<'t> {
     loose_closers: usize,
 }
 
+/// Characters that are passed over wherever they stand: no-break spaces, marks of the byte order, what DEL leaves.
+pub fn is_nothing(c: char) -> bool {
+    matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}')
+}
+
 impl Lexer<'_> {
     fn run(&mut self) {
         while let Some(&b) = self.bytes.get(self.at) {
@@ -350,8 +355,8 @@ impl Lexer<'_> {
     }
 
     fn directive(&mut self) {
-        let blanks = self.bytes[self.at + 1..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
-        let start = self.at + 1 + blanks;
+        let rest = &self.text[self.at + 1..];
+        let start = self.text.len() - rest.trim_start_matches(|c| matches!(c, ' ' | '\t') || is_nothing(c)).len();
         let end = self.word_end(start);
         let word = &self.text[start..end];
         if word.is_empty() {
@@ -433,7 +438,7 @@ impl Lexer<'_> {
             let end = line[len..].find(['\'', '”', '’']).map(|i| len + i);
             len = end.map_or(len, |i| i + line[i..].chars().next().map_or(0, char::len_utf8));
         }
-        if matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}') {
+        if is_nothing(c) {
             self.at += len;
         } else {
             self.push(class::LOOSE, len, 0);

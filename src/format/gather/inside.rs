@@ -168,19 +168,23 @@ impl Gatherer<'_> {
         self.pending |= OPERATOR;
     }
 
+    fn vector(&mut self, span: Span, parts: &[Element]) {
+        self.pending |= OPEN;
+        self.token();
+        self.loose(parts);
+        self.upto(self.local(span.hi).saturating_sub(1));
+        self.pending = CLOSE;
+    }
+
     pub(super) fn expr(&mut self, e: &Expr) {
         self.before(e.span);
         if self.text[self.local(e.span.lo)..].starts_with(['-', '+', '!']) {
             self.pending |= TIGHT;
         }
         match &e.kind {
-            ExprKind::Vector(parts) => {
-                self.pending |= OPEN;
-                self.token();
-                self.loose(parts);
-                self.upto(self.local(e.span.hi).saturating_sub(1));
-                self.pending = CLOSE;
-            }
+            ExprKind::Vector(parts) => self.vector(e.span, parts),
+            // One of numbers between which a comment stands.
+            ExprKind::Literal(_) if self.next_token() == Some("<") => self.vector(e.span, &[]),
             ExprKind::Call(_, parts) => {
                 self.token();
                 self.pending |= GLUE;

@@ -6,7 +6,7 @@ use super::atoms::flag::*;
 use super::atoms::{Atom, Atoms, Item};
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::{Piece, Tokens};
+use crate::syntax::{Piece, Tokens, is_nothing};
 
 /// Lists longer than this many bytes keep each vector as one atom.
 const LONG_LIST: usize = 100_000;
@@ -108,7 +108,7 @@ impl<'a> Gatherer<'a> {
     /// Characters that mean nothing stand between tokens: they stay.
     fn between(&mut self, end: usize) {
         let text = self.text;
-        let skipped = |c: char| c <= ' ' || matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}');
+        let skipped = |c: char| c <= ' ' || is_nothing(c);
         while let Some(from) = text[self.at..end].find(|c| !skipped(c)).map(|i| self.at + i) {
             let to = text[from..end].find(skipped).map_or(end, |i| from + i);
             self.push(from, to, 0);
@@ -167,7 +167,8 @@ impl<'a> Gatherer<'a> {
     fn is_access(&self, hi: usize) -> bool {
         let word = |byte: Option<&u8>| byte.is_some_and(|b| b.is_ascii_alphabetic() || *b == b'_');
         let first = self.out.row.last().and_then(|atom| self.text.as_bytes().get(atom.lo as usize));
-        word(self.text[hi..].trim_start().as_bytes().first()) && (word(first) || matches!(first, Some(b')' | b']')))
+        word(self.text[hi..].trim_start_matches([' ', '\t']).as_bytes().first())
+            && (word(first) || matches!(first, Some(b')' | b']')))
     }
 
     /// A token that holds several numbers and vectors.
@@ -282,8 +283,9 @@ impl<'a> Gatherer<'a> {
             let atom = self.out.row[i];
             depth += i32::from(atom.flags & OPEN != 0) - i32::from(atom.flags & CLOSE != 0);
             if depth == 0 && self.text.as_bytes()[atom.lo as usize] == b',' || i + 1 == end {
+                let alone = from == i && depth == 0 && self.text.as_bytes()[atom.lo as usize] == b',';
                 let first = &mut self.out.row[from];
-                (first.item, first.next) = (Item::Value, i as u32 + 1);
+                (first.item, first.next) = (if alone { Item::Separator } else { Item::Value }, i as u32 + 1);
                 from = i + 1;
             }
         }
