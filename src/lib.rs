@@ -42,6 +42,7 @@ pub mod lsp;
 pub mod math;
 pub mod mesh_io;
 pub mod pattern;
+pub mod preview;
 pub mod reference;
 pub mod render;
 pub mod scene;

@@ -70,6 +70,8 @@ pub enum Command {
     Fmt(FmtArgs),
     /// Write a first scene to change
     New(NewArgs),
+    /// Show a scene's picture on a page while you write it
+    Watch(Box<WatchArgs>),
     /// List a scene's cameras, lights, objects and textures
     Query(QueryArgs),
     /// Serve editors: messages, completion and the like, over standard input and output
@@ -198,6 +200,9 @@ pub struct RenderArgs {
     /// Keep what is drawn from so many seconds on; for tests.
     #[arg(long, hide = true, value_name = "SECONDS", default_value = "1")]
     pub keep_after: Seconds,
+    /// Whoever else may stop it.
+    #[arg(skip)]
+    pub stop: Option<std::sync::Arc<std::sync::atomic::AtomicBool>>,
     /// Draw, but write no picture
     #[arg(help_heading = PICTURE, long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,
@@ -319,6 +324,38 @@ pub struct NewArgs {
     /// The scene's name; .scene is put behind it if it has no ending
     #[arg(value_name = "NAME")]
     pub name: PathBuf,
+}
+
+/// `durer watch`.
+#[derive(Args, Clone, Debug)]
+pub struct WatchArgs {
+    /// The scene, or an INI file
+    #[arg(value_name = "INPUT")]
+    pub input: PathBuf,
+    /// The file that the page's button writes, or `--no-page` each time [default: the input's name with .png, here]
+    #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Open the page in your browser
+    #[arg(long, conflicts_with = "no_page")]
+    pub open: bool,
+    /// Serve no page: write the picture again whenever a file is saved
+    #[arg(long)]
+    pub no_page: bool,
+    /// The page's port on 127.0.0.1 [default: any that is free]
+    #[arg(long, value_name = "N", default_value = "0", hide_default_value = true, conflicts_with = "no_page")]
+    pub port: u16,
+    /// What opens a place that is clicked, such as 'code -g {file}:{line}:{column}' [default: a link to Visual Studio Code]
+    #[arg(long, value_name = "COMMAND", conflicts_with = "no_page")]
+    pub editor: Option<super::values::Command>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub look: LookArgs,
+    /// How many threads draw [default: one for each processor]
+    #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    pub threads: Option<u16>,
 }
 
 /// `durer query`.

@@ -35,6 +35,7 @@ pub mod test;
 mod unknown;
 mod values;
 mod watch;
+mod watcher;
 
 use crate::diagnostic::Severity;
 use crate::source::Sources;
@@ -96,6 +97,7 @@ fn dispatch(console: &Console, command: &Command) -> Result {
         Command::Test(args) => test::run(console, args),
         Command::Fmt(args) => fmt::run(console, args),
         Command::New(args) => new::run(console, args),
+        Command::Watch(args) => watch::run(console, args),
         Command::Query(args) => query::run(console, args),
         Command::Lsp(args) => lsp::run(args),
         Command::Explain(args) => explain::run(console, args),

@@ -99,6 +99,7 @@ impl RenderArgs {
             exact_name: self.output.is_some(),
             resume: self.resume || ini.resume,
             keep_after: self.keep_after,
+            stop: self.stop.clone(),
             no_output: self.no_output || ini.no_output && self.output.is_none(),
             format: self.format.clone().or(if self.output.is_some() { None } else { ini.format }),
             bit_depth: self.bit_depth.clone().or(ini.bit_depth),

@@ -80,7 +80,7 @@ pub fn run(console: &Console, args: &PickArgs) -> Result {
     let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
     let world = session::settle(console, &sources, &mut built)?;
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
-    let seen = Sight { sources: &sources, color: color_of(&world, &drawing, x, y), built: &built };
+    let seen = Sight { sources: &sources, color: color_of(&world, &drawing, x, y), built: Some(&built) };
     let picked = render::pick(&world, &drawing, x, y);
     let origin = picked.as_ref().and_then(|picked| origin_of(&built, &drawing, (x, y), picked));
     if args.json {
@@ -90,6 +90,11 @@ pub fn run(console: &Console, args: &PickArgs) -> Result {
         console.data(seen.in_words(picked.as_ref(), origin))?;
     }
     Ok(Exit::Fine)
+}
+
+/// The same for those who have a picture already, whose light there is known.
+pub(super) fn words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3]) -> String {
+    Sight { sources, built: None, color }.in_words(picked, None)
 }
 
 /// The colour of one pixel, as it is drawn without anti-aliasing.
@@ -131,19 +136,20 @@ fn outside(args: &PickArgs, size: Size) -> crate::diagnostic::Result<Exit> {
 /// What one pixel shows.
 struct Sight<'a> {
     sources: &'a Sources,
-    built: &'a Built,
+    /// Tells where things were placed.
+    built: Option<&'a Built>,
     color: [f64; 3],
 }
 
 impl Sight<'_> {
     /// Where the outermost object stands, unless the thing itself stands there.
     fn placed(&self, picked: &Picked, origin: Option<usize>) -> Option<Place> {
-        let object = self.built.scene.as_ref()?.objects.get(origin?)?;
+        let object = self.built?.scene.as_ref()?.objects.get(origin?)?;
         self.sources.place(object.source).filter(|_| object.source != picked.source)
     }
 
     fn trace(&self, origin: Option<usize>) -> &[Label] {
-        origin.and_then(|at| self.built.origins.get(at)).map_or(&[], Vec::as_slice)
+        origin.and_then(|at| self.built?.origins.get(at)).map_or(&[], Vec::as_slice)
     }
 
     fn describe<'p>(&self, p: &'p Picked, origin: Option<usize>) -> What<'p> {

@@ -13,17 +13,18 @@ use super::progress::Progress;
 use super::stats::{self, Report};
 use super::target::{Target, is_folder};
 use super::values::Stats;
-use super::watch::Watcher;
+use super::watcher::Watcher;
 use super::{deps, dump, keeping, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::image_io::Format;
-use crate::interpreter::{ParsedFiles, Timing};
+use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::render::{self, Rays, Region};
 use crate::source::{self, FileId, Sources, Span};
 use crate::world::World;
 use crate::{Built, Keep, advice};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// Draws each scene: one picture, or one for each frame.
@@ -254,6 +255,7 @@ impl<'a> Job<'a> {
     /// Text to Scene to World.
     fn build(&mut self, timing: Timing) -> Built {
         let options = session::reading_options(&self.args.scene, &self.args.input, timing);
+        let options = interpreter::Options { stop: self.args.stop.clone(), ..options };
         let keep = if self.args.dump == Some(Dump::Scene) { Keep::Both } else { Keep::World };
         let mut built = session::build(self.console, &self.parsed, &self.sources, self.file, &options, keep);
         built.diagnostics.retain(|d| d.severity == Severity::Error || !self.told.contains(d));
@@ -326,6 +328,10 @@ impl<'a> Job<'a> {
             self.all.pictures.extend(target.file().map(Path::to_path_buf));
         }
         let mut built = self.build(timing);
+        if args.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+            // What it has to say is of no use any more.
+            return Ok(Exit::Fine);
+        }
         let incomplete = advice::is_incomplete(&built.diagnostics);
         let world = session::settle(console, &self.sources, &mut built)?;
         match args.dump {
@@ -337,6 +343,7 @@ impl<'a> Job<'a> {
         let orderly = Orderly::begin();
         let progress = Progress::new(args.progress.unwrap_or(When::Auto), console, self.sources.name(self.file));
         let mut watcher = Watcher::new(progress, start, args.scene.max_time);
+        watcher.stop = args.stop.clone();
         watcher.journal = self.journal(target, timing);
         let drawn = self.draw_into(target, &world, timing, &watcher);
         match (watcher.journal, &drawn) {

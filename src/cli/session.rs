@@ -105,7 +105,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
 }
 
 /// `--aa`
-const DEFAULT_THRESHOLD: f64 = 0.3;
+pub const DEFAULT_THRESHOLD: f64 = 0.3;
 /// `--quality`
 const DEFAULT_QUALITY: u8 = 9;
 

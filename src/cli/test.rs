@@ -9,7 +9,7 @@ use super::progress::Progress;
 use super::session;
 use super::summary::{self, Word};
 use super::values::Size;
-use super::watch::Watcher;
+use super::watcher::Watcher;
 use crate::diagnostic::file;
 use crate::image_io::{self, Encoding, Format, Frame, Pixels};
 use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};

@@ -35,7 +35,10 @@ const OTHERS: &[(&str, &str)] = &[
     ("create", "new"),
     ("list", "query"),
     ("info", "query"),
-    ("show", "query"),
+    ("show", "watch"),
+    ("preview", "watch"),
+    ("serve", "watch"),
+    ("live", "watch"),
     ("complete", "completions"),
 ];
 

@@ -61,6 +61,34 @@ impl FromStr for Antialias {
     }
 }
 
+/// A program and its arguments, in which `{file}`, `{line}` and `{column}` stand for a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Command(Vec<String>);
+
+impl FromStr for Command {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match shlex::split(text) {
+            Some(words) if !words.is_empty() => Ok(Self(words)),
+            Some(_) => Err("a program is needed, such as 'code -g {file}:{line}:{column}'".into()),
+            None => Err("a quote has no other end".into()),
+        }
+    }
+}
+
+impl Command {
+    /// The program's words for a place. A file that no word asks for comes last.
+    pub fn at(&self, file: &str, line: usize, column: usize) -> Vec<String> {
+        let put = |word: &String| {
+            let word = word.replace("{line}", &line.to_string()).replace("{column}", &column.to_string());
+            word.replace("{file}", file)
+        };
+        let named = self.0.iter().any(|word| word.contains("{file}"));
+        self.0.iter().map(put).chain((!named).then(|| file.to_string())).collect()
+    }
+}
+
 /// A number from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share(pub f64);

@@ -133,7 +133,7 @@ pub trait Watch: Sync {
     fn recall(&self, _: Tile) -> Option<Vec<[f32; 4]>> {
         None
     }
-    /// A tile is drawn.
+    /// A tile is drawn; [`light`] makes of its pixels what the picture shows.
     fn keep(&self, _: Tile, _: &[[f32; 4]]) {}
 }
 
@@ -235,8 +235,16 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let method = antialias::Method::new(&setup, options);
     empty(rows, width, region.y)?;
     let mut take = |mut pixels: Vec<grid::Pixel>| {
-        pixels.iter_mut().for_each(|pixel| *pixel = output::light(pixel, world.gamma, options.alpha));
-        rows.take(&if region.width == width { pixels } else { widened(&pixels, region, width) })
+        pixels.iter_mut().for_each(|pixel| *pixel = light(world, options, pixel));
+        if region.width == width {
+            return rows.take(&pixels);
+        }
+        // One by one: the rows of the whole picture may be far longer than those of the region.
+        let mut whole = vec![[0.0; 4]; width];
+        pixels.chunks(region.width).try_for_each(|row| {
+            whole[region.x..region.x + region.width].copy_from_slice(row);
+            rows.take(&whole)
+        })
     };
     let rays = bands::Drawing { setup: &setup, workers: &workers, method, region }.draw(&mut take)?;
     empty(rows, width, height - region.y - region.height)?;
@@ -249,13 +257,9 @@ fn empty(to: &mut dyn Rows, width: usize, rows: usize) -> diagnostic::Result<()>
     (0..rows).try_for_each(|_| to.take(&row))
 }
 
-/// Rows of a region in rows of the whole picture.
-fn widened(pixels: &[grid::Pixel], region: Region, width: usize) -> Vec<grid::Pixel> {
-    let mut out = vec![[0.0; 4]; pixels.len() / region.width * width];
-    for (to, row) in out.chunks_mut(width).zip(pixels.chunks(region.width)) {
-        to[region.x..region.x + region.width].copy_from_slice(row);
-    }
-    out
+/// Linear light and alpha of a pixel that [`Watch::keep`] was given.
+pub fn light(world: &World, options: &Options, pixel: &[f32; 4]) -> [f32; 4] {
+    output::light(pixel, world.gamma, options.alpha)
 }
 
 /// The most bytes that drawing a part of a picture takes, beside the World and what becomes of its rows.

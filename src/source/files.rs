@@ -50,6 +50,11 @@ impl Sources {
         Some(FileId(self.files.len() as u32 - 1))
     }
 
+    /// All files, in the order in which they came.
+    pub fn ids(&self) -> impl Iterator<Item = FileId> + use<> {
+        (0..self.files.len() as u32).map(FileId)
+    }
+
     /// The text of a file.
     pub fn text(&self, id: FileId) -> &str {
         self.files.get(id.0 as usize).map_or("", |f| &f.text)

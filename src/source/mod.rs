@@ -15,6 +15,6 @@ pub use read::{ReadError, read_text, text_of};
 pub use sandbox::Sandbox;
 pub use scenes::{scenes_below, texts_below};
 pub use search::{Found, SearchPath};
-pub use seen::{Seen, fingerprint, note, read_bytes, seen};
+pub use seen::{Seen, fingerprint, forget, note, read_bytes, seen};
 pub use span::Span;
 pub use write::{Draft, check_writable, write_whole};

@@ -80,27 +80,12 @@ fn bytes_of(uri: &str, open: Open) -> Reading<Vec<u8>> {
     }
 }
 
-/// RFC 4648.
+/// RFC 4648; with or without the signs that fill it up.
 fn from_base64(text: &str) -> Reading<Vec<u8>> {
-    let mut out = Vec::with_capacity(text.len() / 4 * 3);
-    let (mut bits, mut count) = (0u32, 0);
-    for b in text.bytes().filter(|b| *b != b'=') {
-        let digit = match b {
-            b'A'..=b'Z' => b - b'A',
-            b'a'..=b'z' => b - b'a' + 26,
-            b'0'..=b'9' => b - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            _ => return Err("its bytes are not in base64".into()),
-        };
-        bits = bits << 6 | u32::from(digit);
-        count += 6;
-        if count >= 8 {
-            count -= 8;
-            out.push((bits >> count) as u8);
-        }
-    }
-    Ok(out)
+    use base64::engine::{DecodePaddingMode, Engine, general_purpose::*};
+    let lenient = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
+    let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, lenient.with_decode_allow_trailing_bits(true));
+    engine.decode(text).map_err(|_| "its bytes are not in base64".into())
 }
 
 /// `%20` is a blank.

@@ -11,6 +11,8 @@ use crate::image_io::{Frame, Rows};
 use crate::render::{self, Rays, Stopped, Tile, Watch};
 use crate::source::Span;
 use crate::world::World;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Shows progress and stops when asked to, or when time is over.
@@ -19,6 +21,8 @@ pub struct Watcher {
     progress: Progress,
     /// When `--max-time` is over.
     deadline: Option<Instant>,
+    /// Whoever else may stop it.
+    pub stop: Option<Arc<AtomicBool>>,
     /// What is drawn is kept here.
     pub journal: Option<Journal>,
 }
@@ -29,7 +33,7 @@ impl Watch for Watcher {
     }
 
     fn cancelled(&self) -> bool {
-        interrupt::asked() || self.late()
+        interrupt::asked() || self.late() || self.is_stopped()
     }
 
     fn recall(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
@@ -46,7 +50,7 @@ impl Watch for Watcher {
 impl Watcher {
     /// For work that began at `start`.
     pub fn new(progress: Progress, start: Instant, limit: Option<Seconds>) -> Self {
-        Self { progress, deadline: limit.map(|s| start + Duration::from_secs_f64(s.0)), journal: None }
+        Self { progress, deadline: limit.map(|s| start + Duration::from_secs_f64(s.0)), stop: None, journal: None }
     }
 
     /// World to the rows of a picture, unless it is stopped.
@@ -75,11 +79,18 @@ impl Watcher {
         self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
+    fn is_stopped(&self) -> bool {
+        self.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed))
+    }
+
     /// Why the picture was not finished.
     fn reason(&self) -> Failure {
         if interrupt::asked() {
             say("interrupted; no picture was written\n");
             return Failure::Told(Exit::Interrupted);
+        }
+        if self.is_stopped() {
+            return Failure::Told(Exit::Fine);
         }
         let text = "the picture took longer than `--max-time` allows";
         Failure::Fault(Box::new(Diagnostic::new(codes::TIME_LIMIT, Span::NONE, text)))
