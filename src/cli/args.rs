@@ -332,7 +332,7 @@ pub struct WatchArgs {
     /// The scene, or an INI file
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
-    /// The file that the page's button writes, or `--no-page` each time [default: the input's name with .png, here]
+    /// Where the page's button, or --no-page, writes [default: the input's name with .png, here]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Open the page in your browser
@@ -344,7 +344,7 @@ pub struct WatchArgs {
     /// The page's port on 127.0.0.1 [default: any that is free]
     #[arg(long, value_name = "N", default_value = "0", hide_default_value = true, conflicts_with = "no_page")]
     pub port: u16,
-    /// What opens a place that is clicked, such as 'code -g {file}:{line}:{column}' [default: a link to Visual Studio Code]
+    /// What opens a place, such as 'vi +{line} {file}' [default: a link to Visual Studio Code]
     #[arg(long, value_name = "COMMAND", conflicts_with = "no_page")]
     pub editor: Option<super::values::Command>,
     #[command(flatten)]
