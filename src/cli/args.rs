@@ -185,6 +185,9 @@ pub struct RenderArgs {
     /// Bits for each channel [default: 8; 32 for exr]
     #[arg(help_heading = PICTURE, long, value_name = "8|16|32", value_parser = clap::builder::PossibleValuesParser::new(["8", "16", "32"]))]
     pub bit_depth: Option<String>,
+    /// Keep brightness alone, 16 bits of it, as height fields do; png and ppm can
+    #[arg(help_heading = PICTURE, long)]
+    pub gray: bool,
     /// The curve that the numbers of png, jpg, ppm, bmp, tga and tiff follow: a gamma, or `srgb` [default: srgb]
     #[arg(help_heading = PICTURE, long, value_name = "GAMMA|srgb", allow_negative_numbers = true)]
     pub file_gamma: Option<FileGamma>,

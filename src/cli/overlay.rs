@@ -102,6 +102,7 @@ impl RenderArgs {
             stop: self.stop.clone(),
             no_output: self.no_output || ini.no_output && self.output.is_none(),
             format: self.format.clone().or(if self.output.is_some() { None } else { ini.format }),
+            gray: self.gray || ini.gray,
             bit_depth: self.bit_depth.clone().or(ini.bit_depth),
             file_gamma: self.file_gamma.or(ini.file_gamma),
             dither: self.dither.or(ini.dither),

@@ -5,10 +5,10 @@ use super::canvas::Canvas;
 use super::console::Console;
 use super::exit::{Result, usage};
 use super::values::Size;
-use crate::diagnostic::file;
+use crate::diagnostic::{Diagnostic, codes, file};
 use crate::image_io::{Dither, Encoding, Format, Packing};
 use crate::snapshot;
-use crate::source::{self, Draft};
+use crate::source::{self, Draft, Span};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -42,7 +42,11 @@ impl Target {
             (Place::File(path), None) => Format::from_path(path)?,
             _ => Format::Png,
         };
-        let depth = args.bit_depth.as_ref().and_then(|depth| depth.parse().ok());
+        let depth = args.bit_depth.as_ref().and_then(|depth| depth.parse().ok()).or(args.gray.then_some(16));
+        if args.gray && !format.has_gray() {
+            let text = format!("{} can't hold brightness alone", format.name());
+            return Err(Box::new(Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help("png and ppm can")).into());
+        }
         let size = args.scene.size();
         if place != Place::Nowhere {
             format.check(size.width, size.height, depth)?;
@@ -164,6 +168,7 @@ fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
     Encoding {
         format,
         depth: depth.unwrap_or(plain.depth),
+        gray: args.gray,
         alpha: keeps_alpha(&args.look, args),
         gamma: args.file_gamma.map_or(plain.gamma, |gamma| gamma.0),
         dither: args.dither.map(|method| match method {

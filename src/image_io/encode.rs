@@ -4,7 +4,7 @@ use super::dither::{Dither, Ditherer};
 use super::png_writer::PngWriter;
 use super::quantize::{Integers, over_black};
 use super::{Format, Frame};
-use crate::color::Gamma;
+use crate::color::{Gamma, gray};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::source::Span;
 use exr::image::Blocks;
@@ -22,6 +22,8 @@ pub struct Encoding {
     pub depth: u8,
     /// Keep transparency, where the format can; otherwise the picture is laid over black.
     pub alpha: bool,
+    /// Keep brightness alone, as height fields do; png and ppm (which is then pgm) can.
+    pub gray: bool,
     /// The curve that integers follow.
     pub gamma: Gamma,
     /// Shades between two integers; formats that have no need of it know nothing of it.
@@ -47,11 +49,16 @@ impl Encoding {
     pub fn new(format: Format) -> Self {
         let depth = if format == Format::Exr { 32 } else { 8 };
         let (gamma, packing) = (Gamma::Srgb, Packing::default());
-        Self { format, depth, alpha: false, gamma, dither: None, packing }
+        Self { format, depth, alpha: false, gray: false, gamma, dither: None, packing }
     }
 
     pub(super) fn keeps_alpha(&self) -> bool {
         self.alpha && self.format.has_alpha()
+    }
+
+    /// Numbers of a pixel.
+    pub(super) fn channels(&self) -> usize {
+        usize::from(self.keeps_alpha()) + if self.gray { 1 } else { 3 }
     }
 
     /// The bytes of memory that a pixel takes until the file is finished.
@@ -158,7 +165,8 @@ impl<W: Write + Seek> Encoder<W> {
         let out = match encoding.format {
             Format::Png => Out::Png(Box::new(PngWriter::new(out, width, height, encoding)?)),
             Format::Ppm => {
-                write!(out, "P6\n{width} {height}\n{}\n", if encoding.depth == 16 { 65_535 } else { 255 })?;
+                let kind = if encoding.gray { "P5" } else { "P6" };
+                write!(out, "{kind}\n{width} {height}\n{}\n", if encoding.depth == 16 { 65_535 } else { 255 })?;
                 Out::Flat(out)
             }
             Format::Hdr => {
@@ -182,7 +190,17 @@ impl<W: Write + Seek> Encoder<W> {
     /// If they can't be written.
     pub fn rows(&mut self, rows: &[[f32; 4]]) -> Encoded {
         let Self { encoding, width, .. } = *self;
-        let mut stored = |high_first| self.integers.rows(rows, high_first);
+        let grays: Vec<_>;
+        let rows = if encoding.gray {
+            grays = rows.iter().map(brightness).collect();
+            &grays[..]
+        } else {
+            rows
+        };
+        let mut stored = |high_first| {
+            let all = self.integers.rows(rows, high_first);
+            if encoding.gray { one_of_three(&all, encoding) } else { all }
+        };
         match &mut self.out {
             Out::Png(out) => out.rows(&stored(true))?,
             Out::Flat(out) if encoding.format == Format::Hdr => {
@@ -294,6 +312,19 @@ fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>
     let behind = file.split_off(at + size.len());
     file.truncate(at);
     Ok((file, behind))
+}
+
+/// The same brightness in all three channels.
+fn brightness(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
+    let gray = gray(crate::color::Rgb::new(f64::from(r), f64::from(g), f64::from(b))) as f32;
+    [gray, gray, gray, a]
+}
+
+/// Of pixels whose three colours are the same, one, and their alpha.
+fn one_of_three(pixels: &[u8], encoding: Encoding) -> Vec<u8> {
+    let number = usize::from(encoding.depth / 8);
+    let pixel = number * if encoding.keeps_alpha() { 4 } else { 3 };
+    pixels.chunks(pixel).flat_map(|pixel| pixel[..number].iter().chain(&pixel[3 * number..])).copied().collect()
 }
 
 /// NaN would spread through every program that reads the file.

@@ -51,7 +51,7 @@ const ROWS: &[Row] = &[
     row(Format::Exr, &["exr"], &[16, 32], true, i32::MAX as usize),
     row(Format::Hdr, &["hdr"], &[], false, i32::MAX as usize),
     row(Format::Jpg, &["jpg", "jpeg"], &[8], false, 65_535),
-    row(Format::Ppm, &["ppm", "pnm"], &[8, 16], false, usize::MAX),
+    row(Format::Ppm, &["ppm", "pnm", "pgm"], &[8, 16], false, usize::MAX),
     row(Format::Bmp, &["bmp"], &[8], true, i32::MAX as usize),
     row(Format::Tga, &["tga"], &[8], true, 65_535),
     row(Format::Tiff, &["tiff", "tif"], &[8, 16], true, i32::MAX as usize),
@@ -80,6 +80,11 @@ impl Format {
     /// Can it hold transparency?
     pub fn has_alpha(self) -> bool {
         self.row().alpha
+    }
+
+    /// Can it hold brightness alone?
+    pub fn has_gray(self) -> bool {
+        matches!(self, Self::Png | Self::Ppm)
     }
 
     /// By name or ending, in any letter case.

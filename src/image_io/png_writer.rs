@@ -31,7 +31,8 @@ impl<W: Write> PngWriter<W> {
     /// Writes all that stands before the pixels.
     pub fn new(mut out: W, width: usize, height: usize, encoding: &Encoding) -> Encoded<Self> {
         let side = |side: usize| i32::try_from(side).map_err(|_| EncodeError::Format("it is too large".into()));
-        let (channels, color) = if encoding.keeps_alpha() { (4, 6) } else { (3, 2) };
+        // Bit 1 stands for colours, bit 2 for alpha.
+        let color = if encoding.gray { 0 } else { 2 } | if encoding.keeps_alpha() { 4 } else { 0 };
         out.write_all(&SIGNATURE)?;
         let mut header = [side(width)?.to_be_bytes(), side(height)?.to_be_bytes()].concat();
         header.extend([encoding.depth, color, 0, 0, 0]);
@@ -45,7 +46,7 @@ impl<W: Write> PngWriter<W> {
         if srgb {
             chunk(&mut out, b"sRGB", &[0])?;
         }
-        let pixel = channels * usize::from(encoding.depth / 8);
+        let pixel = encoding.channels() * usize::from(encoding.depth / 8);
         let stride = width * pixel;
         let packed = ZlibEncoder::new(Vec::with_capacity(2 * CHUNK), LEVEL);
         Ok(Self {

@@ -16,6 +16,25 @@ fn round_trip(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Pixels {
     decode(&encoded(frame, format, depth, alpha), format.name()).unwrap()
 }
 
+/// Brightness alone is brightness of light, as POV-Ray's `+FNg` (measured: `rgb <1, 0.3, 0.1>` as 16 bits), in the file's curve.
+#[test]
+fn gray_is_brightness() {
+    let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 0.3, 0.1, 1.0], [0.5, 0.5, 0.5, 0.5]] };
+    for (format, alpha, depth) in [(Format::Png, false, 16), (Format::Png, true, 16), (Format::Png, false, 8), (Format::Ppm, false, 16)] {
+        let bytes = encode(&frame, &Encoding { gray: true, alpha, depth, ..Encoding::new(format) }).unwrap();
+        let read = image::load_from_memory(&bytes).unwrap();
+        assert_eq!(read.color().has_color(), false, "{format:?}");
+        assert_eq!((read.color().has_alpha(), read.color().bytes_per_pixel()), (alpha, depth / 8 * (1 + u8::from(alpha))));
+        let light = 0.297 + 0.589 * 0.3 + 0.114 * 0.1;
+        let code = crate::color::transfer::srgb_encode(light) * 65_535.0;
+        let first = read.to_luma_alpha16().get_pixel(0, 0).0;
+        assert!((f64::from(first[0]) - code).abs() <= if depth == 16 { 1.0 } else { 257.0 }, "{first:?} {code}");
+        if alpha {
+            assert_eq!(read.to_luma_alpha16().get_pixel(1, 0).0[1], 32_768);
+        }
+    }
+}
+
 #[test]
 fn integers_come_back_exactly() {
     let frame = all_codes();

@@ -13,6 +13,8 @@ pub struct Settings {
     pub output: Option<String>,
     pub format: Option<&'static str>,
     pub depth: Option<u8>,
+    /// Has always 16 bits, whatever `depth` says (manual, "HF_Gray_16").
+    pub gray: bool,
     pub width: Option<usize>,
     pub height: Option<usize>,
     pub start_column: Option<f64>,
@@ -123,6 +125,9 @@ impl Settings {
         let has_depth = matches!(self.format, Some("png" | "ppm"));
         if rest.is_empty() {
             Ok(())
+        } else if rest.eq_ignore_ascii_case("g") {
+            // Of types without it, too: what is drawn into is told to have none.
+            self.set(|p| p.gray = true)
         } else if has_depth {
             self.depth(rest)
         } else {
@@ -186,9 +191,12 @@ impl Settings {
         for (name, value) in [("--output", self.output_name()), ("--format", self.format.map(Into::into))] {
             value.into_iter().for_each(|value| put(name, value));
         }
-        self.depth.iter().for_each(|depth| put("--bit-depth", depth.to_string()));
+        self.depth.iter().filter(|_| !self.gray).for_each(|depth| put("--bit-depth", depth.to_string()));
         if let (Some(clock), None) = (self.clock, self.animation()) {
             put("--clock", clock.to_string());
+        }
+        if self.gray {
+            out.push("--gray".into());
         }
         out
     }

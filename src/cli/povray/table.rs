@@ -116,7 +116,7 @@ pub const ROWS: &[Row] = &[
     row("F", "Output_to_File", MaybeText, Part(|p, v| p.file_type(v)), Flag("--no-output")),
     both("", "Output_File_Type", Text, Part(|p, v| p.file_type(v))),
     row("UA", "Output_Alpha", Nothing, Flag("--alpha"), Same),
-    row("", "Grayscale_Output", Nothing, Lacks("pictures have colours"), Same),
+    row("", "Grayscale_Output", Nothing, Part(|p, _| p.set(|p| p.gray = true)), Part(|p, _| p.set(|p| p.gray = false))),
     row("", "Create_Histogram", Nothing, Lacks("`durer render --stats` tells times"), Same),
     both("", "Histogram_Type", Text, Same),
     both("", "Histogram_Name", Text, Same),

@@ -90,6 +90,9 @@ fn size_region_and_format() {
     same("+W100 +H50 +SC10 +EC20 +SR5 +ER6 a.pov", "--aa=off --size=100x50 --region=9,4,11,2 -- a.pov");
     same("+W100 +H50 +SC1 +EC1 a.pov", "--aa=off --size=100x50 --region=0,0,100,50 -- a.pov");
     same("+FT24 a.pov", "--aa=off --format=tga -- a.pov");
+    same("+FPg a.pov", "--aa=off --format=ppm --gray -- a.pov");
+    same("Bits_Per_Color=8 Grayscale_Output=on a.pov", "--aa=off --gray -- a.pov");
+    same("+FNg Grayscale_Output=off a.pov", "--aa=off --format=png -- a.pov");
     same("+FP10 a.pov", "--aa=off --format=ppm --bit-depth=16 -- a.pov");
     same("Output_File_Type=j a.pov", "--aa=off --format=jpg -- a.pov");
     same("-F a.pov", "--aa=off --no-output -- a.pov");
