@@ -436,10 +436,7 @@ impl Kernel for Blob {
             let field = component.field(p).abs();
             if field > 0.0 {
                 sum += field;
-                match slots.iter_mut().find(|(slot, _)| *slot == component.slot) {
-                    Some((_, share)) => *share += field,
-                    None => slots.push((component.slot, field)),
-                }
+                slots.push((component.slot, field));
             }
         });
         slots.iter_mut().for_each(|(_, share)| *share /= sum);
