@@ -46,6 +46,11 @@ impl Range {
         Range { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
+    /// Without what lies nearer than `least`, if it starts at the eye or before it.
+    pub fn ahead(self, least: f64) -> Range {
+        if self.min >= 0.0 { Range { min: self.min.max(least), ..self } } else { self }
+    }
+
     /// Is there nothing between the ends?
     pub fn is_empty(&self) -> bool {
         self.min >= self.max

@@ -3,6 +3,12 @@
 /// A ray ignores hits nearer than this, in world units (measured on POV-Ray 3.7: absolute, for every shape).
 pub const SURFACE: f64 = 1e-4;
 
+/// The same for tori, superellipsoids, cubics, quartics and polynomials, but in units of their own space (measured on POV-Ray 3.7).
+pub const OWN_SURFACE: f64 = 1e-4;
+
+/// The same for blobs, in world units (measured on POV-Ray 3.7: absolute, also in CSG and under any scale).
+pub const BLOB_SURFACE: f64 = 1e-2;
+
 /// A shadow ray ignores hits nearer than this to either of its ends, in world units (measured on POV-Ray 3.7).
 pub const SHADOW: f64 = 1e-3;
 

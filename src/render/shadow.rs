@@ -6,6 +6,7 @@ use super::trace::Tracer;
 use crate::color::Rgb;
 use crate::light::Arriving;
 use crate::math::{DVec3, Range, Ray, tolerance};
+use crate::shape::Kernel;
 use crate::world::{Intersection, LightSource, World};
 use std::ops::ControlFlow;
 
@@ -123,7 +124,7 @@ fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32)
     surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
     let mut last = f64::NEG_INFINITY;
     surfaces.retain(|found| {
-        let met = found.t() - last > tolerance::SHADOW;
+        let met = found.t() - last > tolerance::SHADOW.max(found.leaf.shape.least_distance());
         if met {
             last = found.t();
         }

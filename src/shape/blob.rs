@@ -11,7 +11,7 @@
 use super::{Hit, Hits, Kernel, Paints, Readable, Slots, Sphere, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{Aabb, DQuat, DVec3, Range, Ray, Roots, Transform, solve_between, solve_quadratic};
+use crate::math::{Aabb, DQuat, DVec3, Range, Ray, Roots, Transform, solve_between, solve_quadratic, tolerance};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, ReaderExt, Spec};
@@ -210,6 +210,7 @@ impl Blob {
 
     /// Hands the places on the surface to `visit` in order, until it breaks off.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
+        let range = range.ahead(self.least_distance());
         let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
         // Counted from near the blob, so that a far eye loses nothing.
         let start = if enter.is_finite() { enter } else { -ray.origin.dot(ray.dir) / ray.dir.length_squared() };
@@ -414,6 +415,10 @@ impl Kernel for Blob {
         if sum == DVec3::ZERO { DVec3::Y } else { sum }
     }
 
+    fn least_distance(&self) -> f64 {
+        tolerance::BLOB_SURFACE
+    }
+
     /// Textures by how strong the fields of their components are, be it to add or to take away (measured on POV-Ray 3.7).
     fn takes_textures_along(&self) -> bool {
         true
@@ -431,10 +436,7 @@ impl Kernel for Blob {
             let field = component.field(p).abs();
             if field > 0.0 {
                 sum += field;
-                match slots.iter_mut().find(|(slot, _)| *slot == component.slot) {
-                    Some((_, share)) => *share += field,
-                    None => slots.push((component.slot, field)),
-                }
+                slots.push((component.slot, field));
             }
         });
         slots.iter_mut().for_each(|(_, share)| *share /= sum);

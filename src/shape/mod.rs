@@ -68,7 +68,7 @@ pub use triangle::Triangle;
 
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::image_io::Picture;
-use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
+use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
 use crate::mesh_io::Look;
 use crate::source::Span;
 use crate::value::words::{Row, read_row};
@@ -292,6 +292,11 @@ pub trait Kernel {
         true
     }
 
+    /// A ray does not meet it nearer than this to its start, in world units (measured on POV-Ray 3.7).
+    fn least_distance(&self) -> f64 {
+        tolerance::SURFACE
+    }
+
     /// Do the textures that it carries move with it, even with `uv_mapping`, which keeps those of others where they are (measured on
     /// POV-Ray 3.7)?
     fn takes_textures_along(&self) -> bool {
@@ -386,6 +391,7 @@ macro_rules! shapes {
             fn hides_interior_texture(&self) -> bool { match self { $(Shape::$name(s) => s.hides_interior_texture()),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }
+            fn least_distance(&self) -> f64 { match self { $(Shape::$name(s) => s.least_distance()),* } }
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
             fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
             fn is_never_bounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_bounded()),* } }

@@ -9,7 +9,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec3, Range, Ray, Transform, fp};
+use crate::math::{Aabb, DVec3, Range, Ray, Transform, fp, tolerance};
 use crate::source::Span;
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
@@ -197,6 +197,7 @@ impl Superellipsoid {
         }
         // Measured from the point nearest to the origin.
         let length = ray.dir.length();
+        let range = range.ahead(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let line = Line { o: ray.origin + middle * v, v };

@@ -10,7 +10,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, bernstein_roots, fp, stable_pair};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, bernstein_roots, fp, stable_pair, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
 use crate::value::{Kind, Param, Reader, Spec};
@@ -148,6 +148,7 @@ impl Kernel for Torus {
             return;
         }
         let length = ray.dir.length();
+        let range = range.ahead(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;

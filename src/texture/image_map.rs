@@ -117,7 +117,13 @@ impl ImageMap {
     pub fn is_opaque(&self) -> bool {
         let none = |amount: Option<f64>| amount.is_none_or(|x| x == 0.0);
         let solid = none(self.clearness.filter) && none(self.clearness.transmit) && self.clearness.palette.is_empty();
-        solid && !self.mapping.once && !self.texels.has_alpha()
+        solid && !self.mapping.once && !self.is_clear_somewhere()
+    }
+
+    /// Has a pixel alpha? (An alpha channel that is 1 everywhere is none: measured on POV-Ray 3.7.)
+    fn is_clear_somewhere(&self) -> bool {
+        let pixels = self.texels.width() * self.texels.height();
+        self.texels.has_alpha() && (0..pixels).any(|i| self.texels.rgba(i)[3] < 1.0)
     }
 
     /// Does no light pass it as one of several pigments, as POV-Ray 3.7 tells it (measured)? There it looks at the picture's own alpha and

@@ -77,8 +77,9 @@ impl Pigment {
             }
             after_name = false;
         }
-        if uv == Some(true) && base.quick_color.is_some() {
-            // What is said here is said of what lies on the surface, which the default one hides (measured on POV-Ray 3.7).
+        if uv == Some(true) && base.pattern.around.is_none() && base.quick_color.is_some() {
+            // What is said here is said of what lies on the surface, which the default one hides, unless that does too (measured on
+            // POV-Ray 3.7).
             pigment.quick_color = base.quick_color.clone();
         }
         pigment = pigment.closed();

@@ -525,6 +525,9 @@ class Scenes(Scene):
         if self.has("air"):
             rest += self.haze()
         text = "\n".join(head + rest) + "\n"
+        if "image_pattern" in text:
+            # (Where a pigment starts as a picture, `image_pattern` makes POV-Ray crash, or draw what lies in memory.)
+            text = re.sub(r"#default \{ (texture \{ )?pigment \{ (uv_mapping )?image_map .*\n", "", text)
         if "assumed_gamma" not in text:
             # POV-Ray wants to know the gamma before it takes one of these.
             text = text.replace("srgb", "rgb")

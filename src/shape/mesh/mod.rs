@@ -38,16 +38,21 @@ impl TriangleMesh {
 
     fn slots(&self, hit: &Hit) -> Slots {
         let Some(painted) = self.triangles.painted(hit) else { return smallvec![(0, 1.0)] };
-        let [a, b, c] = painted.map(|slot| match slot.checked_sub(1) {
+        let each = painted[0] & EACH_CORNER != 0;
+        let [a, b, c] = painted.map(|slot| slot & !EACH_CORNER).map(|slot| match slot.checked_sub(1) {
             Some(look) if !self.slots.is_empty() => self.slots[look as usize],
             _ => slot,
         });
-        if a == b && b == c {
+        if a == b && b == c && !each {
             return smallvec![(a, 1.0)];
         }
         smallvec![(a, 1.0 - hit.uv.x - hit.uv.y), (b, hit.uv.x), (c, hit.uv.y)]
     }
 }
+
+/// In the first number of a face's textures: the three are one, but were given for each corner, so that each corner's share is looked at
+/// by itself where small ones are not seen (measured on POV-Ray 3.7).
+const EACH_CORNER: u32 = 1 << 31;
 
 /// A shape that is a mesh under another name.
 macro_rules! mesh_kernel {

@@ -184,6 +184,7 @@ impl Mesh {
                         };
                     }
                     r.leave()?;
+                    slots = each(slots);
                 }
                 Next::Block("texture") | Next::Thing("texture") => {
                     let mut slot = 0;
@@ -400,7 +401,14 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
                 painted.resize(faces.len(), [0; 3]);
                 if let Some(slots) = painted.last_mut() {
                     // One is for all corners, until another one comes.
-                    if given == 0 { *slots = [slot; 3] } else { slots[given] = slot }
+                    if given == 0 {
+                        *slots = [slot; 3]
+                    } else {
+                        slots[given] = slot
+                    }
+                    if given == 2 {
+                        *slots = each(*slots);
+                    }
                 }
                 given += 1;
             }
@@ -426,6 +434,11 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
         painted.resize(count, [0; 3]);
     }
     Ok((faces, painted))
+}
+
+/// Textures that were given for each corner, also if they are one.
+fn each([a, b, c]: [u32; 3]) -> [u32; 3] {
+    if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }
 
 fn texture(number: f64, textures: &[u32], span: Span) -> Result<u32> {
