@@ -294,7 +294,7 @@ impl Item {
 
     fn any(&self, ray: &Ray, range: Range) -> bool {
         match self {
-            Self::Solid(node) => node.closest(ray, range).is_some(),
+            Self::Solid(node) => node.any(ray, range),
             Self::Copied(copied) => copied.shared().any(&copied.local(ray), range, |_| true),
         }
     }
