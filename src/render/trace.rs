@@ -275,10 +275,16 @@ impl<'w> Tracer<'w> {
                 true => self.faded(shading.part.interior, found.t()),
                 false => Rgb::ONE,
             };
-            let onward: SmallVec<[Onward; 1]> =
-                shading.coats.iter().map(|coat| self.onward(&path, coat, &interface, own)).collect();
+            // (A loop: an iterator that is collected returns each through memory.)
+            let mut onward = SmallVec::<[Onward; 1]>::new();
+            for coat in &shading.coats {
+                onward.push(self.onward(&path, coat, &interface, own));
+            }
             if self.setup.quality.mirrors {
                 rgb += through * self.mirrored(&path, &shading, &interface, &onward);
+            }
+            if onward.iter().all(|onward| matches!(onward, Onward::Ends | Onward::Lost)) {
+                return Sample { rgb, passed: behind };
             }
             let border = Border { shading: &shading, interface: &interface, fade };
             let mut ways = self.ways(&path, &border, &onward, &mut rgb, through);
