@@ -2,7 +2,7 @@
 //! constants are computed at once.
 
 use super::numeric::{self, Kernel};
-use super::{Function, Interval, Program, Sampler, internal::Internal};
+use super::{Function, Interval, Near, Program, Sampler, internal::Internal};
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::syntax::ast::Operator;
@@ -114,8 +114,8 @@ impl Callee {
         match self {
             Callee::Internal(internal) => (internal.compute)(arguments),
             Callee::SceneNoise(generator) => scene_noise(generator, arguments),
-            Callee::Function(function) => function.call(arguments)[component],
-            Callee::Sampler(sampler) => sampler.sample(arguments)[component],
+            Callee::Function(function) => function.part(component, arguments),
+            Callee::Sampler(sampler) => sampler.part(component, arguments),
             Callee::Series { product, body } => series(*product, body, arguments),
         }
     }
@@ -139,9 +139,9 @@ impl Callee {
         }
     }
 
-    /// Between which numbers a component lies no farther than `radius` from a point, which the first three arguments say, and a length
-    /// that its gradient by those does not surpass; infinite where nothing is known.
-    pub(super) fn near(&self, component: usize, arguments: &[f64], radius: f64) -> (Interval, f64) {
+    /// What is known of a component no farther than `radius` from a point, which the first three arguments say, and of its gradient by
+    /// those.
+    pub(super) fn near(&self, component: usize, arguments: &[f64], radius: f64) -> Near {
         let steepest = match self {
             Callee::Sampler(sampler) => return sampler.near(component, arguments, radius),
             Callee::Function(function) => match &function.body {
@@ -154,10 +154,10 @@ impl Callee {
         };
         let far = steepest * radius;
         if !far.is_finite() {
-            return (Interval::ALL, f64::INFINITY);
+            return Near::UNKNOWN;
         }
         let value = self.call(component, arguments);
-        (Interval::new(value - far, value + far).widened(), steepest)
+        Near { range: Interval::new(value - far, value + far).widened(), steepest, rough: false }
     }
 
     pub(super) fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {

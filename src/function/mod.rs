@@ -50,6 +50,22 @@ pub enum Gives {
     Color,
 }
 
+/// What is known of numbers around a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Near {
+    /// Where they lie.
+    pub range: Interval,
+    /// A length that no gradient surpasses there; infinite where nothing is known.
+    pub steepest: f64,
+    /// Nearly all gradients are far shorter than that.
+    pub rough: bool,
+}
+
+impl Near {
+    /// Nothing.
+    pub const UNKNOWN: Self = Self { range: Interval::ALL, steepest: f64::INFINITY, rough: false };
+}
+
 /// Something of a higher layer that can be asked at a point: a pigment, a pattern, a transform, a spline.
 pub trait Sampler: std::fmt::Debug + Send + Sync {
     /// How many arguments it takes.
@@ -58,10 +74,13 @@ pub trait Sampler: std::fmt::Debug + Send + Sync {
     fn gives(&self) -> Gives;
     /// The answer; a number is the first of the five, a colour is red, green, blue, filter, transmit.
     fn sample(&self, arguments: &[f64]) -> [f64; 5];
-    /// Between which numbers a component lies no farther than a radius from these arguments, and a length that its gradient does not
-    /// surpass there; infinite where nothing is known.
-    fn near(&self, _component: usize, _arguments: &[f64], _radius: f64) -> (Interval, f64) {
-        (Interval::ALL, f64::INFINITY)
+    /// One of the five.
+    fn part(&self, component: usize, arguments: &[f64]) -> f64 {
+        self.sample(arguments)[component]
+    }
+    /// What is known of a component no farther than a radius from these arguments.
+    fn near(&self, _component: usize, _arguments: &[f64], _radius: f64) -> Near {
+        Near::UNKNOWN
     }
     /// Between which numbers a component lies while the arguments lie in these intervals.
     fn bounds(&self, _component: usize, _arguments: &[Interval]) -> Interval {
@@ -91,6 +110,15 @@ impl Function {
         match &self.body {
             Body::Numeric(program) => [program.run(arguments), 0.0, 0.0, 0.0, 0.0],
             Body::Sampled(sampler) => sampler.sample(arguments),
+        }
+    }
+
+    /// One of the numbers that [`Self::call`] gives.
+    pub fn part(&self, component: usize, arguments: &[f64]) -> f64 {
+        match &self.body {
+            Body::Numeric(program) if component == 0 => program.run(arguments),
+            Body::Numeric(_) => 0.0,
+            Body::Sampled(sampler) => sampler.part(component, arguments),
         }
     }
 }

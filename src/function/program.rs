@@ -39,6 +39,8 @@ pub struct Program {
     parameters: usize,
     registers: usize,
     result: Register,
+    /// The first registers before anything is computed: the constants where they belong.
+    start: [f64; FEW],
 }
 
 /// Most programs need no more registers than this.
@@ -83,6 +85,8 @@ impl Program {
         let mut writer = Writer { graph: &graph, steps: vec![], constants, arguments: vec![], places, next };
         let result = writer.write(graph.result);
         let Writer { steps, constants, arguments, next, .. } = writer;
+        let mut start = [0.0; FEW];
+        start.iter_mut().skip(parameters).zip(&constants).for_each(|(to, constant)| *to = *constant);
         (next <= usize::from(Register::MAX)).then_some(Self {
             steps,
             constants,
@@ -91,6 +95,7 @@ impl Program {
             registers: next,
             result,
             graph,
+            start,
         })
     }
 
@@ -101,19 +106,30 @@ impl Program {
 
     /// The result for these parameters.
     pub fn run(&self, parameters: &[f64]) -> f64 {
-        // (Most of the time that a short one takes would go by with zeros.)
+        // (Most of the time that a short one takes would go by with zeros, and with copies whose lengths the compiler does not know.)
         let all = self.registers;
+        if all <= FEW {
+            let mut r = self.start;
+            match (self.parameters, parameters) {
+                (3, &[x, y, z, ..]) => [r[0], r[1], r[2]] = [x, y, z],
+                (n, all) => r[..n].copy_from_slice(&all[..n]),
+            }
+            return self.run_in(&mut r);
+        }
         match () {
-            _ if all <= FEW => self.run_in(&mut [0.0; FEW], parameters),
-            _ if all <= SOME => self.run_in(&mut [0.0; SOME], parameters),
-            _ if all <= MANY => self.run_in(&mut [0.0; MANY], parameters),
-            _ => self.run_in(&mut vec![0.0; all], parameters),
+            _ if all <= SOME => self.run_in(self.begin(&mut [0.0; SOME], parameters)),
+            _ if all <= MANY => self.run_in(self.begin(&mut [0.0; MANY], parameters)),
+            _ => self.run_in(self.begin(&mut vec![0.0; all], parameters)),
         }
     }
 
-    fn run_in(&self, r: &mut [f64], parameters: &[f64]) -> f64 {
+    fn begin<'r>(&self, r: &'r mut [f64], parameters: &[f64]) -> &'r mut [f64] {
         r[..self.parameters].copy_from_slice(&parameters[..self.parameters]);
         r[self.parameters..self.parameters + self.constants.len()].copy_from_slice(&self.constants);
+        r
+    }
+
+    fn run_in(&self, r: &mut [f64]) -> f64 {
         let mut at = 0;
         while let Some(step) = self.steps.get(at) {
             at += 1;
@@ -145,6 +161,9 @@ impl Program {
 
     fn with_arguments<T>(&self, list: u32, count: u16, r: &[f64], call: impl FnOnce(&[f64]) -> T) -> T {
         let list = &self.arguments[list as usize..][..count as usize];
+        if let &[x, y, z] = list {
+            return call(&[x, y, z].map(|i| r[i as usize]));
+        }
         if list.len() > FEW_ARGUMENTS {
             let all: Vec<f64> = list.iter().map(|&i| r[i as usize]).collect();
             return call(&all);

@@ -2,7 +2,7 @@
 //! 1966, chapter 11).
 
 use super::graph::{Callee, Graph, Operation, operator_bounds};
-use super::{Body, Function, Interval, numeric};
+use super::{Body, Function, Interval, Near, numeric};
 use crate::math::{DVec3, fp};
 use crate::syntax::ast::Operator;
 use smallvec::SmallVec;
@@ -19,6 +19,8 @@ pub struct Slope {
     pub by: [Interval; 3],
     /// How far from the box.
     pub around: f64,
+    /// Nearly all gradients are far shorter than these.
+    pub rough: bool,
 }
 
 impl Slope {
@@ -33,15 +35,15 @@ impl Slope {
         if let Some(by) = by.get_mut(i) {
             *by = ONE;
         }
-        Self { value, by, around: 0.0 }
+        Self { value, by, around: 0.0, rough: false }
     }
 
     fn flat(value: Interval) -> Self {
-        Self { value, by: [ZERO; 3], around: 0.0 }
+        Self { value, by: [ZERO; 3], around: 0.0, rough: false }
     }
 
     fn steep(value: Interval) -> Self {
-        Self { value, by: [Interval::ALL; 3], around: 0.0 }
+        Self { value, by: [Interval::ALL; 3], around: 0.0, rough: false }
     }
 
     /// Bounds of the derivative along a direction; infinite where nothing is known.
@@ -61,12 +63,13 @@ impl Slope {
     fn chain(&self, value: Interval, derivative: Interval) -> Self {
         let most = derivative.lo.abs().max(derivative.hi.abs());
         let around = if self.around == 0.0 { 0.0 } else { self.around * most };
-        Self { value, by: self.by.map(|by| times(derivative, by)), around }
+        Self { value, by: self.by.map(|by| times(derivative, by)), around, rough: self.rough }
     }
 
     fn plus(&self, value: Interval, other: &Self, sign: f64) -> Self {
         let by = |i: usize| plus(self.by[i], if sign < 0.0 { -other.by[i] } else { other.by[i] });
-        Self { value, by: [by(0), by(1), by(2)], around: self.around + other.around }
+        let rough = self.rough || other.rough;
+        Self { value, by: [by(0), by(1), by(2)], around: self.around + other.around, rough }
     }
 
     /// A function of two whose derivatives by each lie there.
@@ -76,7 +79,8 @@ impl Slope {
 
     fn hull(&self, other: &Self) -> Self {
         let by = |i: usize| self.by[i].hull(other.by[i]);
-        Self { value: self.value.hull(other.value), by: [by(0), by(1), by(2)], around: self.around.max(other.around) }
+        let (value, around) = (self.value.hull(other.value), self.around.max(other.around));
+        Self { value, by: [by(0), by(1), by(2)], around, rough: self.rough || other.rough }
     }
 }
 
@@ -251,10 +255,11 @@ fn of_call(callee: &Callee, component: usize, list: &[Slope]) -> Slope {
     {
         let middle: SmallVec<[f64; 10]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
         let radius = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
-        let (range, steepest) = callee.near(component, &middle, radius);
+        let Near { range, steepest, rough } = callee.near(component, &middle, radius);
+        let rough = rough || [a, b, c].iter().any(|slope| slope.rough);
         let value = range.shared(callee.bounds(component, &values));
         let around = if steepest == 0.0 { 0.0 } else { steepest * longest([a, b, c]) };
-        return if around.is_finite() { Slope { around, ..Slope::flat(value) } } else { Slope::steep(value) };
+        return if around.is_finite() { Slope { around, rough, ..Slope::flat(value) } } else { Slope::steep(value) };
     }
     let value = callee.bounds(component, &values);
     if list.iter().all(Slope::is_flat) { Slope::flat(value) } else { Slope::steep(value) }

@@ -3,7 +3,7 @@
 
 use super::{Light, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{DVec3, fp};
+use crate::math::DVec3;
 use crate::value::Kind::{Flag, Float, Nothing, Vector};
 use crate::value::Reader;
 use crate::value::words::{Row, set, word};
@@ -99,9 +99,10 @@ impl Area {
         // In [-1, 1]
         let (mut u, mut v) = (place(0), place(1));
         // (What is oriented is round, too, whether it says so or not: measured on POV-Ray 3.7.)
-        if (self.circular || self.orient) && (u != 0.0 || v != 0.0) {
+        let side = u.abs().max(v.abs());
+        if (self.circular || self.orient) && side > 1e-100 {
             // A square about the middle becomes a circle.
-            let shrink = u.abs().max(v.abs()) / fp::hypot(u, v);
+            let shrink = side / (u * u + v * v).sqrt();
             (u, v) = (u * shrink, v * shrink);
         }
         let [a, b] = if self.orient { self.facing(toward) } else { self.axes };

@@ -73,14 +73,14 @@ impl Lamp {
         };
         // (Of parallel light, how far its place lies in that direction, for each light of a grid.)
         let distance = if self.parallel { way.dot(from) } else { way.length() };
-        let beside = (p - self.location - self.axis * ahead).length();
+        let beside = || (p - self.location - self.axis * ahead).length();
         let share = match self.profile {
             Profile::Round => 1.0,
             // A beam without an axis shines nowhere (measured on POV-Ray 3.7).
             _ if self.axis == DVec3::ZERO => 0.0,
             // (Behind a parallel light, a cone is seen from its back.)
-            profile if self.parallel => profile.share(-from.dot(self.axis) * distance.signum(), beside, ahead),
-            profile => profile.share(-from.dot(self.axis), beside, ahead),
+            profile if self.parallel => profile.share(-from.dot(self.axis) * distance.signum(), beside(), ahead),
+            profile => profile.share(-from.dot(self.axis), beside(), ahead),
         };
         let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };
         Arriving { from, distance, light: self.strength(distance) * lit }

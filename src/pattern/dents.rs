@@ -32,7 +32,7 @@ impl Field for Dents {
         // (n³)' = 3 n² n'
         let noise = Near::of(noise::noise(at.p, at.noise), at.noise.steepest(), radius).within(0.0, 1.0);
         let steepest = 3.0 * noise.range.hi.powi(2) * noise.steepest;
-        Near { range: noise.range.growing(|n| n.powi(3)), steepest }
+        Near { range: noise.range.growing(|n| n.powi(3)), steepest, ..noise }
     }
 
     fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {

@@ -31,7 +31,9 @@ impl Field for Granite {
     }
 
     fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        // All of the six octaves are equally steep, and hardly ever in the same place.
-        Near::of(self.value(at), 24.0 * 2.0 * at.noise.steepest(), radius).within(0.0, 1.0).without_slope()
+        // All of the six octaves are equally steep, but for the range that each has, and hardly ever in the same place.
+        let steepest = 8.0 * at.noise.steepest();
+        let octave = |i: i32| (steepest * radius).min(0.5f64.powi(i + 1));
+        Near::rough(self.value(at), (0..6).map(octave).sum(), 6.0 * steepest).within(0.0, 1.0)
     }
 }

@@ -33,6 +33,6 @@ impl Field for Leopard {
         let mean = (fp::sin(at.p.x) + fp::sin(at.p.y) + fp::sin(at.p.z)) / 3.0;
         let mean = Near::of(mean, 1.0 / 3f64.sqrt(), radius).within(-1.0, 1.0);
         let most = mean.range.abs().hi;
-        Near { range: mean.range.square(), steepest: 2.0 * most * mean.steepest }
+        Near { range: mean.range.square(), steepest: 2.0 * most * mean.steepest, ..mean }
     }
 }

@@ -14,15 +14,17 @@ pub struct Near {
     /// No shorter than the gradient is anywhere among them; infinite where numbers jump, and where nothing so good is known that it
     /// helps.
     pub steepest: f64,
+    /// Nearly all gradients are far shorter than that.
+    pub rough: bool,
 }
 
 impl Near {
     /// Nothing is known.
-    pub const UNKNOWN: Self = Self { range: Interval::ALL, steepest: f64::INFINITY };
+    pub const UNKNOWN: Self = Self { range: Interval::ALL, steepest: f64::INFINITY, rough: false };
 
     /// The same number everywhere.
     pub fn same(value: f64) -> Self {
-        Self { range: Interval::point(value), steepest: 0.0 }
+        Self { range: Interval::point(value), steepest: 0.0, rough: false }
     }
 
     /// Around a point of this value, where no gradient is longer than `steepest`.
@@ -31,17 +33,17 @@ impl Near {
         if !(value.is_finite() && far.is_finite()) {
             return Self::UNKNOWN;
         }
-        Self { range: Interval::new(value - far, value + far).widened(), steepest }
+        Self { range: Interval::new(value - far, value + far).widened(), steepest, rough: false }
+    }
+
+    /// No farther than this from a value; no gradient is longer than `steepest`, and nearly all are far shorter.
+    pub fn rough(value: f64, far: f64, steepest: f64) -> Self {
+        Self { steepest, rough: true, ..Self::of(value, far, 1.0) }
     }
 
     /// Its numbers lie there in any case.
     pub fn within(self, lo: f64, hi: f64) -> Self {
         Self { range: Interval { lo: self.range.lo.clamp(lo, hi), hi: self.range.hi.clamp(lo, hi) }, ..self }
-    }
-
-    /// The same numbers, of which it is not known how steep they are.
-    pub fn without_slope(self) -> Self {
-        Self { steepest: f64::INFINITY, ..self }
     }
 
     /// What is left of its numbers above whole ones.
@@ -51,7 +53,7 @@ impl Near {
             let range = Interval { lo: self.range.lo - whole, hi: self.range.hi - whole };
             Self { range, ..self }
         } else {
-            Self { range: Interval::TRUTH, steepest: f64::INFINITY }
+            Self { range: Interval::TRUTH, ..Self::UNKNOWN }
         }
     }
 }
@@ -64,7 +66,7 @@ impl Modifiers {
             raw
         } else {
             let range = raw.range * Interval::point(frequency) + Interval::point(self.phase);
-            Near { range, steepest: raw.steepest * frequency.abs() }
+            Near { range, steepest: raw.steepest * frequency.abs(), ..raw }
         };
         let Interval { lo, hi } = shifted.range;
         // Numbers of one period, from 0 on; those below 0 are counted from 1 on.
@@ -88,7 +90,7 @@ impl Wave {
     /// Of numbers in one period.
     fn near(self, v: Near) -> Near {
         let Interval { lo, hi } = v.range;
-        let chain = |range: Interval, factor: f64| Near { range: range.widened(), steepest: v.steepest * factor };
+        let chain = |range: Interval, factor: f64| Near { range: range.widened(), steepest: v.steepest * factor, ..v };
         match self {
             Wave::Ramp => v,
             _ if !(lo >= 0.0 && hi <= 1.0) => Near::UNKNOWN,

@@ -70,6 +70,11 @@ impl PatternProgram {
         (self.number(&inner), inner)
     }
 
+    /// The number of [`Self::see`] alone.
+    pub fn number_at(&self, ctx: &TextureContext) -> f64 {
+        if self.way.is_empty() && !self.uv { self.number(ctx) } else { self.number(&self.enter(ctx)) }
+    }
+
     /// The point as the pattern itself and its entries see it.
     pub fn enter(&self, ctx: &TextureContext) -> TextureContext {
         let p = if self.uv { ctx.uv.extend(0.0) } else { ctx.p };

@@ -34,8 +34,11 @@ impl Field for Wrinkles {
     }
 
     fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        // All of the ten octaves are equally steep, and hardly ever in the same place.
-        Near::of(self.value(at), 10.0 * at.noise.steepest(), radius).within(0.0, 1.0).without_slope()
+        // All of the ten octaves are equally steep, but for the range that each has, and hardly ever in the same place.
+        let steepest = at.noise.steepest();
+        let octave = |most: f64| (steepest * radius).min(0.5 * most);
+        let far = HALVES.into_iter().map(octave).sum();
+        Near::rough(self.value(at), far, 10.0 * steepest).within(0.0, 1.0)
     }
 
     fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {

@@ -47,7 +47,7 @@ impl Tracer<'_> {
             let object = &world.objects[id as usize];
             object.shadow && (object.opaque || !see_through)
         };
-        if world.geometry.any(&ray, range, blocks) {
+        if world.geometry.any_after(&ray, range, blocks, &mut self.blockers[light.number]) {
             return Rgb::ZERO;
         }
         let hazy = light.lamp.attenuated && self.is_hazy();

@@ -9,7 +9,7 @@ use crate::atmosphere::Veil;
 use crate::camera::{Lens, View};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec2, DVec3, Range, Ray, tolerance};
-use crate::world::{Intersection, ObjectInfo, World};
+use crate::world::{Blocker, Intersection, ObjectInfo, World};
 use smallvec::SmallVec;
 
 /// So many surfaces one ray passes at most; it ends what rounding would keep in one place for ever.
@@ -169,11 +169,15 @@ pub(super) struct Tracer<'w> {
     watch: Option<&'w dyn Watch>,
     stopped: bool,
     crossings: u32,
+    /// What was in the way of each light's last ray.
+    pub blockers: Vec<Option<Blocker>>,
 }
 
 impl<'w> Tracer<'w> {
     pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>) -> Self {
-        Self { setup, rays: Rays::default(), random: Random::new(setup.frame), watch, stopped: false, crossings: 0 }
+        let (rays, random) = (Rays::default(), Random::new(setup.frame));
+        let blockers = vec![None; setup.world.lights.len()];
+        Self { setup, rays, random, watch, stopped: false, crossings: 0, blockers }
     }
 
     /// Has the watcher asked to stop? What was traced since is worth nothing.
@@ -271,10 +275,16 @@ impl<'w> Tracer<'w> {
                 true => self.faded(shading.part.interior, found.t()),
                 false => Rgb::ONE,
             };
-            let onward: SmallVec<[Onward; 1]> =
-                shading.coats.iter().map(|coat| self.onward(&path, coat, &interface, own)).collect();
+            // (A loop: an iterator that is collected returns each through memory.)
+            let mut onward = SmallVec::<[Onward; 1]>::new();
+            for coat in &shading.coats {
+                onward.push(self.onward(&path, coat, &interface, own));
+            }
             if self.setup.quality.mirrors {
                 rgb += through * self.mirrored(&path, &shading, &interface, &onward);
+            }
+            if onward.iter().all(|onward| matches!(onward, Onward::Ends | Onward::Lost)) {
+                return Sample { rgb, passed: behind };
             }
             let border = Border { shading: &shading, interface: &interface, fade };
             let mut ways = self.ways(&path, &border, &onward, &mut rgb, through);

@@ -10,9 +10,14 @@ use crate::math::Ray;
 impl Tracer<'_> {
     /// What the air does to light that comes towards a ray's origin from as far as `length`. There is none inside of what is not hollow,
     /// nor at low quality; and shadows know nothing of it, but for lights that are said to (all measured on POV-Ray 3.7).
+    #[inline]
     pub(super) fn veil(&mut self, ray: &Ray, length: f64, inside: &Interiors) -> Veil {
+        if self.is_hazy() { self.veil_of_air(ray, length, inside) } else { Veil::NONE }
+    }
+
+    fn veil_of_air(&mut self, ray: &Ray, length: f64, inside: &Interiors) -> Veil {
         let world = self.setup.world;
-        if !self.is_hazy() || inside.iter().any(|&i| world.filled[i as usize]) {
+        if inside.iter().any(|&i| world.filled[i as usize]) {
             return Veil::NONE;
         }
         let fogs = atmosphere::fogs(&world.fogs, ray, length, world.noise);

@@ -61,7 +61,7 @@ impl Formula {
 
     /// The value at a point.
     pub fn at(&self, p: DVec3) -> f64 {
-        self.0.call(&[p.x, p.y, p.z])[0]
+        self.0.part(0, &[p.x, p.y, p.z])
     }
 
     /// Bounds in a box; `room` is for its own use.

@@ -25,7 +25,7 @@ impl ColorMap {
         let Interval { lo, hi } = near.range;
         let part = |color: Color| color.to_array()[component];
         let ends = Interval::new(part(self.at(lo)), part(self.at(hi)));
-        let mut all = Near { range: ends, steepest: 0.0 };
+        let mut all = Near { range: ends, steepest: 0.0, ..near };
         for pair in self.entries.windows(2) {
             let [(a, from), (b, to)] = pair else { continue };
             if b < a {

@@ -64,7 +64,7 @@ impl PigmentProgram {
 
     /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
     pub fn number_at(&self, ctx: &TextureContext) -> f64 {
-        self.nodes.last().map_or(0.0, |node| node.pattern.see(ctx).0)
+        self.nodes.last().map_or(0.0, |node| node.pattern.number_at(ctx))
     }
 
     /// What is known of [`Self::number_at`] no farther from a point than a radius.
@@ -85,7 +85,7 @@ impl PigmentProgram {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
             Shows::Solid(color) => *color,
-            Shows::Colors(map) => map.at(pattern.see(ctx).0),
+            Shows::Colors(map) => map.at(pattern.number_at(ctx)),
             Shows::Image(image) => image.at(pattern.enter(ctx).p),
             Shows::Pigments(parts) => {
                 let (number, inner) = pattern.see(ctx);

@@ -29,6 +29,10 @@ enum Item {
     Copied(Copied),
 }
 
+/// What was in the way of a ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Blocker(usize);
+
 /// A solid where it stands.
 #[derive(Clone, Copy, Debug)]
 pub struct Standing<'a> {
@@ -151,15 +155,33 @@ impl Geometry {
 
     /// Is there any hit in the range of an object that `accept` takes by its number?
     pub fn any(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> bool {
-        let mut found = false;
-        self.meet(ray, range, |item, range| {
-            if accept(item.object()) && item.any(ray, range) {
-                found = true;
+        self.any_after(ray, range, accept, &mut None)
+    }
+
+    /// The same; what was in the way of the ray before, which mostly begins next to this one, is asked first, and what is in the way of
+    /// this one is kept.
+    pub fn any_after(
+        &self,
+        ray: &Ray,
+        range: Range,
+        accept: impl Fn(u32) -> bool,
+        before: &mut Option<Blocker>,
+    ) -> bool {
+        let meets = |item: &Item, range: Range| accept(item.object()) && item.any(ray, range);
+        if let Some(Blocker(i)) = before.take()
+            && meets(&self.items[i], range)
+        {
+            *before = Some(Blocker(i));
+            return true;
+        }
+        self.meet(ray, range, |i, range| {
+            if meets(&self.items[i], range) {
+                *before = Some(Blocker(i));
                 return ControlFlow::Break(());
             }
             ControlFlow::Continue(range.max)
         });
-        found
+        before.is_some()
     }
 
     /// Hands all hits in the range of objects that `accept` takes to `visit`, in no particular order, until it breaks off.
@@ -172,7 +194,8 @@ impl Geometry {
     ) -> ControlFlow<()> {
         let mut flow = ControlFlow::Continue(());
         let mut list = Intersections::new();
-        self.meet(ray, range, |item, range| {
+        self.meet(ray, range, |i, range| {
+            let item = &self.items[i];
             if accept(item.object()) {
                 list.clear();
                 item.hits(ray, range, &mut list);
@@ -186,8 +209,8 @@ impl Geometry {
     /// Hands every shape that the ray meets in the range to `visit` with the object that it is a part of, whether or not the object
     /// keeps its surface there.
     pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Standing<'a>, Intersection<'a>)) {
-        self.meet(ray, range, |item, range| {
-            match item {
+        self.meet(ray, range, |i, range| {
+            match &self.items[i] {
                 Item::Solid(node) => {
                     node.shapes_at(ray, range, &mut |found| visit(Standing { node, copied: None }, found));
                 }
@@ -228,16 +251,16 @@ impl Geometry {
         });
     }
 
-    /// Hands every object whose box the ray meets to `visit`, which returns how far hits still count.
-    fn meet<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(&'a Item, Range) -> ControlFlow<(), f64>) {
+    /// Hands the place of every object whose box the ray meets to `visit`, which returns how far hits still count.
+    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> ControlFlow<(), f64>) {
         let mut max = range.max;
-        for item in &self.items[self.finite..] {
-            match visit(item, Range { max, ..range }) {
+        for i in self.finite..self.items.len() {
+            match visit(i, Range { max, ..range }) {
                 ControlFlow::Continue(new_max) => max = new_max,
                 ControlFlow::Break(()) => return,
             }
         }
-        self.bvh.traverse(ray, Range { max, ..range }, |i, max| visit(&self.items[i], Range { max, ..range }));
+        self.bvh.traverse(ray, Range { max, ..range }, |i, max| visit(i, Range { max, ..range }));
     }
 }
 
@@ -271,7 +294,7 @@ impl Item {
 
     fn any(&self, ray: &Ray, range: Range) -> bool {
         match self {
-            Self::Solid(node) => node.closest(ray, range).is_some(),
+            Self::Solid(node) => node.any(ray, range),
             Self::Copied(copied) => copied.shared().any(&copied.local(ray), range, |_| true),
         }
     }

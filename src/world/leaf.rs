@@ -83,6 +83,14 @@ impl Leaf {
         }
     }
 
+    #[inline]
+    pub(super) fn any(&self, ray: &Ray, range: Range) -> bool {
+        match &self.place {
+            Some(m) => self.shape.any(&m.inverse_ray(ray), range),
+            None => self.shape.any(ray, range),
+        }
+    }
+
     pub(super) fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.shape.hits(&self.local(ray), range, out);
     }

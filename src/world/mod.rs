@@ -12,7 +12,7 @@ mod node;
 mod probe;
 mod sky;
 
-pub use geometry::{Geometry, Standing};
+pub use geometry::{Blocker, Geometry, Standing};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
@@ -168,6 +168,9 @@ impl ObjectInfo {
 /// A light in its place.
 #[derive(Clone, Debug, Serialize)]
 pub struct LightSource {
+    /// Where it stands in [`World::lights`].
+    #[serde(skip)]
+    pub number: usize,
     /// How it shines.
     pub lamp: Lamp,
     /// Only what passes this shines, and nothing between the two is in the way (`projected_through`).

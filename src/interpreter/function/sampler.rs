@@ -1,9 +1,9 @@
 //! Functions made of a pigment, a pattern or a transform.
 
-use crate::function::{Gives, Interval, Sampler};
+use crate::function::{self, Gives, Sampler};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
-use crate::pattern::TextureContext;
+use crate::pattern::{Near, TextureContext};
 use crate::texture::PigmentProgram;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -14,6 +14,10 @@ pub(super) type SceneNoise = Arc<AtomicU8>;
 fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
     let generator = NoiseGenerator::from_number(f64::from(noise.load(Ordering::Relaxed)));
     TextureContext::free(DVec3::new(p[0], p[1], p[2]), generator)
+}
+
+fn known(Near { range, steepest, rough }: Near) -> function::Near {
+    function::Near { range, steepest, rough }
 }
 
 /// `function { pigment { … } }`
@@ -33,9 +37,9 @@ impl Sampler for PigmentSampler {
         self.0.at(&ctx(p, &self.1)).to_array()
     }
 
-    fn near(&self, component: usize, p: &[f64], radius: f64) -> (Interval, f64) {
+    fn near(&self, component: usize, p: &[f64], radius: f64) -> function::Near {
         let near = self.0.component_near(component, &ctx(p, &self.1), radius);
-        (near.range, near.steepest)
+        known(near)
     }
 }
 
@@ -53,12 +57,16 @@ impl Sampler for PatternSampler {
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        [self.0.number_at(&ctx(p, &self.1)), 0.0, 0.0, 0.0, 0.0]
+        [self.part(0, p), 0.0, 0.0, 0.0, 0.0]
     }
 
-    fn near(&self, _component: usize, p: &[f64], radius: f64) -> (Interval, f64) {
+    fn part(&self, component: usize, p: &[f64]) -> f64 {
+        if component == 0 { self.0.number_at(&ctx(p, &self.1)) } else { 0.0 }
+    }
+
+    fn near(&self, _component: usize, p: &[f64], radius: f64) -> function::Near {
         let near = self.0.near(&ctx(p, &self.1), radius);
-        (near.range, near.steepest)
+        known(near)
     }
 }
 

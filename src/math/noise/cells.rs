@@ -6,6 +6,7 @@
 use super::lattice;
 use super::tables::HASH;
 use crate::math::DVec3;
+use std::cell::RefCell;
 
 /// A unit cube: whole numbers of which the low bits are right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,10 +37,79 @@ impl Cell {
 
     /// The permutation is applied in turn to x, y and z (Perlin 1985).
     fn hash(self) -> usize {
-        let hashed = |i: usize| HASH[i & 0xfff] as usize;
         let [x, y, z] = self.0;
         hashed(hashed(hashed(x) ^ y) ^ z)
     }
+
+    /// Shows the random points of the cube and of those around it. Each thread remembers some of them, since points next to each other
+    /// ask for the same ones.
+    pub fn with_around<T>(self, look: impl FnOnce(&Around) -> T) -> T {
+        let [x, y, z] = self.0;
+        REMEMBERED.with_borrow_mut(|remembered| {
+            let around = &mut remembered[x & 3 | (y & 3) << 2 | (z & 3) << 4];
+            if !(around.known && around.cell == self) {
+                around.find(self);
+            }
+            look(around)
+        })
+    }
+}
+
+fn hashed(i: usize) -> usize {
+    HASH[i & 0xfff] as usize
+}
+
+/// The random points of a cube and of the 26 around it.
+pub struct Around {
+    cell: Cell,
+    known: bool,
+    /// Their x, y and z, counted from the corner of the cube in the middle, in the order of [`NEXT`]; what is left over is infinitely far.
+    pub points: [[f64; 28]; 3],
+}
+
+/// Steps to a cube and to those that touch it, the nearer ones first.
+const NEXT: [[isize; 3]; 27] = next();
+
+const fn next() -> [[isize; 3]; 27] {
+    let (mut out, mut n, mut far) = ([[0; 3]; 27], 0, 0);
+    while far <= 3 {
+        let mut code = 0;
+        while code < 27 {
+            let step = [code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1];
+            if step[0] * step[0] + step[1] * step[1] + step[2] * step[2] == far {
+                out[n] = step;
+                n += 1;
+            }
+            code += 1;
+        }
+        far += 1;
+    }
+    out
+}
+
+impl Around {
+    const NOTHING: Self = Self { cell: Cell([0; 3]), known: false, points: [[0.0; 28]; 3] };
+
+    /// Those of another cube.
+    fn find(&mut self, cell: Cell) {
+        (self.cell, self.known) = (cell, true);
+        self.points = [[f64::INFINITY; 28]; 3];
+        let [x, y, z] = cell.0.map(|i| [i.wrapping_sub(1), i, i.wrapping_add(1)]);
+        // As `Cell::hash`, but what cubes share is looked up once.
+        let columns = x.map(|x| y.map(|y| hashed(hashed(x) ^ y)));
+        for (n, step) in NEXT.iter().enumerate() {
+            let [i, j, k] = step.map(|step| (step + 1) as usize);
+            let hash = hashed(columns[i][j] ^ z[k]);
+            for axis in 0..3 {
+                self.points[axis][n] = step[axis] as f64 + RANDOM[hash + axis];
+            }
+        }
+    }
+}
+
+thread_local! {
+    /// A place for each of 4x4x4 cubes that lie together.
+    static REMEMBERED: RefCell<[Around; 64]> = const { RefCell::new([Around::NOTHING; 64]) };
 }
 
 /// By hash; the last two are the second and third coordinate of the last.
@@ -84,6 +154,18 @@ mod tests {
             RANDOM[..2].iter().map(|r| r * 4_294_967_296.0).collect::<Vec<_>>(),
             [3_499_211_612.0, 581_869_302.0]
         );
+    }
+
+    #[test]
+    fn those_around_are_those_of_each_cube() {
+        for corner in [[0; 3], [5, 4095, usize::MAX], [1, 2, 7], [4097, 2, 7]].map(Cell) {
+            corner.with_around(|around| {
+                for (n, step) in NEXT.iter().enumerate() {
+                    let point = DVec3::from(step.map(|i| i as f64)) + corner.step(*step).random_point();
+                    assert_eq!(point, DVec3::from([0, 1, 2].map(|axis| around.points[axis][n])));
+                }
+            });
+        }
     }
 
     #[test]

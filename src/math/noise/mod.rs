@@ -15,7 +15,7 @@ mod tables;
 mod value;
 mod wide;
 
-pub use cells::Cell;
+pub use cells::{Around, Cell};
 
 use super::DVec3;
 use serde::Serialize;

@@ -1,24 +1,47 @@
 //! The container of an isosurface in cells, with bounds of the function's gradient in each cell that may hold a piece of the surface.
+//!
+//! Where nothing is known of the gradient, such as next to jumps, a cell is divided into smaller ones when the first ray comes there:
+//! most of them are empty or known.
 
 use crate::function::{Interval, Slope};
 use crate::math::{Aabb, DVec3, Ray, fp};
 use crate::shape::formula::Formula;
+use std::sync::OnceLock;
 
 /// About so many cells.
 const COUNT: f64 = 5000.0;
 /// And no more than these along an axis.
 const MOST: f64 = 64.0;
+/// So often a cell may be halved along each axis. (More take longer than they save in small pictures.)
+const HALVINGS: u32 = 2;
 
-/// See above.
+/// The cells of one isosurface.
 #[derive(Debug)]
 pub struct Cells {
+    /// What is 0 on the surface, and more than that by the threshold.
+    formula: Formula,
+    threshold: f64,
+    grid: Grid,
+}
+
+/// A box in cells.
+#[derive(Debug)]
+struct Grid {
     bounds: Aabb,
     count: [usize; 3],
     /// Cells per unit.
     scale: DVec3,
-    /// One more than the number of a cell's slope; 0 where there is no surface.
+    /// One more than the number of a cell; 0 where there is no surface.
     places: Box<[u16]>,
-    slopes: Vec<Gradient>,
+    cells: Vec<Cell>,
+}
+
+/// A cell that may hold a piece of the surface.
+#[derive(Debug)]
+struct Cell {
+    gradient: Gradient,
+    /// Smaller ones, when a ray has been there.
+    halves: OnceLock<Option<Box<Grid>>>,
 }
 
 /// Where the function's gradient lies in a cell; see [`Slope`].
@@ -26,16 +49,22 @@ pub struct Cells {
 pub struct Gradient {
     by: [[f32; 2]; 3],
     around: f32,
+    rough: bool,
 }
 
 impl Gradient {
     fn new(slope: &Slope) -> Self {
         // (Wider than that, because of rounding.)
         let wider = |i: Interval| [(i.lo - i.lo.abs() * 1e-6) as f32, (i.hi + i.hi.abs() * 1e-6) as f32];
-        Self { by: slope.by.map(wider), around: (slope.around * 1.000_001) as f32 }
+        Self { by: slope.by.map(wider), around: (slope.around * 1.000_001) as f32, rough: slope.rough }
     }
 
-    /// Bounds of the derivative along a direction of length `length`; `unknown` where there are none.
+    fn is_known(&self) -> bool {
+        self.by.iter().flatten().chain([&self.around]).all(|by| by.is_finite())
+    }
+
+    /// Bounds of the derivative along a direction of length `length`; `unknown` where there are none, and where those are wider that
+    /// are rough.
     pub fn along(&self, d: DVec3, length: f64, unknown: Interval) -> Interval {
         let far = f64::from(self.around) * length;
         let (mut lo, mut hi) = (-far, far);
@@ -44,12 +73,20 @@ impl Gradient {
             lo += a.min(b);
             hi += a.max(b);
         }
-        Interval { lo: if lo.is_finite() { lo } else { unknown.lo }, hi: if hi.is_finite() { hi } else { unknown.hi } }
+        let good = |bound: f64, unknown: f64| bound.is_finite() && !(self.rough && bound.abs() > unknown.abs());
+        Interval {
+            lo: if good(lo, unknown.lo) { lo } else { unknown.lo },
+            hi: if good(hi, unknown.hi) { hi } else { unknown.hi },
+        }
     }
 }
 
-/// Part of the whole: the first cell and the one behind the last, along each axis.
+/// Part of a grid: the first cell and the one behind the last, along each axis.
 type Block = [[usize; 2]; 3];
+
+/// Hears of the pieces of a line in order, until it says that it has enough: from where to where, and the gradient there; `None` where
+/// there is no surface.
+pub type Visit<'a> = &'a mut dyn FnMut(f64, f64, Option<&Gradient>) -> bool;
 
 impl Cells {
     /// Finds the cells in which the function may have this value.
@@ -59,14 +96,79 @@ impl Cells {
         let mut side = fp::pow(size.x * size.y * size.z / COUNT, 1.0 / 3.0);
         side = side.max(size.max_element() / MOST);
         let count = [0, 1, 2].map(|axis| (size[axis] / side).round().clamp(1.0, MOST) as usize);
-        let scale = DVec3::from_array(count.map(|n| n as f64)) / size;
-        let places = vec![0; count[0] * count[1] * count[2]].into();
-        let mut cells = Self { bounds, count, scale, places, slopes: vec![] };
-        cells.sort_out(formula, threshold, count.map(|n| [0, n]), &mut vec![]);
-        cells
+        let mut grid = Grid::empty(bounds, count);
+        grid.sort_out(formula, threshold, count.map(|n| [0, n]), &mut vec![]);
+        Self { formula: formula.clone(), threshold, grid }
     }
 
-    fn sort_out(&mut self, formula: &Formula, threshold: f64, block: Block, room: &mut Vec<Slope>) {
+    /// Passes the cells along a line.
+    pub fn pass(&self, ray: &Ray, from: f64, to: f64, visit: Visit) -> bool {
+        self.pass_in(&self.grid, HALVINGS, ray, (from, to), visit)
+    }
+
+    fn pass_in(&self, grid: &Grid, halvings: u32, ray: &Ray, (from, to): (f64, f64), visit: Visit) -> bool {
+        let o = (ray.origin - grid.bounds.min) * grid.scale;
+        let d = ray.dir * grid.scale;
+        let inverse = d.recip();
+        let start = o + d * from;
+        let mut cell = [0, 1, 2].map(|axis| (start[axis].max(0.0) as usize).min(grid.count[axis] - 1));
+        let end_of = |axis: usize, i: usize| match d[axis] {
+            0.0 => f64::INFINITY,
+            v => ((i + usize::from(v > 0.0)) as f64 - o[axis]) * inverse[axis],
+        };
+        let mut ends = [0, 1, 2].map(|axis| end_of(axis, cell[axis]));
+        let mut t = from;
+        loop {
+            let axis = if ends[0] <= ends[1] { 0 } else { 1 };
+            let axis = if ends[axis] <= ends[2] { axis } else { 2 };
+            let next = ends[axis].min(to).max(t);
+            let ended = match grid.at(cell) {
+                None => visit(t, next, None),
+                Some(inner) if halvings == 0 || inner.gradient.is_known() => visit(t, next, Some(&inner.gradient)),
+                Some(inner) => match self.halves(grid, cell, inner) {
+                    Some(finer) => self.pass_in(finer, halvings - 1, ray, (t, next), visit),
+                    None => visit(t, next, Some(&inner.gradient)),
+                },
+            };
+            if ended {
+                return true;
+            }
+            let moved = if d[axis] > 0.0 { cell[axis] + 1 } else { cell[axis].wrapping_sub(1) };
+            if ends[axis] >= to || moved >= grid.count[axis] {
+                return false;
+            }
+            cell[axis] = moved;
+            ends[axis] = end_of(axis, moved);
+            t = next;
+        }
+    }
+
+    /// The eight halves of a cell, unless they are no better: if there is surface in all and nothing known of any.
+    fn halves<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
+        let halves = inner.halves.get_or_init(|| {
+            let mut eight = Grid::empty(grid.box_of(cell.map(|i| [i, i + 1])), [2; 3]);
+            eight.sort_out(&self.formula, self.threshold, [[0, 2]; 3], &mut vec![]);
+            let better = eight.cells.len() < 8 || eight.cells.iter().any(|cell| cell.gradient.is_known());
+            better.then(|| Box::new(eight))
+        });
+        halves.as_deref()
+    }
+
+    /// The diagonal of a cell.
+    pub fn side(&self) -> f64 {
+        self.grid.scale.recip().length()
+    }
+}
+
+impl Grid {
+    fn empty(bounds: Aabb, count: [usize; 3]) -> Self {
+        let size = bounds.size().max(DVec3::splat(f64::MIN_POSITIVE));
+        let scale = DVec3::from_array(count.map(|n| n as f64)) / size;
+        let places = vec![0; count[0] * count[1] * count[2]].into();
+        Self { bounds, count, scale, places, cells: vec![] }
+    }
+
+    fn box_of(&self, block: Block) -> Aabb {
         let corner = |end: usize| {
             let at = |axis: usize| match block[axis][end] {
                 n if n == self.count[axis] => self.bounds.max[axis],
@@ -74,7 +176,11 @@ impl Cells {
             };
             DVec3::new(at(0), at(1), at(2))
         };
-        let b = Aabb { min: corner(0), max: corner(1) };
+        Aabb { min: corner(0), max: corner(1) }
+    }
+
+    fn sort_out(&mut self, formula: &Formula, threshold: f64, block: Block, room: &mut Vec<Slope>) {
+        let b = self.box_of(block);
         let slope = formula.slope(&b.grown(1e-9 * b.size().max_element()), room);
         if !slope.value.widened().contains(threshold) {
             return;
@@ -82,9 +188,9 @@ impl Cells {
         let (axis, length) =
             (0..3).map(|axis| (axis, block[axis][1] - block[axis][0])).max_by_key(|x| x.1).unwrap_or((0, 1));
         if length == 1 {
-            self.slopes.push(Gradient::new(&slope));
+            self.cells.push(Cell { gradient: Gradient::new(&slope), halves: OnceLock::new() });
             let place = self.index(block.map(|b| b[0]));
-            self.places[place] = self.slopes.len() as u16;
+            self.places[place] = self.cells.len() as u16;
             return;
         }
         let middle = block[axis][0] + length / 2;
@@ -98,48 +204,8 @@ impl Cells {
         (cell[2] * self.count[1] + cell[1]) * self.count[0] + cell[0]
     }
 
-    /// Hands the pieces of a line in each cell to `visit`, in order, until it says that it has enough; `None` where there is no surface.
-    pub fn pass(
-        &self,
-        ray: &Ray,
-        from: f64,
-        to: f64,
-        visit: &mut dyn FnMut(f64, f64, Option<&Gradient>) -> bool,
-    ) -> bool {
-        let o = (ray.origin - self.bounds.min) * self.scale;
-        let d = ray.dir * self.scale;
-        let inverse = d.recip();
-        let start = o + d * from;
-        let mut cell = [0, 1, 2].map(|axis| (start[axis].max(0.0) as usize).min(self.count[axis] - 1));
-        let end_of = |axis: usize, i: usize| match d[axis] {
-            0.0 => f64::INFINITY,
-            v => ((i + usize::from(v > 0.0)) as f64 - o[axis]) * inverse[axis],
-        };
-        let mut ends = [0, 1, 2].map(|axis| end_of(axis, cell[axis]));
-        let mut t = from;
-        loop {
-            let axis = if ends[0] <= ends[1] { 0 } else { 1 };
-            let axis = if ends[axis] <= ends[2] { axis } else { 2 };
-            let next = ends[axis].min(to).max(t);
-            let gradient = match self.places[self.index(cell)] {
-                0 => None,
-                n => Some(&self.slopes[n as usize - 1]),
-            };
-            if visit(t, next, gradient) {
-                return true;
-            }
-            let moved = if d[axis] > 0.0 { cell[axis] + 1 } else { cell[axis].wrapping_sub(1) };
-            if ends[axis] >= to || moved >= self.count[axis] {
-                return false;
-            }
-            cell[axis] = moved;
-            ends[axis] = end_of(axis, moved);
-            t = next;
-        }
-    }
-
-    /// The diagonal of a cell.
-    pub fn side(&self) -> f64 {
-        self.scale.recip().length()
+    /// A cell, unless there is no surface in it.
+    fn at(&self, cell: [usize; 3]) -> Option<&Cell> {
+        self.cells.get((self.places[self.index(cell)] as usize).wrapping_sub(1))
     }
 }

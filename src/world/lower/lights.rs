@@ -29,7 +29,7 @@ impl Lowering {
             None => None,
         };
         let number = self.lights.len() as u32;
-        self.lights.push(world::LightSource { lamp: Lamp::new(&light), through });
+        self.lights.push(world::LightSource { number: number as usize, lamp: Lamp::new(&light), through });
         // A light in a union within a group is one of all lights (measured on POV-Ray 3.7).
         match inherited.lights_here {
             true => self.groups[inherited.lights as usize - 1].lights.push(number),

@@ -298,6 +298,14 @@ impl SolidNode {
         }
     }
 
+    /// Is there any hit in the range?
+    pub fn any(&self, ray: &Ray, range: Range) -> bool {
+        match &self.kind {
+            SolidKind::Leaf(leaf) if self.more.is_none() => leaf.any(ray, range),
+            _ => self.closest_of_many(ray, range).is_some(),
+        }
+    }
+
     /// The nearest hit of what is more than a shape.
     fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         if !self.is_met(ray) {
