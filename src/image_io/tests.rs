@@ -16,15 +16,40 @@ fn round_trip(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Pixels {
     decode(&encoded(frame, format, depth, alpha), format.name()).unwrap()
 }
 
+/// Errors of a bmp are handed on from the bottom: turned upside down, it is the png that is turned upside down.
+#[test]
+fn bmp_is_dithered_from_the_bottom() {
+    let light = |x: usize, y: usize| (x * 7 + y * 13) as f32 / 500.0;
+    let pixel = |at: usize, turned: bool| {
+        let y = if turned { 15 - at / 16 } else { at / 16 };
+        [light(at % 16, y), light(y, at % 16), 0.3, 1.0]
+    };
+    for (dither, upside_down) in [(Dither::FloydSteinberg, true), (Dither::Row, true), (Dither::Bayer(3), false)] {
+        let read = |format: Format, turned: bool| {
+            let frame = Frame { width: 16, height: 16, pixels: (0..256).map(|at| pixel(at, turned)).collect() };
+            let bytes = encode(&frame, &Encoding { dither: Some(dither), ..Encoding::new(format) }).unwrap();
+            image::load_from_memory(&bytes).unwrap().to_rgb8()
+        };
+        let (bmp, png) = (read(Format::Bmp, false), read(Format::Png, upside_down));
+        let png = if upside_down { image::imageops::flip_vertical(&png) } else { png };
+        assert!(bmp == png, "{dither:?}");
+    }
+}
+
 /// Brightness alone is brightness of light, as POV-Ray's `+FNg` (measured: `rgb <1, 0.3, 0.1>` as 16 bits), in the file's curve.
 #[test]
 fn gray_is_brightness() {
     let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 0.3, 0.1, 1.0], [0.5, 0.5, 0.5, 0.5]] };
-    for (format, alpha, depth) in [(Format::Png, false, 16), (Format::Png, true, 16), (Format::Png, false, 8), (Format::Ppm, false, 16)] {
+    for (format, alpha, depth) in
+        [(Format::Png, false, 16), (Format::Png, true, 16), (Format::Png, false, 8), (Format::Ppm, false, 16)]
+    {
         let bytes = encode(&frame, &Encoding { gray: true, alpha, depth, ..Encoding::new(format) }).unwrap();
         let read = image::load_from_memory(&bytes).unwrap();
         assert_eq!(read.color().has_color(), false, "{format:?}");
-        assert_eq!((read.color().has_alpha(), read.color().bytes_per_pixel()), (alpha, depth / 8 * (1 + u8::from(alpha))));
+        assert_eq!(
+            (read.color().has_alpha(), read.color().bytes_per_pixel()),
+            (alpha, depth / 8 * (1 + u8::from(alpha)))
+        );
         let light = 0.297 + 0.589 * 0.3 + 0.114 * 0.1;
         let code = crate::color::transfer::srgb_encode(light) * 65_535.0;
         let first = read.to_luma_alpha16().get_pixel(0, 0).0;

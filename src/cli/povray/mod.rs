@@ -264,7 +264,8 @@ impl<'s> Translation<'s> {
         let options = own::last_of_each(std::mem::take(&mut self.options));
         let is_named = |name: &str| options.iter().any(|o| o.name == name);
         // Where no picture is written, `+FN` and the like say nothing.
-        let is_idle = |name: &str| is_named("--no-output") && ["--output", "--format", "--bit-depth", "--gray"].contains(&name);
+        let is_idle =
+            |name: &str| is_named("--no-output") && ["--output", "--format", "--bit-depth", "--gray"].contains(&name);
         let parts = self.parts.options(plain).into_iter().map(Own::of);
         // Anti-aliasing is off by default, which an option of ours overrides.
         let parts = parts.filter(|part| !is_named(&part.name) && !is_idle(&part.name));
