@@ -40,7 +40,7 @@ pub struct Program {
     registers: usize,
     result: Register,
     /// The first registers before anything is computed: the constants where they belong.
-    start: [f64; FEW],
+    start: Box<[f64; FEW]>,
 }
 
 /// Most programs need no more registers than this.
@@ -95,7 +95,7 @@ impl Program {
             registers: next,
             result,
             graph,
-            start,
+            start: start.into(),
         })
     }
 
@@ -109,7 +109,7 @@ impl Program {
         // (Most of the time that a short one takes would go by with zeros, and with copies whose lengths the compiler does not know.)
         let all = self.registers;
         if all <= FEW {
-            let mut r = self.start;
+            let mut r = *self.start;
             match (self.parameters, parameters) {
                 (3, &[x, y, z, ..]) => [r[0], r[1], r[2]] = [x, y, z],
                 (n, all) => r[..n].copy_from_slice(&all[..n]),
