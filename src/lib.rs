@@ -116,6 +116,8 @@ pub struct Built {
     pub limit_reached: bool,
     /// If they were to be kept: the macro calls and includes around each of the scene's objects, innermost first.
     pub origins: Vec<Vec<diagnostic::Label>>,
+    /// If they were to be noted: branches that did not run.
+    pub idle: Vec<Span>,
     /// How long text → Scene took.
     pub parse_time: Duration,
     /// How long Scene → World took.
@@ -146,7 +148,7 @@ pub fn build_with(
     debug: &mut dyn FnMut(&str),
 ) -> Built {
     let start = Instant::now();
-    let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins } =
+    let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins, idle } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
     let parse_time = start.elapsed();
     if let Some(scene) = &scene {
@@ -168,7 +170,7 @@ pub fn build_with(
         (true, Keep::World) => scene.take().map(world::lower_away),
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
-    Built { scene, world, diagnostics, limit_reached, origins, parse_time, build_time: start.elapsed() }
+    Built { scene, world, diagnostics, limit_reached, origins, idle, parse_time, build_time: start.elapsed() }
 }
 
 /// Bytes of stack for parser and interpreter, which recurse as deeply as the text is nested. Only what is used costs memory.

@@ -21,6 +21,8 @@ struct Editor {
     next: i64,
     /// What was told last, by address.
     told: HashMap<String, Value>,
+    /// What was to be shown, and has not been asked for.
+    shown: Vec<String>,
     place: tempfile::TempDir,
 }
 
@@ -61,7 +63,7 @@ impl Editor {
         let stdout = child.stdout.take().unwrap();
         std::thread::spawn(move || read_all(stdout, |message| sender.send(message).is_ok()));
         let stdin = child.stdin.take().unwrap();
-        let mut editor = Self { child, stdin, messages, next: 0, told: HashMap::new(), place };
+        let mut editor = Self { child, stdin, messages, next: 0, told: HashMap::new(), shown: vec![], place };
         let told = editor.ask("initialize", json!({"capabilities": {}, "processId": null, "rootUri": null}));
         assert_eq!(told["capabilities"]["positionEncoding"], "utf-16");
         editor.say("initialized", json!({}));
@@ -85,7 +87,18 @@ impl Editor {
             let uri = message["params"]["uri"].as_str().unwrap().to_string();
             self.told.insert(uri, message["params"].clone());
         }
+        if message["method"] == "window/showDocument" {
+            self.shown.push(message["params"]["uri"].as_str().unwrap().to_string());
+        }
         Some(message)
+    }
+
+    /// Waits until something is to be shown.
+    fn shown(&mut self) -> String {
+        while self.shown.is_empty() {
+            self.take(PATIENCE).expect("nothing is shown");
+        }
+        self.shown.remove(0)
     }
 
     fn answer(&mut self, method: &str, params: Value) -> Value {
@@ -402,50 +415,238 @@ fn number(seed: &mut u64, below: u64) -> u64 {
     (*seed >> 33) % below.max(1)
 }
 
-/// Keys, one at a time, all over a text; at the end nothing is told that isn't so.
+/// A text as an editor keeps it: lines, and places in UTF-16.
+struct Copy(Vec<u16>);
+
+impl Copy {
+    fn of(text: &str) -> Self {
+        Self(text.encode_utf16().collect())
+    }
+
+    /// Where a line begins, and how long it is.
+    fn line(&self, line: u64) -> (usize, usize) {
+        let mut lines = self.0.split(|unit| *unit == u16::from(b'\n'));
+        let before: usize = lines.by_ref().take(line as usize).map(|line| line.len() + 1).sum();
+        (before, lines.next().map_or(0, <[u16]>::len))
+    }
+
+    fn lines(&self) -> u64 {
+        self.0.iter().filter(|unit| **unit == u16::from(b'\n')).count() as u64 + 1
+    }
+
+    /// Does a place stand inside of one character?
+    fn splits(&self, at: usize) -> bool {
+        at > 0 && at < self.0.len() && (0xDC00..0xE000).contains(&self.0[at])
+    }
+
+    fn text(&self) -> String {
+        String::from_utf16(&self.0).unwrap()
+    }
+}
+
+/// All that an editor may ask of a place, or of a text.
+const OF_PLACES: [&str; 5] = ["hover", "completion", "definition", "signatureHelp", "documentHighlight"];
+const OF_TEXTS: [&str; 7] =
+    ["documentSymbol", "foldingRange", "semanticTokens/full", "documentColor", "formatting", "codeLens", "inlayHint"];
+
+impl Editor {
+    /// Types something over a part of a line, and asks this and that; sometimes whether the server's text is still ours.
+    fn key(&mut self, uri: &str, copy: &mut Copy, version: i64, seed: &mut u64, [line, a, b]: [u64; 3], key: &str) {
+        let (start, length) = copy.line(line);
+        let place = |character: u64| {
+            let at = start + (character as usize).min(length);
+            if copy.splits(at) { at - 1 } else { at }
+        };
+        let (from, to) = (place(a), place(b.max(a)));
+        let [a, b] = [from - start, to - start].map(|at| at as u64);
+        copy.0.splice(from..to, key.encode_utf16());
+        self.change(uri, version, [line, a, line, b], key);
+        let asked = OF_PLACES[number(seed, 5) as usize];
+        self.answer(&format!("textDocument/{asked}"), at(uri, number(seed, copy.lines()), number(seed, 40)));
+        let asked = OF_TEXTS[number(seed, 7) as usize];
+        let whole = json!({"start": {"line": 0, "character": 0}, "end": {"line": copy.lines(), "character": 0}});
+        let options = json!({"tabSize": 2, "insertSpaces": true});
+        self.answer(
+            &format!("textDocument/{asked}"),
+            json!({"textDocument": {"uri": uri}, "options": options, "range": whole}),
+        );
+        if number(seed, 20) == 0 {
+            self.compare(uri, copy);
+        }
+    }
+
+    /// The colours of its words are at the places where another server that is given our text whole sees them.
+    fn compare(&mut self, uri: &str, copy: &Copy) {
+        let other = self.open("copy.inc", &copy.text());
+        let [ours, theirs] = [uri, other.as_str()].map(|uri| {
+            let whole = json!({"textDocument": {"uri": uri}});
+            ["foldingRange", "documentColor"].map(|asked| self.ask(&format!("textDocument/{asked}"), whole.clone()))
+        });
+        assert_eq!(ours, theirs, "{}", copy.text());
+        self.say("textDocument/didClose", json!({"textDocument": {"uri": other}}));
+    }
+}
+
+const KEYS: [&str; 16] =
+    ["{", "}", "\"", "#end\n", "#if (1)\n", "ä😀", "/*", "*/", "\n", "(", ")", "<", "sphere", " ", "//", "#macro A(B"];
+
+/// Keys, one at a time: all of a text forwards, all over it, and all of it away from its end. At the end nothing is told that isn't so.
 #[test]
 fn typing_leaves_nothing_behind() {
-    let (mut editor, uri) = hall();
-    let (mut seed, mut version) = (11, 1);
-    let keys = [
-        "{",
-        "}",
-        "\"",
-        "#end\n",
-        "#if (1)\n",
-        "ä😀",
-        "/*",
-        "*/",
-        "\n",
-        "(",
-        ")",
-        "<",
-        "sphere",
-        " ",
-        "//",
-        "#macro A(B",
-    ];
-    for _ in 0..600 {
+    let mut editor = Editor::new();
+    editor.put("parts.inc", PARTS);
+    let uri = editor.open("hall.pov", "");
+    let (mut copy, mut seed, mut version) = (Copy::of(""), 11, 1);
+    let mut typed = (0, 0);
+    for c in HALL.chars() {
         version += 1;
-        let (line, a, b) = (number(&mut seed, 20), number(&mut seed, 30), number(&mut seed, 4));
-        let key = keys[number(&mut seed, keys.len() as u64) as usize];
-        editor.change(&uri, version, [line, a, line, a + b], key);
-        let asked =
-            ["hover", "completion", "definition", "signatureHelp", "documentHighlight"][number(&mut seed, 5) as usize];
-        editor.answer(&format!("textDocument/{asked}"), at(&uri, number(&mut seed, 20), number(&mut seed, 40)));
-        let asked = ["documentSymbol", "foldingRange", "semanticTokens/full", "documentColor", "formatting"]
-            [number(&mut seed, 5) as usize];
-        let options = json!({"tabSize": 2, "insertSpaces": true});
-        editor.answer(&format!("textDocument/{asked}"), json!({"textDocument": {"uri": uri}, "options": options}));
+        let key = c.to_string();
+        editor.key(&uri, &mut copy, version, &mut seed, [typed.0, typed.1, typed.1], &key);
+        typed = if c == '\n' { (typed.0 + 1, 0) } else { (typed.0, typed.1 + 1) };
     }
+    assert_eq!(copy.text(), HALL);
+    editor.compare(&uri, &copy);
+    editor.until(&uri, <[Value]>::is_empty);
+    for _ in 0..400 {
+        version += 1;
+        let (line, a, b) = (number(&mut seed, copy.lines()), number(&mut seed, 30), number(&mut seed, 4));
+        let key = KEYS[number(&mut seed, KEYS.len() as u64) as usize];
+        editor.key(&uri, &mut copy, version, &mut seed, [line, a, a + b], key);
+    }
+    editor.compare(&uri, &copy);
     let all = json!([{"text": HALL}]);
+    version += 1;
     editor.say(
         "textDocument/didChange",
-        json!({"textDocument": {"uri": uri, "version": version + 1}, "contentChanges": all}),
+        json!({"textDocument": {"uri": uri, "version": version}, "contentChanges": all}),
     );
-    std::thread::sleep(Duration::from_secs(2));
+    copy = Copy::of(HALL);
+    std::thread::sleep(Duration::from_secs(1));
     editor.until(&uri, <[Value]>::is_empty);
+    // Backwards.
+    while let Some(last) = copy.0.last().copied() {
+        version += 1;
+        let line = copy.lines() - 1;
+        let (start, length) = copy.line(line);
+        if last == u16::from(b'\n') {
+            let (before, above) = copy.line(line - 1);
+            assert_eq!(before + above + 1, start);
+            copy.0.pop();
+            editor.change(&uri, version, [line - 1, above as u64, line, 0], "");
+        } else {
+            editor.key(&uri, &mut copy, version, &mut seed, [line, length as u64 - 1, length as u64], "");
+        }
+    }
+    editor.until(&uri, |told| codes(told).iter().all(|code| code.starts_with('W')));
     editor.bye();
+}
+
+/// A text of ASCII after edits that don't touch each other.
+fn edited(text: &str, edits: &Value) -> String {
+    let offset = |at: &Value| {
+        let line = at["line"].as_u64().unwrap() as usize;
+        text.split_inclusive('\n').take(line).map(str::len).sum::<usize>() + at["character"].as_u64().unwrap() as usize
+    };
+    let range = |edit: &Value| offset(&edit["range"]["start"])..offset(&edit["range"]["end"]);
+    let mut all: Vec<_> =
+        edits.as_array().unwrap().iter().map(|edit| (range(edit), edit["newText"].as_str().unwrap())).collect();
+    all.sort_by_key(|(range, _)| std::cmp::Reverse(range.start));
+    let mut out = text.to_string();
+    all.into_iter().for_each(|(range, new)| out.replace_range(range, new));
+    out
+}
+
+/// The first action of this title.
+fn action<'a>(actions: &'a Value, title: &str) -> &'a Value {
+    let all = actions.as_array().unwrap();
+    all.iter().find(|one| one["title"] == title).unwrap_or_else(|| panic!("{title}: {actions}"))
+}
+
+#[test]
+fn help_is_done() {
+    let mut editor = Editor::new();
+    let text = "#version 3.7;\ncamera { location -5*z look_at 0 }\n#declare Ball = sphere { 0, 1 }\n#declare Oak = texture { pigment { rgb 1 } }\n#declare Far = 2\n\
+                Ball { translate Far * x }\nsphere { 0, 1 Oak }\n";
+    let mended = text
+        .replace("Far = 2\n", "Far = 2;\n")
+        .replace("Ball {", "object { Ball")
+        .replace("1 Oak", "1 texture { Oak }");
+    let uri = editor.open("a.pov", text);
+    let told = editor.until(&uri, |told| codes(told).contains(&"E0204"));
+    let ask = |editor: &mut Editor, told: &[Value]| {
+        let all = json!({"start": {"line": 0, "character": 0}, "end": {"line": 9, "character": 0}});
+        editor.ask(
+            "textDocument/codeAction",
+            json!({"textDocument": {"uri": uri}, "range": all, "context": {"diagnostics": told}}),
+        )
+    };
+    let actions = ask(&mut editor, &told);
+    let text = edited(text, &action(&actions, "Write `object { Ball … }`")["edit"]["changes"][&uri]);
+    assert!(text.contains("object { Ball translate Far * x }"), "{text}");
+    assert_eq!(action(&actions, "Explain E0204")["command"]["command"], "durer.explain");
+    let all = json!([{"text": text}]);
+    editor.say("textDocument/didChange", json!({"textDocument": {"uri": uri, "version": 2}, "contentChanges": all}));
+    let told = editor.until(&uri, |told| codes(told).iter().filter(|code| **code == "W0420").count() == 2);
+    let actions = ask(&mut editor, &told);
+    let text = edited(&text, &action(&actions, "Write `texture { Oak }`")["edit"]["changes"][&uri]);
+    let text = edited(&text, &action(&actions, "Write `;`")["edit"]["changes"][&uri]);
+    assert_eq!(text, mended);
+    editor.ask("workspace/executeCommand", json!({"command": "durer.explain", "arguments": ["E0204"]}));
+    editor.bye();
+}
+
+#[test]
+fn what_does_not_run_is_faint() {
+    let mut editor = Editor::new();
+    let text = "#version 3.7;\ncamera { location -5*z look_at 0 }\n#declare Big = false;\n#if (Big)\n  sphere { 0, 2 }\n#else\n  sphere { 0, 1 }\n#end\n\
+                #for (I, 0, 1) #if (I = 1) sphere { I, 1 } #else box { I, 1 } #end #end\n";
+    let uri = editor.open("a.pov", text);
+    let faint = |told: &[Value]| {
+        told.iter()
+            .filter(|one| one["tags"] == json!([1]))
+            .map(|one| one["range"]["start"]["line"].as_u64().unwrap())
+            .collect::<Vec<_>>()
+    };
+    let told = editor.until(&uri, |told| !faint(told).is_empty());
+    assert_eq!(faint(&told), [4]);
+    editor.change(&uri, 2, [2, 15, 2, 20], "true");
+    let told = editor.until(&uri, |told| faint(told) == [6]);
+    assert_eq!(told.len(), 1, "{told:?}");
+    editor.bye();
+}
+
+#[test]
+fn scenes_are_drawn_and_watched() {
+    let mut editor = Editor::new();
+    let text =
+        "// A ball.\n#version 3.7;\ncamera { location -5*z look_at 0 }\nlight_source { -9*z, 1 }\nsphere { 0, 1 }\n";
+    editor.put("a.pov", text);
+    let uri = editor.open("a.pov", text);
+    let lenses = editor.ask("textDocument/codeLens", json!({"textDocument": {"uri": uri}}));
+    let titles: Vec<_> =
+        lenses.as_array().unwrap().iter().map(|lens| lens["command"]["title"].as_str().unwrap()).collect();
+    assert_eq!(titles, ["Render", "Watch and pick"]);
+    assert_eq!(lenses[0]["range"]["start"]["line"], 1);
+    let inc = editor.open("b.inc", "#declare A = 1;");
+    assert!(editor.ask("textDocument/codeLens", json!({"textDocument": {"uri": inc}})).is_null());
+    let run = |editor: &mut Editor, lens: &Value| {
+        let command = &lens["command"];
+        editor
+            .ask("workspace/executeCommand", json!({"command": command["command"], "arguments": command["arguments"]}));
+    };
+    run(&mut editor, &lenses[0]);
+    assert!(editor.shown().ends_with("/a.png"));
+    assert!(editor.place.path().join("a.png").metadata().unwrap().len() > 100);
+    run(&mut editor, &lenses[1]);
+    let first = editor.shown();
+    assert!(first.starts_with("http://127.0.0.1:"), "{first}");
+    // A scene has one page, and it ends with the server.
+    run(&mut editor, &lenses[1]);
+    assert_eq!(editor.shown(), first);
+    let host = first["http://".len()..].split('/').next().unwrap().to_string();
+    assert!(std::net::TcpStream::connect(&host).is_ok());
+    editor.bye();
+    assert!(std::net::TcpStream::connect(&host).is_err());
 }
 
 #[test]

@@ -101,6 +101,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         stop: None,
         wholes: if args.single_tokens { Wholes::TakenApart } else { Wholes::Kept },
         origins: false,
+        branches: false,
     }
 }
 

@@ -36,6 +36,7 @@ pub use reader::COLOR_WORDS;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scope::{Place, Scopes, Slot};
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -79,6 +80,8 @@ pub struct Options {
     pub wholes: Wholes,
     /// Keep through which macros and includes each object came into the scene.
     pub origins: bool,
+    /// Note which branches run.
+    pub branches: bool,
 }
 
 /// A picture of one pixel, no files, and a million steps.
@@ -98,6 +101,7 @@ impl Default for Options {
             stop: None,
             wholes: Wholes::Kept,
             origins: false,
+            branches: false,
         }
     }
 }
@@ -113,6 +117,8 @@ pub struct Outcome {
     pub limit_reached: bool,
     /// If they were to be kept: the macro calls and includes around each of the scene's objects, innermost first.
     pub origins: Vec<Vec<Label>>,
+    /// If branches were to be noted: those of `#if`, `#ifdef` and `#switch` that were passed over each time.
+    pub idle: Vec<Span>,
 }
 
 /// A run ends after so many faults, though they be the same again and again.
@@ -204,6 +210,8 @@ pub(crate) struct Interpreter<'a> {
     scene: Scene,
     diagnostics: Vec<Diagnostic>,
     limit_reached: bool,
+    /// Did a branch run? By its place; noted where [`Options::branches`] asks for it.
+    branches: BTreeMap<Span, bool>,
     /// Kept where [`Options::origins`] asks for it.
     origins: Vec<Vec<Label>>,
     /// Faults met, also those that were told before.
@@ -267,6 +275,7 @@ impl<'a> Interpreter<'a> {
             scene: Scene::default(),
             diagnostics: vec![],
             limit_reached: false,
+            branches: BTreeMap::new(),
             origins: vec![],
             faults: 0,
             mistakes: mistake::Mistakes::default(),
@@ -341,6 +350,7 @@ impl<'a> Interpreter<'a> {
             diagnostics: self.diagnostics,
             limit_reached: self.limit_reached,
             origins: self.origins,
+            idle: self.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect(),
         }
     }
 

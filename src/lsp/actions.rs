@@ -1,12 +1,14 @@
 //! What a message's help says, done.
 
+use super::commands::EXPLAIN;
 use super::diagnostics::Told;
 use super::document::Document;
 use super::scan::{Kind, directive};
 use super::server::{Out, Server};
+use crate::syntax::MISSING_SEMICOLON;
 use lsp_types::{
-    CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Range, TextEdit,
-    WorkspaceEdit,
+    CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command,
+    DiagnosticRelatedInformation, NumberOrString, Range, TextEdit, WorkspaceEdit,
 };
 use std::collections::HashMap;
 
@@ -23,8 +25,8 @@ pub fn actions<S: Out>(server: &mut Server<S>, params: &CodeActionParams) -> Opt
         } else {
             known.iter().find(|one| one.range == told.range && one.code == told.code).unwrap_or(told)
         };
-        for (title, edit) in remedies(document, told) {
-            let changes = HashMap::from([(uri.clone(), vec![edit])]);
+        for (title, edits) in remedies(document, told) {
+            let changes = HashMap::from([(uri.clone(), edits)]);
             let action = CodeAction {
                 title,
                 kind: Some(CodeActionKind::QUICKFIX),
@@ -35,16 +37,23 @@ pub fn actions<S: Out>(server: &mut Server<S>, params: &CodeActionParams) -> Opt
             };
             out.push(CodeActionOrCommand::CodeAction(action));
         }
+        if let Some(NumberOrString::String(code)) = &told.code {
+            let title = format!("Explain {code}");
+            let command = Command::new(title.clone(), EXPLAIN.into(), Some(vec![code.clone().into()]));
+            let diagnostics = Some(vec![told.clone()]);
+            let action = CodeAction { title, diagnostics, command: Some(command), ..CodeAction::default() };
+            out.push(CodeActionOrCommand::CodeAction(action));
+        }
     }
     Some(out)
 }
 
-/// What can be done, and the edit that does it.
-fn remedies(document: &Document, told: &Told) -> Vec<(String, TextEdit)> {
+/// What can be done, and the edits that do it.
+fn remedies(document: &Document, told: &Told) -> Vec<(String, Vec<TextEdit>)> {
     let mut out = vec![];
     let data = |name: &str| told.data.as_ref().and_then(|data| data.get(name)).and_then(|value| value.as_str());
     if let Some(file) = data("include") {
-        out.push((format!("Include \"{file}\""), include(document, file)));
+        out.push((format!("Include \"{file}\""), vec![include(document, file)]));
     }
     let Some(help) = data("help") else { return out };
     // "did you mean `sphere`?", "write `#elseif`"
@@ -54,13 +63,48 @@ fn remedies(document: &Document, told: &Told) -> Vec<(String, TextEdit)> {
             |word: &&str| !word.is_empty() && word.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '#'));
         if let Some(word) = word.filter(is_word) {
             let edit = TextEdit { range: told.range, new_text: word.to_string() };
-            out.push((format!("Write `{word}`"), edit));
+            out.push((format!("Write `{word}`"), vec![edit]));
         }
     }
     if help == "remove it" {
-        out.push(("Remove it".into(), TextEdit { range: told.range, new_text: String::new() }));
+        out.push(("Remove it".into(), vec![TextEdit { range: told.range, new_text: String::new() }]));
     }
+    out.extend(wrapped(document, told, help));
+    out.extend(separated(told));
     out
+}
+
+/// "write `object { Ball … }`" and "write `texture { Oak }`": what the message is about, or it and what stands in braces behind it, in a
+/// block.
+fn wrapped(document: &Document, told: &Told, help: &str) -> Option<(String, Vec<TextEdit>)> {
+    let code = help.strip_prefix("write `")?.strip_suffix('`')?;
+    let bytes = document.text.offset(told.range.start)..document.text.offset(told.range.end);
+    let name = document.text.as_str().get(bytes.clone()).filter(|name| !name.is_empty())?;
+    let (word, inside) = code.split_once(" { ")?;
+    if !word.bytes().all(|b| b.is_ascii_lowercase() || b == b'_') {
+        return None;
+    }
+    let at = |position| Range::new(position, position);
+    let open = TextEdit { range: at(told.range.start), new_text: format!("{word} {{ ") };
+    let rest = inside.strip_prefix(name)?.strip_suffix('}')?.trim();
+    let second = if rest.is_empty() {
+        TextEdit { range: at(told.range.end), new_text: " }".into() }
+    } else {
+        // Its own brace goes, and the other one closes the block.
+        let next =
+            document.scan.tokens.iter().find(|token| token.at.start >= bytes.end && token.kind != Kind::Comment)?;
+        let is_brace = document.text.as_str().get(next.at.clone()) == Some("{");
+        is_brace.then(|| TextEdit { range: document.text.range(bytes.end..next.at.end), new_text: String::new() })?
+    };
+    Some((format!("Write `{code}`"), vec![open, second]))
+}
+
+/// A missing `;`: its place is told beside the message.
+fn separated(told: &Told) -> Option<(String, Vec<TextEdit>)> {
+    let is_it = |place: &&DiagnosticRelatedInformation| place.message == MISSING_SEMICOLON;
+    let place = told.related_information.iter().flatten().find(is_it)?;
+    let at = place.location.range.end;
+    Some(("Write `;`".into(), vec![TextEdit { range: Range::new(at, at), new_text: ";".into() }]))
 }
 
 /// Adds an `#include`: behind the last one that stands at the top, or behind `#version`, or below the comment that begins the text.

@@ -29,6 +29,18 @@ pub fn tell(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> Told {
     told(diagnostic, range, places.filter_map(related).collect())
 }
 
+/// A branch that did not run.
+pub fn idle(sources: &Sources, file: FileId, bytes: std::ops::Range<usize>) -> Told {
+    Told {
+        range: Text::new(sources.text(file).to_string()).range(bytes),
+        severity: Some(DiagnosticSeverity::HINT),
+        source: Some("durer".into()),
+        message: "this did not run".into(),
+        tags: Some(vec![DiagnosticTag::UNNECESSARY]),
+        ..Told::default()
+    }
+}
+
 /// A fault of the text itself.
 pub fn tell_fault(fault: &Diagnostic, text: &Text, uri: &Uri) -> Told {
     let local = |place: u32| (place as usize).saturating_sub(BASE);
@@ -55,7 +67,7 @@ fn told(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformation>
         severity: Some(match d.severity {
             Severity::Error => DiagnosticSeverity::ERROR,
             // Shown faint, in the middle of being written as it may be.
-            Severity::Warning if unused => DiagnosticSeverity::HINT,
+            Severity::Warning if unused || d.code == codes::NOT_PORTABLE => DiagnosticSeverity::HINT,
             Severity::Warning => DiagnosticSeverity::WARNING,
         }),
         code: Some(NumberOrString::String(d.code.0.into())),

@@ -10,6 +10,7 @@
 
 mod actions;
 mod colors;
+mod commands;
 mod complete;
 mod diagnostics;
 mod document;
@@ -17,6 +18,7 @@ mod files;
 mod hover;
 mod inlay;
 mod layout;
+mod lens;
 mod names;
 mod requests;
 mod run;

@@ -1,7 +1,7 @@
 //! Which requests are answered, and by whom.
 
 use super::server::{Out, Server};
-use super::{actions, colors, complete, hover, inlay, layout, names, semantic, signature, symbols};
+use super::{actions, colors, commands, complete, hover, inlay, layout, lens, names, semantic, signature, symbols};
 use lsp_server::{ErrorCode, Request, Response};
 use lsp_types::request as ask;
 use serde_json::{Value, json};
@@ -28,6 +28,8 @@ pub fn capabilities() -> Value {
         "codeActionProvider": {"codeActionKinds": ["quickfix"]},
         "colorProvider": true,
         "inlayHintProvider": true,
+        "codeLensProvider": {},
+        "executeCommandProvider": {"commands": [commands::RENDER, commands::WATCH, commands::EXPLAIN]},
     })
 }
 
@@ -67,6 +69,8 @@ pub fn answer<S: Out>(server: &mut Server<S>, request: Request) -> Response {
             by::<ask::ColorPresentationRequest>(request, |p| colors::present(server, &p))
         }
         "textDocument/inlayHint" => by::<ask::InlayHintRequest>(request, |p| inlay::hints(server, &p)),
+        "textDocument/codeLens" => by::<ask::CodeLensRequest>(request, |p| lens::lenses(server, &p)),
+        "workspace/executeCommand" => by::<ask::ExecuteCommand>(request, |p| commands::execute(server, &p)),
         other => {
             let text = format!("`{other}` is not answered");
             Response::new_err(request.id, ErrorCode::MethodNotFound as i32, text)

@@ -1,6 +1,7 @@
 //! A run of a scene that is open: what it finds, for each file of the scene.
 
-use super::diagnostics::{Told, tell};
+use super::diagnostics::{Told, idle, tell};
+use super::files::same;
 use crate::Keep;
 use crate::diagnostic::Severity;
 use crate::interpreter::{Options, ParsedFiles};
@@ -77,6 +78,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
         max_time: Some(MAX_TIME),
         max_memory: Some(MAX_MEMORY),
         stop: Some(job.stop.clone()),
+        branches: true,
         ..Options::default()
     };
     let built = crate::build_with(&parsed, &sources, file, &options, Keep::World, &mut |_| {});
@@ -85,12 +87,25 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
     if found.iter().all(|diagnostic| diagnostic.severity == Severity::Warning) {
         // The scene's own file is the first that was parsed.
         let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();
-        found.extend(lint::lint(&sources, parsed.names(), &files, Lints { unused: true, ..Lints::default() }));
+        found.extend(lint::lint(
+            &sources,
+            parsed.names(),
+            &files,
+            Lints { unused: true, portable: true, shadow: false },
+        ));
     }
     for diagnostic in &found {
         let place = sources.locate(diagnostic.span()).map_or(file, |(id, _)| id);
         let path = sources.path(place).filter(|_| place != file).map(Path::to_path_buf);
         told.entry(path).or_default().push(tell(diagnostic, &sources, place));
+    }
+    // What did not run is shown faint, where somebody sees it.
+    for span in &built.idle {
+        let Some((id, bytes)) = sources.locate(*span) else { continue };
+        let path = sources.path(id).filter(|_| id != file).map(Path::to_path_buf);
+        if path.as_deref().is_none_or(|path| job.held.iter().any(|(open, _)| same(open, path))) {
+            told.entry(path).or_default().push(idle(&sources, id, bytes));
+        }
     }
     told
 }

@@ -1,5 +1,6 @@
 //! What the server knows, and what it does when something happens.
 
+use super::commands::Watches;
 use super::diagnostics::{Told, moved, tell_fault};
 use super::document::{Document, uri_of};
 use super::files::{self, Files, Reached};
@@ -31,12 +32,16 @@ pub enum Event {
     Gone,
     /// A run has ended.
     Ran(Ran),
+    /// The editor is to be told something.
+    Say(Message),
 }
 
 /// All state.
 pub struct Server<S> {
-    out: S,
-    events: Sender<Event>,
+    pub(super) out: S,
+    pub(super) events: Sender<Event>,
+    /// Pages that show scenes.
+    pub(super) watches: Watches,
     /// By address.
     pub open: BTreeMap<String, Document>,
     /// What open texts include.
@@ -65,7 +70,16 @@ impl<S: Out> Server<S> {
     /// One without texts.
     pub fn new(out: S, events: Sender<Event>, include: Vec<PathBuf>) -> Self {
         let (open, ran) = (BTreeMap::new(), BTreeMap::new());
-        Self { out, events, open, files: Files::default(), include, ran, is_shut_down: false }
+        Self {
+            out,
+            events,
+            watches: Watches::default(),
+            open,
+            files: Files::default(),
+            include,
+            ran,
+            is_shut_down: false,
+        }
     }
 
     /// Does what is to be done until the editor leaves.
@@ -81,6 +95,7 @@ impl<S: Out> Server<S> {
                 Ok(Event::Client(Message::Notification(note))) => self.notice(note),
                 Ok(Event::Client(Message::Response(_))) => {}
                 Ok(Event::Ran(ran)) => self.take(ran),
+                Ok(Event::Say(message)) => self.out.send(message),
                 Ok(Event::Gone) | Err(RecvTimeoutError::Disconnected) => break,
                 Err(RecvTimeoutError::Timeout) => self.start_runs(),
             }

@@ -46,9 +46,9 @@ impl Range {
         Range { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// Without what lies nearer than `least`, if it starts at the eye or before it.
+    /// Without what lies nearer than `least`, where what lies nearest is left out already.
     pub fn ahead(self, least: f64) -> Range {
-        if self.min >= 0.0 { Range { min: self.min.max(least), ..self } } else { self }
+        if self.min > 0.0 { Range { min: self.min.max(least), ..self } } else { self }
     }
 
     /// Is there nothing between the ends?

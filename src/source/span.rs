@@ -4,7 +4,7 @@ use serde::Serialize;
 
 /// A range of bytes in the concatenation of all files read so far (see [`super::Sources`]), so that
 /// eight bytes name the file too. The default is no place at all.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 pub struct Span {
     /// First byte.
     pub lo: u32,

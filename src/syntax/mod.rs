@@ -21,4 +21,5 @@ pub use class::{opens, structural_directives};
 pub use lex::is_nothing;
 pub use names::Names;
 pub use parse::{Wholes, parse, parse_text};
+pub use portable::MISSING_SEMICOLON;
 pub use tokens::{Piece, Tokens};

@@ -65,7 +65,9 @@ impl<'a> Interpreter<'a> {
                 Condition::NotDeclared(head) => !self.head_is_declared(head, branch.span)?,
                 Condition::Always => true,
             };
+            self.note_branch(&branch.body, taken);
             if taken {
+                branches[i + 1..].iter().for_each(|other| self.note_branch(&other.body, false));
                 if let (Condition::Always, Some(next)) = (&branch.condition, branches.get(i + 1)) {
                     return Err(continues_nothing(next.span, self.sources.snippet(next.span)));
                 }
@@ -74,6 +76,13 @@ impl<'a> Interpreter<'a> {
             }
         }
         Ok(())
+    }
+
+    /// For those who show what did not run.
+    fn note_branch(&mut self, body: &[Element], runs: bool) {
+        if let (true, [first, ..], Some(last)) = (self.options.branches, body, body.last()) {
+            *self.branches.entry(first.span.to(last.span)).or_default() |= runs;
+        }
     }
 
     /// A condition that a body begins with: its `(` is closed by what a macro or a branch gives. What follows it there comes
@@ -246,6 +255,9 @@ impl<'a> Interpreter<'a> {
             if let (true, When::Otherwise, Some(next)) = (fits, &arm.when, arms.get(i + 1)) {
                 return Err(continues_nothing(next.span, self.sources.snippet(next.span)));
             }
+            // (Where an arm ends is known when it runs: those behind it are not called idle.)
+            self.note_branch(&arm.body, fits);
+            arms[i + 1..].iter().filter(|_| fits).for_each(|other| self.note_branch(&other.body, true));
             if fits {
                 // Fall-through, also into `#else`: later arms lie below on the stack.
                 self.push_frame(&[], FrameKind::Switch, span);

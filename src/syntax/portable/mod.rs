@@ -15,6 +15,9 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use declared::Declared;
 
+/// What is told of the place where a `;` is missing.
+pub const MISSING_SEMICOLON: &str = "`;` goes here";
+
 /// Tells what is not portable in the first file, which is the scene's own; the others are those that it includes.
 pub(super) fn portable(sources: &Sources, names: &Names, files: &[FileId]) -> Vec<Diagnostic> {
     let texts: Vec<Text> = files.iter().map(|&file| Text::of(sources, names, file)).collect();

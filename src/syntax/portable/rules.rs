@@ -2,6 +2,7 @@
 
 use super::declared::Kind;
 use super::{Walk, is_directive, value};
+use crate::diagnostic::Label;
 use crate::syntax::class;
 use crate::syntax::word::{self, GROUPS, SHAPES};
 
@@ -240,6 +241,9 @@ impl Walk<'_> {
             let name = self.text.word(at + 1);
             let message = format!("POV-Ray wants a `;` behind the value of `{name}`");
             self.tell(at + 1, message, format!("`#declare {name} = …;`"));
+            let behind = self.text.span(end - 1).end();
+            let label = Label { span: behind, text: super::MISSING_SEMICOLON.into() };
+            self.out.last_mut().into_iter().for_each(|told| told.labels.push(label.clone()));
         }
     }
 
