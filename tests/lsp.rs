@@ -451,7 +451,7 @@ const OF_TEXTS: [&str; 7] =
 
 impl Editor {
     /// Types something over a part of a line, and asks this and that; sometimes whether the server's text is still ours.
-    fn key(&mut self, uri: &str, copy: &mut Copy, version: i64, seed: &mut u64, [line, a, b]: [u64; 3], key: &str) {
+    fn key(&mut self, uri: &str, copy: &mut Copy, (version, seed): (i64, &mut u64), [line, a, b]: [u64; 3], key: &str) {
         let (start, length) = copy.line(line);
         let place = |character: u64| {
             let at = start + (character as usize).min(length);
@@ -501,7 +501,7 @@ fn typing_leaves_nothing_behind() {
     for c in HALL.chars() {
         version += 1;
         let key = c.to_string();
-        editor.key(&uri, &mut copy, version, &mut seed, [typed.0, typed.1, typed.1], &key);
+        editor.key(&uri, &mut copy, (version, &mut seed), [typed.0, typed.1, typed.1], &key);
         typed = if c == '\n' { (typed.0 + 1, 0) } else { (typed.0, typed.1 + 1) };
     }
     assert_eq!(copy.text(), HALL);
@@ -511,7 +511,7 @@ fn typing_leaves_nothing_behind() {
         version += 1;
         let (line, a, b) = (number(&mut seed, copy.lines()), number(&mut seed, 30), number(&mut seed, 4));
         let key = KEYS[number(&mut seed, KEYS.len() as u64) as usize];
-        editor.key(&uri, &mut copy, version, &mut seed, [line, a, a + b], key);
+        editor.key(&uri, &mut copy, (version, &mut seed), [line, a, a + b], key);
     }
     editor.compare(&uri, &copy);
     let all = json!([{"text": HALL}]);
@@ -534,7 +534,7 @@ fn typing_leaves_nothing_behind() {
             copy.0.pop();
             editor.change(&uri, version, [line - 1, above as u64, line, 0], "");
         } else {
-            editor.key(&uri, &mut copy, version, &mut seed, [line, length as u64 - 1, length as u64], "");
+            editor.key(&uri, &mut copy, (version, &mut seed), [line, length as u64 - 1, length as u64], "");
         }
     }
     editor.until(&uri, |told| codes(told).iter().all(|code| code.starts_with('W')));

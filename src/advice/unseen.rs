@@ -15,19 +15,24 @@ const SAMPLES: usize = 200;
 const CENTRE: f64 = 0.5;
 
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
-    let around = around(world, world.eye.frame.origin);
+    let (eye, at_eye) = (world.eye.frame.origin, around(world, world.eye.frame.origin));
+    // Rays of some cameras begin elsewhere.
+    let is_around = |ray: &Ray, object: &u32| match ray.origin == eye {
+        true => at_eye.contains(object),
+        false => around(world, ray.origin).contains(object),
+    };
     let mut inside = None;
     // Anti-aliasing sees what lies between the pixels' centres too.
     let between = options.antialias.map(|_| rays(world, options, 0.0));
     for ray in rays(world, options, CENTRE).chain(between.into_iter().flatten()) {
         match closest(world, &ray) {
-            Some(found) if !around.contains(&found.object) => return None,
+            Some(found) if !is_around(&ray, &found.object) => return None,
             found => inside = inside.or(found),
         }
     }
     match inside {
         // Alone, it is what the picture is of.
-        Some(_) if world.geometry.items().all(|item| around.contains(&item.object())) => None,
+        Some(_) if world.geometry.items().all(|item| at_eye.contains(&item.object())) => None,
         Some(found) => Some(from_inside(world, &found)),
         // (A scene without objects and lights is not made to be looked at.)
         None if world.geometry.is_empty() && world.lights.is_empty() => None,

@@ -45,7 +45,7 @@ fn gray_is_brightness() {
     {
         let bytes = encode(&frame, &Encoding { gray: true, alpha, depth, ..Encoding::new(format) }).unwrap();
         let read = image::load_from_memory(&bytes).unwrap();
-        assert_eq!(read.color().has_color(), false, "{format:?}");
+        assert!(!read.color().has_color(), "{format:?}");
         assert_eq!(
             (read.color().has_alpha(), read.color().bytes_per_pixel()),
             (alpha, depth / 8 * (1 + u8::from(alpha)))

@@ -63,7 +63,7 @@ fn hashed(i: usize) -> usize {
 pub struct Around {
     cell: Cell,
     known: bool,
-    /// Their x, y and z, counted from the corner of the cube in the middle, in the order of [`NEXT`]; what is left over is infinitely far.
+    /// Their x, y and z, counted from the corner of the cube in the middle, in the order of `NEXT`; what is left over is infinitely far.
     pub points: [[f64; 28]; 3],
 }
 
