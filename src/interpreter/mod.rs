@@ -44,6 +44,7 @@ use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::time::Instant;
 use stream::{FrameKind, Held, Opened, StackFrame, Token};
 pub use timing::Timing;
+pub use rvalue::LATER;
 pub use top::STATEMENTS;
 
 /// Every function of scripts that `function { }` does not have: name, arguments, one line.
