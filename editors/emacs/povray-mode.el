@@ -226,10 +226,52 @@ Names of one word, such as Width, others have too."
   (append (list povray-durer-path "lsp")
           (mapcan (lambda (folder) (list "-I" (expand-file-name folder))) povray-durer-include)))
 
-(defvar eglot-server-programs)
+(defun povray--carry-out (command arguments)
+  "Carry out COMMAND of a code lens with ARGUMENTS.
+Return nil if it is none of ours."
+  (let ((scene (and arguments (elt arguments 0))))
+    (pcase (format "%s" command)
+      ("durer.render" (povray-render scene) t)
+      ("durer.watch" (povray-watch scene) t))))
 
+(defun povray--eglot-execute (_server action)
+  "Carry out ACTION, a command or what holds one."
+  (let ((command (plist-get action :command)))
+    (if (listp command)
+        (povray--carry-out (plist-get command :command) (plist-get command :arguments))
+      (povray--carry-out command (plist-get action :arguments)))))
+
+(defvar eglot-server-programs)
 (with-eval-after-load 'eglot
-  (add-to-list 'eglot-server-programs '(povray-mode . povray-server)))
+  (add-to-list 'eglot-server-programs (cons 'povray-mode #'povray-server))
+  ;; The latter is of newer versions.
+  (advice-add 'eglot-execute-command :before-until
+              (lambda (_server command arguments) (povray--carry-out command arguments)))
+  (advice-add 'eglot-execute :before-until #'povray--eglot-execute))
+
+(declare-function lsp-register-client "lsp-mode")
+(declare-function make-lsp-client "lsp-mode")
+(declare-function lsp-stdio-connection "lsp-mode")
+(declare-function lsp-activate-on "lsp-mode")
+(defun povray--lsp-handler (command)
+  "What carries out COMMAND for lsp-mode."
+  (lambda (action)
+    ;; Which of both it is, was chosen when lsp-mode was compiled.
+    (povray--carry-out command (if (hash-table-p action)
+                                   (gethash "arguments" action)
+                                 (plist-get action :arguments)))))
+
+(defvar lsp-language-id-configuration)
+(with-eval-after-load 'lsp-mode
+  (add-to-list 'lsp-language-id-configuration '(povray-mode . "povray"))
+  (let ((handlers (make-hash-table :test 'equal)))
+    (dolist (command '("durer.render" "durer.watch"))
+      (puthash command (povray--lsp-handler command) handlers))
+    (lsp-register-client
+     (make-lsp-client :new-connection (lsp-stdio-connection #'povray-server)
+                      :activation-fn (lsp-activate-on "povray")
+                      :action-handlers handlers
+                      :server-id 'durer))))
 
 (provide 'povray-mode)
 ;;; povray-mode.el ends here

@@ -34,6 +34,7 @@ pub use directive::table as directives;
 pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use rustc_hash::{FxHashMap, FxHashSet};
+pub use rvalue::LATER;
 use scope::{Place, Scopes, Slot};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -44,7 +45,6 @@ use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::time::Instant;
 use stream::{FrameKind, Held, Opened, StackFrame, Token};
 pub use timing::Timing;
-pub use rvalue::LATER;
 pub use top::STATEMENTS;
 
 /// Every function of scripts that `function { }` does not have: name, arguments, one line.

@@ -2,12 +2,12 @@
 
 use super::{BLOCKS, FAMILIES};
 use crate::interpreter::{LATER, directives};
+use crate::pattern::Modifiers;
+use crate::shape;
 use crate::syntax::word::{CONSTANTS, FUNCTIONS, GROUPS, KEYWORDS};
 use crate::syntax::{continues, opens};
 use crate::value::Kind;
 use crate::value::words::TRANSFORMS;
-use crate::pattern::Modifiers;
-use crate::shape;
 
 /// Words that are looked at in one way. No word stands in two of the first five lists; each is in the order of the alphabet.
 #[derive(Debug)]

@@ -87,6 +87,38 @@
     (let ((povray-durer-include '("/inc"))) (povray-watch "/tmp/a.pov")))
   (check (equal asked '("durer watch --open -I /inc /tmp/a.pov" "durer render /tmp/a\\ b.pov")) "%S" asked))
 
+(defun wait-for (what holds)
+  "Let programs talk until HOLDS gives something, or fail for want of WHAT."
+  (let ((rounds 0))
+    (while (and (not (funcall holds)) (< rounds 200))
+      (accept-process-output nil 0.1)
+      (setq rounds (1+ rounds)))
+    (check (< rounds 200) "no %s" what)))
+
+;; The language server, where there is eglot: it tells that `Unknown' is nothing.
+(setq povray-durer-path (getenv "DURER"))
+(when (require 'eglot nil t)
+  (setq eglot-sync-connect 20)
+  (call-interactively #'eglot)
+  (flymake-mode 1)
+  (wait-for "message" #'flymake-diagnostics)
+  (check (seq-find (lambda (one) (string-match-p "`Unknown`" (flymake-diagnostic-text one))) (flymake-diagnostics))
+         "%S" (flymake-diagnostics))
+  ;; What its code lenses ask for.
+  (let (asked (action '(:title "Render" :command "durer.render" :arguments ["/tmp/a.pov"])))
+    (cl-letf (((symbol-function 'povray-render) (lambda (scene) (push scene asked))))
+      (if (fboundp 'eglot-execute)
+          (eglot-execute (eglot-current-server) action)
+        (eglot-execute-command (eglot-current-server) "durer.render" ["/tmp/a.pov"])))
+    (check (equal asked '("/tmp/a.pov")) "%S" asked))
+  (eglot-shutdown (eglot-current-server))
+  (message "eglot: ok"))
+
+;; Something is drawn.
+(with-temp-file "a small scene.pov" (insert "camera { location -3 * z } sphere { 0, 1 }"))
+(povray--run '("render" "--size" "8x6") "a small scene.pov")
+(wait-for "picture" (lambda () (file-exists-p "a small scene.png")))
+
 ;; INI files.
 (find-file "sample.ini")
 (check (eq major-mode 'povray-ini-mode) "sample.ini is %s" major-mode)

@@ -327,7 +327,8 @@ fn wrong(text: &str, reason: &str, origin: Origin) -> Diagnostic {
 
 fn unknown(text: &str, origin: Origin) -> Diagnostic {
     let (name, value) = text.split_once('=').map_or((text, ""), |(name, value)| (name, value));
-    let near = nearest(name.trim_start_matches(['+', '-']), ini_names()).map(|ini| format!("did you mean `{ini}={value}`?"));
+    let near =
+        nearest(name.trim_start_matches(['+', '-']), ini_names()).map(|ini| format!("did you mean `{ini}={value}`?"));
     let help = near.unwrap_or("`durer render --help` lists durer's options".into());
     Diagnostic::new(codes::UNKNOWN_OPTION, origin.word, format!("there is no option `{text}`")).help(help)
 }
