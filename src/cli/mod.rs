@@ -44,6 +44,7 @@ pub use args::{Cli, Common};
 use clap::CommandFactory;
 use console::Console;
 pub use exit::{Exit, Failure, Result};
+pub use povray::ini_names;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::LazyLock;

@@ -34,6 +34,7 @@ pub use directive::table as directives;
 pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use rustc_hash::{FxHashMap, FxHashSet};
+pub use rvalue::LATER;
 use scope::{Place, Scopes, Slot};
 use std::cell::RefCell;
 use std::collections::BTreeMap;

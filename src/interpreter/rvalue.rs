@@ -16,7 +16,7 @@ use crate::value::{Next, Reader, Thing, Value, given};
 use std::sync::Arc;
 
 /// Blocks that may be declared, and whose kind is not read yet.
-const LATER: &[&str] =
+pub const LATER: &[&str] =
     &["media", "density", "density_map", "warp", "radiosity", "photons", "pattern", "array", "texture_list"];
 
 impl<'a> Interpreter<'a> {

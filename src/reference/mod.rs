@@ -1,5 +1,9 @@
 //! All tables of words that the readers obey, in one place: for the manual and for editors.
 
+mod sorts;
+
+pub use sorts::{Sorts, sorts};
+
 use crate::pattern::{CellPattern, FieldPattern, Warp};
 use crate::texture::words::{FINISH, IMAGE_MAP, INTERIOR, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
 use crate::value::{Spec, Vocabulary};

@@ -116,6 +116,11 @@ pub fn opens(word: &str) -> bool {
     DIRECTIVES.iter().any(|row| row.0 == word && row.2 == Role::Opens)
 }
 
+/// Does the directive of this name stand between one that opens a body and its `#end`?
+pub fn continues(word: &str) -> bool {
+    DIRECTIVES.iter().any(|row| row.0 == word && matches!(row.2, Role::Continues(_)))
+}
+
 /// Does this directive open a body?
 pub(super) fn opens_body(class: u8) -> bool {
     DIRECTIVES.iter().any(|row| row.1 == class && row.2 == Role::Opens)

@@ -17,7 +17,7 @@ mod tokens;
 pub mod word;
 
 pub use build::{SignRow, begins_with_parenthesis, begins_with_sign, pieces, unescape};
-pub use class::{opens, structural_directives};
+pub use class::{continues, opens, structural_directives};
 pub use lex::is_nothing;
 pub use names::Names;
 pub use parse::{Wholes, parse, parse_text};

@@ -282,6 +282,11 @@ fn check_value(option: &str, value: &str) -> Result<(), String> {
     }
 }
 
+/// The INI names of all options.
+pub fn ini_names() -> impl Iterator<Item = &'static str> {
+    ROWS.iter().map(|row| row.ini).filter(|ini| !ini.is_empty())
+}
+
 /// The row with the longest switch that the word begins with and whose value can be what is left of it.
 fn find_switch(word: &str) -> Option<(&'static Row, &str)> {
     // `+H12abc` is a number too, but not before all else has been tried: `+HRx` is a misspelt `+HR`.
@@ -322,8 +327,8 @@ fn wrong(text: &str, reason: &str, origin: Origin) -> Diagnostic {
 
 fn unknown(text: &str, origin: Origin) -> Diagnostic {
     let (name, value) = text.split_once('=').map_or((text, ""), |(name, value)| (name, value));
-    let known = ROWS.iter().map(|row| row.ini).filter(|ini| !ini.is_empty());
-    let near = nearest(name.trim_start_matches(['+', '-']), known).map(|ini| format!("did you mean `{ini}={value}`?"));
+    let near =
+        nearest(name.trim_start_matches(['+', '-']), ini_names()).map(|ini| format!("did you mean `{ini}={value}`?"));
     let help = near.unwrap_or("`durer render --help` lists durer's options".into());
     Diagnostic::new(codes::UNKNOWN_OPTION, origin.word, format!("there is no option `{text}`")).help(help)
 }

@@ -1,0 +1,65 @@
+//! Every word of the language by what it is: for the grammars of editors, which `tests/editors.rs` makes of this.
+
+use super::{BLOCKS, FAMILIES};
+use crate::interpreter::{LATER, directives};
+use crate::pattern::Modifiers;
+use crate::shape;
+use crate::syntax::word::{CONSTANTS, FUNCTIONS, GROUPS, KEYWORDS};
+use crate::syntax::{continues, opens};
+use crate::value::Kind;
+use crate::value::words::TRANSFORMS;
+
+/// Words that are looked at in one way. No word stands in two of the first five lists; each is in the order of the alphabet.
+#[derive(Debug)]
+pub struct Sorts {
+    /// Objects: `sphere`, `union`.
+    pub objects: Vec<&'static str>,
+    /// What else has braces: `pigment`, `camera`.
+    pub blocks: Vec<&'static str>,
+    /// Take arguments in parentheses: `sin`.
+    pub functions: Vec<&'static str>,
+    /// Values: `x`, `pi`, `on`.
+    pub constants: Vec<&'static str>,
+    /// All other words: `rotate`, `rgb`, `marble`.
+    pub words: Vec<&'static str>,
+    /// What stands behind `#`.
+    pub directives: Vec<&'static str>,
+    /// Those of them that an `#end` closes.
+    pub openers: Vec<&'static str>,
+    /// Those of them between an opener and its `#end`: `else`, `case`.
+    pub continuers: Vec<&'static str>,
+}
+
+/// All words.
+pub fn sorts() -> Sorts {
+    let rows = || {
+        let tables = BLOCKS.iter().map(|block| block.words.words);
+        let tables = tables.chain(FAMILIES.iter().flat_map(|family| family.specs).map(|spec| spec.words));
+        tables.chain([TRANSFORMS, Modifiers::WORDS]).flatten()
+    };
+    let objects = sorted(shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
+    let named = BLOCKS.iter().flat_map(|block| block.words.not_drawn.iter().copied().chain([block.words.block]));
+    // The grammar itself knows functions.
+    let named = named.chain(LATER.iter().copied()).chain(["function"]);
+    let with_braces = rows().filter(|row| row.kind == Kind::Block).map(|row| row.name);
+    let is_keyword = |name: &&str| KEYWORDS.contains(name);
+    let blocks = sorted(named.chain(with_braces).filter(is_keyword).filter(|name| !objects.contains(name)));
+    let is_left = |name: &&str| !objects.contains(name) && !blocks.contains(name);
+    let words = sorted(KEYWORDS.iter().copied().filter(is_left));
+    let directives = sorted(directives::TABLE.iter().flat_map(|row| row.names.iter().copied()));
+    let some = |which: fn(&str) -> bool| directives.iter().copied().filter(|name| which(name)).collect();
+    Sorts {
+        functions: sorted(FUNCTIONS.iter().copied()),
+        constants: sorted(CONSTANTS.iter().map(|(name, _)| *name)),
+        openers: some(opens),
+        continuers: some(continues),
+        objects,
+        blocks,
+        words,
+        directives,
+    }
+}
+
+fn sorted(words: impl Iterator<Item = &'static str>) -> Vec<&'static str> {
+    words.collect::<std::collections::BTreeSet<_>>().into_iter().collect()
+}

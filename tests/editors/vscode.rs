@@ -1,0 +1,120 @@
+//! Visual Studio Code, and whatever else reads TextMate's grammars: those of scenes and of INI files.
+
+use super::{File, GENERATED};
+use durer::reference::Sorts;
+use serde_json::{Value, json};
+
+const NAME: &str = "[A-Za-z_][A-Za-z0-9_]*";
+const NUMBER: &str = r"(?:(?<![A-Za-z0-9_])\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?(?![A-Za-z0-9_])";
+
+pub fn files(sorts: &Sorts, options: &[&str]) -> Vec<File> {
+    let text = |value: &Value| serde_json::to_string_pretty(value).unwrap_or_default() + "\n";
+    vec![
+        ("vscode/syntaxes/povray.tmLanguage.json", text(&scene(sorts))),
+        ("vscode/syntaxes/povray-ini.tmLanguage.json", text(&ini(options))),
+        ("vscode/language-configuration.json", text(&configuration(sorts))),
+        ("vscode/options.json", text(&json!({"comment": GENERATED, "options": options}))),
+    ]
+}
+
+/// One of the words, whole.
+fn any(words: &[&str]) -> String {
+    format!(r"\b(?:{})\b", words.join("|"))
+}
+
+fn scene(sorts: &Sorts) -> Value {
+    json!({
+        "comment": GENERATED,
+        "name": "POV-Ray scene",
+        "scopeName": "source.povray",
+        "fileTypes": ["pov", "inc", "scene"],
+        "patterns": [{"include": "#comment"}, {"include": "#string"}, {"include": "#directive"}, {"include": "#word"}],
+        "repository": {
+            "comment": {"patterns": [
+                {"name": "comment.line.double-slash.povray", "match": "//.*$"},
+                {"include": "#nested"},
+            ]},
+            // They nest.
+            "nested": {"name": "comment.block.povray", "begin": r"/\*", "end": r"\*/", "patterns": [{"include": "#nested"}]},
+            "string": {
+                "name": "string.quoted.double.povray", "begin": "\"", "end": "\"",
+                "patterns": [{"name": "constant.character.escape.povray", "match": r"\\(?:u[0-9A-Fa-f]{4}|.)"}],
+            },
+            "directive": {"patterns": directives(&sorts.directives)},
+            "word": {"patterns": [
+                {"name": "constant.numeric.povray", "match": NUMBER},
+                {"name": "support.class.povray", "match": any(&sorts.objects)},
+                {"name": "keyword.other.block.povray", "match": any(&sorts.blocks)},
+                {"name": "support.function.povray", "match": any(&sorts.functions)},
+                {"name": "constant.language.povray", "match": any(&sorts.constants)},
+                {"name": "support.type.property-name.povray", "match": any(&sorts.words)},
+                {"name": "variable.other.povray", "match": format!(r"\b{NAME}\b")},
+                {"name": "keyword.operator.povray", "match": r"[-+*/=!&|?:]|[<>]=?"},
+            ]},
+        },
+    })
+}
+
+/// Those that give names know them.
+fn directives(names: &[&str]) -> Value {
+    let directive = json!({"name": "keyword.control.directive.povray"});
+    let named = |names: &str, between: &str, scope: &str| {
+        json!({
+            "match": format!(r"(#[ \t]*(?:{names})\b){between}((?!deprecated\b){NAME})"),
+            "captures": {"1": directive, "2": {"name": scope}},
+        })
+    };
+    json!([
+        {
+            "begin": format!(r"(#[ \t]*macro\b)\s+({NAME})\s*\("),
+            "beginCaptures": {"1": directive, "2": {"name": "entity.name.function.povray"}},
+            "end": r"\)",
+            "patterns": [
+                {"include": "#comment"},
+                {"name": "keyword.control.povray", "match": r"\boptional\b"},
+                {"name": "variable.parameter.povray", "match": format!(r"\b{NAME}\b")},
+            ],
+        },
+        named("declare|local", r"\s+", "variable.other.definition.povray"),
+        named("for", r"\s*\(\s*", "variable.other.definition.povray"),
+        {"match": format!(r"#[ \t]*(?:{})\b", names.join("|")), "name": "keyword.control.directive.povray"},
+    ])
+}
+
+fn ini(options: &[&str]) -> Value {
+    json!({
+        "comment": GENERATED,
+        "name": "POV-Ray INI file",
+        "scopeName": "source.povray-ini",
+        "patterns": [
+            {"name": "comment.line.povray-ini", "match": "[;#].*$"},
+            {"name": "entity.name.section.povray-ini", "match": r"^\s*\[[^\]]*\]?"},
+            {"name": "string.quoted.double.povray-ini", "match": "\"[^\"]*\""},
+            {"name": "support.type.property-name.povray-ini", "match": format!(r"(?i)\b(?:{})\b(?=\s*=)", options.join("|"))},
+            {"name": "keyword.other.switch.povray-ini", "match": r"(?<!\S)[-+][A-Za-z]+"},
+            {"name": "constant.language.povray-ini", "match": r"(?i)\b(?:on|off|true|false|yes|no)\b"},
+            {"name": "constant.numeric.povray-ini", "match": format!("[-+]?{NUMBER}")},
+        ],
+    })
+}
+
+/// Brackets, comments, and what indents the next line.
+fn configuration(sorts: &Sorts) -> Value {
+    let (openers, continuers) = (sorts.openers.join("|"), sorts.continuers.join("|"));
+    let pairs = json!([["{", "}"], ["[", "]"], ["(", ")"]]);
+    let closing = |open: &str, close: &str| json!({"open": open, "close": close, "notIn": ["string", "comment"]});
+    let around = json!([["{", "}"], ["[", "]"], ["(", ")"], ["<", ">"], ["\"", "\""]]);
+    json!({
+        "comments": {"lineComment": "//", "blockComment": ["/*", "*/"]},
+        "brackets": pairs,
+        "autoClosingPairs": [closing("{", "}"), closing("[", "]"), closing("(", ")"), closing("\"", "\"")],
+        "surroundingPairs": around,
+        "wordPattern": format!("#?{NAME}"),
+        "indentationRules": {
+            "increaseIndentPattern":
+                format!(r"^((?!//).)*\{{[^}}]*$|^\s*#\s*({openers}|{continuers})\b((?!#\s*end\b).)*$"),
+            "decreaseIndentPattern": format!(r"^\s*(\}}|#\s*(end|{continuers})\b)"),
+        },
+        "folding": {"markers": {"start": format!(r"^\s*#\s*({openers})\b((?!#\s*end\b).)*$"), "end": r"^\s*#\s*end\b"}},
+    })
+}
