@@ -18,7 +18,9 @@ async function start() {
   const { program, include } = settings();
   const server = { command: program, args: ['lsp', ...include] };
   const selector = [{ language: 'povray', scheme: 'file' }, { language: 'povray', scheme: 'untitled' }];
-  client = new LanguageClient('durer', 'durer', server, { documentSelector: selector });
+  // These are carried out here, in a terminal.
+  const initializationOptions = { commands: ['durer.render', 'durer.watch'] };
+  client = new LanguageClient('durer', 'durer', server, { documentSelector: selector, initializationOptions });
   try {
     await client.start();
   } catch (error) {

@@ -50,9 +50,9 @@ pub fn serve(include: &[PathBuf]) -> io::Result<bool> {
 }
 
 fn serve_over(connection: &Connection, include: &[PathBuf]) -> bool {
-    let Ok((id, _)) = connection.initialize_start() else { return false };
+    let Ok((id, asked)) = connection.initialize_start() else { return false };
     let told = serde_json::json!({
-        "capabilities": requests::capabilities(),
+        "capabilities": requests::capabilities(&asked),
         "serverInfo": {"name": "durer", "version": env!("CARGO_PKG_VERSION")},
     });
     if connection.initialize_finish(id, told).is_err() {

@@ -6,8 +6,13 @@ use lsp_server::{ErrorCode, Request, Response};
 use lsp_types::request as ask;
 use serde_json::{Value, json};
 
-/// What the server can do. Places count in UTF-16, which every editor understands.
-pub fn capabilities() -> Value {
+/// What the server can do. Places count in UTF-16, which every editor understands. An editor that carries out commands itself names
+/// them: `initializationOptions.commands`.
+pub fn capabilities(asked: &Value) -> Value {
+    let own = &asked["initializationOptions"]["commands"];
+    let is_own = |command: &&str| own.as_array().is_some_and(|own| own.iter().any(|one| one == command));
+    let all = [commands::RENDER, commands::WATCH, commands::EXPLAIN];
+    let commands: Vec<&str> = all.into_iter().filter(|command| !is_own(command)).collect();
     json!({
         "positionEncoding": "utf-16",
         "textDocumentSync": {"openClose": true, "change": 2, "save": true},
@@ -29,7 +34,7 @@ pub fn capabilities() -> Value {
         "colorProvider": true,
         "inlayHintProvider": true,
         "codeLensProvider": {},
-        "executeCommandProvider": {"commands": [commands::RENDER, commands::WATCH, commands::EXPLAIN]},
+        "executeCommandProvider": {"commands": commands},
     })
 }
 
