@@ -336,6 +336,9 @@ fn what_words_and_names_are() {
     assert!(about(12, 1).contains("#macro Row(Count, Thing)"));
     assert!(about(12, 8).contains("parts.inc, line 1"));
     assert!(about(13, 2).contains("sphere { center, radius"), "{}", about(13, 2));
+    let sphere = about(13, 2);
+    let picture = sphere.split("![sphere](file://").nth(1).and_then(|rest| rest.split(')').next()).unwrap();
+    assert!(Path::new(&picture.replace("%20", " ")).is_file(), "{picture}");
     assert!(about(10, 30).contains("in `camera`"), "{}", about(10, 30));
     assert!(about(6, 4).contains("#for"));
     assert_eq!(about(2, 5), "");
