@@ -204,15 +204,22 @@ Return nil if there is none."
   (setq-local font-lock-defaults '(povray-ini-font-lock-keywords nil t)))
 
 (defun povray-ini-file-p ()
-  "Is this an INI file in which an option of POV-Ray stands?
-Names of one word, such as Width, others have too."
+  "Is this one of POV-Ray's INI files?
+In those a switch stands, or an option that can only be POV-Ray's (Width
+others have too), or several settings, all of which are options."
   (and buffer-file-name
        (string-match-p "\\.ini\\'" buffer-file-name)
-       (let ((case-fold-search t)
-             (names (seq-filter (lambda (name) (string-match-p "_" name)) povray-words-options)))
-         (save-excursion
-           (goto-char (point-min))
-           (re-search-forward (concat "^[ \t]*\\(?:" (regexp-opt names) "[ \t]*=\\|[-+][WHI][^ \t\n]\\)") nil t)))))
+       (save-excursion
+         (let ((known (mapcar #'downcase povray-words-options))
+               (settings 0) (ours 0) sure)
+           (while (and (not sure)
+                       (re-search-forward "^[ \t]*\\(?:\\([A-Za-z0-9_]+\\)[ \t]*=\\|[-+][WHI][^ \t\n]\\)" nil t))
+             (let ((name (match-string 1)))
+               (cond ((null name) (setq sure t))
+                     ((not (member (downcase name) known)) (setq settings (1+ settings)))
+                     ((string-match-p "_" name) (setq sure t))
+                     (t (setq settings (1+ settings) ours (1+ ours))))))
+           (or sure (and (> ours 1) (= ours settings)))))))
 
 ;;;###autoload
 (add-to-list 'auto-mode-alist '("\\.\\(?:pov\\|inc\\|scene\\)\\'" . povray-mode))

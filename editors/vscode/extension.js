@@ -57,15 +57,16 @@ async function run(words, given) {
   return vscode.tasks.executeTask(task);
 }
 
-// Of INI files those in which an option of POV-Ray stands; names of one word, such as `Width`, others have too.
-const known = new Set(options.filter((name) => name.includes('_')).map((name) => name.toLowerCase()));
+// Of INI files those in which a switch stands, or an option that can only be POV-Ray's (`Width` others have too), or several settings, all
+// of which are options.
+const known = new Set(options.map((name) => name.toLowerCase()));
 
 function isOptionFile(text) {
-  const isOption = (line) => {
-    const name = /^\s*(\w+)\s*=/.exec(line)?.[1];
-    return (name && known.has(name.toLowerCase())) || /^\s*[-+][WHI]\S/.test(line);
-  };
-  return text.split(/\r\n|\r|\n/, 200).some(isOption);
+  const lines = text.split(/\r\n|\r|\n/, 200);
+  const names = lines.map((line) => /^\s*(\w+)\s*=/.exec(line)?.[1].toLowerCase()).filter((name) => name);
+  const ours = names.filter((name) => known.has(name));
+  const isSure = ours.some((name) => name.includes('_')) || (ours.length > 1 && ours.length === names.length);
+  return isSure || lines.some((line) => /^\s*[-+][WHI]\S/.test(line));
 }
 
 function look(document) {

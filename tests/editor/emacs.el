@@ -130,6 +130,8 @@
 (is "[low]" 'font-lock-type-face)
 (is "+A" 'font-lock-keyword-face)
 (is "on" 'font-lock-constant-face 2)
+(find-file "size.ini")
+(check (eq major-mode 'povray-ini-mode) "size.ini is %s" major-mode)
 (find-file "other.ini")
 (check (not (eq major-mode 'povray-ini-mode)) "other.ini is %s" major-mode)
 

@@ -8,7 +8,8 @@ place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 cp "$here"/../../editors/emacs/*.el "$here"/sample.* "$place"
 cd "$place"
-printf '[section]\nWidth=3\nname=x\n' > other.ini
+printf '[section]\nWidth=3\nheight=2\nname=x\n' > other.ini
+printf 'Width=3\nheight = 2\n' > size.ini
 emacs --batch -Q -L . --eval '(setq byte-compile-error-on-warn t)' -f batch-byte-compile povray-words.el povray-mode.el
 # Debian's packages, which -Q leaves out.
 packages=/usr/share/emacs/site-lisp/elpa

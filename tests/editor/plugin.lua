@@ -62,6 +62,10 @@ is('#unknown', '')
 check(vim.wait(20000, function() return #vim.diagnostic.get(0) > 0 end, 20), 'no message')
 
 -- What its code lenses ask for.
+check(vim.wait(20000, function() return #vim.lsp.codelens.get(0) == 2 end, 20), vim.inspect(vim.lsp.codelens.get(0)))
+for _, lens in ipairs(vim.lsp.codelens.get(0)) do
+  check(vim.lsp.commands[lens.command.command] and lens.command.arguments[1]:match('^/.*sample%.pov$'), vim.inspect(lens))
+end
 local ran = {}
 require('durer').run = function(words, scene) table.insert(ran, table.concat(words, ' ') .. ' ' .. scene) end
 vim.lsp.commands['durer.render']({ arguments = { '/a b.pov' } })
@@ -84,6 +88,8 @@ is('[low]', 'povrayiniSection')
 is('+A', 'povrayiniSwitch')
 is('320', 'povrayiniNumber')
 is('on', 'povrayiniConstant', 2)
+vim.cmd('edit size.ini')
+check(vim.bo.filetype == 'povrayini', 'size.ini is ' .. vim.bo.filetype)
 vim.cmd('edit other.ini')
 check(vim.bo.filetype == 'dosini', 'other.ini is ' .. vim.bo.filetype)
 

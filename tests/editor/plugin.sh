@@ -6,7 +6,8 @@ durer=$(realpath "${1:-$(command -v durer)}")
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 cp "$here"/sample.pov "$here"/sample.ini "$place"
-printf '[section]\nWidth=3\nname=x\n' > "$place/other.ini"
+printf '[section]\nWidth=3\nheight=2\nname=x\n' > "$place/other.ini"
+printf 'Width=3\nheight = 2\n' > "$place/size.ini"
 cd "$place"
 DURER=$durer XDG_CONFIG_HOME=$place XDG_DATA_HOME=$place XDG_STATE_HOME=$place timeout 60 nvim --headless -i NONE -n \
     --cmd "set runtimepath^=$here/../../editors/neovim" --cmd "let g:durer_path = '$durer'" --cmd 'syntax on' \

@@ -1,14 +1,18 @@
--- Scenes by their ending; of INI files those in which an option of POV-Ray stands.
+-- Scenes by their ending; of INI files those in which a switch stands, or an option that can only be POV-Ray's (`Width` others have
+-- too), or several settings, all of which are options.
 local function is_option_file(lines)
-  local known = {}
+  local known, settings, ours = {}, 0, 0
   for _, name in ipairs(require('durer.options')) do known[name:lower()] = true end
   for _, line in ipairs(lines) do
-    local name = line:match('^%s*([%a_]+)%s*=')
-    -- Names of one word, such as `Width`, others have too.
-    if name and name:find('_') and known[name:lower()] then return true end
+    local name = line:match('^%s*([%w_]+)%s*=')
+    if name and known[name:lower()] then
+      if name:find('_') then return true end
+      ours = ours + 1
+    end
+    if name then settings = settings + 1 end
     if line:match('^%s*[-+][WHI]%S') then return true end
   end
-  return false
+  return ours > 1 and ours == settings
 end
 
 -- Later than what Neovim thinks of these endings itself.
