@@ -54,6 +54,7 @@ impl Editor {
         let place = tempfile::tempdir().unwrap();
         let mut child = Command::new(env!("CARGO_BIN_EXE_durer"))
             .arg("lsp")
+            .env("DURER_MANUAL", concat!(env!("CARGO_MANIFEST_DIR"), "/docs/src"))
             .current_dir(place.path())
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -595,6 +596,58 @@ fn help_is_done() {
     let text = edited(&text, &action(&actions, "Write `;`")["edit"]["changes"][&uri]);
     assert_eq!(text, mended);
     editor.ask("workspace/executeCommand", json!({"command": "durer.explain", "arguments": ["E0204"]}));
+    editor.bye();
+}
+
+/// What is offered for a text, and the text after the first offer.
+fn offered(editor: &mut Editor, name: &str, text: &str) -> (Vec<String>, String) {
+    let uri = editor.open(name, text);
+    let told = editor.until(&uri, |told| !told.is_empty());
+    let actions = editor.ask(
+        "textDocument/codeAction",
+        json!({"textDocument": {"uri": uri}, "range": told[0]["range"], "context": {"diagnostics": told}}),
+    );
+    let titles = actions.as_array().unwrap().iter().map(|one| one["title"].as_str().unwrap().to_string()).collect();
+    let edits = &actions[0]["edit"]["changes"][&uri];
+    assert!(edits.is_array(), "{told:?}\n{actions}");
+    editor.say("textDocument/didClose", json!({"textDocument": {"uri": uri}}));
+    (titles, edited(text, edits))
+}
+
+#[test]
+fn more_help_is_done() {
+    let mut editor = Editor::new();
+    let tail = "camera { location -5*z look_at 0 }\nlight_source { -9, 1 }\n";
+    for (i, (text, wanted)) in [
+        ("#declare Ball = sphere { 0, 1 };\nBall translate 2*x\n", "object { Ball translate 2*x }\n"),
+        ("Size = 3;\n", "#declare Size = 3;\n"),
+        ("#set Size = 3;\n", "#declare Size = 3;\n"),
+        ("sphere { 0, 1 pigmant { rgb 1 } }\n", "sphere { 0, 1 pigment { rgb 1 } }\n"),
+        ("sphere { 0, 1 pigment { Red } }\n", "#include \"colors.inc\"\nsphere { 0, 1 pigment { Red } }\n"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let (titles, after) = offered(&mut editor, &format!("help{i}.pov"), &format!("{text}{tail}"));
+        assert!(after.ends_with(&format!("{wanted}{tail}")), "{titles:?}\n{after}");
+    }
+    let (_, after) = offered(&mut editor, "open.pov", "sphere { 0, 1");
+    assert_eq!(after, "sphere { 0, 1\n}");
+    let (_, after) = offered(&mut editor, "blind.pov", "// Mine\nsphere { 0, 1 }\nlight_source { -9, 1 }\n");
+    assert!(after.starts_with("// Mine\ncamera { location <0, 2, -5> look_at 0 }\nsphere"), "{after}");
+    editor.bye();
+}
+
+#[test]
+fn the_manual_is_linked_where_it_lies() {
+    let mut editor = Editor::new();
+    let uri = editor.open("a.pov", "spere { 0, 1 }\nsphere { 0, 1 }\n");
+    let told = editor.until(&uri, |told| !told.is_empty());
+    let link = told[0]["codeDescription"]["href"].as_str().unwrap();
+    assert!(link.ends_with("/docs/src/reference/codes.md#e0204-a-block-does-not-take-this-word"), "{link}");
+    let about = editor.ask("textDocument/hover", at(&uri, 1, 2));
+    let about = about["contents"]["value"].as_str().unwrap();
+    assert!(about.contains("![sphere](file:///") && about.contains("/pictures/reference/sphere.png)"), "{about}");
     editor.bye();
 }
 

@@ -3,7 +3,7 @@
 use super::commands::EXPLAIN;
 use super::diagnostics::Told;
 use super::document::Document;
-use super::scan::{Kind, directive};
+use super::scan::{Kind, Token, directive};
 use super::server::{Out, Server};
 use crate::syntax::MISSING_SEMICOLON;
 use lsp_types::{
@@ -11,6 +11,9 @@ use lsp_types::{
     DiagnosticRelatedInformation, NumberOrString, Range, TextEdit, WorkspaceEdit,
 };
 use std::collections::HashMap;
+
+/// Statements are looked for among so many words of a line.
+const WORDS: usize = 100;
 
 /// For each message that the editor shows here.
 pub fn actions<S: Out>(server: &mut Server<S>, params: &CodeActionParams) -> Option<CodeActionResponse> {
@@ -52,7 +55,8 @@ pub fn actions<S: Out>(server: &mut Server<S>, params: &CodeActionParams) -> Opt
 fn remedies(document: &Document, told: &Told) -> Vec<(String, Vec<TextEdit>)> {
     let mut out = vec![];
     let data = |name: &str| told.data.as_ref().and_then(|data| data.get(name)).and_then(|value| value.as_str());
-    if let Some(file) = data("include") {
+    let named = || data("help")?.strip_prefix("add `#include \"")?.split_once('"').map(|(file, _)| file);
+    if let Some(file) = data("include").or_else(named) {
         out.push((format!("Include \"{file}\""), vec![include(document, file)]));
     }
     let Some(help) = data("help") else { return out };
@@ -69,8 +73,10 @@ fn remedies(document: &Document, told: &Told) -> Vec<(String, Vec<TextEdit>)> {
     if help == "remove it" {
         out.push(("Remove it".into(), vec![TextEdit { range: told.range, new_text: String::new() }]));
     }
-    out.extend(wrapped(document, told, help));
+    let written = wrapped(document, told, help).or_else(|| statement(document, told, help));
+    out.extend(written);
     out.extend(separated(told));
+    out.extend(missing(document, help));
     out
 }
 
@@ -99,6 +105,75 @@ fn wrapped(document: &Document, told: &Told, help: &str) -> Option<(String, Vec<
     Some((format!("Write `{code}`"), vec![open, second]))
 }
 
+/// "write `object { Ball translate x }`": the statement that is to be written so is what stands around the place, word by word.
+fn statement(document: &Document, told: &Told, help: &str) -> Option<(String, Vec<TextEdit>)> {
+    let (_, rest) = help.split_once("write `")?;
+    let wanted = rest.strip_suffix('`')?;
+    if !["object {", "#declare "].iter().any(|begin| wanted.starts_with(begin)) || wanted.contains(['…', '`']) {
+        return None;
+    }
+    let (text, tokens) = (document.text.as_str(), &document.scan.tokens);
+    let (lo, hi) = (document.text.offset(told.range.start), document.text.offset(told.range.end));
+    let line = document.text.position(lo).line;
+    let is_here = |token: &&Token| document.text.position(token.at.start).line == line && token.kind != Kind::Comment;
+    let here: Vec<_> = tokens.iter().filter(is_here).take(WORDS).collect();
+    let told_of = |token: &Token| lo <= token.at.start && token.at.end <= hi;
+    // The longest row of tokens around the place that stands in the wanted text; what the message is about may be missing there.
+    let stands = |row: &[&Token]| {
+        let mut left = wanted;
+        row.iter().all(|token| match left.split_once(&text[token.at.clone()]) {
+            Some((_, behind)) => {
+                left = behind;
+                true
+            }
+            None => told_of(token),
+        })
+    };
+    let about = here.iter().position(|token| told_of(token))?;
+    let rows = (0..=about).flat_map(|first| (about + 1..=here.len()).map(move |end| first..end));
+    let best = rows.filter(|row| stands(&here[row.clone()])).max_by_key(|row| (row.len(), row.start))?;
+    let begins = best.start == 0 || matches!(&text[here[best.start - 1].at.clone()], "}" | ";");
+    let bytes = here[best.start].at.start..here[best.end - 1].at.end;
+    let edit = TextEdit { range: document.text.range(bytes), new_text: wanted.to_string() };
+    begins.then(|| (format!("Write `{wanted}`"), vec![edit]))
+}
+
+fn line_end(document: &Document) -> &'static str {
+    if document.text.as_str().contains("\r\n") { "\r\n" } else { "\n" }
+}
+
+fn on_a_new_line(document: &Document) -> &'static str {
+    if document.text.as_str().ends_with(['\n', '\r']) { "" } else { line_end(document) }
+}
+
+/// The first byte behind comments, `#version` and `#include`s, where a line begins.
+fn first_line(document: &Document) -> usize {
+    let (text, scan) = (&document.text, &document.scan);
+    let all = text.as_str();
+    let head = |token: &&Token| {
+        token.kind == Kind::Comment
+            || token.kind == Kind::Directive && matches!(directive(&all[token.at.clone()]), "version" | "include")
+    };
+    let of_head = |line: u32| scan.tokens.iter().filter(head).any(|token| text.position(token.at.start).line == line);
+    let first = scan.tokens.iter().map(|token| text.position(token.at.start).line).find(|line| !of_head(*line));
+    first.map_or(all.len(), |line| text.offset(lsp_types::Position::new(line, 0)))
+}
+
+/// What is missing as a whole: the closer of what is open, or a camera.
+fn missing(document: &Document, help: &str) -> Option<(String, Vec<TextEdit>)> {
+    let text = &document.text;
+    let insert = |offset: usize, new_text: String| {
+        let at = text.position(offset);
+        vec![TextEdit { range: Range::new(at, at), new_text }]
+    };
+    if let Some((closer, _)) = help.strip_prefix("add `").and_then(|rest| rest.split_once("` where it should end")) {
+        let edit = insert(text.as_str().len(), format!("{}{closer}", on_a_new_line(document)));
+        return Some((format!("Add `{closer}` at the end"), edit));
+    }
+    let camera = help.strip_prefix('`')?.strip_suffix('`').filter(|code| code.starts_with("camera {"))?;
+    Some(("Add a camera".into(), insert(first_line(document), format!("{camera}{}", line_end(document)))))
+}
+
 /// A missing `;`: its place is told beside the message.
 fn separated(told: &Told) -> Option<(String, Vec<TextEdit>)> {
     let is_it = |place: &&DiagnosticRelatedInformation| place.message == MISSING_SEMICOLON;
@@ -122,7 +197,7 @@ pub fn include(document: &Document, file: &str) -> TextEdit {
         scan.tokens[..first].last().map(|token| all[..token.at.end].trim_end().len())
     };
     let line = include.or_else(version).or_else(comment).map_or(0, |end| text.position(end).line + 1);
-    let end = if all.contains("\r\n") { "\r\n" } else { "\n" };
+    let end = line_end(document);
     let missing = line as usize >= text.line_count();
     let at = if missing { text.position(all.len()) } else { lsp_types::Position::new(line, 0) };
     let new_text = if missing { format!("{end}#include \"{file}\"{end}") } else { format!("#include \"{file}\"{end}") };

@@ -1,11 +1,13 @@
 //! Messages as editors show them.
 
 use super::document::{BASE, uri_of};
+use super::manual;
 use super::text::Text;
 use crate::diagnostic::{Diagnostic, Label, Remedy, Severity, codes};
 use crate::source::{FileId, Sources};
 use lsp_types::{
-    DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, Location, NumberOrString, Range, Uri,
+    CodeDescription, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, Location, NumberOrString, Range,
+    Uri,
 };
 use serde_json::json;
 
@@ -71,7 +73,7 @@ fn told(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformation>
             Severity::Warning => DiagnosticSeverity::WARNING,
         }),
         code: Some(NumberOrString::String(d.code.0.into())),
-        code_description: None,
+        code_description: manual::of_code(d.code.0).map(|href| CodeDescription { href }),
         source: Some("durer".into()),
         message,
         related_information: (!related.is_empty()).then_some(related),

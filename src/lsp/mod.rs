@@ -19,6 +19,7 @@ mod hover;
 mod inlay;
 mod layout;
 mod lens;
+mod manual;
 mod names;
 mod requests;
 mod run;

@@ -1,0 +1,41 @@
+//! The manual, where it lies on this machine: in the folder that `DURER_MANUAL` names (its `src`), in `share/doc/durer` beside the
+//! program's folder, or in the sources that the program was built from, if it still lies among them.
+
+use super::document::uri_of;
+use crate::diagnostic::codes;
+use lsp_types::Uri;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use std::sync::OnceLock;
+
+/// What every folder of the manual has.
+const SUMMARY: &str = "SUMMARY.md";
+
+fn folder() -> Option<&'static Path> {
+    static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
+    let is_manual = |path: &PathBuf| path.join(SUMMARY).is_file();
+    let find = || {
+        if let Some(given) = std::env::var_os("DURER_MANUAL") {
+            return Some(PathBuf::from(given)).filter(is_manual);
+        }
+        let program = std::env::current_exe().ok()?;
+        let around = program.ancestors().skip(1).take(4);
+        around.flat_map(|place| [place.join("share/doc/durer"), place.join("docs/src")]).find(is_manual)
+    };
+    FOLDER.get_or_init(find).as_deref()
+}
+
+/// The address of a page of it, if it is there.
+fn address(path: &str) -> Option<Uri> {
+    let path = folder()?.join(path);
+    path.is_file().then(|| uri_of(&path)).flatten()
+}
+
+/// What a message's code means.
+pub fn of_code(code: &str) -> Option<Uri> {
+    let page = address("reference/codes.md")?;
+    let heading = format!("{code}: {}", codes::find(code)?.title).to_lowercase();
+    let kept = heading.chars().filter(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    let anchor: String = kept.map(|c| if c == ' ' { '-' } else { c }).collect();
+    Uri::from_str(&format!("{}#{anchor}", page.as_str())).ok()
+}
