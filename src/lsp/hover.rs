@@ -1,11 +1,10 @@
 //! What is known of the word under the pointer.
 
-use super::document::uri_of;
 use super::files::Reached;
 use super::scan::{Kind, What};
 use super::server::{Out, Server};
-use super::{complete, words};
-use lsp_types::{Hover, HoverContents, HoverParams, MarkupContent, MarkupKind, Uri};
+use super::{complete, manual, words};
+use lsp_types::{Hover, HoverContents, HoverParams, MarkupContent, MarkupKind};
 use std::path::Path;
 
 /// So much of a declaration is shown.
@@ -37,20 +36,8 @@ pub fn hover<S: Out>(server: &mut Server<S>, params: &HoverParams) -> Option<Hov
 
 fn told(word: &str, block: &str) -> Option<String> {
     let lines = words::explain(word, block);
-    let picture = picture(word).map(|uri| format!("\n\n![{word}]({})", uri.as_str())).unwrap_or_default();
+    let picture = manual::picture(word).map(|uri| format!("\n\n![{word}]({})", uri.as_str())).unwrap_or_default();
     (!lines.is_empty()).then(|| format!("**{word}**\n\n- {}{picture}", lines.join("\n- ")))
-}
-
-/// The manual's picture of a word, where the manual lies on this machine: where durer was built, or was installed.
-fn picture(word: &str) -> Option<Uri> {
-    let built = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/src/pictures/reference")).to_path_buf();
-    let installed =
-        || Some(std::env::current_exe().ok()?.parent()?.parent()?.join("share/doc/durer/pictures/reference"));
-    let folders = std::iter::once(built).chain(installed());
-    folders
-        .map(|folder| folder.join(word).with_extension("png"))
-        .find(|path| path.is_file())
-        .and_then(|path| uri_of(&path))
 }
 
 /// The last declaration of a name.

@@ -31,6 +31,11 @@ fn address(path: &str) -> Option<Uri> {
     path.is_file().then(|| uri_of(&path)).flatten()
 }
 
+/// The picture of a word.
+pub fn picture(word: &str) -> Option<Uri> {
+    address(&format!("pictures/reference/{word}.png"))
+}
+
 /// What a message's code means.
 pub fn of_code(code: &str) -> Option<Uri> {
     let page = address("reference/codes.md")?;
