@@ -36,7 +36,9 @@ impl Lowering {
             false => self.global.push(number),
         }
         let flags = Flags { no_shadow: true, ..Flags::NONE };
-        let around = Inherited { place: own.place.clone(), lights: inherited.lights, flags, ..Inherited::default() };
+        // What a group's light looks like is not a part of the group (measured on POV-Ray 3.7).
+        let lights = if inherited.lights_here { 0 } else { inherited.lights };
+        let around = Inherited { place: own.place.clone(), lights, flags, ..Inherited::default() };
         lit.looks_like.as_ref().map_or(Ok(None), |object| self.lower_object(object, &around))
     }
 
