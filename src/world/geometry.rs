@@ -55,7 +55,8 @@ impl Heap {
         match object.into_parts() {
             NodeParts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
             NodeParts::One(node) => match node.bounds() {
-                bounds if bounds.is_empty() => {}
+                bounds if bounds.is_empty() && !node.is_unbounded() => {}
+                bounds if bounds.is_empty() => self.infinite.push(node),
                 bounds if bvh::fits(&bounds) => self.finite.push(Item::Solid(node)),
                 _ => self.infinite.push(node),
             },

@@ -184,6 +184,8 @@ impl Inherited {
 /// A `light_group`.
 struct Group {
     lights: Vec<u32>,
+    /// The number of another group, whose lights shine on it too.
+    within: Option<u32>,
     /// Do lights outside shine on it too?
     global: bool,
 }
@@ -389,12 +391,13 @@ impl Lowering {
 
     fn lower_csg(&mut self, op: CsgOp, parts: &[Object], own: &Inherited) -> Result<Option<Solid>> {
         let mut within = own.clone();
-        if op != CsgOp::Union && within.interior.is_none() {
-            // All faces of one solid border on the same inside.
+        let joins = matches!(op, CsgOp::Union | CsgOp::Merge);
+        if within.interior.is_none() {
+            // All faces border on the same inside, of a union too (measured on POV-Ray 3.7).
             within.interior = Some(self.add_air(own.has_hollow_air()));
         }
         // Turned inside out, a union is an intersection, and an intersection a union. What is joined cuts nothing.
-        if matches!(op, CsgOp::Union | CsgOp::Merge) != own.inverted {
+        if joins != own.inverted {
             within.cut = None;
         } else if own.flags.cutaway_textures && within.texture.is_none() && within.cut.is_none() {
             let mut cut = vec![];
@@ -417,7 +420,8 @@ impl Lowering {
                 None => {}
             }
         }
-        if nodes.is_empty() {
+        // (What nothing shares is everything: an empty intersection has no surface, but cameras start in it, as in POV-Ray 3.7.)
+        if nodes.is_empty() && (joins || !parts.is_empty()) {
             return Ok(None);
         }
         let interior = match within.interior {
