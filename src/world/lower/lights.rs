@@ -36,19 +36,14 @@ impl Lowering {
             false => self.global.push(number),
         }
         let flags = Flags { no_shadow: true, ..Flags::NONE };
-        let lights = if lit.looks_like.is_some() { self.lights_of_look(number, inherited) } else { 0 };
+        // What a light looks like is not a part of the group around it: all lights shine on it, those of the group and those outside, also
+        // where `global_lights` is off (measured on POV-Ray 3.7).
+        let lights = match inherited.lights {
+            group if group != 0 && lit.looks_like.is_some() => self.add(Group { lights: vec![], within: Some(group), global: true }),
+            _ => 0,
+        };
         let around = Inherited { place: own.place.clone(), lights, flags, ..Inherited::default() };
         lit.looks_like.as_ref().map_or(Ok(None), |object| self.lower_object(object, &around))
-    }
-
-    /// The group of lights that shine on what a light looks like. That is not a part of the group around the light: all others shine on it,
-    /// and the light itself; in a union within the group, the group's too (measured on POV-Ray 3.7).
-    fn lights_of_look(&mut self, light: u32, inherited: &Inherited) -> u32 {
-        match (inherited.lights, inherited.lights_here) {
-            (0, _) => 0,
-            (_, true) => self.add(Group { lights: vec![light], within: None, global: true }),
-            (group, false) => self.add(Group { lights: vec![], within: Some(group), global: true }),
-        }
     }
 
     /// A group of lights; its number.
