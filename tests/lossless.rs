@@ -5,7 +5,7 @@
 
 use durer::source::{Sources, Span};
 use durer::syntax::ast::*;
-use durer::syntax::{Names, Wholes, parse, parse_text};
+use durer::syntax::{Names, Wholes, parse, parse_text, tokens_of};
 use rustc_hash::FxHashSet;
 use std::path::{Path, PathBuf};
 
@@ -48,6 +48,29 @@ fn each(check: impl Fn(&str) -> Result<(), String> + Sync) {
 }
 
 // ---------------------------------------------------------------- tokens
+
+/// Tokens and faults are the same without the tree, in a whole text and in one that is cut off or lacks a part in its middle.
+fn without_tree(text: &str) -> Result<(), String> {
+    let place = |of: usize| text.floor_char_boundary(text.len() * of / 13);
+    let (a, b) = (place(5), place(7));
+    for text in [text, &text[..a], &text[b..], &format!("{}{}", &text[..a], &text[b..])] {
+        let (ast, faults) = parse_text(text, 1, &Names::default(), Wholes::Kept);
+        let (tokens, told) = tokens_of(text, 1);
+        let said = |all: &[durer::diagnostic::Diagnostic]| format!("{all:?}");
+        if said(&faults) != said(&told) {
+            return Err(format!("{}\n  with the tree, and\n{}\n  without", said(&faults), said(&told)));
+        }
+        if !ast.tokens.pieces().eq(tokens.pieces()) {
+            return Err("other tokens".into());
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn faults_are_those_of_the_tokens() {
+    each(without_tree);
+}
 
 /// Is this passed over? (A text with faults may hold more of it.)
 fn means_nothing(between: &str) -> bool {

@@ -3,7 +3,7 @@
 use super::scan::Scan;
 use super::text::Text;
 use crate::diagnostic::Diagnostic;
-use crate::syntax::{Names, Wholes, parse_text};
+use crate::syntax::tokens_of;
 use lsp_types::{TextDocumentContentChangeEvent, Uri};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -61,11 +61,11 @@ impl Document {
         made
     }
 
-    /// Parses it.
+    /// Reads it. (All that the tree could tell besides, the run tells.)
     fn look(&mut self) {
         let text = self.text.as_str();
-        let (ast, faults) = parse_text(text, BASE, &Names::default(), Wholes::Kept);
-        self.scan = Arc::new(Scan::of(text, BASE, &ast.tokens));
+        let (tokens, faults) = tokens_of(text, BASE);
+        self.scan = Arc::new(Scan::of(text, BASE, &tokens));
         self.faults = faults;
     }
 

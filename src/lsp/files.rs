@@ -5,7 +5,7 @@ use super::scan::Scan;
 use super::text::Text;
 use crate::library;
 use crate::source::{SearchPath, read_text};
-use crate::syntax::{Names, Wholes, parse_text};
+use crate::syntax::tokens_of;
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -42,8 +42,7 @@ impl Files {
                 Some(text) => text.to_string(),
                 None => read_text(path).ok()?,
             };
-            let (ast, _) = parse_text(&text, BASE, &Names::default(), Wholes::Kept);
-            let scan = Arc::new(Scan::of(&text, BASE, &ast.tokens));
+            let scan = Arc::new(Scan::of(&text, BASE, &tokens_of(&text, BASE).0));
             self.0.insert(path.to_path_buf(), File { text: Arc::new(Text::new(text)), scan, read: now });
         }
         self.0.get(path)

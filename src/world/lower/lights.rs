@@ -39,7 +39,9 @@ impl Lowering {
         // What a light looks like is not a part of the group around it: all lights shine on it, those of the group and those outside, also
         // where `global_lights` is off (measured on POV-Ray 3.7).
         let lights = match inherited.lights {
-            group if group != 0 && lit.looks_like.is_some() => self.add(Group { lights: vec![], within: Some(group), global: true }),
+            group if group != 0 && lit.looks_like.is_some() => {
+                self.add(Group { lights: vec![], within: Some(group), global: true })
+            }
             _ => 0,
         };
         let around = Inherited { place: own.place.clone(), lights, flags, ..Inherited::default() };
