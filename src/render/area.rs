@@ -101,6 +101,7 @@ pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: Row) ->
 }
 
 /// Does the light of all corners hardly differ?
+#[inline]
 fn agree(corners: &[Rgb; 4], light: Rgb) -> bool {
     let apart = |a: Rgb, b: Rgb| ((a - b) * light).abs().element_sum() > AGREE;
     !(0..4).any(|i| (0..i).any(|j| apart(corners[i], corners[j])))

@@ -25,6 +25,7 @@ impl ConvexInterval {
     const NONE: [End; 2] = [End { t: f64::INFINITY, part: 0 }, End { t: f64::NEG_INFINITY, part: 0 }];
 
     /// That of a ray with a leaf, if it is known.
+    #[inline]
     fn of(leaf: &Leaf, ray: &Ray) -> Option<Self> {
         let local = leaf.local(ray);
         let (ends, around) = match leaf.shape.crossing(&local) {

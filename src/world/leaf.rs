@@ -100,6 +100,7 @@ impl Leaf {
         self.shape.hits_as_part(&self.local(ray), range, out);
     }
 
+    #[inline]
     pub(super) fn inside(&self, p: DVec3) -> bool {
         let local = self.place.as_ref().map_or(p, |m| m.inverse_point(p));
         !self.shape.is_patch() && self.shape.inside(local) != self.inverse
