@@ -5,6 +5,8 @@
 mod emacs;
 #[path = "editors/neovim.rs"]
 mod neovim;
+#[path = "editors/tree_sitter.rs"]
+mod tree_sitter;
 #[path = "editors/vscode.rs"]
 mod vscode;
 
@@ -20,7 +22,13 @@ const GENERATED: &str = "Made of durer's tables by `UPDATE_EDITORS=1 cargo test 
 
 fn files() -> Vec<File> {
     let (sorts, options) = (sorts(), options());
-    [vscode::files(&sorts, &options), neovim::files(&sorts, &options), emacs::files(&sorts, &options)].concat()
+    [
+        vscode::files(&sorts, &options),
+        neovim::files(&sorts, &options),
+        emacs::files(&sorts, &options),
+        tree_sitter::files(&sorts),
+    ]
+    .concat()
 }
 
 /// The INI names of POV-Ray's options, in the order of the alphabet.

@@ -1,0 +1,2 @@
+[(block) (parentheses) (brackets) (conditional) (macro)] @indent
+["}" ")" "]" (middle) (end)] @outdent
