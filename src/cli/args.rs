@@ -317,7 +317,7 @@ pub struct FmtArgs {
     #[arg(long)]
     pub diff: bool,
     /// Break lines that are longer, where that can be done
-    #[arg(long, value_name = "N", default_value_t = crate::format::WIDTH as u16, value_parser = clap::value_parser!(u16).range(20..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = crate::format::WIDTH as u16, value_parser = clap::value_parser!(u16).range(40..=10_000))]
     pub width: u16,
 }
 
