@@ -2,7 +2,7 @@
 
 use super::scan::{Kind, What};
 use super::server::{Out, Server};
-use super::words;
+use crate::reference::sorts;
 use crate::syntax::word::Category;
 use lsp_types::{SemanticToken, SemanticTokens, SemanticTokensParams, SemanticTokensResult};
 use serde_json::{Value, json};
@@ -11,7 +11,9 @@ use std::collections::HashMap;
 /// What a word can be; the order is that of [`Type`].
 pub fn legend() -> Value {
     json!({
-        "tokenTypes": ["keyword", "class", "function", "macro", "variable", "parameter", "property", "enumMember"],
+        "tokenTypes": [
+            "keyword", "class", "struct", "function", "macro", "variable", "parameter", "property", "enumMember",
+        ],
         "tokenModifiers": ["declaration"],
     })
 }
@@ -20,6 +22,7 @@ pub fn legend() -> Value {
 enum Type {
     Keyword,
     Class,
+    Struct,
     Function,
     Macro,
     Variable,
@@ -39,6 +42,7 @@ pub fn tokens<S: Out>(server: &mut Server<S>, params: &SemanticTokensParams) -> 
     };
     let macros: std::collections::HashSet<String> = related.iter().flat_map(declared).collect();
     let own: HashMap<usize, What> = scan.declarations.iter().map(|d| (d.at.start, d.what)).collect();
+    let sorts = sorts();
     let (mut data, mut last) = (vec![], lsp_types::Position::default());
     for token in &scan.tokens {
         let word = &text.as_str()[token.at.clone()];
@@ -46,7 +50,8 @@ pub fn tokens<S: Out>(server: &mut Server<S>, params: &SemanticTokensParams) -> 
             Kind::Directive => Type::Keyword,
             Kind::Word(Category::Function) => Type::Function,
             Kind::Word(Category::Constant) => Type::Constant,
-            Kind::Word(_) if words::shape(word).is_some() => Type::Class,
+            Kind::Word(_) if sorts.objects.contains(&word) => Type::Class,
+            Kind::Word(_) if sorts.blocks.contains(&word) => Type::Struct,
             Kind::Word(_) => Type::Property,
             Kind::Name if own.get(&token.at.start) == Some(&What::Parameter) => Type::Parameter,
             Kind::Name if macros.contains(word) => Type::Macro,
