@@ -19,6 +19,8 @@ const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 const STEP: f64 = 1e-15;
 /// After a step of Newton's as short as this, no more of it is needed.
 const SHORT: f64 = 1e-9;
+/// A point whose gauge's logarithm is farther than this from 0 is inside or outside whatever is rounded.
+const CLEAR: f64 = 1e-12;
 /// Powers of more factors are not multiplied out.
 const MOST_FACTORS: u32 = 64;
 
@@ -80,6 +82,28 @@ fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     if x > y { (value, by_big, by_small) } else { (value, by_small, by_big) }
 }
 
+/// Logarithms at a point.
+struct Corner {
+    /// Of its coordinates.
+    of: DVec3,
+    /// Of the norm of x and y.
+    across: f64,
+    /// Of how many times the shape must grow to reach it.
+    gauge: f64,
+}
+
+/// xⁿ of a number with this logarithm; 1 where powers have no limit.
+fn exp_of(ln: f64, n: f64) -> f64 {
+    let product = ln * n;
+    if product.is_nan() { 1.0 } else { fp::exp(product) }
+}
+
+/// The logarithm of (xᵃ + yᵃ)^(1/a) from those of x and y.
+fn ln_norm(x: f64, y: f64, a: f64) -> f64 {
+    let (big, small) = if x > y { (x, y) } else { (y, x) };
+    big + fp::ln(1.0 + exp_of(small - big, a)) / a
+}
+
 impl Superellipsoid {
     /// How many times it must grow to reach the point, and the gradient of that. For exponents up to 2 it is a norm.
     fn gauge(&self, p: DVec3) -> (f64, DVec3) {
@@ -126,26 +150,37 @@ impl Superellipsoid {
     /// The roots between two places of which each coordinate keeps its sign, ascending. True if `found` had enough.
     fn in_octant(&self, line: &Line, (lo, hi): (f64, f64), found: &mut dyn FnMut(f64) -> bool) -> bool {
         let (p, q) = (line.at(lo).abs(), line.at(hi).abs());
-        let inside = |p: DVec3| self.gauge(p).0 <= 1.0;
         // It grows along each axis: at the nearest and farthest corner of the box around the stretch it is least and most.
-        let (near, far) = (p.min(q), p.max(q));
-        if inside(far) || !inside(near) {
+        let far = self.corner(p.max(q));
+        if far.gauge < -CLEAR {
             return false;
         }
-        let slopes = self.slopes(near, far, (q - p) / (hi - lo));
-        let differ = inside(p) != inside(q);
+        let near = self.corner(p.min(q));
+        if near.gauge > CLEAR {
+            return false;
+        }
+        let slopes = self.slopes(&near, &far, (q - p) / (hi - lo));
         if slopes.0 > 0.0 || slopes.1 < 0.0 || hi - lo < 1e-13 {
-            return differ && found(self.between(line, lo, hi));
+            let begins_inside = self.gauge(p).0 <= 1.0;
+            let differ = begins_inside != (self.gauge(q).0 <= 1.0);
+            return differ && found(self.between(line, if begins_inside { (lo, hi) } else { (hi, lo) }));
         }
         let middle = 0.5 * (lo + hi);
         self.in_octant(line, (lo, middle), found) || self.in_octant(line, (middle, hi), found)
     }
 
-    /// Bounds of the derivative of (xᵃ + yᵃ)^(b/a) + zᵇ in a box, along v, divided by b.
-    fn slopes(&self, near: DVec3, far: DVec3, v: DVec3) -> (f64, f64) {
+    /// The logarithms at a point without negative coordinates: all powers there cost one exponential each.
+    fn corner(&self, p: DVec3) -> Corner {
+        let of = p.map(fp::ln);
+        let across = ln_norm(of.x, of.y, 2.0 / self.e);
+        Corner { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
+    }
+
+    /// Bounds of the derivative of (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by b.
+    fn slopes(&self, near: &Corner, far: &Corner, v: DVec3) -> (f64, f64) {
         let (a, b) = (2.0 / self.e, 2.0 / self.n);
         let power = |lo: f64, hi: f64, n: f64| {
-            let (x, y) = (fp::pow(lo, n), fp::pow(hi, n));
+            let (x, y) = (exp_of(lo, n), exp_of(hi, n));
             (x.min(y), x.max(y))
         };
         let times = |(lo, hi): (f64, f64), v: f64| {
@@ -158,18 +193,16 @@ impl Superellipsoid {
             }
         };
         let plus = |x: (f64, f64), y: (f64, f64)| (x.0 + y.0, x.1 + y.1);
-        let across = power(norm(near.x, near.y, a).0, norm(far.x, far.y, a).0, b - a);
-        let in_plane = plus(times(power(near.x, far.x, a - 1.0), v.x), times(power(near.y, far.y, a - 1.0), v.y));
+        let across = power(near.across, far.across, b - a);
+        let along = |axis: usize, n: f64| times(power(near.of[axis], far.of[axis], n), v[axis]);
+        let in_plane = plus(along(0, a - 1.0), along(1, a - 1.0));
         let scaled = |x: f64, least: bool| if (x < 0.0) == least { x * across.1 } else { x * across.0 };
-        let upward = times(power(near.z, far.z, b - 1.0), v.z);
-        plus((scaled(in_plane.0, true), scaled(in_plane.1, false)), upward)
+        plus((scaled(in_plane.0, true), scaled(in_plane.1, false)), along(2, b - 1.0))
     }
 
     /// The root between two places, one inside and one outside: Newton's step where it helps, else bisection.
-    fn between(&self, line: &Line, lo: f64, hi: f64) -> f64 {
-        let outside = |s: f64| self.gauge(line.at(s)).0 - 1.0;
-        let (mut inner, mut outer) = if outside(lo) <= 0.0 { (lo, hi) } else { (hi, lo) };
-        let (mut s, mut last) = (0.5 * (lo + hi), (hi - lo).abs());
+    fn between(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
+        let (mut s, mut last) = (0.5 * (inner + outer), (outer - inner).abs());
         for _ in 0..100 {
             let (value, gradient) = self.gauge(line.at(s));
             if value <= 1.0 {

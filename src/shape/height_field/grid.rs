@@ -7,6 +7,8 @@ use crate::math::{DVec2, DVec3, Range, Ray};
 pub const STEPS: f64 = 65536.0;
 /// Cells along a side of the smallest squares whose heights the pyramid knows.
 const BLOCK: usize = 4;
+/// A line that is farther than so many steps over or under heights is so whatever is rounded.
+const SLACK: f64 = 1e-3;
 
 /// Corners of cells in rows: x grows along a row, z from row to row.
 #[derive(Debug, PartialEq)]
@@ -23,6 +25,7 @@ pub struct Grid {
 #[derive(Debug, PartialEq)]
 struct Level {
     across: usize,
+    deep: usize,
     /// Cells along a square's side.
     size: usize,
     /// Least and largest height in each.
@@ -83,7 +86,7 @@ impl Grid {
             let all = rows.flat_map(|row| &self.heights[row + i..=row + (i + BLOCK).min(self.across)]);
             all.fold([u16::MAX, 0], |[lo, hi], &h| [lo.min(h), hi.max(h)])
         };
-        Level { across, size: BLOCK, ranges: (0..across * deep).map(range).collect() }
+        Level { across, deep, size: BLOCK, ranges: (0..across * deep).map(range).collect() }
     }
 
     /// Heights over the corners of a cell: at (0, 0), (1, 0), (0, 1) and (1, 1).
@@ -140,8 +143,7 @@ impl Grid {
         let (near, far) = (way.0.max(line.near).max(line.range.min), way.1.min(line.far).min(line.range.max));
         let [lo, hi] = ranges[b * across + a].map(f64::from);
         let (y0, y1) = (line.o.y + line.d.y * near, line.o.y + line.d.y * far);
-        // (A little more than that, because of rounding.)
-        if near > far || y0.min(y1) > hi + 1e-3 || y0.max(y1) < lo - 1e-3 {
+        if near > far || y0.min(y1) > hi + SLACK || y0.max(y1) < lo - SLACK {
             return false;
         }
         let [from, to] = self.square(level, a, b);
@@ -159,7 +161,7 @@ impl Grid {
         // No line passes both of the middle ones.
         [(0, 0), (1, 0), (0, 1), (1, 1)].into_iter().any(|(x, z)| {
             let (a, b) = (2 * a + (x ^ flip_x), 2 * b + (z ^ flip_z));
-            if a >= below.across || b >= below.ranges.len() / below.across {
+            if a >= below.across || b >= below.deep {
                 return false;
             }
             let way = if slanted {
@@ -187,14 +189,19 @@ impl Grid {
         let (x, z) = (line.o.x + line.d.x * t, line.o.z + line.d.z * t);
         let mut i = (x.max(0.0) as usize).clamp(from[0], to[0] - 1);
         let mut k = (z.max(0.0) as usize).clamp(from[1], to[1] - 1);
-        let mut over = self.over(i, k, t, line);
+        // (Asked for only where the line comes near the surface.)
+        let mut known = None;
         loop {
             let next_x = if line.d.x == 0.0 { f64::INFINITY } else { line.x_at(i + usize::from(line.d.x > 0.0)) };
             let next_z = if line.d.z == 0.0 { f64::INFINITY } else { line.z_at(k + usize::from(line.d.z > 0.0)) };
             let next = next_x.min(next_z).min(end).max(t);
-            let over_next = self.over(i, k, next, line);
-            if self.pass_cell(i, k, [t, next], [over, over_next], line) {
-                return true;
+            let mut over_next = None;
+            if self.is_near(i, k, [t, next], line) {
+                let over = [known.unwrap_or_else(|| self.over(i, k, t, line)), self.over(i, k, next, line)];
+                over_next = Some(over[1]);
+                if self.pass_cell(i, k, [t, next], over, line) {
+                    return true;
+                }
             }
             if next >= end {
                 return false;
@@ -207,7 +214,7 @@ impl Grid {
             if !moved {
                 return false;
             }
-            (t, over) = (next, over_next);
+            (t, known) = (next, over_next);
         }
     }
 
@@ -226,6 +233,18 @@ impl Grid {
         narrow(o.x, d.x, line.x_at(from[0]), line.x_at(to[0]), [from[0], to[0]], self.across);
         narrow(o.z, d.z, line.z_at(from[1]), line.z_at(to[1]), [from[1], to[1]], self.deep);
         (near, far)
+    }
+
+    /// Is a piece of a line neither over all of a cell nor under it?
+    fn is_near(&self, i: usize, k: usize, t: [f64; 2], line: &Line) -> bool {
+        let row = k * (self.across + 1) + i;
+        let (first, second) = (&self.heights[row..row + 2], &self.heights[row + self.across + 1..][..2]);
+        let (lo, hi) = (
+            first[0].min(first[1]).min(second[0]).min(second[1]),
+            first[0].max(first[1]).max(second[0]).max(second[1]),
+        );
+        let y = t.map(|t| line.o.y + line.d.y * t);
+        y[0].min(y[1]) <= f64::from(hi) + SLACK && y[0].max(y[1]) >= f64::from(lo) - SLACK
     }
 
     /// Between two places of a line in a cell.
@@ -262,15 +281,14 @@ impl Grid {
 impl Level {
     /// That of squares twice as large.
     fn next(&self) -> Self {
-        let deep = self.ranges.len() / self.across;
-        let (across, half_deep) = (self.across.div_ceil(2), deep.div_ceil(2));
+        let (across, deep) = (self.across.div_ceil(2), self.deep.div_ceil(2));
         let range = |place: usize| {
             let (a, b) = (place % across * 2, place / across * 2);
-            let rows = (b..(b + 2).min(deep)).map(|b| b * self.across);
+            let rows = (b..(b + 2).min(self.deep)).map(|b| b * self.across);
             let all = rows.flat_map(|row| &self.ranges[row + a..row + (a + 2).min(self.across)]);
             all.fold([u16::MAX, 0], |[lo, hi], range| [lo.min(range[0]), hi.max(range[1])])
         };
-        Self { across, size: self.size * 2, ranges: (0..across * half_deep).map(range).collect() }
+        Self { across, deep, size: self.size * 2, ranges: (0..across * deep).map(range).collect() }
     }
 }
 
