@@ -2,7 +2,7 @@
 //! constants are computed at once.
 
 use super::numeric::{self, Kernel};
-use super::{Function, Interval, Near, Program, Sampler, internal::Internal};
+use super::{Function, Gives, Interval, Near, Program, Sampler, internal::Internal};
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::syntax::ast::Operator;
@@ -129,6 +129,16 @@ impl Callee {
         }
     }
 
+    /// Is the answer one number, whatever component is asked for?
+    pub(super) fn gives_number(&self) -> bool {
+        let gives = match self {
+            Callee::Function(function) => function.gives(),
+            Callee::Sampler(sampler) => sampler.gives(),
+            _ => Gives::Number,
+        };
+        gives == Gives::Number
+    }
+
     fn is(&self, other: &Callee) -> bool {
         match (self, other) {
             (Callee::Internal(a), Callee::Internal(b)) => std::ptr::eq(*a, *b),
@@ -139,13 +149,13 @@ impl Callee {
         }
     }
 
-    /// What is known of a component no farther than `radius` from a point, which the first three arguments say, and of its gradient by
-    /// those.
-    pub(super) fn near(&self, component: usize, arguments: &[f64], radius: f64) -> Near {
+    /// What is known of the components no farther than `radius` from a point, which the first three arguments say, and of their gradients
+    /// by those.
+    pub(super) fn near(&self, arguments: &[f64], radius: f64) -> [Near; 5] {
         let steepest = match self {
-            Callee::Sampler(sampler) => return sampler.near(component, arguments, radius),
+            Callee::Sampler(sampler) => return sampler.near(arguments, radius),
             Callee::Function(function) => match &function.body {
-                super::Body::Sampled(sampler) => return sampler.near(component, arguments, radius),
+                super::Body::Sampled(sampler) => return sampler.near(arguments, radius),
                 super::Body::Numeric(_) => f64::INFINITY,
             },
             Callee::SceneNoise(generator) => generator_of(generator).steepest(),
@@ -154,10 +164,10 @@ impl Callee {
         };
         let far = steepest * radius;
         if !far.is_finite() {
-            return Near::UNKNOWN;
+            return [Near::UNKNOWN; 5];
         }
-        let value = self.call(component, arguments);
-        Near { range: Interval::new(value - far, value + far).widened(), steepest, rough: false }
+        let value = self.call(0, arguments);
+        [Near { range: Interval::new(value - far, value + far).widened(), steepest, rough: false }; 5]
     }
 
     pub(super) fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {

@@ -78,9 +78,9 @@ pub trait Sampler: std::fmt::Debug + Send + Sync {
     fn part(&self, component: usize, arguments: &[f64]) -> f64 {
         self.sample(arguments)[component]
     }
-    /// What is known of a component no farther than a radius from these arguments.
-    fn near(&self, _component: usize, _arguments: &[f64], _radius: f64) -> Near {
-        Near::UNKNOWN
+    /// What is known of the five no farther than a radius from these arguments.
+    fn near(&self, _arguments: &[f64], _radius: f64) -> [Near; 5] {
+        [Near::UNKNOWN; 5]
     }
     /// Between which numbers a component lies while the arguments lie in these intervals.
     fn bounds(&self, _component: usize, _arguments: &[Interval]) -> Interval {

@@ -162,7 +162,7 @@ impl Program {
     fn with_arguments<T>(&self, list: u32, count: u16, r: &[f64], call: impl FnOnce(&[f64]) -> T) -> T {
         let list = &self.arguments[list as usize..][..count as usize];
         if let &[x, y, z] = list {
-            return call(&[x, y, z].map(|i| r[i as usize]));
+            return call(&[r[x as usize], r[y as usize], r[z as usize]]);
         }
         if list.len() > FEW_ARGUMENTS {
             let all: Vec<f64> = list.iter().map(|&i| r[i as usize]).collect();

@@ -101,14 +101,22 @@ impl Graph {
     /// Bounds of the result and its derivatives, while the parameters lie there. `room` is filled with those of all operations.
     pub fn slope(&self, parameters: &[Slope], room: &mut Vec<Slope>) -> Slope {
         room.clear();
+        let mut last = None;
         for node in &self.nodes {
-            let slope = self.slope_of(node, parameters, room);
+            let slope = self.slope_of(node, parameters, room, &mut last);
             room.push(slope);
         }
         room.get(self.result as usize).copied().unwrap_or(Slope::steep(Interval::ALL))
     }
 
-    fn slope_of(&self, node: &Operation, parameters: &[Slope], all: &[Slope]) -> Slope {
+    /// `last` is what the last call gave: the next one often takes another component of it.
+    fn slope_of<'g>(
+        &'g self,
+        node: &'g Operation,
+        parameters: &[Slope],
+        all: &[Slope],
+        last: &mut Option<(u32, &'g [u32], [Slope; 5])>,
+    ) -> Slope {
         let at = |id: &u32| &all[*id as usize];
         match node {
             Operation::Constant(bits) => Slope::constant(f64::from_bits(*bits)),
@@ -122,8 +130,15 @@ impl Graph {
                 _ => at(yes).hull(at(no)),
             },
             Operation::Call(callee, component, list) => {
-                let list: SmallVec<[Slope; 10]> = list.iter().map(|id| *at(id)).collect();
-                of_call(&self.callees[*callee as usize], *component as usize, &list)
+                let slopes = match last {
+                    Some((other, same, slopes)) if other == callee && *same == &**list => slopes,
+                    _ => {
+                        let slopes: SmallVec<[&Slope; 10]> = list.iter().map(at).collect();
+                        let slopes = of_call(&self.callees[*callee as usize], &slopes);
+                        &last.insert((*callee, list, slopes)).2
+                    }
+                };
+                slopes[*component as usize]
             }
         }
     }
@@ -136,7 +151,10 @@ impl Function {
             parameters.iter().enumerate().map(|(i, &value)| Slope::parameter(i, value)).collect();
         match &self.body {
             Body::Numeric(program) => program.graph().slope(&list, room),
-            Body::Sampled(sampler) => of_call(&Callee::Sampler(sampler.clone()), 0, &list),
+            Body::Sampled(sampler) => {
+                let list: SmallVec<[&Slope; 4]> = list.iter().collect();
+                of_call(&Callee::Sampler(sampler.clone()), &list)[0]
+            }
         }
     }
 }
@@ -243,26 +261,37 @@ fn angle(y: Interval, x: Interval) -> Interval {
     all.into_iter().reduce(Interval::hull).unwrap_or(Interval::ALL).widened()
 }
 
-fn of_call(callee: &Callee, component: usize, list: &[Slope]) -> Slope {
-    let values: SmallVec<[Interval; 10]> = list.iter().map(|slope| slope.value).collect();
+/// All components of what a call gives.
+fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     if let Callee::Function(function) = callee
         && let Body::Numeric(program) = &function.body
     {
-        return program.graph().slope(list, &mut vec![]);
+        let list: SmallVec<[Slope; 10]> = list.iter().copied().copied().collect();
+        return [program.graph().slope(&list, &mut vec![]); 5];
     }
+    let values: SmallVec<[Interval; 10]> = list.iter().map(|slope| slope.value).collect();
+    let bounds = |component: usize| callee.bounds(component, &values);
+    let each = |slope: &dyn Fn(usize) -> Slope| match callee.gives_number() {
+        true => [slope(0); 5],
+        false => [0, 1, 2, 3, 4].map(slope),
+    };
     if let [a, b, c, rest @ ..] = list
         && rest.iter().all(|slope| slope.value.lo == slope.value.hi)
     {
         let middle: SmallVec<[f64; 10]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
         let radius = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
-        let Near { range, steepest, rough } = callee.near(component, &middle, radius);
-        let rough = rough || [a, b, c].iter().any(|slope| slope.rough);
-        let value = range.shared(callee.bounds(component, &values));
-        let around = if steepest == 0.0 { 0.0 } else { steepest * longest([a, b, c]) };
-        return if around.is_finite() { Slope { around, rough, ..Slope::flat(value) } } else { Slope::steep(value) };
+        let near = callee.near(&middle, radius);
+        let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), longest([a, b, c]));
+        return each(&|component| {
+            let Near { range, steepest, rough: uneven } = near[component];
+            let value = range.shared(bounds(component));
+            let around = if steepest == 0.0 { 0.0 } else { steepest * longest };
+            let rough = rough || uneven;
+            if around.is_finite() { Slope { around, rough, ..Slope::flat(value) } } else { Slope::steep(value) }
+        });
     }
-    let value = callee.bounds(component, &values);
-    if list.iter().all(Slope::is_flat) { Slope::flat(value) } else { Slope::steep(value) }
+    let is_flat = list.iter().all(|slope| slope.is_flat());
+    each(&|component| if is_flat { Slope::flat(bounds(component)) } else { Slope::steep(bounds(component)) })
 }
 
 /// How much longer three numbers make a step of the parameters at most.

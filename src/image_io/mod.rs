@@ -24,4 +24,4 @@ pub use dither::Dither;
 pub use encode::{EncodeError, Encoder, Encoding, Packing, Rows, encode};
 pub use format::Format;
 pub use frame::Frame;
-pub use picture::{Picture, Stored, kept_gray};
+pub use picture::{Picture, Stored, kept_gray, wrapped};

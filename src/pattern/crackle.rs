@@ -124,28 +124,12 @@ pub fn lowest(p: DVec3) -> DVec3 {
 }
 
 impl Nearest {
-    /// Those by the sums of squares among the points around `within`, all at once; this has none as yet. Written so that the compiler takes
-    /// several lanes at a time.
+    /// Those by the sums of squares among the points around `within`; this has none as yet.
     fn squares(self, around: &Around, within: DVec3) -> Self {
+        let (sums, nearest) = around.least_squares(within);
         let [xs, ys, zs] = &around.points;
-        let mut sums = [0.0; 28];
-        for i in 0..28 {
-            let site = DVec3::new(xs[i] - within.x, ys[i] - within.y, zs[i] - within.z);
-            sums[i] = site.x * site.x + site.y * site.y + site.z * site.z;
-        }
-        // The three smallest of each of four lanes, then of all. A NaN never comes in.
-        let mut least = [[f64::INFINITY; 4]; 3];
-        for four in sums.chunks_exact(4) {
-            for lane in 0..4 {
-                let [first, second, third] = least.map(|row| row[lane]);
-                let [first, second, third] = three([first, second, third], four[lane]);
-                (least[0][lane], least[1][lane], least[2][lane]) = (first, second, third);
-            }
-        }
-        let three = least.as_flattened().iter().fold(self.sums, |best, sum| three(best, *sum));
-        let site = sums.iter().position(|sum| *sum == three[0]);
         let of = |i: usize| DVec3::new(xs[i] - within.x, ys[i] - within.y, zs[i] - within.z);
-        Self { sums: three, site: site.map_or(self.site, |i| self.site + of(i)) }
+        Self { sums, site: nearest.map_or(self.site, |i| self.site + of(i)) }
     }
 
     /// Keeps the three smallest in order.
@@ -159,14 +143,6 @@ impl Nearest {
             self.sums[2] = sum;
         }
     }
-}
-
-/// The three smallest of four in order, of which the first three are in order, without branches.
-fn three([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
-    let order = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
-    let (first, sum) = order(sum, first);
-    let (second, sum) = order(sum, second);
-    [first, second, order(sum, third).0]
 }
 
 /// The cubes that are looked at, those next to the point first: one step along each axis, or two along a single one.

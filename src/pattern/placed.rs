@@ -182,6 +182,12 @@ impl Pattern {
     pub fn asks_uv(&self) -> bool {
         self.uv || self.kind == Kind::Surface
     }
+
+    /// May it see the surface's normal? (What is in a function or in the pigment of a pattern is not looked at.)
+    pub fn may_see_normal(&self) -> bool {
+        use FieldPattern::{Aoi, FunctionPattern, PigmentPattern, Slope};
+        matches!(self.kind, Kind::Field(Slope(_) | Aoi(_) | FunctionPattern(_) | PigmentPattern(_)))
+    }
 }
 
 /// `noise_generator N`, after the word; 0, which is less than `least` where it can't be said, is the scene's.

@@ -7,6 +7,7 @@ use super::grid::{Grid, Pixel};
 use super::trace::{Sample, Setup, Tracer};
 use super::{Options, Region, Sampling, Spread, blur, net};
 use crate::camera::Lens;
+use crate::color::Gamma;
 use crate::math::fp;
 
 /// How the pixels of a picture come to be.
@@ -37,7 +38,7 @@ impl Method {
             (None, Some(_)) => Kind::Adaptive(sampling.spread),
             (None, None) => Kind::Once,
         };
-        let difference = Difference::new(threshold.unwrap_or(0.0), sampling.gamma, options.alpha);
+        let difference = Difference::new(threshold.unwrap_or(0.0), sampling.gamma, setup.world.gamma, options.alpha);
         Self { kind, sampling, difference, width: options.width, height: options.height }
     }
 
@@ -140,6 +141,8 @@ pub(super) struct Difference {
     threshold: f64,
     /// Differences are judged after this (`Antialias_Gamma`).
     gamma: f64,
+    /// Is that to be applied to what the sRGB curve makes of the numbers?
+    is_srgb: bool,
     alpha: bool,
     /// How steep that curve is at most from [`DARK`] on, and at least up to 1.
     slopes: [f64; 2],
@@ -150,14 +153,20 @@ pub(super) struct Difference {
 const DARK: f64 = 1.0 / 32.0;
 
 impl Difference {
-    fn new(threshold: f64, gamma: f64, alpha: bool) -> Self {
+    /// It is light to the power of 1/`gamma` that is judged, and `numbers` tells which light they are (both measured on POV-Ray 3.7).
+    fn new(threshold: f64, gamma: f64, numbers: Gamma, alpha: bool) -> Self {
+        let (gamma, is_srgb) = match numbers {
+            Gamma::Power(power) => (gamma / power, false),
+            Gamma::Raw => (gamma, false),
+            Gamma::Srgb => (gamma, true),
+        };
         // The slope of x^(1/γ), which falls where γ is more than 1; and there no step is as high as that from 0. So most neighbours
         // need no powers.
-        let (slopes, little) = match gamma >= 1.0 {
+        let (slopes, little) = match gamma >= 1.0 && !is_srgb {
             true => ([fp::pow(DARK, 1.0 / gamma - 1.0) / gamma, 1.0 / gamma], fp::pow(threshold * 0.25, gamma)),
             false => ([f64::INFINITY, 0.0], 0.0),
         };
-        Self { threshold, gamma, alpha, slopes, little }
+        Self { threshold, gamma, is_srgb, alpha, slopes, little }
     }
 
     /// Does the sum of the channels' differences reach the threshold, after the gamma?
@@ -181,7 +190,8 @@ impl Difference {
         if most < self.threshold || least > self.threshold * 1.000_001 {
             return most >= self.threshold;
         }
-        let curve = |x: f64| fp::pow(x, 1.0 / self.gamma);
+        let light = |x: f64| if self.is_srgb { Gamma::Srgb.decode(x) } else { x };
+        let curve = |x: f64| fp::pow(light(x), 1.0 / self.gamma);
         pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity >= self.threshold
     }
 }
@@ -194,4 +204,31 @@ pub(super) fn pixel(sample: &Sample) -> Pixel {
 /// A pixel, one of whose samples is not a number, is black (measured on POV-Ray 3.7).
 fn finished(pixel: Pixel) -> Pixel {
     pixel.map(|c| if c.is_nan() { 0.0 } else { c })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn differences_count_as_in_pov_ray() {
+        // The least differences of gray that POV-Ray 3.7 takes more samples for (`+A0.3`, `+A0.6`).
+        for (numbers, gamma, threshold, from, difference) in [
+            (Gamma::Power(1.0), 2.5, 0.3, 0.0, 0.00317),
+            (Gamma::Power(1.0), 2.5, 0.6, 0.2, 0.24803),
+            (Gamma::Power(2.2), 2.5, 0.3, 0.0, 0.07306),
+            (Gamma::Power(2.2), 2.5, 0.6, 0.5, 0.21391),
+            (Gamma::Power(1.5), 2.5, 0.3, 0.2, 0.09502),
+            (Gamma::Srgb, 2.5, 0.3, 0.02, 0.09685),
+            (Gamma::Srgb, 2.5, 0.3, 0.3, 0.10579),
+            (Gamma::Raw, 2.5, 0.3, 0.02, 0.03313),
+            (Gamma::Power(1.0), 1.0, 0.3, 0.3, 0.10001),
+            (Gamma::Power(2.2), 1.0, 0.3, 0.02, 0.33141),
+        ] {
+            let judge = Difference::new(threshold, gamma, numbers, false);
+            let gray = |x: f64| [x as f32, x as f32, x as f32, 0.0];
+            let counts = |by: f64| judge.counts(&gray(from), &gray(from + by));
+            assert!(counts(difference + 1e-4) && !counts(difference - 1e-4), "{numbers:?} {gamma} {threshold} {from}");
+        }
+    }
 }

@@ -3,6 +3,7 @@
 //! White light splits where it passes between interiors of different dispersion; each part then keeps its hue on its whole
 //! way. How many parts there are changes neither how much a ray counts nor, in all, what is seen.
 
+use super::mirror;
 use super::refract::Interface;
 use super::shading_point::{Coat, ShadingPoint};
 use super::trace::{Path, Tracer, bounce};
@@ -11,7 +12,8 @@ use crate::math::Ray;
 
 impl Tracer<'_> {
     /// Follows white light into the colours that it splits into at the border of what it meets, as one coat bends it. Those that
-    /// can't pass are mirrored together, as white light; the coat takes its share of them too (measured on 3.7).
+    /// can't pass are mirrored together, as white light, by the film on the coat; the coat takes its share of them too (measured on
+    /// 3.7).
     pub(super) fn split(
         &mut self,
         path: &Path,
@@ -43,8 +45,9 @@ impl Tracer<'_> {
         }
         if kept != Rgb::ZERO {
             self.rays.reflected += 1;
-            let ray = Ray::new(shading.point, bounce(path.ray.dir, coat.normal, shading.smooth));
-            let inside = path.inside.clone();
+            let out = bounce(path.ray.dir, coat.normal, shading.smooth);
+            let (ray, inside) = (Ray::new(shading.point, out), path.inside.clone());
+            kept *= mirror::total(coat, shading.point, out, self.setup.world);
             light += kept * self.follow(Path { ray, level: path.level + 1, mirrored: true, inside, ..*path }).rgb;
         }
         light

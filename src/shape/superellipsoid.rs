@@ -69,17 +69,34 @@ fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     }
     // By the ratio, whose power can't overflow.
     let ratio = small / big;
-    let power = power(ratio, a);
-    let sum = 1.0 + power;
-    let value = big * root(sum, a);
-    let by_big = value / big / sum;
     // (Where it has an edge, at 0, any slope between those of both sides will do.)
-    let by_small = match () {
-        _ if ratio > 0.0 => by_big * power / ratio,
+    let slope = match () {
+        _ if ratio > 0.0 => power(ratio, a - 1.0),
         _ if a >= 1.0 => 0.0,
         _ => f64::INFINITY,
     };
+    let sum = if ratio > 0.0 { 1.0 + slope * ratio } else { 1.0 };
+    let root = root(sum, a);
+    let (value, by_big) = (big * root, root / sum);
+    let by_small = by_big * slope;
     if x > y { (value, by_big, by_small) } else { (value, by_small, by_big) }
+}
+
+/// Where a stretch of a line begins or ends.
+#[derive(Clone, Copy)]
+struct End {
+    s: f64,
+    /// The point there, without signs.
+    p: DVec3,
+    /// The logarithms of its coordinates.
+    ln: DVec3,
+}
+
+impl End {
+    fn new(line: &Line, s: f64) -> Self {
+        let p = line.at(s).abs();
+        Self { s, p, ln: p.map(fp::ln) }
+    }
 }
 
 /// Logarithms at a point.
@@ -121,16 +138,16 @@ impl Superellipsoid {
 
     /// Of a convex one: from one end of the line's part in the cube to the surface. A tangent of a convex function lies below
     /// it, so Newton's steps come near the root and never pass it; where the function no longer falls there is none.
-    fn seen_from(&self, o: DVec3, v: DVec3, from: f64, to: f64) -> Option<f64> {
+    fn seen_from(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
         let toward = (to - from).signum();
         let mut s = from;
         for _ in 0..200 {
-            let (value, gradient) = self.gauge(o + v * s);
+            let (value, gradient) = self.gauge(line.at(s));
             let excess = value - 1.0;
             if excess <= 0.0 {
                 return Some(s);
             }
-            let slope = gradient.dot(v) * toward;
+            let slope = gradient.dot(line.v) * toward;
             if slope >= 0.0 {
                 return None;
             }
@@ -147,31 +164,34 @@ impl Superellipsoid {
         Some(s)
     }
 
-    /// The roots between two places of which each coordinate keeps its sign, ascending. True if `found` had enough.
-    fn in_octant(&self, line: &Line, (lo, hi): (f64, f64), found: &mut dyn FnMut(f64) -> bool) -> bool {
-        let (p, q) = (line.at(lo).abs(), line.at(hi).abs());
+    /// The roots between two places of which each coordinate keeps its sign, ascending, as far as there are any in the range. True if
+    /// `found` had enough. (Stretches are the same for all ranges, and so are the roots' last digits.)
+    fn in_octant(&self, line: &Line, lo: End, hi: End, within: Range, found: &mut dyn FnMut(f64) -> bool) -> bool {
+        if hi.s < within.min || lo.s > within.max {
+            return false;
+        }
         // It grows along each axis: at the nearest and farthest corner of the box around the stretch it is least and most.
-        let far = self.corner(p.max(q));
+        let far = self.corner(lo.ln.max(hi.ln));
         if far.gauge < -CLEAR {
             return false;
         }
-        let near = self.corner(p.min(q));
+        let near = self.corner(lo.ln.min(hi.ln));
         if near.gauge > CLEAR {
             return false;
         }
-        let slopes = self.slopes(&near, &far, (q - p) / (hi - lo));
-        if slopes.0 > 0.0 || slopes.1 < 0.0 || hi - lo < 1e-13 {
-            let begins_inside = self.gauge(p).0 <= 1.0;
-            let differ = begins_inside != (self.gauge(q).0 <= 1.0);
-            return differ && found(self.between(line, if begins_inside { (lo, hi) } else { (hi, lo) }));
+        let length = hi.s - lo.s;
+        let slopes = self.slopes(&near, &far, (hi.p - lo.p) / length);
+        if slopes.0 > 0.0 || slopes.1 < 0.0 || length < 1e-13 {
+            let begins_inside = self.gauge(lo.p).0 <= 1.0;
+            let differ = begins_inside != (self.gauge(hi.p).0 <= 1.0);
+            return differ && found(self.between(line, if begins_inside { (lo.s, hi.s) } else { (hi.s, lo.s) }));
         }
-        let middle = 0.5 * (lo + hi);
-        self.in_octant(line, (lo, middle), found) || self.in_octant(line, (middle, hi), found)
+        let middle = End::new(line, 0.5 * (lo.s + hi.s));
+        self.in_octant(line, lo, middle, within, found) || self.in_octant(line, middle, hi, within, found)
     }
 
-    /// The logarithms at a point without negative coordinates: all powers there cost one exponential each.
-    fn corner(&self, p: DVec3) -> Corner {
-        let of = p.map(fp::ln);
+    /// The logarithms at a point, from those of its coordinates: all powers there cost one exponential each.
+    fn corner(&self, of: DVec3) -> Corner {
         let across = ln_norm(of.x, of.y, 2.0 / self.e);
         Corner { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
     }
@@ -222,6 +242,25 @@ impl Superellipsoid {
         s
     }
 
+    /// The way in and the way out of a convex one, of which those before `start` do not count.
+    fn search_convex(&self, line: &Line, (lo, hi): (f64, f64), start: f64, tell: &mut dyn FnMut(f64) -> bool) {
+        let mut last = start;
+        // Within the cube one look tells whether a ray begins inside, or goes away from it: most are shadow rays, which leave the surface.
+        let (value, gradient) = if start > lo { self.gauge(line.at(start)) } else { (f64::INFINITY, -line.v) };
+        if value > 1.0 {
+            if gradient.dot(line.v) >= 0.0 {
+                return;
+            }
+            let Some(first) = self.seen_from(line, lo, hi) else { return };
+            if tell(first) {
+                return;
+            }
+            last = first;
+        }
+        // (Where it is only grazed, rounding may put the way out before the way in.)
+        tell(self.seen_from(line, hi, lo).map_or(last, |s| s.max(last)));
+    }
+
     /// Tells each hit in the range, ascending; true ends the search.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
         let Some((near, far)) = CUBE.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
@@ -240,17 +279,14 @@ impl Superellipsoid {
             range.contains(t) && found(t)
         };
         if self.e <= 2.0 && self.n <= 2.0 {
-            let Some(first) = self.seen_from(line.o, v, lo, hi) else { return };
-            if !tell(first) {
-                // (Where it is only grazed, rounding may put the way out before the way in.)
-                tell(self.seen_from(line.o, v, hi, lo).map_or(first, |last| last.max(first)));
-            }
-            return;
+            return self.search_convex(&line, (lo, hi), range.min * length - middle, &mut tell);
         }
+        let within = Range { min: range.min * length - middle, max: range.max * length - middle };
         let mut cuts: smallvec::SmallVec<[f64; 5]> = smallvec::smallvec![lo, hi];
         cuts.extend((0..3).map(|axis| -line.o[axis] / v[axis]).filter(|s| *s > lo && *s < hi));
         cuts.sort_by(f64::total_cmp);
-        let _ = cuts.windows(2).any(|w| w[0] < w[1] && self.in_octant(&line, (w[0], w[1]), &mut tell));
+        let ends: smallvec::SmallVec<[End; 5]> = cuts.iter().map(|&s| End::new(&line, s)).collect();
+        let _ = ends.windows(2).any(|w| w[0].s < w[1].s && self.in_octant(&line, w[0], w[1], within, &mut tell));
     }
 }
 

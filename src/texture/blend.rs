@@ -177,6 +177,31 @@ impl<T> Blend<T> {
         }
     }
 
+    /// Is it shared with another?
+    pub(super) fn is_one_with(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Blend::Map(a), Blend::Map(b)) => Arc::ptr_eq(a, b),
+            (Blend::List(a), Blend::List(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+
+    /// The same with others in their places; where one is the same as the one before, `f` is asked but once.
+    pub fn map_runs<U: Clone>(&self, same: impl Fn(&T, &T) -> bool, mut f: impl FnMut(&T) -> U) -> Blend<U> {
+        let mut before: Option<(&T, U)> = None;
+        let mut all = self.iter().map(|entry| match &before {
+            Some((last, made)) if same(last, entry) => made.clone(),
+            _ => before.insert((entry, f(entry))).1.clone(),
+        });
+        match self {
+            Blend::Map(map) => {
+                let entries = map.entries.iter().map(|(number, _)| *number).zip(&mut all).collect();
+                Blend::Map(Arc::new(Map { entries }))
+            }
+            Blend::List(_) => Blend::List(all.collect()),
+        }
+    }
+
     /// All of them.
     pub fn iter(&self) -> Box<dyn Iterator<Item = &T> + '_> {
         match self {

@@ -20,27 +20,28 @@ impl ColorMap {
         }
     }
 
-    /// What is known of a component (red, green, blue, filter, transmit) where the numbers are known to be so.
-    pub fn near(&self, component: usize, near: Near) -> Near {
+    /// What is known of the components (red, green, blue, filter, transmit) where the numbers are known to be so.
+    pub fn near(&self, near: Near) -> [Near; 5] {
         let Interval { lo, hi } = near.range;
-        let part = |color: Color| color.to_array()[component];
-        let ends = Interval::new(part(self.at(lo)), part(self.at(hi)));
-        let mut all = Near { range: ends, steepest: 0.0, ..near };
+        let (first, last) = (self.at(lo).to_array(), self.at(hi).to_array());
+        let mut all =
+            [0, 1, 2, 3, 4].map(|i: usize| Near { range: Interval::new(first[i], last[i]), steepest: 0.0, ..near });
         for pair in self.entries.windows(2) {
             let [(a, from), (b, to)] = pair else { continue };
             if b < a {
-                return Near::UNKNOWN;
+                return [Near::UNKNOWN; 5];
             }
             if *b < lo || *a > hi {
                 continue;
             }
-            let (from, to) = (part(*from), part(*to));
-            // (Also the ends of a piece that reaches out, which does no harm.)
-            all.range = all.range.hull(Interval::new(from, to));
-            all.steepest = if from == to { all.steepest } else { all.steepest.max((to - from).abs() / (b - a)) };
+            let ends = from.to_array().into_iter().zip(to.to_array());
+            for (one, (from, to)) in all.iter_mut().zip(ends) {
+                // (Also the ends of a piece that reaches out, which does no harm.)
+                one.range = one.range.hull(Interval::new(from, to));
+                one.steepest = if from == to { one.steepest } else { one.steepest.max((to - from).abs() / (b - a)) };
+            }
         }
-        all.steepest = if all.steepest == 0.0 { 0.0 } else { all.steepest * near.steepest };
-        all
+        all.map(|one| Near { steepest: if one.steepest == 0.0 { 0.0 } else { one.steepest * near.steepest }, ..one })
     }
 
     /// Reads `{ [0.0 color …] [1.0 color …] }`, after the brace; also the old entries of two numbers and two colours, and a

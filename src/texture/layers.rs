@@ -212,10 +212,28 @@ impl Texture {
                 (Some(a), Some(b)) => Arc::ptr_eq(a, b),
                 (a, b) => a.is_none() && b.is_none(),
             };
-            let finish = Arc::ptr_eq(&a.finish, &b.finish);
-            normal && finish && a.choice.is_none() && b.choice.is_none() && a.pigment.is_plainly(&b.pigment)
+            let choice = match (&a.choice, &b.choice) {
+                (Some(a), Some(b)) => a.parts.is_one_with(&b.parts) && a.pattern == b.pattern,
+                (a, b) => a.is_none() && b.is_none(),
+            };
+            normal && choice && Arc::ptr_eq(&a.finish, &b.finish) && a.pigment.is_plainly(&b.pigment)
         };
         self.layers.len() == other.layers.len() && self.layers.iter().zip(&other.layers).all(|(a, b)| same(a, b))
+    }
+
+    /// Is any of its layers so, or of those of the textures among which it chooses?
+    pub fn any_layer(&self, is: &dyn Fn(&Layer) -> bool) -> bool {
+        let inner = |choice: &Choice| choice.parts.iter().any(|part| part.any_layer(is));
+        self.layers.iter().any(|layer| is(layer) || layer.choice.as_deref().is_some_and(inner))
+    }
+
+    /// Is any of its patterns so?
+    pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
+        self.any_layer(&|layer| {
+            layer.pigment.any_pattern(is)
+                || layer.normal.as_ref().is_some_and(|normal| normal.any_pattern(is))
+                || layer.choice.as_ref().is_some_and(|choice| is(&choice.pattern))
+        })
     }
 
     /// Moves every layer.

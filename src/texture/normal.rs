@@ -177,10 +177,10 @@ impl Normal {
         Ok(())
     }
 
-    /// Does it ask where the point lies on its shape?
-    pub fn asks_uv(&self) -> bool {
-        let inner = matches!(&self.relief, Relief::Normals(parts) if parts.iter().any(Normal::asks_uv));
-        self.pattern.asks_uv() || inner
+    /// Is any of its patterns so?
+    pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
+        let inner = matches!(&self.relief, Relief::Normals(parts) if parts.iter().any(|part| part.any_pattern(is)));
+        is(&self.pattern) || inner
     }
 
     /// As [`Texture::is_plainly`].

@@ -241,15 +241,16 @@ impl Pigment {
             (Paint::Solid(a), Paint::Solid(b)) => a == b,
             (Paint::Colors(a), Paint::Colors(b)) => Arc::ptr_eq(a, b),
             (Paint::Image(a), Paint::Image(b)) => Arc::ptr_eq(a, b),
+            (Paint::Pigments(a), Paint::Pigments(b)) => a.is_one_with(b),
             _ => false,
         };
         paint && self.pattern.is_one_with(&other.pattern) && self.quick_color == other.quick_color
     }
 
-    /// Does it ask where the point lies on its shape?
-    pub fn asks_uv(&self) -> bool {
-        let inner = matches!(&self.paint, Paint::Pigments(parts) if parts.iter().any(Pigment::asks_uv));
-        self.pattern.asks_uv() || inner
+    /// Is any of its patterns so?
+    pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
+        let inner = matches!(&self.paint, Paint::Pigments(parts) if parts.iter().any(|part| part.any_pattern(is)));
+        is(&self.pattern) || inner
     }
 
     /// Does no light pass anywhere?

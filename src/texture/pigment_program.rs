@@ -1,6 +1,6 @@
 //! Pigments as a ray needs them: a row of nodes in place of a tree.
 
-use super::{Blend, ColorMap, ImageMap, Map, Paint, Pigment};
+use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
 use crate::color::Color;
 use crate::pattern::{Kind, Near, PatternProgram, TextureContext};
 use serde::Serialize;
@@ -72,12 +72,12 @@ impl PigmentProgram {
         self.nodes.last().map_or(Near::UNKNOWN, |node| node.pattern.near(ctx, radius))
     }
 
-    /// The same of a component of [`Self::at`]: red, green, blue, filter, transmit.
-    pub fn component_near(&self, component: usize, ctx: &TextureContext, radius: f64) -> Near {
+    /// The same of what [`Self::at`] gives: red, green, blue, filter, transmit.
+    pub fn colors_near(&self, ctx: &TextureContext, radius: f64) -> [Near; 5] {
         match self.nodes.last() {
-            Some(PigmentNode { shows: Shows::Solid(color), .. }) => Near::same(color.to_array()[component]),
-            Some(PigmentNode { shows: Shows::Colors(map), pattern }) => map.near(component, pattern.near(ctx, radius)),
-            _ => Near::UNKNOWN,
+            Some(PigmentNode { shows: Shows::Solid(color), .. }) => color.to_array().map(Near::same),
+            Some(PigmentNode { shows: Shows::Colors(map), pattern }) => map.near(pattern.near(ctx, radius)),
+            _ => [Near::UNKNOWN; 5],
         }
     }
 
@@ -91,6 +91,8 @@ impl PigmentProgram {
                 let (number, inner) = pattern.see(ctx);
                 match parts.shares(number, pattern.averages())[..] {
                     [(i, 1.0)] => self.node(*i as usize, &inner),
+                    // Between two that are the same.
+                    [(i, _), (j, _)] if i == j && !pattern.averages() => self.node(*i as usize, &inner),
                     ref shares => shares
                         .iter()
                         .fold(Color::BLACK, |sum, (i, share)| sum.plus(self.node(**i as usize, &inner), *share)),
@@ -110,13 +112,7 @@ fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
         Paint::Solid(color) => Shows::Solid(*color),
         Paint::Colors(map) => Shows::Colors(map.clone()),
         Paint::Image(image) => Shows::Image(image.clone()),
-        Paint::Pigments(parts) => Shows::Pigments(match parts {
-            Blend::Map(map) => {
-                let entries = map.entries.iter().map(|(number, entry)| (*number, push(entry, nodes)));
-                Blend::Map(Arc::new(Map { entries: entries.collect() }))
-            }
-            Blend::List(list) => Blend::List(list.iter().map(|entry| push(entry, nodes)).collect()),
-        }),
+        Paint::Pigments(parts) => Shows::Pigments(parts.map_runs(Pigment::is_plainly, |entry| push(entry, nodes))),
     };
     nodes.push(PigmentNode { pattern: PatternProgram::new(&pigment.pattern), shows });
     nodes.len() as u32 - 1

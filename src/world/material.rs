@@ -1,8 +1,10 @@
 //! Textures as a ray needs them: layers with all constants worked out.
 
 use crate::color::{Color, Rgb};
-use crate::pattern::{PatternProgram, Space, TextureContext};
-use crate::texture::{self, Blend, Finish, Irid, Normal, NormalProgram, Pigment, PigmentProgram, Reflection, Texture};
+use crate::pattern::{Pattern, PatternProgram, Space, TextureContext};
+use crate::texture::{
+    self, Blend, Finish, Irid, Normal, NormalProgram, Pigment, PigmentProgram, Reflection, Shares, Texture,
+};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -19,6 +21,9 @@ pub struct Material {
     pub pass: Rgb,
     /// Does it ask where the point lies on its shape?
     pub uv: bool,
+    /// Is it seen as often as it is looked at? Then two shares of it are not one: light goes on from each, or the second sees the bumps of
+    /// the first.
+    repeats: bool,
 }
 
 /// A pattern and the materials among which it chooses.
@@ -29,13 +34,24 @@ pub struct Choice {
     /// Where it lies: normals go another way than points.
     pub space: Space,
     /// The materials.
-    pub parts: Blend<Material>,
+    pub parts: Blend<Arc<Material>>,
 }
 
 impl Choice {
     /// Does it show all of them at once?
     pub fn averages(&self) -> bool {
         self.pattern.averages()
+    }
+
+    /// What is seen at a number; between two entries that are the same it is one.
+    pub fn shares(&self, number: f64) -> Shares<'_, Arc<Material>> {
+        let shares = self.parts.shares(number, self.averages());
+        match shares[..] {
+            [(below, _), (above, _)] if Arc::ptr_eq(below, above) && !below.repeats && !self.averages() => {
+                Shares::from_slice(&[(below, 1.0)])
+            }
+            _ => shares,
+        }
     }
 }
 
@@ -122,7 +138,11 @@ impl Material {
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.passing()).product(),
-            uv: texture.layers.iter().any(asks_uv),
+            uv: texture.any_pattern(&Pattern::asks_uv),
+            repeats: texture.any_layer(&sends_light_on)
+                || !texture.layers.iter().any(is_opaque)
+                || (texture.any_layer(&|layer| layer.normal.is_some())
+                    && texture.any_pattern(&Pattern::may_see_normal)),
             layers,
         }
     }
@@ -147,15 +167,13 @@ fn is_opaque(layer: &texture::Layer) -> bool {
     }
 }
 
-fn asks_uv(layer: &texture::Layer) -> bool {
-    let choice = layer.choice.as_ref();
-    layer.pigment.asks_uv()
-        || layer.normal.as_ref().is_some_and(|normal| normal.asks_uv())
-        || choice.is_some_and(|c| c.pattern.asks_uv() || c.parts.iter().any(|part| part.layers.iter().any(asks_uv)))
+/// Does it mirror, or is it of another brightness each time?
+fn sends_light_on(layer: &texture::Layer) -> bool {
+    !layer.finish.reflection.is_none() || layer.finish.crand != 0.0
 }
 
 fn lower_choice(choice: &texture::Choice, shared: &mut dyn SharedParts) -> Choice {
-    let parts = choice.parts.map(|texture| Material::new(texture, shared));
+    let parts = choice.parts.map_runs(Texture::is_plainly, |texture| Arc::new(Material::new(texture, shared)));
     let (pattern, space) = (PatternProgram::new(&choice.pattern), choice.pattern.space.clone());
     Choice { pattern, space, parts }
 }

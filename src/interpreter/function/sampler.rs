@@ -37,9 +37,8 @@ impl Sampler for PigmentSampler {
         self.0.at(&ctx(p, &self.1)).to_array()
     }
 
-    fn near(&self, component: usize, p: &[f64], radius: f64) -> function::Near {
-        let near = self.0.component_near(component, &ctx(p, &self.1), radius);
-        known(near)
+    fn near(&self, p: &[f64], radius: f64) -> [function::Near; 5] {
+        self.0.colors_near(&ctx(p, &self.1), radius).map(known)
     }
 }
 
@@ -64,9 +63,8 @@ impl Sampler for PatternSampler {
         if component == 0 { self.0.number_at(&ctx(p, &self.1)) } else { 0.0 }
     }
 
-    fn near(&self, _component: usize, p: &[f64], radius: f64) -> function::Near {
-        let near = self.0.near(&ctx(p, &self.1), radius);
-        known(near)
+    fn near(&self, p: &[f64], radius: f64) -> [function::Near; 5] {
+        [known(self.0.near(&ctx(p, &self.1), radius)); 5]
     }
 }
 

@@ -97,8 +97,9 @@ pub fn vector(p: DVec3) -> DVec3 {
     let (near, far) = (spread(t), spread(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
     let along = |axis: usize, i: usize| if i >> axis & 1 == 1 { far[axis] } else { near[axis] };
     let corner = |i: usize| {
-        let [v, gx, gy, gz] = &LANES[hashes[i >> 2][i & 3] & 0xff];
-        let (v, gx, gy, gz) = (load(v), load(gx), load(gy), load(gz));
+        let at = hashes[i >> 2][i & 3] & 0xff;
+        let [v, gx, gy, gz] = [0, 1, 2, 3].map(|place: usize| load(&LANES[at + place]));
+        let v = _mm256_mul_pd(v, _mm256_set1_pd(0.5));
         add(add(add(v, gx, along(0, i)), gy, along(1, i)), gz, along(2, i))
     };
     let [sx, sy, sz] = spread(ease(t));

@@ -107,6 +107,57 @@ impl Around {
     }
 }
 
+impl Around {
+    /// The three least squares of distances from a place to the points, and the number of the nearest point. A NaN is none of them.
+    pub fn least_squares(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has just been asked whether it has what the function needs.
+            #[expect(unsafe_code, reason = "the compiler can't know the processor")]
+            return unsafe { self.least_squares_avx2(from) };
+        }
+        self.least_squares_plainly(from)
+    }
+
+    /// The same operations, four numbers at once.
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn least_squares_avx2(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+        self.least_squares_plainly(from)
+    }
+
+    /// Written so that the compiler takes several lanes at a time.
+    #[inline(always)]
+    fn least_squares_plainly(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+        let [xs, ys, zs] = &self.points;
+        let mut sums = [0.0; 28];
+        for i in 0..28 {
+            let way = DVec3::new(xs[i] - from.x, ys[i] - from.y, zs[i] - from.z);
+            sums[i] = way.x * way.x + way.y * way.y + way.z * way.z;
+        }
+        // The three smallest of each of four lanes, then of all.
+        let mut least = [[f64::INFINITY; 4]; 3];
+        for four in sums.chunks_exact(4) {
+            for lane in 0..4 {
+                let [first, second, third] = least.map(|row| row[lane]);
+                let [first, second, third] = three([first, second, third], four[lane]);
+                (least[0][lane], least[1][lane], least[2][lane]) = (first, second, third);
+            }
+        }
+        let three = least.as_flattened().iter().fold([f64::INFINITY; 3], |best, sum| three(best, *sum));
+        (three, sums.iter().position(|sum| *sum == three[0]))
+    }
+}
+
+/// The three smallest of four in order, of which the first three are in order, without branches.
+#[inline(always)]
+fn three([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
+    let order = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
+    let (first, sum) = order(sum, first);
+    let (second, sum) = order(sum, second);
+    [first, second, order(sum, third).0]
+}
+
 thread_local! {
     /// A place for each of 4x4x4 cubes that lie together.
     static REMEMBERED: RefCell<[Around; 64]> = const { RefCell::new([Around::NOTHING; 64]) };

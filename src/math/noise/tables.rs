@@ -22,9 +22,8 @@ pub static HASH: [u16; 4096] = hash();
 #[repr(align(32))]
 pub struct Row(pub [f64; 4]);
 
-/// Value and gradient of a lattice point of [`super::value`], by the low 8 bits of its hash; the last 8 rows serve the second and
-/// third component of the vector noise.
-pub static CORNERS: [Row; 264] = corners();
+/// Value and gradient of a lattice point of [`super::value`], by the low 8 bits of its hash.
+pub static CORNERS: [Row; 256] = corners();
 
 /// Nearly a permutation of 0 to 2047 for [`super::perlin`].
 pub static PERMUTATION: [u16; 2048] = FOR_PERLIN.1;
@@ -48,13 +47,18 @@ const fn hash() -> [u16; 4096] {
 }
 
 /// Each row begins one entry further on in [`ENTRIES`]. Values count half.
-const fn corners() -> [Row; 264] {
-    let (mut rows, mut i) = ([Row([0.0; 4]); 264], 0);
-    while i < 264 {
+const fn corners() -> [Row; 256] {
+    let (mut rows, mut i) = ([Row([0.0; 4]); 256], 0);
+    while i < 256 {
         rows[i] = Row([0.5 * ENTRIES[i], ENTRIES[i + 1], ENTRIES[i + 2], ENTRIES[i + 3]]);
         i += 1;
     }
     rows
+}
+
+/// Of the 267 numbers that values and gradients are taken from.
+pub const fn entry(i: usize) -> f64 {
+    ENTRIES[i]
 }
 
 const FOR_PERLIN: ([[f64; 3]; 2049], [u16; 2048]) = {

@@ -2,7 +2,7 @@
 
 use super::super::DVec3;
 use super::lattice::{blend, cell, ease, from_corner};
-use super::tables::{CORNERS, HASH, Row};
+use super::tables::{CORNERS, HASH, Row, entry};
 
 /// POV-Ray adds 10000 to the number of a cell before it looks it up.
 const OFFSET: usize = 10_000;
@@ -52,19 +52,17 @@ fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }
 
-/// The values and gradients of the three components of [`vector`] side by side: v, gx, gy, gz. The last lane is not used.
-pub(super) static LANES: [[Row; 4]; 256] = lanes();
+/// The entries of the three components of [`vector`] side by side; the last lane is not used. A lattice point's values are at its hash and
+/// count half, its gradients' coordinates are at the next three places. (A row of its own for each would be four times as large, and not
+/// fit into a processor's nearest cache beside the other tables.)
+pub(super) static LANES: [Row; 259] = lanes();
 
 /// Each component takes its values and gradients four entries further on in the table.
-const fn lanes() -> [[Row; 4]; 256] {
-    let mut out = [[Row([0.0; 4]); 4]; 256];
+const fn lanes() -> [Row; 259] {
+    let mut out = [Row([0.0; 4]); 259];
     let mut i = 0;
-    while i < 256 {
-        let mut part = 0;
-        while part < 4 {
-            out[i][part] = Row([CORNERS[i].0[part], CORNERS[i + 4].0[part], CORNERS[i + 8].0[part], 0.0]);
-            part += 1;
-        }
+    while i < 259 {
+        out[i] = Row([entry(i), entry(i + 4), entry(i + 8), 0.0]);
         i += 1;
     }
     out
@@ -75,9 +73,9 @@ const fn lanes() -> [[Row; 4]; 256] {
 pub fn vector(p: DVec3) -> DVec3 {
     let (hashes, t) = corners(p);
     let corner = |i: usize| {
-        let ([x, y, z], [v, gx, gy, gz]) = (from_corner(i, t), &LANES[hashes[i >> 2][i & 3] & 0xff]);
-        let add = |sum: Lanes, g: &Row, x: f64| lanewise(sum, g.0, |sum, g| sum + g * x);
-        add(add(add(v.0, gx, x), gy, y), gz, z)
+        let ([x, y, z], at) = (from_corner(i, t), hashes[i >> 2][i & 3] & 0xff);
+        let add = |sum: Lanes, place: usize, x: f64| lanewise(sum, LANES[at + place].0, |sum, g| sum + g * x);
+        add(add(add(LANES[at].0.map(|v| 0.5 * v), 1, x), 2, y), 3, z)
     };
     let [sx, sy, sz] = t.map(ease);
     let lerp = |a: Lanes, b: Lanes, s: f64| lanewise(a, b, |a, b| a + s * (b - a));

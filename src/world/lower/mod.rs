@@ -231,7 +231,7 @@ impl Lowering {
         }
         let clips = !matches!(&object.kind, ObjectKind::Shape(shape) if shape.is_never_clipped());
         if clips && !clip.is_empty() {
-            node = node.clipped(clip);
+            node = node.clipped(clip).standing_in(inherited.place.moved_box(object.extent()));
         }
         Ok(Some(Solid { node: node.bounded(self.lower_bounds(object, inherited)?), opaque }))
     }

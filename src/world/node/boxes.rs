@@ -86,6 +86,14 @@ impl SolidNode {
         self
     }
 
+    /// The same of what is clipped: the box that POV-Ray tells of it is not cut as closely as that of its hits.
+    pub(in crate::world) fn standing_in(mut self, around: Aabb) -> Self {
+        if let Some(more) = &mut self.more {
+            more.reach.around = around;
+        }
+        self
+    }
+
     /// The same of an object by itself: POV-Ray's box is the one that it tells of it.
     pub(in crate::world) fn lying_within(mut self, around: Aabb) -> Self {
         let (boxes, own) = (self.boxes(), self.reach_of_parts(self.bounds()));

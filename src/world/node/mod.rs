@@ -203,7 +203,7 @@ impl SolidNode {
         self.more.as_mut().map_or_else(Box::default, |more| std::mem::take(&mut more.bounds))
     }
 
-    fn clip(&self) -> &[SolidNode] {
+    pub(super) fn clip(&self) -> &[SolidNode] {
         self.more.as_ref().map_or(&[], |more| &more.clip)
     }
 
@@ -217,15 +217,22 @@ impl SolidNode {
 
     /// Is the point inside?
     pub fn inside(&self, p: DVec3) -> bool {
-        let in_kind = match &self.kind {
+        let is_near = match &self.kind {
+            SolidKind::Leaf(_) => true,
+            _ => self.more.as_ref().is_some_and(|more| more.boxes.solid.contains(p)),
+        };
+        is_near && self.inside_uncut(p) && self.in_clip(p)
+    }
+
+    /// Would the point be inside if nothing clipped it?
+    pub(super) fn inside_uncut(&self, p: DVec3) -> bool {
+        match &self.kind {
             SolidKind::Leaf(leaf) => leaf.inside(p),
-            _ if !self.more.as_ref().is_some_and(|more| more.boxes.solid.contains(p)) => false,
             SolidKind::Union(_) | SolidKind::Merge(_) => {
                 !self.all_children(p, usize::MAX, |_, c| !c.inside(p)) || self.unseen().iter().any(|c| c.inside(p))
             }
             SolidKind::Intersection(_) => self.all_children(p, usize::MAX, |_, c| c.inside(p)),
-        };
-        in_kind && self.in_clip(p)
+        }
     }
 
     /// Appends every hit in the range, in no particular order.
@@ -301,7 +308,7 @@ impl SolidNode {
     /// Is there any hit in the range?
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
         match &self.kind {
-            SolidKind::Leaf(leaf) if self.more.is_none() => leaf.any(ray, range),
+            SolidKind::Leaf(leaf) if self.clip().is_empty() => self.is_met(ray) && leaf.any(ray, range),
             _ => self.closest_of_many(ray, range).is_some(),
         }
     }
@@ -312,6 +319,9 @@ impl SolidNode {
             return None;
         }
         match &self.kind {
+            SolidKind::Leaf(leaf) if self.clip().is_empty() => {
+                leaf.closest(ray, range).map(|hit| Intersection::new(hit, leaf, self.object))
+            }
             SolidKind::Leaf(_) => {
                 let mut all = Intersections::new();
                 self.hits(ray, range, &mut all);
