@@ -426,7 +426,8 @@ proptest! {
         prop_assert!(cosine.abs() < tolerance, "{cosine}");
     }
 
-    /// A fractal's surface is where its inside begins and ends, and no hit is lost or found elsewhere.
+    /// A fractal's surface is where its inside begins and ends, and no hit is lost or found elsewhere. (Of pieces thinner than
+    /// 1/`precision`, which ones are met depends on where a ray starts: hence the greatest, which nearly no ray shows.)
     #[test]
     fn fractals_have_a_surface_where_their_inside_ends(seed: u64) {
         let mut dice = Dice::new(seed);
@@ -434,6 +435,7 @@ proptest! {
         fractal.algebra = [Algebra::Quaternion, Algebra::Hypercomplex][dice.below(2)];
         fractal.function = [durer::shape::Function::Sqr, durer::shape::Function::Cube][dice.below(2)];
         fractal.max_iteration = 2 + dice.below(6);
+        fractal.precision = 1000.0;
         let fractal = Shape::from(fractal);
         for _ in 0..4 {
             let ray = dice.ray();
