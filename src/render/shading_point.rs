@@ -228,7 +228,7 @@ fn of_materials<'w>(
 ) {
     let part = &world.parts[found.part() as usize];
     let Some(rare) = &part.rare else { return tell(&part.outside, 1.0) };
-    if let Some(inside) = rare.inside.as_ref().filter(|_| from_inside) {
+    if let Some(inside) = rare.inside.as_ref().filter(|_| from_inside != found.keeps_sides()) {
         return tell(inside, 1.0);
     }
     if let Some(cut) = rare.cut {

@@ -286,6 +286,11 @@ pub trait Kernel {
         false
     }
 
+    /// Does it show the texture of its inside where that was, even turned inside out (measured on POV-Ray 3.7)?
+    fn keeps_sides(&self) -> bool {
+        false
+    }
+
     /// Does `uv_mapping` see [`Kernel::uv`]? For shapes without a mapping of their own, POV-Ray takes the x and y of the
     /// point in world space instead.
     fn uv_mapped(&self) -> bool {
@@ -389,6 +394,7 @@ macro_rules! shapes {
             fn faces(&self) -> Vec<Face> { match self { $(Shape::$name(s) => s.faces()),* } }
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
             fn hides_interior_texture(&self) -> bool { match self { $(Shape::$name(s) => s.hides_interior_texture()),* } }
+            fn keeps_sides(&self) -> bool { match self { $(Shape::$name(s) => s.keeps_sides()),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }
             fn least_distance(&self) -> f64 { match self { $(Shape::$name(s) => s.least_distance()),* } }

@@ -222,6 +222,10 @@ impl Kernel for Quadric {
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
+    fn keeps_sides(&self) -> bool {
+        true
+    }
+
     /// POV-Ray has no mapping for them.
     fn uv_mapped(&self) -> bool {
         false

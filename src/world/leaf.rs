@@ -166,6 +166,11 @@ impl Intersection<'_> {
         self.leaf.inverse
     }
 
+    /// Was it turned inside out, but not the textures of its sides?
+    pub fn keeps_sides(&self) -> bool {
+        self.leaf.inverse && self.leaf.shape.keeps_sides()
+    }
+
     /// The shape's own coordinates on its surface, at `object_point` of [`Intersection::surface`].
     pub fn uv(&self, object_point: DVec3) -> DVec2 {
         self.leaf.shape.uv(object_point, &self.hit)
