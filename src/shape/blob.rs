@@ -8,7 +8,8 @@
 //! blob { threshold 0.3 sphere { <-0.6, 0.8, 0>, 1.2, 1 } sphere { <0.7, 0.9, 0>, 1, 1 } pigment { color rgb <0.8, 0.4, 0.3> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Paints, Readable, Slots, Sphere, finite, moved_box};
+use super::extent::NOTHING;
+use super::{HUGE, Hit, Hits, Kernel, Paints, Readable, Slots, Sphere, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DQuat, DVec3, Range, Ray, Roots, Transform, solve_between, solve_quadratic, tolerance};
@@ -384,9 +385,14 @@ impl Kernel for Blob {
         self.bounds
     }
 
+    /// That of the components which make it stronger. Without any it is inside out, and endless as soon as it is moved.
     fn extent(&self, m: &Transform) -> Aabb {
         let strong = self.components.iter().filter(|component| component.strength > 0.0);
-        moved_box(m, &strong.map(Component::extent).fold(Aabb::EMPTY, Aabb::union))
+        match strong.map(Component::extent).reduce(Aabb::union) {
+            Some(all) => moved_box(m, &all),
+            None if m.is_identity() => NOTHING,
+            None => HUGE,
+        }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -406,7 +412,11 @@ impl Kernel for Blob {
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        self.field(p) > self.threshold
+        self.field(p) >= self.threshold
+    }
+
+    fn reaches_beyond(&self) -> bool {
+        self.threshold <= 0.0
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {

@@ -5,6 +5,8 @@ use crate::math::{Aabb, DAffine3, DQuat, DVec3, Transform};
 
 /// What POV-Ray tells of things without end.
 pub const HUGE: Aabb = Aabb { min: DVec3::splat(-1e10), max: DVec3::splat(1e10) };
+/// What it tells of shapes without any part.
+pub(super) const NOTHING: Aabb = Aabb { min: DVec3::splat(2e10), max: DVec3::splat(-2e10) };
 /// Flat things are this thick to both sides.
 pub(super) const THIN: f64 = 0.001;
 
