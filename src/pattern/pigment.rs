@@ -6,13 +6,12 @@
 //! ```
 
 use super::{Field, FunctionPattern, Readable, TextureContext};
-use crate::color::{Rgb, gray};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Function;
 use crate::value::{Kind, Param, Reader, Spec, downcast};
 use serde::Serialize;
 
-/// A pigment as a function of the point.
+/// The brightness of a pigment as a function of the point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PigmentPattern(FunctionPattern);
 
@@ -37,7 +36,7 @@ impl Readable for PigmentPattern {
 
 impl Field for PigmentPattern {
     fn value(&self, at: &TextureContext) -> f64 {
-        let [r, g, b, ..] = self.0.0.call(&at.p.to_array());
-        gray(Rgb::new(r, g, b))
+        let [brightness, ..] = self.0.0.call(&at.p.to_array());
+        brightness
     }
 }

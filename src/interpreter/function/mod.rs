@@ -16,7 +16,7 @@ use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Name, Operator, Prefix, Symbol};
 use crate::texture::{Pigment, PigmentProgram};
 use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN, downcast};
-use sampler::{PatternSampler, PigmentSampler, TransformSampler};
+use sampler::{BrightnessSampler, PatternSampler, PigmentSampler, TransformSampler};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU8;
 
@@ -71,12 +71,12 @@ impl<'a> Interpreter<'a> {
         Err(self.unexpected_token("the end of the function").into())
     }
 
-    /// What stands between the braces of a pigment, as a function. (Those of functions and `pigment_pattern` do not begin with the default
+    /// What stands between the braces of a pigment, as a function that gives its brightness. (Those of functions and `pigment_pattern` do not begin with the default
     /// pigment, as was measured on POV-Ray 3.7.)
-    pub(super) fn pigment_function(&mut self) -> Result<Arc<dyn Thing>> {
+    pub(super) fn brightness(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.defaults.texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
-        let body = Body::Sampled(Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.noise_generator.clone())));
+        let body = Body::Sampled(Arc::new(BrightnessSampler(PigmentProgram::new(&pigment), self.noise_generator.clone())));
         Ok(Arc::new(Function { parameters: default_names(), body }))
     }
 

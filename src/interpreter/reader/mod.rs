@@ -149,7 +149,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn pigment(&mut self) -> Result<Arc<dyn Thing>> {
-        self.pigment_function()
+        self.brightness()
     }
 
     fn float(&mut self) -> Result<f64> {
