@@ -308,7 +308,8 @@ fn is_flat_at(shape: &Shape, p: DVec3, n: DVec3, step: f64) -> bool {
     let (e1, e2) = n.any_orthonormal_pair();
     let around = [e1, -e1, e2, -e2, e1 + e2, e1 - e2].map(|e| p + e * (2.0 * step));
     let side = |q: &DVec3, sign: f64| shape.inside(*q + n * (sign * step));
-    around.iter().all(|q| side(q, 1.0) == side(&around[0], 1.0) && side(q, -1.0) == side(&around[0], -1.0))
+    let [above, below] = [1.0, -1.0].map(|sign| side(&around[0], sign));
+    above != below && around.iter().all(|q| side(q, 1.0) == above && side(q, -1.0) == below)
 }
 
 fn two(g: &mut Graph, op: Operator, a: Id, b: Id) -> Id {

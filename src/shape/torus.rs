@@ -10,12 +10,13 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Roots, bernstein_roots, fp, stable_pair, tolerance};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, stable_pair, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 /// A ring.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -67,8 +68,30 @@ impl Torus {
         across * across + p.y * p.y - self.minor * self.minor
     }
 
-    /// The roots in units of |dir|, measured from the ray's point `o` nearest to the origin, so that o·v = 0.
-    fn roots(&self, o: DVec3, v: DVec3, lo: f64, hi: f64) -> Roots {
+    /// Hands the places in the range on the surface to `visit` in order, until it breaks off.
+    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
+        // Roots are looked for in the box around it only. Not in the range: it should not change the last digit of a hit.
+        let around = self.pipe().grown(0.01 * self.minor.abs());
+        let Some((near, far)) = around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.shows(ray)) else {
+            return;
+        };
+        if near >= range.max || far <= range.min {
+            return;
+        }
+        let length = ray.dir.length();
+        let range = range.ahead(tolerance::OWN_SURFACE / length);
+        let v = ray.dir / length;
+        let middle = -ray.origin.dot(v);
+        let o = ray.origin + middle * v;
+        self.roots(o, v, near * length - middle, far * length - middle, &mut |s| {
+            let t = (s + middle) / length;
+            t >= range.max || range.contains(t) && visit(t).is_break()
+        });
+    }
+
+    /// Tells the roots in units of |dir|, ascending, measured from the ray's point `o` nearest to the origin, so that o·v = 0; true ends
+    /// the search.
+    fn roots(&self, o: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
         // (s² + K)² = 4R²·((oₓ + s·vₓ)² + (o_z + s·v_z)²) with K = o² + R² - r²
         let k = o.length_squared() + major2 - minor2;
@@ -90,12 +113,7 @@ impl Torus {
             a0 + 0.75 * a1 + 0.5 * a2 + 0.25 * a3,
             a0 + a1 + a2 + a3 + a4,
         ];
-        let mut roots = Roots::new();
-        bernstein_roots(&b, &mut |u| {
-            roots.push(lo + u * w);
-            false
-        });
-        roots
+        bernstein_roots(&b, &mut |u| found(lo + u * w));
     }
 }
 
@@ -139,21 +157,19 @@ impl Kernel for Torus {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        // Roots are looked for in the box around it only. Not in the range: it should not change the last digit of a hit.
-        let around = self.pipe().grown(0.01 * self.minor.abs());
-        let Some((near, far)) = around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.shows(ray)) else {
-            return;
-        };
-        if near >= range.max || far <= range.min {
-            return;
-        }
-        let length = ray.dir.length();
-        let range = range.ahead(tolerance::OWN_SURFACE / length);
-        let v = ray.dir / length;
-        let middle = -ray.origin.dot(v);
-        let o = ray.origin + middle * v;
-        let roots = self.roots(o, v, near * length - middle, far * length - middle);
-        out.extend(roots.into_iter().map(|s| (s + middle) / length).filter(|&t| range.contains(t)).map(Hit::at));
+        self.meet(ray, range, |t| {
+            out.push(Hit::at(t));
+            ControlFlow::Continue(())
+        });
+    }
+
+    fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
+        let mut found = None;
+        self.meet(ray, range, |t| {
+            found = Some(Hit::at(t));
+            ControlFlow::Break(())
+        });
+        found
     }
 
     fn inside(&self, p: DVec3) -> bool {

@@ -76,7 +76,8 @@ impl<'a> Interpreter<'a> {
     pub(super) fn brightness(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.defaults.texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
-        let body = Body::Sampled(Arc::new(BrightnessSampler(PigmentProgram::new(&pigment), self.noise_generator.clone())));
+        let body =
+            Body::Sampled(Arc::new(BrightnessSampler(PigmentProgram::new(&pigment), self.noise_generator.clone())));
         Ok(Arc::new(Function { parameters: default_names(), body }))
     }
 
