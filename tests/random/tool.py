@@ -12,6 +12,7 @@ import sys
 import types
 
 HERE = pathlib.Path(__file__).resolve().parent
+ROOM = 4 << 30  # bytes of addresses
 TOOL = HERE.parent.parent.parent / "shared" / "random" / "random_scenes.py"
 
 
@@ -26,8 +27,8 @@ def words_for(words, folder):
 
 
 def run(words, cwd, **more):
-    """As `subprocess.run`."""
-    return subprocess.run(words_for(words, cwd), cwd=cwd, **more)
+    """As `subprocess.run`, in at most `ROOM` of memory: some scenes would take POV-Ray all of the machine's."""
+    return subprocess.run(["prlimit", f"--as={ROOM}", *words_for(words, cwd)], cwd=cwd, **more)
 
 
 def use(path, generator):
