@@ -80,7 +80,7 @@ pub use near::Near;
 pub use object::ObjectPattern;
 pub use onion::Onion;
 pub use pavement::Pavement;
-pub use pigment::PigmentPattern;
+pub use pigment::{Bright, PigmentPattern};
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
 pub use program::PatternProgram;

@@ -5,15 +5,53 @@
 //!   color_map { [0 color rgb <0, 0, 0.5>] [1 color rgb <1, 1, 0>] } } }
 //! ```
 
-use super::{Field, FunctionPattern, Readable, TextureContext};
+use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::Function;
-use crate::value::{Kind, Param, Reader, Spec, downcast};
-use serde::Serialize;
+use crate::value::{Kind, Param, Reader, Spec, Thing, downcast};
+use serde::{Serialize, Serializer};
+use std::sync::Arc;
 
-/// The brightness of a pigment as a function of the point.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct PigmentPattern(FunctionPattern);
+/// A pigment, which is of a higher layer, as this pattern sees it.
+pub trait Bright: std::fmt::Debug + Send + Sync {
+    /// How bright it is at a place: on a surface it is asked about that, as `slope` and `uv_mapping` are (measured on POV-Ray 3.7).
+    fn brightness(&self, at: &TextureContext) -> f64;
+    /// Does it ask where the point lies on its shape?
+    fn asks_uv(&self) -> bool;
+}
+
+/// The brightness of a pigment.
+#[derive(Clone, Debug)]
+pub struct PigmentPattern(Arc<dyn Bright>);
+
+impl PigmentPattern {
+    /// That of a pigment.
+    pub fn new(pigment: Arc<dyn Bright>) -> Self {
+        Self(pigment)
+    }
+
+    /// Does its pigment ask where the point lies on its shape?
+    pub fn asks_uv(&self) -> bool {
+        self.0.asks_uv()
+    }
+}
+
+impl PartialEq for PigmentPattern {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Serialize for PigmentPattern {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(["x", "y", "z"])
+    }
+}
+
+impl Thing for PigmentPattern {
+    fn kind(&self) -> &'static str {
+        "pigment_pattern"
+    }
+}
 
 impl Readable for PigmentPattern {
     const SPEC: Spec = Spec {
@@ -27,8 +65,8 @@ impl Readable for PigmentPattern {
         let at = r.span();
         let thing = r.pigment()?;
         r.leave()?;
-        match downcast::<Function>(&thing) {
-            Some(function) => Ok(Self(FunctionPattern(function))),
+        match downcast::<Self>(&thing) {
+            Some(pattern) => Ok((*pattern).clone()),
             None => Diagnostic::err(codes::WRONG_TYPE, at, "expected a pigment"),
         }
     }
@@ -36,7 +74,6 @@ impl Readable for PigmentPattern {
 
 impl Field for PigmentPattern {
     fn value(&self, at: &TextureContext) -> f64 {
-        let [brightness, ..] = self.0.0.call(&at.p.to_array());
-        brightness
+        self.0.brightness(at)
     }
 }

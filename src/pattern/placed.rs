@@ -178,9 +178,14 @@ impl Pattern {
         (self.uv, self.around) = (true, Some(Box::new(around.space)));
     }
 
-    /// Does it ask where the point lies on its shape?
-    pub fn asks_uv(&self) -> bool {
+    /// Does it see the place on the surface, (u, v, 0), instead of the point?
+    pub fn by_uv(&self) -> bool {
         self.uv || self.kind == Kind::Surface
+    }
+
+    /// Does it, or the pigment of which it is the brightness, ask where the point lies on its shape?
+    pub fn asks_uv(&self) -> bool {
+        self.by_uv() || matches!(&self.kind, Kind::Field(FieldPattern::PigmentPattern(inner)) if inner.asks_uv())
     }
 
     /// May it see the surface's normal? (What is in a function or in the pigment of a pattern is not looked at.)

@@ -51,7 +51,7 @@ struct Number {
 impl PatternProgram {
     /// Lowers a pattern.
     pub fn new(pattern: &Pattern) -> Self {
-        Self { uv: pattern.asks_uv(), way: way(pattern), value: value(pattern) }
+        Self { uv: pattern.by_uv(), way: way(pattern), value: value(pattern) }
     }
 
     /// Is there no pattern, and everything the same?
@@ -62,6 +62,11 @@ impl PatternProgram {
     /// Does it show all of its map's entries at once?
     pub fn averages(&self) -> bool {
         matches!(self.value, Value::Average)
+    }
+
+    /// Does it see the place on the surface?
+    pub fn by_uv(&self) -> bool {
+        self.uv
     }
 
     /// The number that the map sees, or that of the cell; and the point as the pattern's own entries see it.

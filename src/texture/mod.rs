@@ -24,7 +24,7 @@ pub use layers::{Choice, Layer, Material, Texture};
 pub use normal::{Normal, Relief, Slope, SlopeMap};
 pub use normal_program::NormalProgram;
 pub use pigment::{Paint, Pigment};
-pub use pigment_program::PigmentProgram;
+pub use pigment_program::{Brightness, PigmentProgram};
 
 use crate::value::Thing;
 

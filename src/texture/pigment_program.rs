@@ -1,8 +1,8 @@
 //! Pigments as a ray needs them: a row of nodes in place of a tree.
 
 use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
-use crate::color::Color;
-use crate::pattern::{Kind, Near, PatternProgram, TextureContext};
+use crate::color::{Color, gray};
+use crate::pattern::{Bright, Kind, Near, Pattern, PatternProgram, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -43,21 +43,22 @@ impl PigmentProgram {
         self.node(self.nodes.len() - 1, ctx)
     }
 
-    /// Is there no colour at a point, because it lies outside of pictures that are there `once`?
-    pub fn is_nothing(&self, ctx: &TextureContext) -> bool {
-        self.has_nothing(self.nodes.len() - 1, ctx)
+    /// Is there no colour at a point, because it lies outside of pictures that are there `once`? `framed`: all of its texture is
+    /// mapped by uv.
+    pub fn is_nothing(&self, ctx: &TextureContext, framed: bool) -> bool {
+        self.has_nothing(self.nodes.len() - 1, ctx, framed)
     }
 
-    /// (What is averaged always is something: measured on POV-Ray 3.7.)
-    fn has_nothing(&self, i: usize, ctx: &TextureContext) -> bool {
+    /// (What is averaged, or has a `uv_mapping` of its own, always is something: measured on POV-Ray 3.7.)
+    fn has_nothing(&self, i: usize, ctx: &TextureContext, framed: bool) -> bool {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
+            _ if pattern.averages() || (pattern.by_uv() && !framed) => false,
             Shows::Solid(_) | Shows::Colors(_) => false,
             Shows::Image(image) => !image.holds(pattern.enter(ctx).p),
-            Shows::Pigments(_) if pattern.averages() => false,
             Shows::Pigments(parts) => {
                 let (number, inner) = pattern.see(ctx);
-                parts.shares(number, false).iter().all(|(i, _)| self.has_nothing(**i as usize, &inner))
+                parts.shares(number, false).iter().all(|(i, _)| self.has_nothing(**i as usize, &inner, false))
             }
         }
     }
@@ -99,6 +100,31 @@ impl PigmentProgram {
                 }
             }
         }
+    }
+}
+
+/// What `pigment_pattern { … }` sees of a pigment.
+#[derive(Debug)]
+pub struct Brightness {
+    pigment: PigmentProgram,
+    asks_uv: bool,
+}
+
+impl Brightness {
+    /// Lowers a pigment.
+    pub fn new(pigment: &Pigment) -> Self {
+        Self { pigment: PigmentProgram::new(pigment), asks_uv: pigment.any_pattern(&Pattern::asks_uv) }
+    }
+}
+
+impl Bright for Brightness {
+    fn brightness(&self, at: &TextureContext) -> f64 {
+        // Where it has no colour it is dark, though its colour is a clear white there (measured on POV-Ray 3.7).
+        if self.pigment.is_nothing(at, false) { 0.0 } else { gray(self.pigment.at(at).rgb) }
+    }
+
+    fn asks_uv(&self) -> bool {
+        self.asks_uv
     }
 }
 

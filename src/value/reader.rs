@@ -105,7 +105,7 @@ pub trait Reader {
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
     /// Consumes an object, written out or declared, of which only the inside matters.
     fn solid(&mut self) -> Result<Arc<dyn Solid>>;
-    /// Consumes what stands between the braces of a pigment: as a function that gives its brightness at a point.
+    /// Consumes what stands between the braces of a pigment: as a pattern, its brightness.
     fn pigment(&mut self) -> Result<Arc<dyn Thing>>;
     /// A number; a vector is an error.
     fn float(&mut self) -> Result<f64>;

@@ -12,11 +12,12 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{
     self, Body, Callee, Function, Gives, Graph, Id, Operation, Program, Sampler, Spline, SplineKind, internal, numeric,
 };
+use crate::pattern::PigmentPattern;
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Expr, ExprKind, Name, Operator, Prefix, Symbol};
-use crate::texture::{Pigment, PigmentProgram};
+use crate::texture::{Brightness, Pigment, PigmentProgram};
 use crate::value::{Next, Reader, ReaderExt, Thing, Value, VecN, downcast};
-use sampler::{BrightnessSampler, PatternSampler, PigmentSampler, TransformSampler};
+use sampler::{PatternSampler, PigmentSampler, TransformSampler};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU8;
 
@@ -71,14 +72,12 @@ impl<'a> Interpreter<'a> {
         Err(self.unexpected_token("the end of the function").into())
     }
 
-    /// What stands between the braces of a pigment, as a function that gives its brightness. (Those of functions and `pigment_pattern` do not begin with the default
-    /// pigment, as was measured on POV-Ray 3.7.)
+    /// What stands between the braces of a pigment, as the pattern of its brightness. (Those of functions and `pigment_pattern` do not
+    /// begin with the default pigment, as was measured on POV-Ray 3.7.)
     pub(super) fn brightness(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.defaults.texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
-        let body =
-            Body::Sampled(Arc::new(BrightnessSampler(PigmentProgram::new(&pigment), self.noise_generator.clone())));
-        Ok(Arc::new(Function { parameters: default_names(), body }))
+        Ok(Arc::new(PigmentPattern::new(Arc::new(Brightness::new(&pigment)))))
     }
 
     /// `spline { linear_spline 0, <1, 2, 3> 1, <2, 3, 4> }`

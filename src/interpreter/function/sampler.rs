@@ -1,6 +1,5 @@
 //! Functions made of a pigment, a pattern or a transform.
 
-use crate::color::gray;
 use crate::function::{self, Gives, Sampler};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
@@ -40,27 +39,6 @@ impl Sampler for PigmentSampler {
 
     fn near(&self, p: &[f64], radius: f64) -> [function::Near; 5] {
         self.0.colors_near(&ctx(p, &self.1), radius).map(known)
-    }
-}
-
-/// What `pigment_pattern { … }` sees of a pigment.
-#[derive(Debug)]
-pub(super) struct BrightnessSampler(pub(super) PigmentProgram, pub(super) SceneNoise);
-
-impl Sampler for BrightnessSampler {
-    fn arity(&self) -> usize {
-        3
-    }
-
-    fn gives(&self) -> Gives {
-        Gives::Number
-    }
-
-    fn sample(&self, p: &[f64]) -> [f64; 5] {
-        let ctx = ctx(p, &self.1);
-        // Where it has no colour it is dark, though its colour is a clear white there (measured on POV-Ray 3.7).
-        let brightness = if self.0.is_nothing(&ctx) { 0.0 } else { gray(self.0.at(&ctx).rgb) };
-        [brightness, 0.0, 0.0, 0.0, 0.0]
     }
 }
 
