@@ -439,6 +439,10 @@ impl Kernel for Blob {
         self.textured
     }
 
+    fn darkens_by_outside(&self) -> bool {
+        true
+    }
+
     fn slots(&self, p: DVec3, _: &Hit) -> Slots {
         let mut slots = Slots::new();
         let mut sum = 0.0;

@@ -286,6 +286,12 @@ pub trait Kernel {
         false
     }
 
+    /// Does it keep all light away where its outside would, also on its inside, whatever its `interior_texture` lets pass (measured on
+    /// POV-Ray 3.7)?
+    fn darkens_by_outside(&self) -> bool {
+        false
+    }
+
     /// Does it show the texture of its inside where that was, even turned inside out (measured on POV-Ray 3.7)?
     fn keeps_sides(&self) -> bool {
         false
@@ -394,6 +400,7 @@ macro_rules! shapes {
             fn faces(&self) -> Vec<Face> { match self { $(Shape::$name(s) => s.faces()),* } }
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
             fn hides_interior_texture(&self) -> bool { match self { $(Shape::$name(s) => s.hides_interior_texture()),* } }
+            fn darkens_by_outside(&self) -> bool { match self { $(Shape::$name(s) => s.darkens_by_outside()),* } }
             fn keeps_sides(&self) -> bool { match self { $(Shape::$name(s) => s.keeps_sides()),* } }
             fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
             fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }

@@ -98,6 +98,10 @@ macro_rules! mesh_kernel {
                 self.0.slots(hit)
             }
 
+            fn darkens_by_outside(&self) -> bool {
+                true
+            }
+
             fn is_patch(&self) -> bool {
                 self.0.inside_vector.is_none()
             }

@@ -316,7 +316,7 @@ impl Lowering {
             .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());
         let others = cut.map(|cut| self.cuts[cut as usize].iter().map(|(_, placed)| placed));
-        let opaque = [Some(&outside), inside.as_ref()]
+        let opaque = [Some(&outside), inside.as_ref().filter(|_| !shape.darkens_by_outside())]
             .into_iter()
             .flatten()
             .chain(others.into_iter().flatten())
