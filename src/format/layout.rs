@@ -384,9 +384,10 @@ impl<'a> Setter<'a> {
     /// Values that stay on the line of the bracket: `sphere { 0, 1`. Tells where the rest begins.
     fn header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
         let (items, next) = self.row_at(from, to);
-        // A comma never begins a line.
+        // A comma never begins a line, but where it is the first there is.
         let stays = |item: &&Range| matches!(self.kind(**item), Item::Value | Item::Separator);
-        let values = items.iter().take_while(stays).count();
+        let begins = items.first().is_none_or(|first| self.kind(*first) == Item::Separator);
+        let values = if begins { 0 } else { items.iter().take_while(stays).count() };
         let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
         let small = items.iter().all(|item| !self.is_big(*item) && !trails(item));
         let held = |item: &Range| self.has(item.from, flag::JOIN | flag::GLUE);
