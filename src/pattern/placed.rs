@@ -40,6 +40,9 @@ pub struct Pattern {
     pub noise: Option<NoiseGenerator>,
     /// `uv_mapping`: it sees the place on the surface, (u, v, 0), instead of the point.
     pub uv: bool,
+    /// It sees that because all of its texture does, not by a word of its own.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub framed: bool,
     /// Of what was mapped by uv when its block ended: the space around the surface. What moves it later moves this one, which shows
     /// only if a pattern is named over it: that one sees the map of one entry that is left (measured on POV-Ray 3.7).
     #[serde(skip)]
@@ -64,6 +67,7 @@ impl Usual for Pattern {
             space: Space { inner: vec![], transform: Seldom::USUAL, turbulence: None },
             noise: None,
             uv: false,
+            framed: false,
             around: None,
         };
         &PLAIN

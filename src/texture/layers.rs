@@ -24,9 +24,6 @@ pub struct Layer {
     /// Other textures, of which a pattern shows now this, now that, in place of all the above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<Box<Choice>>,
-    /// Its pigment has no `uv_mapping` of its own, but its texture has.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    pub framed: bool,
 }
 
 /// A pattern and the textures among which it chooses (manual, "Patterned Textures").
@@ -249,7 +246,7 @@ impl Texture {
     /// Every layer sees places on the surface instead of points.
     pub fn set_uv(&mut self) {
         for layer in &mut self.layers {
-            layer.framed = !layer.pigment.pattern.uv;
+            layer.pigment.pattern.framed = !layer.pigment.pattern.uv;
             map_by_uv(&mut layer.pigment.pattern);
             if let Some(normal) = &mut layer.normal {
                 let normal = Arc::make_mut(normal);

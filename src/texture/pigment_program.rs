@@ -11,6 +11,9 @@ use std::sync::Arc;
 pub struct PigmentProgram {
     /// That of the whole pigment is the last: each stands behind those it is made of.
     nodes: Box<[PigmentNode]>,
+    /// It is mapped by uv because all of its texture is.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    framed: bool,
 }
 
 /// A pigment within a pigment.
@@ -35,7 +38,7 @@ impl PigmentProgram {
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
         push(pigment, &mut nodes);
-        Self { nodes: nodes.into() }
+        Self { nodes: nodes.into(), framed: pigment.pattern.framed }
     }
 
     /// The colour at a point of the space around it.
@@ -43,10 +46,9 @@ impl PigmentProgram {
         self.node(self.nodes.len() - 1, ctx)
     }
 
-    /// Is there no colour at a point, because it lies outside of pictures that are there `once`? `framed`: all of its texture is
-    /// mapped by uv.
-    pub fn is_nothing(&self, ctx: &TextureContext, framed: bool) -> bool {
-        self.has_nothing(self.nodes.len() - 1, ctx, framed)
+    /// Is there no colour at a point, because it lies outside of pictures that are there `once`?
+    pub fn is_nothing(&self, ctx: &TextureContext) -> bool {
+        self.has_nothing(self.nodes.len() - 1, ctx, self.framed)
     }
 
     /// (What is averaged, or has a `uv_mapping` of its own, always is something: measured on POV-Ray 3.7.)
@@ -120,7 +122,7 @@ impl Brightness {
 impl Bright for Brightness {
     fn brightness(&self, at: &TextureContext) -> f64 {
         // Where it has no colour it is dark, though its colour is a clear white there (measured on POV-Ray 3.7).
-        if self.pigment.is_nothing(at, false) { 0.0 } else { gray(self.pigment.at(at).rgb) }
+        if self.pigment.is_nothing(at) { 0.0 } else { gray(self.pigment.at(at).rgb) }
     }
 
     fn asks_uv(&self) -> bool {

@@ -66,9 +66,6 @@ pub struct Layer {
     pub pigment: LayerColor,
     /// Its colour where quality is low (`quick_color`), if that is another.
     pub quick: Option<Box<LayerColor>>,
-    /// Its colour is mapped by uv because all of its texture is.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    pub framed: bool,
     /// Its answer to light; layers of one finish share it.
     #[serde(flatten)]
     pub finish: Arc<LoweredFinish>,
@@ -183,14 +180,13 @@ fn lower_choice(choice: &texture::Choice, shared: &mut dyn SharedParts) -> Choic
 
 impl Layer {
     fn new(layer: &texture::Layer, shared: &mut dyn SharedParts) -> Self {
-        let texture::Layer { pigment, normal, finish, choice, framed } = layer;
+        let texture::Layer { pigment, normal, finish, choice } = layer;
         Self {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, shared))),
             normal: normal.as_ref().filter(|normal| !normal.is_flat()).map(|normal| shared.normal(normal)),
             pigment: LayerColor::new(pigment),
             quick: pigment.quick().map(|quick| Box::new(LayerColor::new(&quick))),
             finish: shared.finish(finish),
-            framed: *framed,
         }
     }
 
@@ -206,7 +202,7 @@ impl Layer {
     pub fn is_nothing(&self, ctx: &TextureContext, quick: bool) -> bool {
         match self.shown(quick) {
             LayerColor::Solid(_) => false,
-            LayerColor::PigmentProgram(pigment) => pigment.is_nothing(ctx, self.framed),
+            LayerColor::PigmentProgram(pigment) => pigment.is_nothing(ctx),
         }
     }
 
