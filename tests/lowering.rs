@@ -9,7 +9,7 @@ use durer::color::{Color, Rgb};
 use durer::diagnostic::codes;
 use durer::math::{DVec3, Transform};
 use durer::pattern::{CellPattern, Checker, Kind, Pattern};
-use durer::render::{Cancelled, Options, Region, Watch, pick, render};
+use durer::render::{Cancelled, Options, Region, Spread, Watch, pick, render};
 use durer::scene::{CsgOp, Object, ObjectKind, Scene};
 use durer::source::Span;
 use durer::texture::{Blend, Finish, Paint, Pigment};
@@ -226,41 +226,63 @@ fn busy() -> Scene {
     Scene { camera: Camera::Povray(camera), background: Some(rgb(0.3, 0.4, 0.6)), objects, ..Scene::default() }
 }
 
+/// The same with balls that let light pass in part, whose groups do not: what pixels show depends on those before (`render/memory.rs`).
+fn remembering() -> Scene {
+    let mut scene = busy();
+    let clear = rgbft([1.0, 0.9, 0.8, 0.0, 0.5]);
+    for object in &mut scene.objects {
+        if let ObjectKind::Csg(_, parts) = &mut object.kind {
+            let ball = parts[0].clone().textured(texture([(checker(rgb(0.9, 0.4, 0.1), clear), dull())]));
+            *parts = [ball, parts[1].clone()].into();
+        }
+    }
+    assert!(lower(&scene).unwrap().remembers && !lower(&busy()).unwrap().remembers);
+    scene
+}
+
+fn methods() -> impl Iterator<Item = Options> {
+    let spreads = [None, Some(Spread::Net), Some(Spread::Grid), Some(Spread::Corners)];
+    spreads.into_iter().map(|spread| {
+        let mut options = Options::new(97, 61);
+        options.antialias = spread.map(|_| 0.1);
+        options.sampling.spread = spread.unwrap_or(Spread::Net);
+        options
+    })
+}
+
 #[test]
 fn any_number_of_threads_makes_the_same_bytes() {
-    let scene = busy();
-    let mut options = Options::new(97, 61);
-    options.antialias = Some(0.1);
-    let (one, rays) = draw(&scene, &options);
-    for threads in [2, 5, 0] {
-        options.threads = threads;
-        let (many, counted) = draw(&scene, &options);
-        assert!(one.pixels.iter().zip(&many.pixels).all(|(a, b)| a.map(f32::to_bits) == b.map(f32::to_bits)));
-        assert_eq!(rays, counted);
+    for (scene, mut options) in [busy(), remembering()].iter().flat_map(|scene| methods().map(move |m| (scene, m))) {
+        let (one, rays) = draw(scene, &options);
+        for threads in [2, 5, 0] {
+            options.threads = threads;
+            let (many, counted) = draw(scene, &options);
+            assert!(one.pixels.iter().zip(&many.pixels).all(|(a, b)| a.map(f32::to_bits) == b.map(f32::to_bits)));
+            assert_eq!(rays, counted);
+        }
+        // another frame has other grain
+        options.frame = 1;
+        assert!(draw(scene, &options).0 != one);
     }
-    // another frame has other grain
-    options.frame = 1;
-    assert!(draw(&scene, &options).0 != one);
 }
 
 #[test]
 fn a_region_is_cut_out_of_the_whole() {
-    let scene = busy();
-    let mut options = Options::new(97, 61);
-    options.antialias = Some(0.1);
-    let (whole, _) = draw(&scene, &options);
-    for region in [Region { x: 13, y: 7, width: 40, height: 21 }, Region { x: 90, y: 50, width: 99, height: 99 }] {
-        options.region = Some(region);
-        let (part, _) = draw(&scene, &options);
-        for (i, (a, b)) in part.pixels.iter().zip(&whole.pixels).enumerate() {
-            let (x, y) = (i % 97, i / 97);
-            let inside =
-                (region.x..region.x + region.width).contains(&x) && (region.y..region.y + region.height).contains(&y);
-            assert_eq!(*a, if inside { *b } else { [0.0; 4] }, "at {x}, {y}");
+    for (scene, mut options) in [busy(), remembering()].iter().flat_map(|scene| methods().map(move |m| (scene, m))) {
+        let (whole, _) = draw(scene, &options);
+        for region in [Region { x: 13, y: 7, width: 40, height: 21 }, Region { x: 90, y: 50, width: 99, height: 99 }] {
+            options.region = Some(region);
+            let (part, _) = draw(scene, &options);
+            for (i, (a, b)) in part.pixels.iter().zip(&whole.pixels).enumerate() {
+                let (x, y) = (i % 97, i / 97);
+                let inside = (region.x..region.x + region.width).contains(&x)
+                    && (region.y..region.y + region.height).contains(&y);
+                assert_eq!(*a, if inside { *b } else { [0.0; 4] }, "at {x}, {y}");
+            }
         }
+        options.region = Some(Region { x: 500, y: 0, width: 5, height: 5 });
+        assert!(draw(scene, &options).0.pixels.iter().all(|p| *p == [0.0; 4]));
     }
-    options.region = Some(Region { x: 500, y: 0, width: 5, height: 5 });
-    assert!(draw(&scene, &options).0.pixels.iter().all(|p| *p == [0.0; 4]));
 }
 
 #[test]

@@ -1,8 +1,7 @@
 //! Soft shadows: the shadows of all lights of a grid in one (manual, "Area Lights"; details measured on POV-Ray 3.7).
 
 use super::random::{Purpose, Row};
-use super::refract::Interiors;
-use super::trace::Tracer;
+use super::trace::{Path, Tracer};
 use crate::color::Rgb;
 use crate::light::{Area, Arriving};
 use crate::math::DVec3;
@@ -20,7 +19,7 @@ struct Shadow<'a> {
     area: &'a Area,
     point: DVec3,
     arriving: &'a Arriving,
-    inside: &'a Interiors,
+    path: &'a Path,
     random: Row,
     known: Known,
 }
@@ -41,13 +40,13 @@ impl Tracer<'_> {
         area: &Area,
         point: DVec3,
         arriving: &Arriving,
-        inside: &Interiors,
+        path: &Path,
     ) -> Rgb {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
         let known = if count <= FEW { Known::Few(vec![Rgb::NAN; count]) } else { Known::Many(FxHashMap::default()) };
         let random = self.random.row(Purpose::AreaLight);
-        let mut shadow = Shadow { light, area, point, arriving, inside, random, known };
+        let mut shadow = Shadow { light, area, point, arriving, path, random, known };
         self.piece(&mut shadow, [0, 0], [n - 1, m - 1], 0)
     }
 
@@ -84,7 +83,7 @@ impl Tracer<'_> {
             let toward = -shadow.arriving.from;
             let offset = offset(shadow.area, cell, toward, shadow.random);
             let ray = shadow.light.lamp.shine_on(shadow.point, offset);
-            let passed = self.unshadowed(shadow.light, shadow.point, &ray, shadow.inside);
+            let passed = self.unshadowed(shadow.light, shadow.point, &ray, shadow.path);
             match &mut shadow.known {
                 Known::Few(row) => row[at] = passed,
                 Known::Many(map) => drop(map.insert(cell, passed)),

@@ -2,7 +2,9 @@
 //! few bands. While the second pass goes over one band, the first goes over the next one already.
 
 use super::antialias::Method;
+use super::blocks::BLOCK;
 use super::grid::{Grid, Pixel};
+use super::memory::{self, Memory};
 use super::trace::{Setup, Tracer};
 use super::workers::Workers;
 use super::{Cancelled, Rays, Region, Stopped, Tile};
@@ -43,7 +45,7 @@ pub(super) type Taker<'a> = dyn FnMut(Vec<Pixel>) -> diagnostic::Result<()> + Se
 impl Drawing<'_> {
     /// Every pixel of the region, row by row.
     pub fn draw(&self, taker: &mut Taker) -> Result<Rays, Stopped> {
-        let (region, area) = (self.region, self.method.first_area(self.region));
+        let (region, area) = (self.region, self.first_area());
         let rows = band_rows(region);
         let (mut rays, done) = (Rays::default(), AtomicUsize::new(0));
         let mut seen = Grid::new(area.unwrap_or(Region { height: 0, ..region }));
@@ -51,12 +53,9 @@ impl Drawing<'_> {
         while drawn < region.y + region.height {
             let first = area.map_or(0..0, |area| seen.bottom()..(seen.bottom() + rows).min(area.y + area.height));
             let second = drawn..self.ready_until(&seen, drawn, rows);
-            let jobs: Vec<Tile> = tiles(&seen.area, first.clone(), TILE)
+            let jobs: Vec<Tile> = tiles(&seen.area, first.clone(), self.first_edge())
                 .map(|area| Tile { second: false, area })
-                .chain(
-                    tiles(&region, second.clone(), self.method.tile_edge().unwrap_or(TILE))
-                        .map(|area| Tile { second: true, area }),
-                )
+                .chain(tiles(&region, second.clone(), self.edge()).map(|area| Tile { second: true, area }))
                 .collect();
             let done_rows = std::mem::take(&mut ready);
             let hand_on = || if done_rows.is_empty() { Ok(()) } else { taker(done_rows) };
@@ -70,7 +69,7 @@ impl Drawing<'_> {
                 rays.add(&cast);
             }
             (drawn, ready) = (second.end, band.pixels);
-            seen.forget(drawn.saturating_sub(1));
+            seen.forget((drawn / self.reach() * self.reach()).saturating_sub(1));
         }
         taker(ready)?;
         Ok(rays)
@@ -79,13 +78,10 @@ impl Drawing<'_> {
     /// Up to which row the second pass can go now: it asks for what the first one saw around each pixel.
     fn ready_until(&self, seen: &Grid, drawn: usize, rows: usize) -> usize {
         let end = self.region.y + self.region.height;
-        match self.method.first_area(self.region) {
+        match self.first_area() {
             None => (drawn + rows).min(end),
             Some(area) if seen.bottom() == area.y + area.height => end,
-            Some(_) => {
-                let edge = self.method.tile_edge().unwrap_or(1);
-                (seen.bottom().saturating_sub(1) / edge * edge).clamp(drawn, end)
-            }
+            Some(_) => (seen.bottom().saturating_sub(1) / self.reach() * self.reach()).clamp(drawn, end),
         }
     }
 
@@ -104,13 +100,55 @@ impl Drawing<'_> {
         Ok((pixels, rays))
     }
 
-    fn trace(&self, Tile { second, area }: &Tile, seen: &Grid) -> Result<(Vec<Pixel>, Rays), Cancelled> {
+    fn trace(&self, tile: &Tile, seen: &Grid) -> Result<(Vec<Pixel>, Rays), Cancelled> {
         let mut tracer = Tracer::new(self.setup, Some(self.workers.watch));
-        let pixels = match second {
-            true => self.method.tile(&mut tracer, seen, *area),
-            false => self.first_tile(&mut tracer, area),
+        let whole = self.whole(tile);
+        if self.setup.world.remembers {
+            tracer.memory = Memory::at(whole, self.picture(), self.setup.world.lights.len());
+        }
+        let pixels = match tile.second {
+            true => self.method.tile(&mut tracer, seen, whole),
+            false => self.first_tile(&mut tracer, &whole),
         };
-        if tracer.stopped() { Err(Cancelled) } else { Ok((pixels, tracer.rays)) }
+        if tracer.stopped() {
+            return Err(Cancelled);
+        }
+        Ok((if whole == tile.area { pixels } else { Grid::of(whole, pixels).cut(tile.area) }, tracer.rays))
+    }
+
+    /// What has to be drawn for a tile: whole blocks, where pixels depend on those before.
+    fn whole(&self, &Tile { second, area }: &Tile) -> Region {
+        if !self.setup.world.remembers {
+            return area;
+        }
+        let all = self.picture();
+        memory::blocks_around(area, if second { all } else { self.method.first_area(all).unwrap_or(all) })
+    }
+
+    /// All of the picture that the region is a part of.
+    fn picture(&self) -> Region {
+        let [width, height] = self.method.size();
+        Region { x: 0, y: 0, width, height }
+    }
+
+    /// What the first pass goes over, if there is one.
+    fn first_area(&self) -> Option<Region> {
+        self.method.first_area(self.whole(&Tile { second: true, area: self.region }))
+    }
+
+    /// What the second pass asks for begins and ends at multiples of this, and one row before and behind them.
+    fn reach(&self) -> usize {
+        if self.setup.world.remembers { BLOCK } else { self.method.tile_edge().unwrap_or(1) }
+    }
+
+    /// Tiles of the second pass begin at multiples of this.
+    fn edge(&self) -> usize {
+        self.method.tile_edge().unwrap_or(self.first_edge())
+    }
+
+    /// Tiles of the first pass begin at multiples of this.
+    fn first_edge(&self) -> usize {
+        if self.setup.world.remembers { BLOCK } else { TILE }
     }
 
     fn first_tile(&self, tracer: &mut Tracer, area: &Region) -> Vec<Pixel> {
@@ -127,14 +165,15 @@ impl Drawing<'_> {
     /// How many pixels both passes have.
     fn total(&self) -> usize {
         let pixels = |area: Region| area.width.saturating_mul(area.height);
-        pixels(self.region).saturating_add(self.method.first_area(self.region).map_or(0, pixels))
+        pixels(self.region).saturating_add(self.first_area().map_or(0, pixels))
     }
 }
 
 /// Some rows of an area in tiles, which begin at multiples of an edge.
 fn tiles(area: &Region, rows: Range<usize>, edge: usize) -> impl Iterator<Item = Region> + use<> {
     let cuts = move |range: Range<usize>| {
-        let starts = (range.start / edge * edge..range.end).step_by(edge);
+        let first = if range.is_empty() { range.end } else { range.start / edge * edge };
+        let starts = (first..range.end).step_by(edge);
         starts.map(move |start| start.max(range.start)..(start + edge).min(range.end))
     };
     let columns = area.x..area.x + area.width;
@@ -169,5 +208,6 @@ mod tests {
             }
         }
         assert!(seen.pixels.iter().all(|p| p[0] == 1.0) && seen.pixels.len() == 40 * 37);
+        assert_eq!(tiles(&area, 10..10, 16).count(), 0);
     }
 }

@@ -8,6 +8,7 @@ mod blur;
 mod corners;
 mod dispersion;
 mod grid;
+mod memory;
 mod mirror;
 mod net;
 mod output;

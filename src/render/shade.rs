@@ -3,9 +3,8 @@
 use super::area::offset;
 use super::mirror::film;
 use super::random::Purpose;
-use super::refract::Interiors;
 use super::shading_point::{ShadedLayer, ShadingPoint};
-use super::trace::Tracer;
+use super::trace::{Path, Tracer};
 use crate::color::Rgb;
 use crate::light::Arriving;
 use crate::math::{DVec3, fp};
@@ -34,28 +33,29 @@ struct Source<'a> {
 
 impl Tracer<'_> {
     /// The light that a place sends back along the ray, without what it mirrors and lets pass.
-    pub(super) fn shade(&mut self, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
+    pub(super) fn shade(&mut self, path: &Path, shading: &ShadingPoint) -> Rgb {
         if !self.setup.quality.lit {
             return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
         }
         let mut sum = shading.sum(|shaded| shaded.weight * glow(shaded));
         let world = self.setup.world;
         for &number in &world.lit_by[shading.part.lights() as usize] {
-            sum += self.answer(&world.lights[number as usize], dir, shading, inside);
+            sum += self.answer(&world.lights[number as usize], path, shading);
         }
         sum
     }
 
     /// What it answers to one light.
-    fn answer(&mut self, light: &LightSource, dir: DVec3, shading: &ShadingPoint, inside: &Interiors) -> Rgb {
+    fn answer(&mut self, light: &LightSource, path: &Path, shading: &ShadingPoint) -> Rgb {
+        let dir = path.ray.dir;
         let arriving = light.lamp.shine_on(shading.point, DVec3::ZERO);
         let extended = self.setup.quality.extended;
         let Some(area) = light.lamp.area.as_ref().filter(|area| area.illumination && extended) else {
-            let from_light = |tracer: &mut Self| tracer.reaching(light, shading.point, &arriving, inside);
+            let from_light = |tracer: &mut Self| tracer.reaching(light, shading.point, &arriving, path);
             return self.answer_to(&arriving, Source { light, middle: arriving.from }, dir, shading, from_light);
         };
         // Each light of the grid by itself, all the same; but the shadow is that of the whole grid (measured on 3.7).
-        let passed = self.reaching(light, shading.point, &arriving, inside);
+        let passed = self.reaching(light, shading.point, &arriving, path);
         if passed == Rgb::ZERO {
             return Rgb::ZERO;
         }

@@ -1,8 +1,8 @@
 //! What reaches a surface of a light.
 
-use super::refract::{Interface, Interiors};
+use super::refract::{Interface, Interiors, copied};
 use super::shading_point::{self, ShadingPoint};
-use super::trace::Tracer;
+use super::trace::{Path, Tracer};
 use crate::color::Rgb;
 use crate::light::Arriving;
 use crate::math::{DVec3, Range, Ray, tolerance};
@@ -10,27 +10,29 @@ use crate::shape::Kernel;
 use crate::world::{Intersection, LightSource, World};
 use std::ops::ControlFlow;
 
+/// A ray towards a light.
+pub(super) struct ToLight<'a> {
+    pub light: &'a LightSource,
+    pub ray: Ray,
+    /// Where on it something keeps light away.
+    pub range: Range,
+    /// To where the light is.
+    pub distance: f64,
+}
+
 impl Tracer<'_> {
-    /// The part of the light that comes through to a point, in shadows that are soft or hard.
-    pub(super) fn reaching(
-        &mut self,
-        light: &LightSource,
-        point: DVec3,
-        arriving: &Arriving,
-        inside: &Interiors,
-    ) -> Rgb {
+    /// The part of the light that comes through to a point that `path` has come to, in shadows that are soft or hard.
+    pub(super) fn reaching(&mut self, light: &LightSource, point: DVec3, arriving: &Arriving, path: &Path) -> Rgb {
         match light.lamp.area.as_ref().filter(|_| self.setup.quality.extended) {
-            Some(area) => self.through_area(light, area, point, arriving, inside),
-            None => self.unshadowed(light, point, arriving, inside),
+            Some(area) => self.through_area(light, area, point, arriving, path),
+            None => self.unshadowed(light, point, arriving, path),
         }
     }
 
-    /// The part of the light that comes through along one ray. Every surface on the way takes its share, so what passes a solid is taken
-    /// from twice.
-    pub(super) fn unshadowed(&mut self, light: &LightSource, point: DVec3, ray: &Arriving, inside: &Interiors) -> Rgb {
-        let mut range = Range { min: tolerance::SHADOW, max: ray.distance - tolerance::SHADOW };
-        let distance = ray.distance;
-        let ray = Ray::new(point, ray.from);
+    /// The part of the light that comes through along one ray.
+    pub(super) fn unshadowed(&mut self, light: &LightSource, point: DVec3, arriving: &Arriving, path: &Path) -> Rgb {
+        let mut range = Range { min: tolerance::SHADOW, max: arriving.distance - tolerance::SHADOW };
+        let ray = Ray::new(point, arriving.from);
         if let Some(through) = light.through.as_ref().filter(|_| self.setup.quality.shadows) {
             let Some(passed) = through.closest(&ray, range, |_| true) else { return Rgb::ZERO };
             // What lies between it and the light is not in the way, but for air (measured on POV-Ray 3.7).
@@ -40,6 +42,21 @@ impl Tracer<'_> {
             return Rgb::ONE;
         }
         self.rays.shadow += 1;
+        let to_light = ToLight { light, ray, range, distance: arriving.distance };
+        if !self.setup.world.remembers {
+            return self.passing(&to_light, &path.inside);
+        }
+        let mut inside = copied(&path.inside);
+        let passed = self.past_remembered(&to_light, path.level, &mut inside);
+        if passed == Rgb::ZERO || self.remembers(&to_light, path.level) {
+            return Rgb::ZERO;
+        }
+        passed * self.passing(&to_light, &inside)
+    }
+
+    /// What all objects let pass. Every surface on the way takes its share, so what passes a solid is taken from twice.
+    fn passing(&mut self, to_light: &ToLight, inside: &Interiors) -> Rgb {
+        let ToLight { light, ref ray, range, distance } = *to_light;
         let world = self.setup.world;
         let (see_through, quick) = (world.see_through, !self.setup.quality.real);
         // First whether anything opaque is in the way: that search ends at its first hit.
@@ -47,7 +64,7 @@ impl Tracer<'_> {
             let object = &world.objects[id as usize];
             object.shadow && (object.opaque || !see_through)
         };
-        if world.geometry.any_after(&ray, range, blocks, &mut self.blockers[light.number]) {
+        if world.geometry.any_after(ray, range, blocks, &mut self.blockers[light.number]) {
             return Rgb::ZERO;
         }
         let hazy = light.lamp.attenuated && self.is_hazy();
@@ -59,18 +76,17 @@ impl Tracer<'_> {
             object.shadow && !object.opaque
         };
         if world.colors_light || hazy {
-            return self.colored(&ray, range, filters, inside.clone(), hazy.then_some(distance));
+            return self.colored(ray, range, filters, inside.clone(), hazy.then_some(distance));
         }
         let mut light = Rgb::ONE;
-        for found in surfaces(world, &ray, range, filters) {
-            light *= shading_point::pass(world, &ray, &found, quick);
+        for found in surfaces(world, ray, range, filters) {
+            light *= shading_point::pass(world, ray, &found, quick);
         }
         light
     }
 
-    /// What comes through if light also changes between surfaces: those are taken from the nearest to the farthest. What a
-    /// ray leaves takes its share of the way from the surface before; of a light that is `media_attenuation`, fog takes its share of each
-    /// stretch (measured on 3.7), as far as `hazy`, the light's distance.
+    /// What comes through if light also changes between surfaces: those are taken from the nearest to the farthest. Of a light that is
+    /// `media_attenuation`, fog takes its share of each stretch (measured on 3.7), as far as `hazy`, the light's distance.
     fn colored(
         &mut self,
         ray: &Ray,
@@ -79,32 +95,41 @@ impl Tracer<'_> {
         mut inside: Interiors,
         hazy: Option<f64>,
     ) -> Rgb {
-        let world = self.setup.world;
         let (mut light, mut before) = (Rgb::ONE, 0.0);
-        for found in surfaces(world, ray, range, filters) {
-            let own = world.parts[found.part() as usize].interior;
-            let interior = &world.interiors[own as usize];
+        for found in surfaces(self.setup.world, ray, range, filters) {
             if hazy.is_some() {
                 light *= self.stretch(ray, before, found.t(), &inside);
             }
-            light *= shading_point::pass(world, ray, &found, !self.setup.quality.real);
-            if let Some(at) = inside.iter().rposition(|&i| i == own) {
-                inside.remove(at);
-                light *= self.shaded(own, found.t() - before);
-            } else {
-                inside.push(own);
-            }
-            if interior.caustics != 0.0 {
-                let shading = ShadingPoint::new(world, ray, &found, &self.setup.quality, &Interface::NONE);
-                let normal = shading.coats.last().map_or(shading.smooth, |coat| coat.normal);
-                light *= interior.caustic(normal.dot(ray.dir).abs());
-            }
+            light *= self.crossing(ray, &found, before, &mut inside);
             before = found.t();
         }
         match hazy {
             Some(distance) => light * self.stretch(ray, before, distance, &inside),
             None => light,
         }
+    }
+
+    /// What comes through a surface, and of what the ray leaves there, since the surface before.
+    pub(super) fn crossing(&mut self, ray: &Ray, found: &Intersection, before: f64, inside: &mut Interiors) -> Rgb {
+        let world = self.setup.world;
+        let mut light = shading_point::pass(world, ray, found, !self.setup.quality.real);
+        if !self.setup.asks_inside {
+            return light;
+        }
+        let own = world.parts[found.part() as usize].interior;
+        let interior = &world.interiors[own as usize];
+        if let Some(at) = inside.iter().rposition(|&i| i == own) {
+            inside.remove(at);
+            light *= self.shaded(own, found.t() - before);
+        } else {
+            inside.push(own);
+        }
+        if interior.caustics != 0.0 {
+            let shading = ShadingPoint::new(world, ray, found, &self.setup.quality, &Interface::NONE);
+            let normal = shading.coats.last().map_or(shading.smooth, |coat| coat.normal);
+            light *= interior.caustic(normal.dot(ray.dir).abs());
+        }
+        light
     }
 
     /// What the air leaves of light along a stretch of a ray.

@@ -1,5 +1,6 @@
 //! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
 
+use super::memory::Memory;
 use super::mirror::{self, Incoming, Mirror};
 use super::random::Random;
 use super::refract::{Interface, Interiors, copied, reflect};
@@ -57,7 +58,7 @@ pub(super) struct Setup<'w> {
     /// What the camera is in, if that is the same for all rays.
     start: Interiors,
     /// Must rays know what they are in?
-    asks_inside: bool,
+    pub asks_inside: bool,
 }
 
 impl<'w> Setup<'w> {
@@ -171,13 +172,27 @@ pub(super) struct Tracer<'w> {
     crossings: u32,
     /// What was in the way of each light's last ray.
     pub blockers: Vec<Option<Blocker>>,
+    pub memory: Memory,
 }
 
 impl<'w> Tracer<'w> {
     pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>) -> Self {
         let (rays, random) = (Rays::default(), Random::new(setup.frame));
-        let blockers = vec![None; setup.world.lights.len()];
-        Self { setup, rays, random, watch, stopped: false, crossings: 0, blockers }
+        let lights = setup.world.lights.len();
+        let (blockers, memory) = (vec![None; lights], Memory::of_nothing(lights));
+        Self { setup, rays, random, watch, stopped: false, crossings: 0, blockers, memory }
+    }
+
+    /// What is remembered after some pixels of a row, from this.
+    pub fn after(&mut self, memory: Memory, columns: impl Iterator<Item = usize>, y: usize) -> Memory {
+        let mut tracer = Self { memory, ..Self::new(self.setup, self.watch) };
+        for x in columns {
+            tracer.begin((y as u64) << 32 | x as u64, 0);
+            tracer.see(x as f64 + 0.5, y as f64 + 0.5);
+        }
+        self.rays.add(&tracer.rays);
+        self.stopped |= tracer.stopped;
+        tracer.memory
     }
 
     /// Has the watcher asked to stop? What was traced since is worth nothing.
@@ -269,7 +284,7 @@ impl<'w> Tracer<'w> {
                 interface = interface.of_hue(hue, &path.inside, own, &world.interiors);
             }
             let shading = ShadingPoint::new(world, &path.ray, &found, &self.setup.quality, &interface);
-            rgb += through * self.shade(path.ray.dir, &shading, &path.inside);
+            rgb += through * self.shade(&path, &shading);
             // Only light from behind has faded, not what the far side sends back or mirrors (measured on 3.7).
             let fade = match world.colors_light && interface.leaves() {
                 true => self.faded(shading.part.interior, found.t()),

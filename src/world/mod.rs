@@ -15,7 +15,7 @@ mod sky;
 pub use geometry::{Blocker, Geometry, Standing};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
-pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
+pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material, is_remembered};
 pub use node::{SolidKind, SolidNode};
 pub use probe::Probe;
 pub use sky::Sky;
@@ -78,6 +78,9 @@ pub struct World {
     pub opacity_by_color: bool,
     /// Does light pass through any object?
     pub see_through: bool,
+    /// Does light pass through any object that is remembered when it keeps light away?
+    #[serde(skip)]
+    pub remembers: bool,
     /// Is light bent anywhere?
     pub bends: bool,
     /// Does any interior split light into its colours?
@@ -102,6 +105,9 @@ pub struct Part {
     pub double_illuminate: bool,
     /// Its textures see places on the surface, (u, v, 0), instead of points (`uv_mapping` of the object).
     pub uv: bool,
+    /// `no_shadow` of its own or of a block around it; an object that it is a part of may cast its shadow all the same.
+    #[serde(skip)]
+    pub no_shadow: bool,
     /// The text that made it.
     pub source: Span,
 }
@@ -156,6 +162,9 @@ pub struct ObjectInfo {
     pub reflection: bool,
     /// Does no light pass anywhere?
     pub opaque: bool,
+    /// Is it remembered when it keeps light away ([`is_remembered`])? By its own texture, whatever those of its parts let pass.
+    #[serde(skip)]
+    pub remembered: bool,
     /// Number of what fills it, or [`Self::VIEW`].
     pub interior: u32,
 }
