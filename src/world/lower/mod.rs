@@ -235,6 +235,9 @@ impl Lowering {
         }
         if object.rare.flags.inverse {
             node = node.inverted();
+            if matches!(object.kind, ObjectKind::Csg(..)) && node.is_unbounded() {
+                node = node.standing_in(inherited.place.moved_box(object.extent()));
+            }
         }
         let clips = !matches!(&object.kind, ObjectKind::Shape(shape) if shape.is_never_clipped());
         if clips && !clip.is_empty() {
