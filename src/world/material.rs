@@ -15,6 +15,9 @@ pub struct Material {
     pub layers: Box<[Layer]>,
     /// Does no light pass anywhere?
     pub opaque: bool,
+    /// [`is_remembered`].
+    #[serde(skip)]
+    pub remembered: bool,
     /// Is every layer the same everywhere? Then it needs no point.
     pub solid: bool,
     /// What passes it, where it is the same everywhere.
@@ -134,6 +137,7 @@ impl Material {
         Self {
             // One layer that lets nothing pass is enough.
             opaque: texture.layers.iter().any(seems_opaque),
+            remembered: is_remembered(texture),
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),

@@ -165,8 +165,6 @@ struct Lowering {
     materials: Vec<Material>,
     /// Textures that may come again, and their materials.
     textures: Lowered<Texture, u32>,
-    /// [`is_remembered`].
-    remembered: Lowered<Texture, bool>,
     shared: Shared,
     copies: Copies,
     interiors: Vec<Arc<Interior>>,
@@ -205,7 +203,6 @@ impl Lowering {
     /// What only this still holds will not come again.
     fn forget_spent(&mut self) {
         self.textures.forget_spent();
-        self.remembered.forget_spent();
         self.shared.forget_spent();
     }
 
@@ -349,8 +346,12 @@ impl Lowering {
     fn add_object(&mut self, own: &Inherited, look: Option<&Look>, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, .. } = own.flags;
         let (shadow, image, reflection) = (!no_shadow, !no_image, !no_reflection);
-        let mut keeps = |look: &Look| *self.remembered.of(&look.texture, is_remembered);
-        let remembered = look.is_some_and(&mut keeps) && own.inside.as_ref().is_none_or(&mut keeps);
+        // (Most often its parts have it too, and it was asked before.)
+        let keeps = |look: &Look| match self.textures.get(&look.texture) {
+            Some(&material) => self.materials[material as usize].remembered,
+            None => is_remembered(&look.texture),
+        };
+        let remembered = look.is_some_and(keeps) && own.inside.as_ref().is_none_or(keeps);
         self.add_info(ObjectInfo { shadow, image, through: image, reflection, opaque, remembered, interior })
     }
 
