@@ -43,7 +43,7 @@ impl Tracer<'_> {
         }
         self.rays.shadow += 1;
         let to_light = ToLight { light, ray, range, distance: arriving.distance };
-        if !self.setup.world.remembers {
+        if !self.setup.world.remembers || light.grouped {
             return self.passing(&to_light, &path.inside);
         }
         let mut inside = copied(&path.inside);

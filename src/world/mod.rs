@@ -182,6 +182,9 @@ pub struct LightSource {
     pub number: usize,
     /// How it shines.
     pub lamp: Lamp,
+    /// Does it shine on a `light_group` alone? Then nothing is remembered that keeps it away.
+    #[serde(skip)]
+    pub grouped: bool,
     /// Only what passes this shines, and nothing between the two is in the way (`projected_through`).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub through: Option<Box<Geometry>>,

@@ -39,6 +39,15 @@ difference { Part(0, 6) no_image }
 #default { pigment { Clear } }
 difference { Part(4, 6) normal { bumps } no_image }
 difference { Part(8, 6) finish { phong 1 } no_image }
+// Of lights of a group nothing is remembered, but what keeps others away from it.
+light_group {
+  light_source { <8, 1000, 6> rgb <1, 0, 0.5> parallel point_at <8, 0, 6> }
+  box { <0, 0, 9>, <16, 0.5, 12> pigment { rgb 1 } finish { ambient 0 diffuse 0.5 } no_shadow }
+  difference { Part(0, 9) pigment { rgb 1 } no_image }
+  global_lights on
+}
+difference { Part(6, 9) pigment { rgb 1 } no_image }
+difference { Part(10, 10) pigment { rgb 1 } no_image }
 // Shapes that carry textures themselves.
 #default { pigment { rgb 1 } finish { ambient 0.1 } }
 mesh2 {

@@ -29,9 +29,10 @@ impl Lowering {
             None => None,
         };
         let number = self.lights.len() as u32;
-        self.lights.push(world::LightSource { number: number as usize, lamp: Lamp::new(&light), through });
+        let (lamp, grouped) = (Lamp::new(&light), inherited.lights_here);
+        self.lights.push(world::LightSource { number: number as usize, lamp, grouped, through });
         // A light in a union within a group is one of all lights (measured on POV-Ray 3.7).
-        match inherited.lights_here {
+        match grouped {
             true => self.groups[inherited.lights as usize - 1].lights.push(number),
             false => self.global.push(number),
         }
