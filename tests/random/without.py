@@ -37,6 +37,17 @@ WITHOUT = {
     "clipped_by": lambda text: without_blocks("clipped_by", text),
     "dispersion": lambda text: re.sub(r"\bdispersion(_samples)? [\d.]+", "", text),
     "adc_bailout": bailing_late,
+    "normal": lambda text: without_blocks("normal", text),
+    "interior_texture": lambda text: without_blocks("interior_texture", text),
+    "fog": lambda text: without_blocks("fog", text),
+    "reflection": lambda text: without_blocks("reflection", text),
+    "interior": lambda text: without_blocks("interior", text),
+    "area_light": lambda text: re.sub(r"\barea_light (<[^>]*>|[-\w.*]+), *(<[^>]*>|[-\w.*]+), *\d+, *\d+", "", text),
+    "uv_mapping": lambda text: re.sub(r"\buv_mapping\b", "", text),
+    "slope and aoi": lambda text: re.sub(r"\b(slope|aoi)\b( *\{[^}]*\}| *<[^>]*>)?", "bozo", text),
+    "highlights": lambda text: re.sub(r"\b(phong|specular) [-\d.]+", "", text),
+    "irid": lambda text: without_blocks("irid", text),
+    "turbulence": lambda text: re.sub(r"\bturbulence (<[^>]*>|[-\d.]+)", "", text),
 }
 
 
