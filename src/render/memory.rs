@@ -1,7 +1,8 @@
 //! Which object last kept a light away. POV-Ray asks that one first whether it does so again, and what it only weakens then is weakened
 //! once more when all objects are asked: an object that lets light through counts twice, until another takes its place. It is
-//! remembered if its own texture lets nothing pass, though those of its parts may, and if it was the first that the ray met; for rays
-//! from the eye one, and for all others one; but not for the lights of a group. (All measured on POV-Ray 3.7: `tests/light_cases`, "remembered".)
+//! remembered if its own texture lets nothing pass, though those of its parts may, and if it was the first that the ray met. Rays from
+//! the eye and all others have a memory each; lights of a `light_group` have none. (All measured on POV-Ray 3.7:
+//! `tests/light_cases/remembered*.pov`.)
 //!
 //! So what a pixel shows depends on those before it, in worlds where such objects are ([`crate::world::World::remembers`]). There whole
 //! blocks are drawn as in POV-Ray, row by row. What it still remembers of the blocks before, each block finds out by rays of

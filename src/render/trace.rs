@@ -172,6 +172,7 @@ pub(super) struct Tracer<'w> {
     crossings: u32,
     /// What was in the way of each light's last ray.
     pub blockers: Vec<Option<Blocker>>,
+    /// What kept lights away, as POV-Ray remembers it.
     pub memory: Memory,
 }
 
