@@ -101,11 +101,12 @@ impl Drawing<'_> {
     }
 
     fn trace(&self, tile: &Tile, seen: &Grid) -> Result<(Vec<Pixel>, Rays), Cancelled> {
-        let mut tracer = Tracer::new(self.setup, Some(self.workers.watch));
-        let whole = self.whole(tile);
-        if self.setup.world.remembers {
-            tracer.memory = Memory::at(whole, self.picture(), self.setup.world.lights.len());
-        }
+        let (whole, world) = (self.whole(tile), self.setup.world);
+        let memory = match world.remembers {
+            true => Memory::at(whole, self.picture(), world.lights.len()),
+            false => Memory::of_nothing(0),
+        };
+        let mut tracer = Tracer::new(self.setup, Some(self.workers.watch), memory);
         let pixels = match tile.second {
             true => self.method.tile(&mut tracer, seen, whole),
             false => self.first_tile(&mut tracer, &whole),

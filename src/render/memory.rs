@@ -55,7 +55,7 @@ impl Memory {
         Self { past: Past { rows, found: vec![[None; 2]; lights] }, ..Self::of_nothing(lights) }
     }
 
-    /// Before any pixel.
+    /// Before any pixel; in worlds where nothing is remembered nobody asks, for no light.
     pub fn of_nothing(lights: usize) -> Self {
         Self { last: vec![[None; 2]; lights], past: Past::default() }
     }

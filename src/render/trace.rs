@@ -177,16 +177,15 @@ pub(super) struct Tracer<'w> {
 }
 
 impl<'w> Tracer<'w> {
-    pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>) -> Self {
+    pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>, memory: Memory) -> Self {
         let (rays, random) = (Rays::default(), Random::new(setup.frame));
-        let lights = setup.world.lights.len();
-        let (blockers, memory) = (vec![None; lights], Memory::of_nothing(lights));
+        let blockers = vec![None; setup.world.lights.len()];
         Self { setup, rays, random, watch, stopped: false, crossings: 0, blockers, memory }
     }
 
     /// What is remembered after some pixels of a row, from this.
     pub fn after(&mut self, memory: Memory, columns: impl Iterator<Item = usize>, y: usize) -> Memory {
-        let mut tracer = Self { memory, ..Self::new(self.setup, self.watch) };
+        let mut tracer = Self::new(self.setup, self.watch, memory);
         for x in columns {
             tracer.begin((y as u64) << 32 | x as u64, 0);
             tracer.see(x as f64 + 0.5, y as f64 + 0.5);

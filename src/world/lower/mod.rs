@@ -232,6 +232,7 @@ impl Lowering {
         }
         if object.rare.flags.inverse {
             node = node.inverted();
+            // (Cameras lie in it only as far as POV-Ray's box goes, which now shows: measured on 3.7.)
             if matches!(object.kind, ObjectKind::Csg(..)) && node.is_unbounded() {
                 node = node.standing_in(inherited.place.moved_box(object.extent()));
             }
