@@ -16,7 +16,7 @@ pub enum When {
 /// Where the samples of anti-aliasing lie.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AaMethod {
-    /// 4 as evenly as possible, and 12 more where those differ
+    /// 4 beside the middle, and 5 more where those differ, as evenly as possible
     Net,
     /// In the cells of a grid: POV-Ray's first method
     Grid,

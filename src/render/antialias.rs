@@ -101,11 +101,10 @@ impl Method {
             Kind::Once => self.first(tracer, x, y),
             Kind::Blurred(lens) => blur::pixel(tracer, lens, self.number(x, y), x, y),
             Kind::Adaptive(Spread::Corners) => self.corners().pixel(tracer, seen, x, y),
-            Kind::Adaptive(_) => match self.is_rough(seen, x, y, &BESIDE) {
-                true => self.net(tracer, seen, x, y, net::Start::Edge),
-                false if self.is_rough(seen, x, y, &DIAGONAL) => self.net(tracer, seen, x, y, net::Start::Corner),
-                false => *seen.at(x, y),
-            },
+            Kind::Adaptive(_) if self.is_rough(seen, x, y) => {
+                net::pixel(tracer, &self.difference, self.number(x, y), [x, y], seen.at(x, y))
+            }
+            Kind::Adaptive(_) => *seen.at(x, y),
         })
     }
 
@@ -119,15 +118,11 @@ impl Method {
         Corners { difference: &self.difference, depth, jitter, width: self.width }
     }
 
-    fn net(&self, tracer: &mut Tracer, seen: &Grid, x: usize, y: usize, start: net::Start) -> Pixel {
-        net::pixel(tracer, &self.difference, self.number(x, y), [x, y], seen.at(x, y), start)
-    }
-
     /// Does the pixel differ from one of those around?
-    fn is_rough(&self, seen: &Grid, x: usize, y: usize, around: &[[isize; 2]; 4]) -> bool {
+    fn is_rough(&self, seen: &Grid, x: usize, y: usize) -> bool {
         let middle = seen.at(x, y);
         let place = |[right, down]: &[isize; 2]| (x.wrapping_add_signed(*right), y.wrapping_add_signed(*down));
-        let mut others = around.iter().map(place).filter_map(|(x, y)| seen.get(x, y));
+        let mut others = AROUND.iter().map(place).filter_map(|(x, y)| seen.get(x, y));
         others.any(|other| self.difference.counts(middle, other))
     }
 
@@ -137,9 +132,8 @@ impl Method {
     }
 }
 
-/// The neighbours that share an edge, and those that share a corner.
-const BESIDE: [[isize; 2]; 4] = [[-1, 0], [1, 0], [0, -1], [0, 1]];
-const DIAGONAL: [[isize; 2]; 4] = [[-1, -1], [1, -1], [-1, 1], [1, 1]];
+/// The neighbours, those that share an edge first.
+const AROUND: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [1, -1], [-1, 1], [1, 1]];
 
 /// Which differences count.
 pub(super) struct Difference {
@@ -176,10 +170,16 @@ impl Difference {
 
     /// Does the sum of the channels' differences reach the threshold, after the gamma?
     pub fn counts(&self, a: &Pixel, b: &Pixel) -> bool {
+        self.exceeds(a, b, 1.0)
+    }
+
+    /// Does it reach so many thresholds?
+    pub fn exceeds(&self, a: &Pixel, b: &Pixel, times: f64) -> bool {
+        let threshold = self.threshold * times;
         let opacity = if self.alpha { f64::from((a[3] - b[3]).abs()) } else { 0.0 };
         // A threshold of 0 lets all count (measured on POV-Ray 3.7).
-        if self.threshold <= 0.0 || a == b {
-            return self.threshold <= 0.0;
+        if threshold <= 0.0 || a == b {
+            return threshold <= 0.0;
         }
         let pairs = [0, 1, 2].map(|c| (f64::from(a[c]).max(0.0), f64::from(b[c]).max(0.0)));
         let (mut most, mut least) = (opacity, opacity);
@@ -187,17 +187,17 @@ impl Difference {
             let (difference, [low, high]) = ((a - b).abs(), [a.min(b), a.max(b)]);
             most += match low >= DARK {
                 true => self.slopes[0] * difference,
-                false if difference <= self.little => self.threshold * 0.25,
+                false if difference <= self.little => threshold * 0.25,
                 false => f64::INFINITY,
             };
             least += if high <= 1.0 { self.slopes[1] * difference } else { 0.0 };
         }
-        if most < self.threshold || least > self.threshold * 1.000_001 {
-            return most >= self.threshold;
+        if most < threshold || least > threshold * 1.000_001 {
+            return most >= threshold;
         }
         let light = |x: f64| if self.is_srgb { Gamma::Srgb.decode(x) } else { x };
         let curve = |x: f64| fp::pow(light(x), 1.0 / self.gamma);
-        pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity >= self.threshold
+        pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity >= threshold
     }
 }
 
