@@ -1,7 +1,9 @@
 //! Heights in rows, and how a line passes them: a pyramid of least and largest heights tells what it passes over or under as a whole
 //! (Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", 2008).
 
+use super::normals::Normals;
 use crate::math::{DVec2, DVec3, Range, Ray};
+use std::sync::OnceLock;
 
 /// Heights of 1 are this many steps.
 pub const STEPS: f64 = 65536.0;
@@ -11,7 +13,7 @@ const BLOCK: usize = 4;
 const SLACK: f64 = 1e-3;
 
 /// Corners of cells in rows: x grows along a row, z from row to row.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Grid {
     /// Cells along x.
     pub across: usize,
@@ -19,6 +21,15 @@ pub struct Grid {
     pub deep: usize,
     heights: Box<[u16]>,
     pyramid: Vec<Level>,
+    /// If it was asked for any.
+    normals: OnceLock<Normals>,
+}
+
+/// Fields of the same heights are equal, whatever is known of their normals.
+impl PartialEq for Grid {
+    fn eq(&self, other: &Self) -> bool {
+        (self.across, self.deep, &self.heights) == (other.across, other.deep, &other.heights)
+    }
 }
 
 /// Squares of one size.
@@ -56,11 +67,60 @@ struct Line<'v> {
     visit: &'v mut dyn FnMut(f64, Place) -> bool,
 }
 
+/// A piece of a line: from where to where, and how high it is there.
+#[derive(Clone, Copy)]
+struct Way {
+    t: [f64; 2],
+    y: [f64; 2],
+}
+
+impl Way {
+    /// Is it over or under all of these heights?
+    fn misses(&self, [lo, hi]: [u16; 2]) -> bool {
+        let [y0, y1] = self.y;
+        let (least, most) = if y0 < y1 { (y0, y1) } else { (y1, y0) };
+        least > f64::from(hi) + SLACK || most < f64::from(lo) - SLACK
+    }
+
+    /// What is before both of two places, between them, and behind them.
+    fn cut(&self, first: f64, second: f64, line: &Line) -> [Option<Self>; 3] {
+        let Self { t: [near, far], y: [y_near, y_far] } = *self;
+        let (a, ya) = if first > far { (far, y_far) } else { (first, line.y_at(first)) };
+        let (b, yb) = if second < near { (near, y_near) } else { (second, line.y_at(second)) };
+        let between = match (first < near, second > far) {
+            (false, false) => Self { t: [first, second], y: [ya, yb] },
+            (true, false) => Self { t: [near, second], y: [y_near, yb] },
+            (false, true) => Self { t: [first, far], y: [ya, y_far] },
+            (true, true) => *self,
+        };
+        [
+            (first >= near).then_some(Self { t: [near, a], y: [y_near, ya] }),
+            (first <= far && second >= near).then_some(between),
+            (second <= far).then_some(Self { t: [b, far], y: [yb, y_far] }),
+        ]
+    }
+}
+
+/// Where a line passes from one half of a square to the other, along one axis: `at`, unless it runs beside the middle, or there is nothing
+/// beyond it.
+fn middle(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
+    let is_whole = middle >= end;
+    if d == 0.0 {
+        let is_first = is_whole || o < middle as f64;
+        return if is_first { f64::INFINITY } else { f64::NEG_INFINITY };
+    }
+    match is_whole {
+        true if d < 0.0 => f64::NEG_INFINITY,
+        true => f64::INFINITY,
+        false => at,
+    }
+}
+
 impl Grid {
     /// Of rows with `width` heights each, two at least in each direction.
     pub fn new(width: usize, heights: Vec<u16>) -> Self {
         let (across, deep) = (width.max(2) - 1, (heights.len() / width.max(1)).max(2) - 1);
-        let mut grid = Self { across, deep, heights: heights.into(), pyramid: vec![] };
+        let mut grid = Self { across, deep, heights: heights.into(), pyramid: vec![], normals: OnceLock::new() };
         grid.pyramid.push(grid.blocks());
         while let Some(level) = grid.pyramid.last().filter(|level| level.ranges.len() > 1) {
             grid.pyramid.push(level.next());
@@ -68,9 +128,19 @@ impl Grid {
         grid
     }
 
+    /// From object space to cells and steps of height.
+    pub fn scale(&self) -> DVec3 {
+        DVec3::new(self.across as f64, STEPS, self.deep as f64)
+    }
+
     /// The height of a corner in steps.
     pub fn at(&self, i: usize, k: usize) -> f64 {
         f64::from(self.heights[k * (self.across + 1) + i])
+    }
+
+    /// The normal at a corner of a smooth field, in object space less its scale in steps and cells.
+    pub fn normal(&self, i: usize, k: usize) -> DVec3 {
+        self.normals.get_or_init(|| Normals::new(self.heights.len())).at(self, i, k)
     }
 
     /// The least and the largest height, in steps.
@@ -133,44 +203,35 @@ impl Grid {
         let whole = self.under(&line, [0, 0], [self.across, self.deep]);
         (line.near, line.far) = (near.max(whole.0), far.min(whole.1));
         if line.near < line.far && line.near.is_finite() && line.far.is_finite() {
-            self.descend(top, [0, 0], (near, far), &mut line);
+            let t = [line.near.max(range.min), line.far.min(range.max)];
+            if t[0] <= t[1] {
+                self.descend(top, [0, 0], Way { t, y: t.map(|t| line.y_at(t)) }, &mut line);
+            }
         }
     }
 
-    /// Passes a square of a level, over which the line is from `way.0` to `way.1` at most; true if there is enough.
-    fn descend(&self, level: usize, [a, b]: [usize; 2], way: (f64, f64), line: &mut Line) -> bool {
+    /// Passes a square of a level, over which the line is along `way`; true if there is enough.
+    fn descend(&self, level: usize, [a, b]: [usize; 2], way: Way, line: &mut Line) -> bool {
         let Level { across, ranges, .. } = &self.pyramid[level];
-        let (near, far) = (way.0.max(line.near).max(line.range.min), way.1.min(line.far).min(line.range.max));
-        let [lo, hi] = ranges[b * across + a].map(f64::from);
-        let (y0, y1) = (line.o.y + line.d.y * near, line.o.y + line.d.y * far);
-        if near > far || y0.min(y1) > hi + SLACK || y0.max(y1) < lo - SLACK {
+        if way.misses(ranges[b * across + a]) {
             return false;
         }
         let [from, to] = self.square(level, a, b);
         if level == 0 {
             return self.pass_cells(from, to, line);
         }
-        let below = &self.pyramid[level - 1];
-        // Where a line that is not level with the cells' edges passes the middle ones.
-        let slanted = line.d.x != 0.0 && line.d.z != 0.0;
-        let (x_middle, z_middle) = (line.x_at(from[0] + below.size), line.z_at(from[1] + below.size));
-        let half = |(near, far): (f64, f64), middle: f64, second: usize| {
-            if second == 0 { (near, far.min(middle)) } else { (near.max(middle), far) }
-        };
+        // Where the line passes the middle of the square, each way; so it goes over three of the four quarters at most.
+        let half = self.pyramid[level - 1].size;
+        let x_middle = middle(line.o.x, line.d.x, from[0] + half, to[0], line.x_at(from[0] + half));
+        let z_middle = middle(line.o.z, line.d.z, from[1] + half, to[1], line.z_at(from[1] + half));
         let (flip_x, flip_z) = (usize::from(line.d.x < 0.0), usize::from(line.d.z < 0.0));
-        // No line passes both of the middle ones.
-        [(0, 0), (1, 0), (0, 1), (1, 1)].into_iter().any(|(x, z)| {
-            let (a, b) = (2 * a + (x ^ flip_x), 2 * b + (z ^ flip_z));
-            if a >= below.across || b >= below.deep {
-                return false;
-            }
-            let way = if slanted {
-                half(half(way, x_middle, x), z_middle, z)
-            } else {
-                let [from, to] = self.square(level - 1, a, b);
-                self.under(line, from, to)
-            };
-            way.0 <= way.1 && self.descend(level - 1, [a, b], way, line)
+        let (first, second, by_x) =
+            if x_middle <= z_middle { (x_middle, z_middle, true) } else { (z_middle, x_middle, false) };
+        let pieces = way.cut(first, second, line);
+        let quarters = [[false; 2], [by_x, !by_x], [true; 2]];
+        pieces.into_iter().zip(quarters).any(|(piece, [x, z])| {
+            let quarter = [2 * a + (usize::from(x) ^ flip_x), 2 * b + (usize::from(z) ^ flip_z)];
+            piece.is_some_and(|piece| self.descend(level - 1, quarter, piece, line))
         })
     }
 
@@ -299,6 +360,10 @@ impl Line<'_> {
 
     fn z_at(&self, k: usize) -> f64 {
         (k as f64 - self.o.z) * self.inverse.y
+    }
+
+    fn y_at(&self, t: f64) -> f64 {
+        self.o.y + self.d.y * t
     }
 
     /// Its height, and where it is over a cell.

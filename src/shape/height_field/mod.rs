@@ -11,6 +11,7 @@
 
 mod grid;
 mod heights;
+mod normals;
 
 use super::{Hit, Hits, Kernel, Move, Readable, nearest};
 use crate::color::Gamma;
@@ -62,14 +63,9 @@ impl HeightField {
         Self { size, smooth, water_level, gamma: None, is_pot: false, picture: None, grid, place: None }
     }
 
-    /// In cells and steps of height.
-    fn scale(grid: &Grid) -> DVec3 {
-        DVec3::new(grid.across as f64, STEPS, grid.deep as f64)
-    }
-
     fn search(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Hit) -> bool) {
         let Some(grid) = &self.grid else { return };
-        let scale = Self::scale(grid);
+        let scale = grid.scale();
         // Counted from where it comes near, so that a far eye loses nothing.
         let Some((enter, leave)) = self.bounds().grown(1e-4).slabs(ray, Range::ALL) else { return };
         if !(enter <= range.max && leave >= range.min && enter.is_finite()) {
@@ -85,30 +81,10 @@ impl HeightField {
         });
     }
 
-    /// The normal at a corner: the mean of the directions that its neighbours to one side and to another make with it, in cells and steps
-    /// (measured on POV-Ray 3.7, which keeps 16 bits of each coordinate).
-    fn corner_normal(grid: &Grid, i: usize, k: usize) -> DVec3 {
-        let here = grid.at(i, k);
-        let left = (i > 0).then(|| here - grid.at(i - 1, k));
-        let right = (i < grid.across).then(|| grid.at(i + 1, k) - here);
-        let before = (k > 0).then(|| here - grid.at(i, k - 1));
-        let behind = (k < grid.deep).then(|| grid.at(i, k + 1) - here);
-        let mut sum = DVec3::ZERO;
-        for along_x in [left, right].into_iter().flatten() {
-            for along_z in [before, behind].into_iter().flatten() {
-                sum += DVec3::new(-along_x, 1.0, -along_z).normalize_or_zero();
-            }
-        }
-        (sum.normalize_or_zero() * 32767.0).trunc() * Self::scale(grid)
-    }
-
     /// Between those of the four corners, which have length 1 where the field stands.
     fn smooth_normal(&self, grid: &Grid, place: Place, rest: DVec2) -> DVec3 {
-        let m = self.place.as_deref().unwrap_or(&Transform::IDENTITY);
-        let corner = |i: usize, k: usize| {
-            let n = Self::corner_normal(grid, place.i + i, place.k + k);
-            m.normal(n).normalize_or_zero()
-        };
+        let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.scale());
+        let corner = |i: usize, k: usize| m.normal(grid.normal(place.i + i, place.k + k) * scale).normalize_or_zero();
         let [n00, n10, n01, n11] = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
         let n = n00.lerp(n10, rest.x).lerp(n01.lerp(n11, rest.x), rest.y);
         m.inverse_normal(n)
@@ -262,7 +238,7 @@ impl Kernel for HeightField {
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let Some(grid) = &self.grid else { return DVec3::Y };
         let place = Place { i: hit.uv.x as usize, k: hit.uv.y as usize, upper: hit.part == 1 };
-        let scale = Self::scale(grid);
+        let scale = grid.scale();
         if self.smooth {
             let rest = DVec2::new(p.x * scale.x - hit.uv.x, p.z * scale.z - hit.uv.y);
             let n = self.smooth_normal(grid, place, rest.clamp(DVec2::ZERO, DVec2::ONE));
