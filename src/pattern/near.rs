@@ -65,8 +65,9 @@ impl Modifiers {
         let shifted = if frequency == 0.0 {
             raw
         } else {
-            let range = raw.range * Interval::point(frequency) + Interval::point(self.phase);
-            Near { range, steepest: raw.steepest * frequency.abs(), ..raw }
+            // (As it is computed, which keeps the order of numbers; wider, what begins at 0 would begin in the period before.)
+            let [a, b] = [raw.range.lo, raw.range.hi].map(|x| x * frequency + self.phase);
+            Near { range: Interval::new(a, b), steepest: raw.steepest * frequency.abs(), ..raw }
         };
         let Interval { lo, hi } = shifted.range;
         // Numbers of one period, from 0 on; those below 0 are counted from 1 on.
@@ -78,6 +79,7 @@ impl Modifiers {
             (a, _) => Some(a * PERIOD),
         };
         match start {
+            Some(0.0) => self.wave.near(shifted),
             Some(start) if lo - start >= 0.0 => {
                 self.wave.near(Near { range: Interval { lo: lo - start, hi: hi - start }.widened(), ..shifted })
             }
