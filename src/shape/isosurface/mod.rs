@@ -94,8 +94,9 @@ impl Isosurface {
         if value.is_nan() { self.accuracy * self.max_gradient } else { value }
     }
 
-    /// Tells each hit in the range, ascending, until `found` says that it has enough.
-    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(Hit) -> bool) {
+    /// Tells each hit in the range, ascending, until `found` says that it has enough. Who asks only `whether` there is one is told a place
+    /// near it.
+    fn search(&self, ray: &Ray, range: Range, whether: bool, found: &mut dyn FnMut(Hit) -> bool) {
         let Some((enter, leave)) = self.container.stretch(ray) else { return };
         if !(enter < range.max && leave > range.min) {
             return;
@@ -114,7 +115,7 @@ impl Isosurface {
             }
             known = Some((0.0, first));
         }
-        if self.pass(&near, to, within, known, &mut |t| tell(t, SURFACE)) {
+        if self.pass(&near, to, (within, whether), known, &mut |t| tell(t, SURFACE)) {
             return;
         }
         if !self.open && leave < range.max && value(to) < 0.0 {
@@ -128,7 +129,7 @@ impl Isosurface {
         &self,
         near: &Ray,
         to: f64,
-        within: Range,
+        (within, whether): (Range, bool),
         mut known: Option<(f64, f64)>,
         found: &mut dyn FnMut(f64) -> bool,
     ) -> bool {
@@ -145,7 +146,7 @@ impl Isosurface {
             let first = known.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
             let last = (b, value(b));
             known = Some(last);
-            Search { value, apart, exact }.between(first, last, rate, found)
+            Search { value, apart, exact, range: within, whether }.between(first, last, rate, found)
         };
         // Cells of which nothing is known are passed as one.
         let mut run: Option<(f64, f64)> = None;
@@ -275,7 +276,7 @@ impl Kernel for Isosurface {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, &mut |hit| {
+        self.search(ray, range, false, &mut |hit| {
             out.push(hit);
             false
         });
@@ -288,7 +289,7 @@ impl Kernel for Isosurface {
         }
         let mut seen = 0;
         let counted = Range { min: range.min.min(tolerance::SURFACE), max: range.max };
-        self.search(ray, counted, &mut |hit| {
+        self.search(ray, counted, false, &mut |hit| {
             if range.contains(hit.t) {
                 out.push(hit);
             }
@@ -299,11 +300,20 @@ impl Kernel for Isosurface {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
-        self.search(ray, range, &mut |hit| {
+        self.search(ray, range, false, &mut |hit| {
             first = Some(hit);
             true
         });
         first
+    }
+
+    fn any(&self, ray: &Ray, range: Range) -> bool {
+        let mut is_met = false;
+        self.search(ray, range, true, &mut |_| {
+            is_met = true;
+            true
+        });
+        is_met
     }
 
     fn inside(&self, p: DVec3) -> bool {

@@ -1,7 +1,7 @@
 //! Where a function of one number is 0, by bounds of its derivative.
 
 use crate::function::Interval;
-use crate::math::crossing;
+use crate::math::{Range, crossing};
 
 /// A place on the line, and the function's value there.
 pub type Point = (f64, f64);
@@ -14,6 +14,10 @@ pub struct Search<'a> {
     pub apart: f64,
     /// Roots are known as well as this.
     pub exact: f64,
+    /// Where roots count.
+    pub range: Range,
+    /// Is it enough to know that there is a root? Then what is told is a place near it, in the range.
+    pub whether: bool,
 }
 
 impl Search<'_> {
@@ -22,6 +26,9 @@ impl Search<'_> {
     /// From an end on, the value can't come to 0 sooner than by the rate: what is left between both ends is halved (as in Kalra and Barr,
     /// "Guaranteed Ray Intersections with Implicit Surfaces", 1989).
     pub fn between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
+        if b.0 <= self.range.min || a.0 >= self.range.max {
+            return false;
+        }
         let differ = (a.1 < 0.0) != (b.1 < 0.0);
         // How quickly the value can come nearer to 0, forwards from a and backwards from b.
         let from_a = if a.1 < 0.0 { rate.hi } else { -rate.lo };
@@ -34,10 +41,23 @@ impl Search<'_> {
         let one_way = if a.1 < 0.0 { rate.lo >= 0.0 } else { rate.hi <= 0.0 };
         let (lo, hi) = (lo.clamp(a.0, b.0), hi.clamp(a.0, b.0));
         if differ && (one_way || hi - lo <= self.apart) {
-            return found(crossing(self.value, a, b, self.exact));
+            return self.one(a, b).is_some_and(found);
         }
         let middle = 0.5 * (lo + hi);
         let m = (middle, (self.value)(middle));
         self.between(a, m, rate, found) || self.between(m, b, rate, found)
+    }
+
+    /// The only root between two places, if it counts.
+    fn one(&self, a: Point, b: Point) -> Option<f64> {
+        let Range { min, max } = self.range;
+        let is_before = |t: f64| ((self.value)(t) < 0.0) != (a.1 < 0.0);
+        if a.0 < min && is_before(min) || b.0 > max && !is_before(max) {
+            return None;
+        }
+        Some(match self.whether {
+            true => 0.5 * (a.0.max(min) + b.0.min(max)),
+            false => crossing(self.value, a, b, self.exact),
+        })
     }
 }
