@@ -7,6 +7,7 @@ use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::syntax::ast::Operator;
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
@@ -152,22 +153,31 @@ impl Callee {
     /// What is known of the components no farther than `radius` from a point, which the first three arguments say, and of their gradients
     /// by those.
     pub(super) fn near(&self, arguments: &[f64], radius: f64) -> [Near; 5] {
-        let steepest = match self {
+        let rest = &arguments[3..];
+        let (steepest, bend) = match self {
             Callee::Sampler(sampler) => return sampler.near(arguments, radius),
             Callee::Function(function) => match &function.body {
                 super::Body::Sampled(sampler) => return sampler.near(arguments, radius),
-                super::Body::Numeric(_) => f64::INFINITY,
+                super::Body::Numeric(_) => return [Near::UNKNOWN; 5],
             },
-            Callee::SceneNoise(generator) => generator_of(generator).steepest(),
-            Callee::Internal(internal) => internal.steepest.map_or(f64::INFINITY, |steepest| steepest(&arguments[3..])),
-            Callee::Series { .. } => f64::INFINITY,
+            Callee::SceneNoise(generator) => {
+                let generator = generator_of(generator);
+                (generator.steepest(), Some(generator.bend()))
+            }
+            Callee::Internal(internal) => match internal.steepest {
+                Some(steepest) => (steepest(rest), internal.bend.map(|bend| bend(rest))),
+                None => return [Near::UNKNOWN; 5],
+            },
+            Callee::Series { .. } => return [Near::UNKNOWN; 5],
         };
-        let far = steepest * radius;
-        if !far.is_finite() {
-            return [Near::UNKNOWN; 5];
-        }
-        let value = self.call(0, arguments);
-        [Near { range: Interval::new(value - far, value + far).widened(), steepest, rough: false }; 5]
+        let near = Near::of(self.call(0, arguments), steepest, radius);
+        let Some(bend) = bend else { return [near; 5] };
+        let aside = |by: DVec3| {
+            let mut there: SmallVec<[f64; 10]> = arguments.into();
+            there.iter_mut().zip(by.to_array()).for_each(|(x, by)| *x += by);
+            self.call(0, &there)
+        };
+        [near.bent(aside, bend, radius, Interval::TRUTH); 5]
     }
 
     pub(super) fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {

@@ -7,6 +7,7 @@
 mod graph;
 pub mod internal;
 mod interval;
+mod near;
 pub mod numeric;
 mod program;
 mod slope;
@@ -14,6 +15,7 @@ mod spline;
 
 pub use graph::{Callee, Graph, Id, Operation};
 pub use interval::Interval;
+pub use near::Near;
 pub use program::Program;
 pub use slope::Slope;
 pub use spline::{Spline, SplineKind};
@@ -48,22 +50,6 @@ pub enum Gives {
     Vector(u8),
     /// A colour.
     Color,
-}
-
-/// What is known of numbers around a point.
-#[derive(Clone, Copy, Debug)]
-pub struct Near {
-    /// Where they lie.
-    pub range: Interval,
-    /// A length that no gradient surpasses there; infinite where nothing is known.
-    pub steepest: f64,
-    /// Nearly all gradients are far shorter than that.
-    pub rough: bool,
-}
-
-impl Near {
-    /// Nothing.
-    pub const UNKNOWN: Self = Self { range: Interval::ALL, steepest: f64::INFINITY, rough: false };
 }
 
 /// Something of a higher layer that can be asked at a point: a pigment, a pattern, a transform, a spline.

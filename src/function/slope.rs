@@ -283,11 +283,17 @@ fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
         let near = callee.near(&middle, radius);
         let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), longest([a, b, c]));
         return each(&|component| {
-            let Near { range, steepest, rough: uneven } = near[component];
+            let Near { range, about, steepest, rough: uneven } = near[component];
             let value = range.shared(bounds(component));
             let around = if steepest == 0.0 { 0.0 } else { steepest * longest };
-            let rough = rough || uneven;
-            if around.is_finite() { Slope { around, rough, ..Slope::flat(value) } } else { Slope::steep(value) }
+            if !around.is_finite() {
+                return Slope::steep(value);
+            }
+            let at_middle = [a, b, c].into_iter().zip(about.to_array());
+            let sum = at_middle.fold(Slope::flat(value), |sum, (slope, by)| {
+                if by == 0.0 { sum } else { sum.plus(value, &slope.chain(value, Interval::point(by)), 1.0) }
+            });
+            Slope { around: sum.around + around, rough: rough || uneven, ..sum }
         });
     }
     let is_flat = list.iter().all(|slope| slope.is_flat());

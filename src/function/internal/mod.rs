@@ -30,6 +30,8 @@ pub struct Internal {
     pub bounds: Option<fn(&[Interval]) -> Interval>,
     /// No shorter than its gradient anywhere, for the numbers beside x, y and z.
     pub steepest: Option<fn(&[f64]) -> f64>,
+    /// By no more than this does its gradient change along a way of length 1, where its numbers lie strictly between 0 and 1.
+    pub bend: Option<fn(&[f64]) -> f64>,
 }
 
 impl fmt::Debug for Internal {

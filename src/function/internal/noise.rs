@@ -99,6 +99,11 @@ pub fn steepest(generator: &[f64]) -> f64 {
     generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).steepest())
 }
 
+/// How much its gradient changes.
+pub fn bend(generator: &[f64]) -> f64 {
+    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).bend())
+}
+
 /// Where noise lies.
 pub fn noise_bounds(_: &[Interval]) -> Interval {
     Interval::TRUTH

@@ -186,7 +186,8 @@ pub static TABLE: &[Internal] = &[
         SWITCH, OFFSET, ANGLE]),
     row(SCENE_NOISE, "f_noise3d", "Noise from 0 to 1", |a| call(a, noise::noise3d), Some(noise::noise_bounds), &[]),
     row(78, "f_noise_generator", "Noise from 0 to 1",
-        |a| call(a, noise::noise_generator), Some(noise::noise_bounds), &[GENERATOR]).steepest(noise::steepest),
+        |a| call(a, noise::noise_generator), Some(noise::noise_bounds), &[GENERATOR]).steepest(noise::steepest)
+        .bend(noise::bend),
 ];
 
 const fn row(
@@ -197,11 +198,15 @@ const fn row(
     bounds: Bounds,
     parameters: &'static [&'static str],
 ) -> Internal {
-    Internal { number, name, summary, parameters, compute, bounds, steepest: None }
+    Internal { number, name, summary, parameters, compute, bounds, steepest: None, bend: None }
 }
 
 impl Internal {
     const fn steepest(self, steepest: fn(&[f64]) -> f64) -> Self {
         Self { steepest: Some(steepest), ..self }
+    }
+
+    const fn bend(self, bend: fn(&[f64]) -> f64) -> Self {
+        Self { bend: Some(bend), ..self }
     }
 }

@@ -91,3 +91,26 @@ fn noise_is_no_steeper_than_said() {
         }
     }
 }
+
+/// Over balls of many sizes, noise lies in the range that is said and rises between any two points by what is said of its gradients.
+#[test]
+fn noise_near_a_point_is_as_is_said() {
+    for number in [1.0, 2.0, 3.0] {
+        let callee = Callee::Internal(crate::function::internal::find(78).unwrap());
+        let at = |p: DVec3| callee.call(0, &[p.x, p.y, p.z, number]);
+        let mut stream = crate::math::rng::Stream::new(&[number as u64]);
+        let mut vector = |size: f64| DVec3::from([(); 3].map(|()| (2.0 * stream.next() - 1.0) * size));
+        let mut bent = 0;
+        for k in 0..20_000 {
+            let (p, radius) = (vector(50.0), 0.5f64.powi(k % 12));
+            let near = callee.near(&[p.x, p.y, p.z, number], radius)[0];
+            bent += usize::from(near.about != DVec3::ZERO);
+            let [a, b] = [(); 2].map(|()| p + vector(1.0).normalize() * radius * vector(1.0).x);
+            let (fa, fb) = (at(a), at(b));
+            assert!(near.range.contains(fa) && near.range.contains(fb), "{number} {p} {radius} {near:?}");
+            let (expected, far) = (near.about.dot(b - a), near.steepest * a.distance(b));
+            assert!((fb - fa - expected).abs() <= far + 1e-12, "{number} {p} {radius} {near:?}: {a} {b}");
+        }
+        assert!(bent > 10_000, "{bent}");
+    }
+}

@@ -17,7 +17,7 @@ fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
 }
 
 fn known(Near { range, steepest, rough }: Near) -> function::Near {
-    function::Near { range, steepest, rough }
+    function::Near { range, steepest, rough, ..function::Near::UNKNOWN }
 }
 
 /// `function { pigment { … } }`
