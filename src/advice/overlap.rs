@@ -4,7 +4,7 @@
 
 use super::shows;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::math::{DVec3, Range, Ray, tolerance};
+use crate::math::{DVec3, Range, Ray};
 use crate::render;
 use crate::world::{Intersection, SolidKind, Standing, World};
 use rustc_hash::FxHashMap;
@@ -63,7 +63,7 @@ fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> +
 
 /// The surfaces that share the place that this ray sees, by their numbers, the smaller first.
 fn meetings(world: &World, ray: &Ray) -> Vec<(u32, u32, Fight)> {
-    let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
+    let range = Range { min: world.nearness.surface, max: f64::INFINITY };
     let Some(seen) = world.geometry.closest(ray, range, |id| shows(world, id)) else { return vec![] };
     let near = NEAR * (1.0 + seen.t());
     let around = Range { min: seen.t() - near, max: seen.t() + near };

@@ -3,7 +3,7 @@
 use super::{first_named, is_somewhere, named, shows, typed};
 use crate::camera::Projection;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::math::{Aabb, DMat3, DVec3, Range, Ray, tolerance};
+use crate::math::{Aabb, DMat3, DVec3, Range, Ray};
 use crate::render;
 use crate::source::Span;
 use crate::world::{Intersection, Standing, World};
@@ -64,7 +64,7 @@ fn gcd(a: usize, b: usize) -> usize {
 }
 
 fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
-    let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
+    let range = Range { min: world.nearness.surface, max: f64::INFINITY };
     world.geometry.closest(ray, range, |id| shows(world, id))
 }
 

@@ -1,6 +1,6 @@
 //! The half-line that is cast, and the piece of it that is searched.
 
-use super::DVec3;
+use super::{DVec3, tolerance};
 
 /// p(t) = origin + t·dir (lecture, "Ray").
 ///
@@ -46,8 +46,10 @@ impl Range {
         Range { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// Without what lies nearer than `least`, where what lies nearest is left out already.
+    /// Without what lies nearer than `least`, where what lies nearest is left out already; of a range that begins nearer than at
+    /// [`tolerance::SURFACE`], as a part of that.
     pub fn ahead(self, least: f64) -> Range {
+        let least = least * (self.min / tolerance::SURFACE).min(1.0);
         if self.min > 0.0 { Range { min: self.min.max(least), ..self } } else { self }
     }
 

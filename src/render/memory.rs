@@ -15,7 +15,7 @@ use super::shading_point;
 use super::shadow::ToLight;
 use super::trace::Tracer;
 use crate::color::Rgb;
-use crate::math::{self, tolerance};
+use crate::math;
 use std::ops::Range;
 
 /// So many blocks before may tell what is remembered, the last one first, by pixels so far apart. (Most often one row is enough. With all
@@ -65,7 +65,7 @@ impl Tracer<'_> {
     /// What the remembered object lets pass, on a way of this level; the ray is `inside` of others then, if it meets it.
     pub(super) fn past_remembered(&mut self, to_light: &ToLight, level: u32, inside: &mut Interiors) -> Rgb {
         let ToLight { light, ref ray, distance, .. } = *to_light;
-        let (world, range) = (self.setup.world, math::Range { min: tolerance::SURFACE, max: distance });
+        let (world, range) = (self.setup.world, math::Range { min: self.setup.world.nearness.surface, max: distance });
         let kind = usize::from(level > 1);
         let passes = |id: u32| world.objects[id as usize].remembered && !world.objects[id as usize].opaque;
         // (Others keep all of the light away when all objects are asked.)

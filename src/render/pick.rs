@@ -1,13 +1,13 @@
 //! What is seen through a pixel, told rather than drawn.
 
 use super::{Options, Picked};
-use crate::math::{Range, tolerance};
+use crate::math::Range;
 use crate::world::World;
 
 /// The nearest thing through the centre of pixel (x, y) counted from the top left.
 pub fn pick(world: &World, options: &Options, x: usize, y: usize) -> Option<Picked> {
     let ray = world.eye.view(options.width, options.height).ray(x as f64 + 0.5, y as f64 + 0.5)?;
-    let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
+    let range = Range { min: world.nearness.surface, max: f64::INFINITY };
     let found = world.geometry.closest(&ray, range, |id| world.objects[id as usize].image)?;
     let surface = found.surface(&ray);
     let part = &world.parts[found.part() as usize];

@@ -5,7 +5,7 @@ use super::shading_point::{self, ShadingPoint};
 use super::trace::{Path, Tracer};
 use crate::color::Rgb;
 use crate::light::Arriving;
-use crate::math::{DVec3, Range, Ray, tolerance};
+use crate::math::{DVec3, Range, Ray};
 use crate::shape::Kernel;
 use crate::world::{Intersection, LightSource, World};
 use std::ops::ControlFlow;
@@ -31,7 +31,8 @@ impl Tracer<'_> {
 
     /// The part of the light that comes through along one ray.
     pub(super) fn unshadowed(&mut self, light: &LightSource, point: DVec3, arriving: &Arriving, path: &Path) -> Rgb {
-        let mut range = Range { min: tolerance::SHADOW, max: arriving.distance - tolerance::SHADOW };
+        let near = self.setup.world.nearness.shadow;
+        let mut range = Range { min: near, max: arriving.distance - near };
         let ray = Ray::new(point, arriving.from);
         if let Some(through) = light.through.as_ref().filter(|_| self.setup.quality.shadows) {
             let Some(passed) = through.closest(&ray, range, |_| true) else { return Rgb::ZERO };
@@ -147,9 +148,9 @@ fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32)
         ControlFlow::Continue(())
     });
     surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
-    let mut last = f64::NEG_INFINITY;
+    let (mut last, nearness) = (f64::NEG_INFINITY, &world.nearness);
     surfaces.retain(|found| {
-        let met = found.t() - last > tolerance::SHADOW.max(found.leaf.shape.least_distance());
+        let met = found.t() - last > nearness.shadow.max(nearness.own(found.leaf.shape.least_distance()));
         if met {
             last = found.t();
         }

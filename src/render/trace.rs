@@ -9,7 +9,7 @@ use super::{Options, Rays, Watch};
 use crate::atmosphere::Veil;
 use crate::camera::{Lens, View};
 use crate::color::{Rgb, gray};
-use crate::math::{DVec2, DVec3, Range, Ray, tolerance};
+use crate::math::{DVec2, DVec3, Range, Ray};
 use crate::world::{Blocker, Intersection, ObjectInfo, World};
 use smallvec::SmallVec;
 
@@ -382,7 +382,7 @@ impl<'w> Tracer<'w> {
 
     fn closest(&self, path: &Path) -> Option<Intersection<'w>> {
         let world = self.setup.world;
-        let range = Range { min: tolerance::SURFACE, max: f64::INFINITY };
+        let range = Range { min: world.nearness.surface, max: f64::INFINITY };
         if path.mirrored {
             world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].reflection)
         } else if path.passed {

@@ -8,6 +8,7 @@ mod halfspace;
 mod leaf;
 mod lower;
 mod material;
+mod nearness;
 mod node;
 mod probe;
 mod sky;
@@ -16,6 +17,7 @@ pub use geometry::{Blocker, Geometry, Standing};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material, is_remembered};
+pub use nearness::Nearness;
 pub use node::{SolidKind, SolidNode};
 pub use probe::Probe;
 pub use sky::Sky;
@@ -42,6 +44,8 @@ pub struct World {
     pub camera_source: Span,
     /// All objects.
     pub geometry: Geometry,
+    /// Nearer to where they begin, rays meet nothing.
+    pub nearness: Nearness,
     /// By [`Intersection::part`].
     pub parts: Vec<Part>,
     /// By [`SolidNode::object`].

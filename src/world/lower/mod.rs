@@ -10,7 +10,7 @@ mod views;
 use super::geometry::Heap;
 use super::leaf::place;
 use super::{
-    Geometry, Leaf, LightSource, Material, ObjectInfo, Part, PlacedMaterial, RarePart, Sky, SolidNode, World,
+    Geometry, Leaf, LightSource, Material, Nearness, ObjectInfo, Part, PlacedMaterial, RarePart, Sky, SolidNode, World,
     is_remembered,
 };
 use crate::color::Gamma;
@@ -74,10 +74,13 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let lit_by = lowering.lit_by();
     let noise = scene.settings.noise_generator.unwrap_or_default();
     let Lowering { parts, objects, cuts, materials, interiors, filled, lights, .. } = lowering;
+    let eye = scene.camera.eye(noise, scene.settings.number_of_waves);
+    let geometry = Geometry::from(heap);
     Ok(World {
-        eye: scene.camera.eye(noise, scene.settings.number_of_waves),
+        nearness: Nearness::of(&geometry, eye.frame.origin),
+        eye,
         camera_source: scene.cameras.last().copied().unwrap_or(Span::NONE),
-        geometry: heap.into(),
+        geometry,
         see_through: objects.iter().any(|o| !o.opaque),
         remembers: objects.iter().any(|o| o.shadow && o.remembered && !o.opaque),
         bends: interiors.iter().any(|interior| interior.ior != 1.0 || interior.dispersion != 1.0),
