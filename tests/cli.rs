@@ -295,3 +295,17 @@ fn devices_are_written_to_and_full_disks_are_told() {
     assert_eq!(output.status.code(), Some(5));
     assert!(String::from_utf8_lossy(&output.stderr).contains("E0004"));
 }
+
+#[test]
+fn fonts_of_the_system_are_found_by_their_families() {
+    let place = Place::new();
+    std::fs::create_dir_all(place.path().join("fonts/deep")).unwrap();
+    std::fs::copy("scenes/gallery/Roboto-Regular.ttf", place.path().join("fonts/deep/some.ttf")).unwrap();
+    for (name, is_told) in [("roboto", false), ("Roboto Medium Italic", false), ("Roboto Slab", true)] {
+        let text = format!("text {{ ttf \"{name}\" \"a\" 1, 0 pigment {{ rgb 1 }} }}");
+        std::fs::write(place.path().join("text.scene"), text).unwrap();
+        let output = place.command("check text.scene").env("DURER_FONTS", "fonts").output().unwrap();
+        assert_eq!(output.status.code(), Some(0));
+        assert_eq!(String::from_utf8_lossy(&output.stderr).contains("W0211"), is_told, "{name}");
+    }
+}

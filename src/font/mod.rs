@@ -2,20 +2,23 @@
 //!
 //! Lengths are in units of the font's size: an em is 1.
 
+mod installed;
 #[cfg(test)]
 mod tests;
+
+pub use installed::{Place, of_family};
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::math::DVec2;
 use crate::source::{ReadError, Span, read_bytes};
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// A font file.
 pub struct Font {
     /// Where it is; the font that durer brings along has but a name.
-    pub path: PathBuf,
+    pub place: Place,
     data: Cow<'static, [u8]>,
 }
 
@@ -42,10 +45,11 @@ impl Font {
     ///
     /// # Errors
     /// E0002 where it is not there, E0003 where it can't be read, E0236 where it is no font.
-    pub fn read(path: &Path) -> Result<Self> {
+    pub fn read(place: &Place) -> Result<Self> {
+        let path = &place.path;
         let data = read_bytes(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
-        match Face::parse(&data, 0) {
-            Ok(_) => Ok(Self { path: path.into(), data: data.into() }),
+        match Face::parse(&data, place.number) {
+            Ok(_) => Ok(Self { place: place.clone(), data: data.into() }),
             Err(fault) => {
                 let message = format!("`{}` is no font that can be read: {fault}", path.display());
                 Diagnostic::err(codes::BAD_DATA, Span::NONE, message)
@@ -55,11 +59,14 @@ impl Font {
 
     /// The font that durer brings along for machines that have none: Latin, Greek and Cyrillic letters of Roboto.
     pub fn own() -> Self {
-        Self { path: "Roboto-Regular.ttf".into(), data: Cow::Borrowed(include_bytes!("Roboto-Regular.ttf")) }
+        Self {
+            place: PathBuf::from("Roboto-Regular.ttf").into(),
+            data: Cow::Borrowed(include_bytes!("Roboto-Regular.ttf")),
+        }
     }
 
     fn face(&self) -> Option<Face<'_>> {
-        Face::parse(&self.data, 0).ok()
+        Face::parse(&self.data, self.place.number).ok()
     }
 
     /// Sets a line of text: the left edge of its first letter is at 0, and kerning pairs come closer. Letters that are made of others

@@ -22,7 +22,7 @@ mod timing;
 mod top;
 
 use crate::diagnostic::{Diagnostic, Label, Severity, codes};
-use crate::font::Font;
+use crate::font::{self, Font};
 use crate::image_io::Picture;
 use crate::scene::{Defaults, Scene};
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
@@ -168,7 +168,9 @@ pub(crate) struct Interpreter<'a> {
     /// What files of meshes became.
     meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
     /// Fonts that were read.
-    fonts: FxHashMap<PathBuf, Arc<Font>>,
+    fonts: FxHashMap<font::Place, Arc<Font>>,
+    /// What was found of families of fonts.
+    families: FxHashMap<String, Option<font::Place>>,
     /// Files by the numbers in [`Slot::File`].
     files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
@@ -245,6 +247,7 @@ impl<'a> Interpreter<'a> {
             meshes: FxHashMap::default(),
             list_places: RefCell::default(),
             fonts: FxHashMap::default(),
+            families: FxHashMap::default(),
             files: vec![],
             written: 0,
             frames: vec![],

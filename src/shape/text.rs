@@ -137,7 +137,7 @@ impl Readable for Text {
             Param {
                 name: "ttf \"font.ttf\"",
                 kind: Kind::Text,
-                summary: "a TrueType or OpenType font; `internal` and a number takes one of POV-Ray's",
+                summary: "a TrueType or OpenType font, or the name of an installed family; `internal` and a number takes one of POV-Ray's",
             },
             Param { name: "string", kind: Kind::Text, summary: "what is written" },
             Param { name: "depth", kind: Kind::Float, summary: "how far the letters reach along z" },
@@ -166,7 +166,7 @@ impl Readable for Text {
         let span = r.span();
         let (depth, offset) = (r.float()?, r.vector()?);
         finite(span, &[offset], &[depth])?;
-        let file = font.path.clone();
+        let file = font.place.path.clone();
         let tilt = Box::new(Transform::rotate(DVec3::splat(TILT)));
         let mut text = Self { font: name, file, string, depth, letters: vec![], tilt, bounds: Aabb::EMPTY };
         let mut known = FxHashMap::default();

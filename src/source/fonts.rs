@@ -83,12 +83,17 @@ fn plain(name: &str) -> String {
     stem.chars().filter(|c| c.is_ascii_alphabetic()).map(|c| c.to_ascii_lowercase()).collect()
 }
 
+/// All files of fonts in these folders and below them, in an order of their own.
+pub fn files(folders: &[PathBuf]) -> Vec<PathBuf> {
+    let mut files = vec![];
+    folders.iter().for_each(|folder| collect(folder, MAX_DEPTH, &mut files));
+    files
+}
+
 /// The font in these folders and below them that is most like the one of this name; the same one wherever the same files
 /// lie. `may_read` says which files count.
 pub fn similar(name: &str, folders: &[PathBuf], may_read: impl Fn(&Path) -> bool) -> Option<PathBuf> {
-    let mut files = vec![];
-    folders.iter().for_each(|folder| collect(folder, MAX_DEPTH, &mut files));
-    let wanted = Style::of(name);
+    let (mut files, wanted) = (files(folders), Style::of(name));
     files.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));
     files.into_iter().find(|file| may_read(file))
 }

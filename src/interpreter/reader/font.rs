@@ -1,29 +1,46 @@
 //! Fonts that a scene names.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::font::Font;
+use crate::font::{self, Font, Place};
 use crate::interpreter::Interpreter;
 use crate::source::{Span, fonts};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Names with these are names of files.
+const ENDINGS: &[&str] = &[".ttf", ".otf", ".ttc"];
+
 impl Interpreter<'_> {
-    /// See [`crate::value::Reader::font`]. A name without ending means ttf.
+    /// See [`crate::value::Reader::font`]. A name without ending means ttf, or else a family of the system's fonts.
     pub(super) fn font_named(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
-        let path = match self.find_read_file(&full, at)? {
-            Some(path) => path,
-            None => match self.stand_in(name, &full, at) {
-                Some(path) => path,
+        let place = match self.find_read_file(&full, at)? {
+            Some(path) => path.into(),
+            None => match self.installed(name).or_else(|| self.stand_in(name, &full, at).map(Place::from)) {
+                Some(place) => place,
                 None => return Ok(Arc::new(Font::own())),
             },
         };
-        if let Some(font) = self.fonts.get(&path) {
+        if let Some(font) = self.fonts.get(&place) {
             return Ok(font.clone());
         }
-        let font = Arc::new(Font::read(&path).map_err(|fault| fault.at(at))?);
-        self.fonts.insert(path, font.clone());
+        let font = Arc::new(Font::read(&place).map_err(|fault| fault.at(at))?);
+        self.fonts.insert(place, font.clone());
         Ok(font)
+    }
+
+    /// A font of the system by its family: an addition of durer's.
+    fn installed(&mut self, name: &str) -> Option<Place> {
+        if ENDINGS.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending)) {
+            return None;
+        }
+        if let Some(known) = self.families.get(name) {
+            return known.clone();
+        }
+        let files = fonts::files(&self.options.search.fonts);
+        let found = font::of_family(name, &files, |path| self.options.sandbox.may_read(path));
+        self.families.insert(name.to_string(), found.clone());
+        found
     }
 
     /// A font of the system: the one of this name, or one that looks like it, which is told.

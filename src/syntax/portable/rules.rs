@@ -53,6 +53,7 @@ impl Walk<'_> {
             class::DECLARE => self.declaration(at),
             class::NAME => self.name(at),
             class::KEYWORD | class::HEAD if self.text.word(at) == "array" => self.array_without_size(at),
+            class::STRING if at > 0 && self.text.word(at - 1) == "ttf" => self.font(at),
             class::KEYWORD => self.addition(at),
             _ => {}
         }
@@ -287,6 +288,14 @@ impl Walk<'_> {
                 _ => "`plane { <A, B, C>, distance }` is what both know",
             };
             self.tell(at, format!("`{name}` of `{block}` is a word that only durer knows"), help);
+        }
+    }
+
+    /// A font by its family: a file's name has no blanks, mostly, or an ending.
+    fn font(&mut self, at: usize) {
+        if self.text.word(at).contains(' ') && !self.text.word(at).contains('.') {
+            let help = "`ttf \"file.ttf\"` is what both know";
+            self.tell(at, "a font by the name of its family is something that only durer knows".into(), help);
         }
     }
 }

@@ -1,0 +1,129 @@
+//! Fonts by the names that they have themselves: `DejaVu Sans Bold`.
+
+use fontdb::{Database, FaceInfo, Family, Query, Source, Stretch, Style, Weight};
+use std::path::{Path, PathBuf};
+
+/// A font in a file, which may hold several.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Place {
+    /// The file.
+    pub path: PathBuf,
+    /// Which of the fonts in it, from 0 on.
+    pub number: u32,
+}
+
+impl From<PathBuf> for Place {
+    fn from(path: PathBuf) -> Self {
+        Self { path, number: 0 }
+    }
+}
+
+/// How the letters of a family are to look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Looks {
+    weight: Weight,
+    style: Style,
+    stretch: Stretch,
+}
+
+const PLAIN: Looks = Looks { weight: Weight::NORMAL, style: Style::Normal, stretch: Stretch::Normal };
+
+/// Words behind a family's name.
+const WEIGHTS: &[(&str, Weight)] = &[
+    ("thin", Weight::THIN),
+    ("extralight", Weight::EXTRA_LIGHT),
+    ("light", Weight::LIGHT),
+    ("regular", Weight::NORMAL),
+    ("book", Weight::NORMAL),
+    ("medium", Weight::MEDIUM),
+    ("semibold", Weight::SEMIBOLD),
+    ("demibold", Weight::SEMIBOLD),
+    ("bold", Weight::BOLD),
+    ("extrabold", Weight::EXTRA_BOLD),
+    ("black", Weight::BLACK),
+    ("heavy", Weight::BLACK),
+];
+const STYLES: &[(&str, Style)] = &[("italic", Style::Italic), ("oblique", Style::Oblique)];
+const STRETCHES: &[(&str, Stretch)] =
+    &[("condensed", Stretch::Condensed), ("narrow", Stretch::Condensed), ("expanded", Stretch::Expanded)];
+
+/// The font of a family in these files, and of those the one that looks as the words behind the family's name say.
+pub fn of_family(name: &str, files: &[PathBuf], may_read: impl Fn(&Path) -> bool) -> Option<Place> {
+    let mut fonts = Database::new();
+    for file in files.iter().filter(|file| may_read(file)) {
+        // (What is no font is none of its family.)
+        let _ = fonts.load_font_file(file);
+    }
+    let words: Vec<&str> = name.split_whitespace().collect();
+    // The longest family: that of `Arial Black` is not `Arial`.
+    let (family, looks) = (1..=words.len()).rev().find_map(|count| {
+        let looks = looks_of(&words[count..])?;
+        let family = words[..count].join(" ");
+        let found = fonts.faces().find_map(|face| own_name(face, &family))?;
+        Some((found.to_string(), looks))
+    })?;
+    let Looks { weight, style, stretch } = looks;
+    let id = fonts.query(&Query { families: &[Family::Name(&family)], weight, stretch, style })?;
+    let face = fonts.face(id)?;
+    match &face.source {
+        Source::File(path) | Source::SharedFile(path, _) => Some(Place { path: path.clone(), number: face.index }),
+        Source::Binary(_) => None,
+    }
+}
+
+/// The name of a font's family, if it is this one in any language.
+fn own_name<'f>(face: &'f FaceInfo, family: &str) -> Option<&'f str> {
+    face.families.iter().map(|(name, _)| &**name).find(|name| name.to_lowercase() == family.to_lowercase())
+}
+
+fn looks_of(words: &[&str]) -> Option<Looks> {
+    words.iter().try_fold(PLAIN, |looks, word| {
+        let word = word.to_lowercase();
+        if let Some(&(_, weight)) = WEIGHTS.iter().find(|(name, _)| *name == word) {
+            return Some(Looks { weight, ..looks });
+        }
+        if let Some(&(_, style)) = STYLES.iter().find(|(name, _)| *name == word) {
+            return Some(Looks { style, ..looks });
+        }
+        STRETCHES.iter().find(|(name, _)| *name == word).map(|&(_, stretch)| Looks { stretch, ..looks })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The font that durer brings along, in a file.
+    fn roboto() -> (tempfile::TempDir, Vec<PathBuf>) {
+        let folder = tempfile::tempdir().unwrap();
+        let [font, none] = ["a.ttf", "b.ttf"].map(|name| folder.path().join(name));
+        std::fs::write(&font, include_bytes!("Roboto-Regular.ttf")).unwrap();
+        std::fs::write(&none, "no font").unwrap();
+        (folder, vec![none, font])
+    }
+
+    #[test]
+    fn families_are_found_in_any_case_and_with_words_for_looks() {
+        let (_folder, files) = roboto();
+        for (name, is_there) in [
+            ("Roboto", true),
+            ("roboto regular", true),
+            // The nearest that there is.
+            ("Roboto Bold Italic", true),
+            ("Roboto Slab", false),
+            ("Bold", false),
+            ("", false),
+        ] {
+            let found = of_family(name, &files, |_| true);
+            assert_eq!(found, is_there.then(|| files[1].clone().into()), "{name}");
+        }
+        assert_eq!(of_family("Roboto", &files, |_| false), None);
+    }
+
+    #[test]
+    fn words_for_looks() {
+        let bold = Looks { weight: Weight::BOLD, style: Style::Oblique, stretch: Stretch::Condensed };
+        assert_eq!(looks_of(&["Condensed", "Bold", "Oblique"]), Some(bold));
+        assert_eq!((looks_of(&[]), looks_of(&["Sans"])), (Some(PLAIN), None));
+    }
+}
