@@ -2,19 +2,21 @@
 
 use fontdb::{Database, FaceInfo, Family, Query, Source, Stretch, Style, Weight};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-/// A font in a file, which may hold several.
+/// Where a font is.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Place {
-    /// The file.
-    pub path: PathBuf,
-    /// Which of the fonts in it, from 0 on.
-    pub number: u32,
+pub enum Place {
+    /// It is the one that durer brings along.
+    Own,
+    /// In a file, of whose fonts it has this number, from 0 on.
+    File(PathBuf, u32),
 }
 
-impl From<PathBuf> for Place {
-    fn from(path: PathBuf) -> Self {
-        Self { path, number: 0 }
+impl Place {
+    /// The first or only font of a file.
+    pub fn first_of(path: PathBuf) -> Self {
+        Self::File(path, 0)
     }
 }
 
@@ -47,13 +49,14 @@ const STYLES: &[(&str, Style)] = &[("italic", Style::Italic), ("oblique", Style:
 const STRETCHES: &[(&str, Stretch)] =
     &[("condensed", Stretch::Condensed), ("narrow", Stretch::Condensed), ("expanded", Stretch::Expanded)];
 
-/// The font of a family in these files, and of those the one that looks as the words behind the family's name say.
+/// The font of a family in these files, or durer's own, and of those the one that looks as the words behind the family's name say.
 pub fn of_family(name: &str, files: &[PathBuf], may_read: impl Fn(&Path) -> bool) -> Option<Place> {
     let mut fonts = Database::new();
     for file in files.iter().filter(|file| may_read(file)) {
         // (What is no font is none of its family.)
         let _ = fonts.load_font_file(file);
     }
+    fonts.load_font_source(Source::Binary(Arc::new(super::OWN)));
     let words: Vec<&str> = name.split_whitespace().collect();
     // The longest family: that of `Arial Black` is not `Arial`.
     let (family, looks) = (1..=words.len()).rev().find_map(|count| {
@@ -66,8 +69,8 @@ pub fn of_family(name: &str, files: &[PathBuf], may_read: impl Fn(&Path) -> bool
     let id = fonts.query(&Query { families: &[Family::Name(&family)], weight, stretch, style })?;
     let face = fonts.face(id)?;
     match &face.source {
-        Source::File(path) | Source::SharedFile(path, _) => Some(Place { path: path.clone(), number: face.index }),
-        Source::Binary(_) => None,
+        Source::File(path) | Source::SharedFile(path, _) => Some(Place::File(path.clone(), face.index)),
+        Source::Binary(_) => Some(Place::Own),
     }
 }
 
@@ -97,7 +100,7 @@ mod tests {
     fn roboto() -> (tempfile::TempDir, Vec<PathBuf>) {
         let folder = tempfile::tempdir().unwrap();
         let [font, none] = ["a.ttf", "b.ttf"].map(|name| folder.path().join(name));
-        std::fs::write(&font, include_bytes!("Roboto-Regular.ttf")).unwrap();
+        std::fs::write(&font, super::super::OWN).unwrap();
         std::fs::write(&none, "no font").unwrap();
         (folder, vec![none, font])
     }
@@ -115,9 +118,9 @@ mod tests {
             ("", false),
         ] {
             let found = of_family(name, &files, |_| true);
-            assert_eq!(found, is_there.then(|| files[1].clone().into()), "{name}");
+            assert_eq!(found, is_there.then(|| Place::first_of(files[1].clone())), "{name}");
         }
-        assert_eq!(of_family("Roboto", &files, |_| false), None);
+        assert_eq!(of_family("Roboto", &files, |_| false), Some(Place::Own));
     }
 
     #[test]

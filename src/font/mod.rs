@@ -12,15 +12,18 @@ use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::math::DVec2;
 use crate::source::{ReadError, Span, read_bytes};
 use std::borrow::Cow;
-use std::path::PathBuf;
+use std::path::Path;
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// A font file.
 pub struct Font {
-    /// Where it is; the font that durer brings along has but a name.
-    pub place: Place,
+    /// Where it is.
+    place: Place,
     data: Cow<'static, [u8]>,
 }
+
+/// Roboto (Apache-2.0).
+const OWN: &[u8] = include_bytes!("Roboto-Regular.ttf");
 
 /// A letter where it stands on its line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,9 +49,9 @@ impl Font {
     /// # Errors
     /// E0002 where it is not there, E0003 where it can't be read, E0236 where it is no font.
     pub fn read(place: &Place) -> Result<Self> {
-        let path = &place.path;
+        let Place::File(path, number) = place else { return Ok(Self::own()) };
         let data = read_bytes(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
-        match Face::parse(&data, place.number) {
+        match Face::parse(&data, *number) {
             Ok(_) => Ok(Self { place: place.clone(), data: data.into() }),
             Err(fault) => {
                 let message = format!("`{}` is no font that can be read: {fault}", path.display());
@@ -59,14 +62,17 @@ impl Font {
 
     /// The font that durer brings along for machines that have none: Latin, Greek and Cyrillic letters of Roboto.
     pub fn own() -> Self {
-        Self {
-            place: PathBuf::from("Roboto-Regular.ttf").into(),
-            data: Cow::Borrowed(include_bytes!("Roboto-Regular.ttf")),
-        }
+        Self { place: Place::Own, data: Cow::Borrowed(OWN) }
+    }
+
+    /// Its file; that of durer's own has but a name.
+    pub fn path(&self) -> &Path {
+        if let Place::File(path, _) = &self.place { path } else { Path::new("Roboto-Regular.ttf") }
     }
 
     fn face(&self) -> Option<Face<'_>> {
-        Face::parse(&self.data, self.place.number).ok()
+        let number = if let Place::File(_, number) = self.place { number } else { 0 };
+        Face::parse(&self.data, number).ok()
     }
 
     /// Sets a line of text: the left edge of its first letter is at 0, and kerning pairs come closer. Letters that are made of others

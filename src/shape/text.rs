@@ -166,7 +166,7 @@ impl Readable for Text {
         let span = r.span();
         let (depth, offset) = (r.float()?, r.vector()?);
         finite(span, &[offset], &[depth])?;
-        let file = font.place.path.clone();
+        let file = font.path().to_path_buf();
         let tilt = Box::new(Transform::rotate(DVec3::splat(TILT)));
         let mut text = Self { font: name, file, string, depth, letters: vec![], tilt, bounds: Aabb::EMPTY };
         let mut known = FxHashMap::default();

@@ -15,8 +15,8 @@ impl Interpreter<'_> {
     pub(super) fn font_named(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {
-            Some(path) => path.into(),
-            None => match self.installed(name).or_else(|| self.stand_in(name, &full, at).map(Place::from)) {
+            Some(path) => Place::first_of(path),
+            None => match self.installed(name).or_else(|| self.stand_in(name, &full, at).map(Place::first_of)) {
                 Some(place) => place,
                 None => return Ok(Arc::new(Font::own())),
             },
