@@ -5,6 +5,7 @@
 mod common;
 
 use common::*;
+use durer::atmosphere::Background;
 use durer::color::Gamma;
 use durer::color::{Color, Rgb};
 use durer::math::DVec3;
@@ -325,7 +326,7 @@ fn alpha() {
     assert_near(look_with(&empty, |o| o.alpha = true), [0.0; 4]);
     assert_near(look_with(&empty, |_| {}), [0.0, 0.0, 0.0, 1.0]);
     let mut half = empty;
-    half.background = Some(rgbft([0.4, 0.4, 0.4, 0.0, 0.25]));
+    half.background = Some(Background { color: rgbft([0.4, 0.4, 0.4, 0.0, 0.25]), by_picture: false });
     assert_near(look_with(&half, |_| {}), [0.3, 0.3, 0.3, 1.0]);
 }
 

@@ -5,6 +5,7 @@
 mod common;
 
 use common::*;
+use durer::atmosphere::Background;
 use durer::color::{Color, Rgb};
 use durer::diagnostic::codes;
 use durer::math::{DVec3, Transform};
@@ -223,7 +224,12 @@ fn busy() -> Scene {
     let lamps = [lamp(v(6.0, 9.0, -8.0), 0.8), lamp(v(-9.0, 5.0, -3.0), 0.3)];
     let camera = PovrayCamera { location: v(0.0, 3.0, -9.0), look_at: Some(Y), ..PovrayCamera::default() };
     let objects = [floor].into_iter().chain(balls).chain(lamps).collect();
-    Scene { camera: Camera::Povray(camera), background: Some(rgb(0.3, 0.4, 0.6)), objects, ..Scene::default() }
+    Scene {
+        camera: Camera::Povray(camera),
+        background: Some(Background { color: rgb(0.3, 0.4, 0.6), by_picture: false }),
+        objects,
+        ..Scene::default()
+    }
 }
 
 /// The same with balls that let light pass in part, whose groups do not: what pixels show depends on those before (`render/memory.rs`).

@@ -1,9 +1,11 @@
-//! What lies between the surfaces and behind them: `fog`, `rainbow`, `sky_sphere` (manual, "Atmospheric Effects").
+//! What lies between the surfaces and behind them: `fog`, `rainbow`, `sky_sphere`, `background` (manual, "Atmospheric Effects").
 
+mod background;
 mod fog;
 mod rainbow;
 mod sky_sphere;
 
+pub use background::{Background, Beholder};
 pub use fog::{FOG, Fog, veil_of as fogs};
 pub use rainbow::{RAINBOW, Rainbow, veil_of as rainbows};
 pub use sky_sphere::{SKY_SPHERE, SkySphere};

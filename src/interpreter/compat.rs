@@ -39,6 +39,12 @@ pub fn has_sky_by_share(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
+/// Is a background there or not as the picture keeps alpha or not, whatever it lets pass? By the version in force where it stands (measured
+/// on POV-Ray 3.7).
+pub fn has_background_by_picture(version: Option<u32>) -> bool {
+    version.is_none_or(|version| version < 370)
+}
+
 /// How numbers relate to light in a scene without `assumed_gamma`, by the version in force at its end: measured on
 /// POV-Ray 3.7, which leaves scenes of older versions, and of none, without any conversion.
 pub fn gamma_without_setting(version: Option<u32>) -> Gamma {

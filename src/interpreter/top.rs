@@ -2,7 +2,7 @@
 
 use super::stream::Token;
 use super::{Interpreter, compat, hints};
-use crate::atmosphere::{Fog, Rainbow, SkySphere};
+use crate::atmosphere::{Background, Fog, Rainbow, SkySphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{Object, is_object, read_camera};
@@ -105,7 +105,9 @@ impl Interpreter<'_> {
                 let at = self.span();
                 let color = self.color()?;
                 tell_bytes(self, at, &color);
-                self.scene.background = Some(color);
+                let version = self.version_stated.then_some(self.language.version);
+                let by_picture = compat::has_background_by_picture(version);
+                self.scene.background = Some(Background { color, by_picture });
             }
             "sky_sphere" => {
                 let defaults = self.defaults.clone();

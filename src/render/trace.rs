@@ -6,7 +6,7 @@ use super::random::Random;
 use super::refract::{Interface, Interiors, copied, reflect};
 use super::shading_point::{Coat, ShadingPoint};
 use super::{Options, Rays, Watch};
-use crate::atmosphere::Veil;
+use crate::atmosphere::{Beholder, Veil};
 use crate::camera::{Lens, View};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec2, DVec3, Range, Ray};
@@ -393,13 +393,18 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// What lies behind everything; mirrors see it opaque when the picture keeps alpha.
+    /// What lies behind everything.
     fn sky(&self, path: &Path) -> Veil {
         let Setup { world, quality, alpha, .. } = self.setup;
         if *alpha && !path.mirrored && world.sky.leaves_alpha() {
             return Veil::NONE;
         }
-        world.sky.toward(path.ray.dir, !quality.real, world.noise, world.waves)
+        let beholder = match alpha {
+            true if path.mirrored => Beholder::Mirror,
+            true => Beholder::Alpha,
+            false => Beholder::Opaque,
+        };
+        world.sky.toward(path.ray.dir, beholder, !quality.real, world.noise, world.waves)
     }
 
     /// Does the ray go on behind a coat of the border of `own`, and where to? It must count enough by its largest

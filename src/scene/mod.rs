@@ -16,9 +16,8 @@ pub use settings::Settings;
 pub use surface::{Painted, read_layers, read_material};
 pub use weight::Weight;
 
-use crate::atmosphere::{Fog, Rainbow, SkySphere};
+use crate::atmosphere::{Background, Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
-use crate::color::Color;
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::RawItem;
@@ -39,7 +38,7 @@ pub struct Scene {
     #[serde(skip)]
     pub cameras: Vec<Span>,
     /// What rays see that hit nothing.
-    pub background: Option<Color>,
+    pub background: Option<Background>,
     /// The sky; the last one counts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sky_sphere: Option<SkySphere>,

@@ -1,7 +1,7 @@
 //! What lies behind everything: asked by direction.
 
 use super::LayerColor;
-use crate::atmosphere::{SkySphere, Veil};
+use crate::atmosphere::{Background, Beholder, SkySphere, Veil};
 use crate::color::{Color, Rgb};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
@@ -12,8 +12,8 @@ use serde::Serialize;
 /// Sky and background.
 #[derive(Clone, Debug, Serialize)]
 pub struct Sky {
-    /// Behind the sky sphere; `transmit` is how much shows of what is behind the picture.
-    pub background: Color,
+    /// Behind the sky sphere.
+    background: Background,
     /// From the lowest to the topmost.
     layers: Vec<SkyLayer>,
     /// Factor of the light of all layers.
@@ -36,7 +36,7 @@ struct SkyLayer {
 impl Sky {
     /// Lowers the sky of a scene.
     pub(super) fn new(scene: &Scene) -> Self {
-        let background = scene.background.unwrap_or(Color { transmit: 1.0, ..Color::BLACK });
+        let background = scene.background.unwrap_or(Background::NONE);
         let none = SkySphere::default();
         let SkySphere { pigments, emission, transform } = scene.sky_sphere.as_ref().unwrap_or(&none);
         let layers = pigments.iter().map(|pigment| SkyLayer {
@@ -53,10 +53,8 @@ impl Sky {
     }
 
     /// Its light from a direction of length 1, and what passes of what is behind the picture.
-    pub fn toward(&self, dir: DVec3, quick: bool, noise: NoiseGenerator, waves: usize) -> Veil {
-        let Color { rgb, transmit, .. } = self.background;
-        // (What a background filters is of its own colour, which is not behind the picture.)
-        let behind = Veil { adds: rgb * (1.0 - transmit), passes: Rgb::splat(transmit) + self.background.filter * rgb };
+    pub fn toward(&self, dir: DVec3, beholder: Beholder, quick: bool, noise: NoiseGenerator, waves: usize) -> Veil {
+        let behind = self.background.seen_by(beholder);
         if self.layers.is_empty() {
             return behind;
         }
@@ -103,12 +101,12 @@ mod tests {
         let color = |rgb, filter| Color { rgb: Rgb::from_array(rgb), filter, transmit: 0.2 };
         let pigments = vec![Pigment::solid(color([0.3, 0.6, 0.9], 0.3)), Pigment::solid(color([0.5, 1.0, 0.2], 0.5))];
         let mut scene = Scene {
-            background: Some(Color::opaque(Rgb::new(1.0, 0.8, 0.6))),
+            background: Some(Background { color: Color::opaque(Rgb::new(1.0, 0.8, 0.6)), by_picture: false }),
             sky_sphere: Some(SkySphere { pigments, ..SkySphere::default() }),
             ..Scene::default()
         };
         scene.settings.sky_by_share = by_share;
-        Sky::new(&scene).toward(DVec3::Y, false, NoiseGenerator::default(), 10).adds
+        Sky::new(&scene).toward(DVec3::Y, Beholder::Opaque, false, NoiseGenerator::default(), 10).adds
     }
 
     #[test]
