@@ -73,7 +73,6 @@ CAUSES = {
     "portfolio/allpat1iso@6": "an isosurface of a function that jumps (`checker`): where POV-Ray's search ends at a jump, its differences across it "
     "point elsewhere, and some sides are dark.",
     "advanced/isocacti": "sand of granite bumps finer than a pixel, of which POV-Ray's hits lie up to `accuracy` behind the surface. Not proved.",
-    "advanced/glasschess/glasschess": "474 pixels, in glass: not looked at closer yet.",
     "advanced/blocks/stackergold": "589 pixels: not looked at closer yet.",
     "language/trace2": "blades of grass a pixel wide stand where `trace` meets an isosurface: not looked at closer yet.",
     "advanced/pawns": "the tops of the squares lie in the plane of the board's (W0411), and POV-Ray shows the one that its hierarchy of "
