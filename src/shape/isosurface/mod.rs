@@ -11,6 +11,7 @@
 
 mod cells;
 mod search;
+mod walk;
 
 use super::formula::{self, Container, Formula};
 use super::{Hit, Hits, Kernel, Paints, Readable, finite};
@@ -24,12 +25,15 @@ use cells::Cells;
 use search::Search;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
+use walk::Walk;
 
 const SURFACE: u32 = 0;
 const FACE: u32 = 1;
 /// Parts of a cell's diagonal beyond which `accuracy` is not obeyed: where the gradient is known, and where it is not.
 const FINEST: f64 = 1e-7;
 const COARSEST: f64 = 1e-3;
+/// A ray that enters its container nearer than this begins in it (measured on POV-Ray 3.7).
+const BEGINS: f64 = 1e-6;
 /// Points along each side of the container where the gradient is looked at.
 const POINTS: usize = 12;
 /// How much longer the gradient must be than was said before that is told.
@@ -46,7 +50,7 @@ pub struct Isosurface {
     pub container: Container,
     /// Whether it has no faces where it reaches out of that.
     pub open: bool,
-    /// The length of the steps by which normals are found; details smaller than this may be lost.
+    /// How far behind the surface hits may lie, and the length of the steps by which normals are found.
     pub accuracy: f64,
     /// The longest gradient, where nothing is known of the function.
     pub max_gradient: f64,
@@ -105,19 +109,30 @@ impl Isosurface {
         let mut tell = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on(t + enter, part));
         let value = |t: f64| self.value(near.at(t));
         let to = leave - enter;
-        let within = Range { min: range.min - enter, max: range.max - enter };
-        let mut known = None;
-        if range.min <= enter && !self.open {
-            let first = value(0.0);
-            if first < 0.0 && tell(0.0, FACE) {
-                return;
-            }
-            known = Some((0.0, first));
-        }
-        if self.pass(&near, to, within, known, &mut |t| tell(t, SURFACE)) {
+        // Where the ray begins.
+        let origin = -enter;
+        let first = value(0.0);
+        if range.min <= enter && !self.open && first < 0.0 && tell(0.0, FACE) {
             return;
         }
-        if !self.open && leave < range.max && value(to) < 0.0 {
+        let mut walk = if enter <= BEGINS {
+            Walk::within(&value, origin, to, self.accuracy, self.max_gradient)
+        } else {
+            Walk::entering(&value, self.open, to, self.accuracy)
+        };
+        let from = walk.as_ref().map_or(f64::INFINITY, Walk::from);
+        let within = Range { min: from.min(range.min - enter), max: range.max - enter };
+        // What lies behind the ray is told as it is.
+        let mut tell_root = |t: f64| match &mut walk {
+            _ if t <= origin => tell(t, SURFACE),
+            Some(walk) => walk.hit(t).is_some_and(|t| tell(t, SURFACE)),
+            None => false,
+        };
+        if self.pass(&near, to, within, Some((0.0, first)), &mut tell_root) {
+            return;
+        }
+        let leaves = walk.is_some() || to <= origin;
+        if !self.open && leave < range.max && leaves && value(to) < 0.0 {
             tell(to, FACE);
         }
     }
@@ -138,7 +153,7 @@ impl Isosurface {
         let unknown = self.max_gradient * length;
         let unknown = Interval { lo: -unknown, hi: unknown };
         // Steps of what is unknown are as many as it is steep.
-        let apart = |exact: f64, least: f64| exact.max(cells.side() * least) / length;
+        let apart = |exact: f64, least: f64| exact.max(cells.side() * least / length);
         let (fine, coarse) = (apart(0.25 * self.accuracy, FINEST), apart(self.accuracy, COARSEST));
         let exact = 1e-10 * cells.side() / length;
         let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64| {
