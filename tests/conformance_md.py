@@ -77,7 +77,6 @@ CAUSES = {
     "pixel differs (1874 with both). POV-Ray's own picture changes in 1020 pixels when the camera moves by 1e-6. Two boxes are enough: "
     "`box { <-3, -2, -3>, <3, 0, 3> }` and `box { <-8, -0.5, -8>, <8, 0, 8> }` share the place in a grain of 723 pixels; with one height "
     "it is always the first.",
-    "language/fileio/fileio": "letters a pixel wide, and the edges of the checkered wall: not looked at closer yet.",
     "objects/quartic/lemnisc2": "POV-Ray's own picture has speckles along a line, where its solver misses roots; durer's has none.",
     "language/tracevines": "each step of the vines is a `trace` from where the last one ended. The first answers differ by 3e-15, and the "
     "difference grows tenfold with every 1000 answers, until another place is chosen. POV-Ray's own picture changes as much (828 "
