@@ -13,7 +13,7 @@ use crate::math::DVec2;
 use crate::source::{ReadError, Span, read_bytes};
 use std::borrow::Cow;
 use std::path::Path;
-use ttf_parser::{Face, GlyphId, OutlineBuilder};
+use ttf_parser::{Face, GlyphId, OutlineBuilder, kern};
 
 /// A font file.
 pub struct Font {
@@ -89,7 +89,7 @@ impl Font {
             let right = if is_composite(&face, glyph) { bearing(&glyph) } else { 0.0 };
             line.push(Set { glyph: glyph.0, x: (x + right) / em });
             x += face.glyph_hor_advance(glyph).map_or(0.0, f64::from);
-            x += glyphs.get(i + 1).map_or(0.0, |next| kerning(&face, glyph, *next));
+            x += glyphs.get(i + 1).map_or(0.0, |next| kerning(face.tables().kern, glyph, *next));
         }
         line
     }
@@ -125,11 +125,17 @@ fn is_composite(face: &Face, glyph: GlyphId) -> bool {
     start.and_then(|start| glyf.get(start)).is_some_and(|first| first & 0x80 != 0)
 }
 
-/// How much closer two letters stand (`kern` table), in font units.
-fn kerning(face: &Face, left: GlyphId, right: GlyphId) -> f64 {
-    let tables = face.tables().kern.into_iter().flat_map(|kern| kern.subtables);
-    let mut pairs = tables.filter(|table| table.horizontal && !table.variable && !table.has_state_machine);
-    pairs.find_map(|table| table.glyphs_kerning(left, right)).map_or(0.0, f64::from)
+/// How much closer two letters stand (`kern` table), in font units. Pairs need not be sorted, though they should: POV-Ray 3.7 finds all of
+/// its own font's, whose are not.
+fn kerning(kern: Option<kern::Table>, left: GlyphId, right: GlyphId) -> f64 {
+    let tables = kern.into_iter().flat_map(|kern| kern.subtables);
+    let mut tables = tables.filter(|table| table.horizontal && !table.variable && !table.has_state_machine);
+    let both = u32::from(left.0) << 16 | u32::from(right.0);
+    let value = |table: kern::Subtable| match table.format {
+        kern::Format::Format0(list) => list.pairs.into_iter().find(|pair| pair.pair == both).map(|pair| pair.value),
+        _ => table.glyphs_kerning(left, right),
+    };
+    tables.find_map(value).map_or(0.0, f64::from)
 }
 
 /// Draws outlines.

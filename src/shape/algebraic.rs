@@ -297,6 +297,10 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
         HUGE
     }
 
+    fn keeps_bound(&self) -> bool {
+        true
+    }
+
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.search(ray, range, &mut |t| {
             out.push(Hit::at(t));

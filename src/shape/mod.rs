@@ -338,6 +338,11 @@ pub trait Kernel {
         false
     }
 
+    /// By itself, is its bound obeyed as it is, and not just the box around that (measured on POV-Ray 3.7)?
+    fn keeps_bound(&self) -> bool {
+        false
+    }
+
     /// Does it depend on the steps by which it was moved what it is?
     fn remembers_moves(&self) -> bool {
         false
@@ -408,6 +413,7 @@ macro_rules! shapes {
             fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
             fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
             fn is_never_bounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_bounded()),* } }
+            fn keeps_bound(&self) -> bool { match self { $(Shape::$name(s) => s.keeps_bound()),* } }
             fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
         }
 

@@ -11,6 +11,7 @@
 
 mod cells;
 mod search;
+mod walk;
 
 use super::formula::{self, Container, Formula};
 use super::{Hit, Hits, Kernel, Paints, Readable, finite};
@@ -24,12 +25,15 @@ use cells::Cells;
 use search::Search;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
+use walk::Walk;
 
 const SURFACE: u32 = 0;
 const FACE: u32 = 1;
 /// Parts of a cell's diagonal beyond which `accuracy` is not obeyed: where the gradient is known, and where it is not.
 const FINEST: f64 = 1e-7;
 const COARSEST: f64 = 1e-3;
+/// A ray that enters its container nearer than this begins in it (measured on POV-Ray 3.7).
+const BEGINS: f64 = 1e-6;
 /// Points along each side of the container where the gradient is looked at.
 const POINTS: usize = 12;
 /// How much longer the gradient must be than was said before that is told.
@@ -46,7 +50,7 @@ pub struct Isosurface {
     pub container: Container,
     /// Whether it has no faces where it reaches out of that.
     pub open: bool,
-    /// The length of the steps by which normals are found; details smaller than this may be lost.
+    /// How far behind the surface hits may lie, and the length of the steps by which normals are found.
     pub accuracy: f64,
     /// The longest gradient, where nothing is known of the function.
     pub max_gradient: f64,
@@ -94,9 +98,8 @@ impl Isosurface {
         if value.is_nan() { self.accuracy * self.max_gradient } else { value }
     }
 
-    /// Tells each hit in the range, ascending, until `found` says that it has enough. Who asks only `whether` there is one is told a place
-    /// near it.
-    fn search(&self, ray: &Ray, range: Range, whether: bool, found: &mut dyn FnMut(Hit) -> bool) {
+    /// Tells each hit in the range, ascending, until `found` says that it has enough.
+    fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(Hit) -> bool) {
         let Some((enter, leave)) = self.container.stretch(ray) else { return };
         if !(enter < range.max && leave > range.min) {
             return;
@@ -106,30 +109,41 @@ impl Isosurface {
         let mut tell = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on(t + enter, part));
         let value = |t: f64| self.value(near.at(t));
         let to = leave - enter;
-        let within = Range { min: range.min - enter, max: range.max - enter };
-        let mut known = None;
-        if range.min <= enter && !self.open {
-            let first = value(0.0);
-            if first < 0.0 && tell(0.0, FACE) {
-                return;
-            }
-            known = Some((0.0, first));
-        }
-        if self.pass(&near, to, (within, whether), known, &mut |t| tell(t, SURFACE)) {
+        // Where the ray begins.
+        let origin = -enter;
+        let first = value(0.0);
+        if range.min <= enter && !self.open && first < 0.0 && tell(0.0, FACE) {
             return;
         }
-        if !self.open && leave < range.max && value(to) < 0.0 {
+        let mut walk = if enter <= BEGINS {
+            Walk::within(&value, origin, to, self.accuracy, self.max_gradient)
+        } else {
+            Walk::entering(&value, self.open, to, self.accuracy)
+        };
+        let from = walk.as_ref().map_or(f64::INFINITY, Walk::from);
+        let within = Range { min: from.min(range.min - enter), max: range.max - enter };
+        // What lies behind the ray is told as it is.
+        let mut tell_root = |t: f64| match &mut walk {
+            _ if t <= origin => tell(t, SURFACE),
+            Some(walk) => walk.hit(t).is_some_and(|t| tell(t, SURFACE)),
+            None => false,
+        };
+        if self.pass(&near, (origin, to), within, Some((0.0, first)), &mut tell_root) {
+            return;
+        }
+        let leaves = walk.is_some() || to <= origin;
+        if !self.open && leave < range.max && leaves && value(to) < 0.0 {
             tell(to, FACE);
         }
     }
 
-    /// Passes the cells up to `to` that reach into a range; `known` is a place whose value is known. Pieces begin where cells do, so that
+    /// Passes the cells up to `to`, of a ray that begins at `origin`, that reach into a range; `known` is a place whose value is known. Pieces begin where cells do, so that
     /// hits in them hardly depend on the range.
     fn pass(
         &self,
         near: &Ray,
-        to: f64,
-        (within, whether): (Range, bool),
+        (origin, to): (f64, f64),
+        within: Range,
         mut known: Option<(f64, f64)>,
         found: &mut dyn FnMut(f64) -> bool,
     ) -> bool {
@@ -139,14 +153,15 @@ impl Isosurface {
         let unknown = self.max_gradient * length;
         let unknown = Interval { lo: -unknown, hi: unknown };
         // Steps of what is unknown are as many as it is steep.
-        let apart = |exact: f64, least: f64| exact.max(cells.side() * least) / length;
+        let apart = |exact: f64, least: f64| exact.max(cells.side() * least / length);
         let (fine, coarse) = (apart(0.25 * self.accuracy, FINEST), apart(self.accuracy, COARSEST));
         let exact = 1e-10 * cells.side() / length;
+        let exact = (exact, origin, exact.max(self.accuracy * walk::ROOTS));
         let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64| {
             let first = known.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
             let last = (b, value(b));
             known = Some(last);
-            Search { value, apart, exact, range: within, whether }.between(first, last, rate, found)
+            Search { value, apart, exact, range: within }.between(first, last, rate, found)
         };
         // Cells of which nothing is known are passed as one.
         let mut run: Option<(f64, f64)> = None;
@@ -276,7 +291,7 @@ impl Kernel for Isosurface {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, false, &mut |hit| {
+        self.search(ray, range, &mut |hit| {
             out.push(hit);
             false
         });
@@ -289,7 +304,7 @@ impl Kernel for Isosurface {
         }
         let mut seen = 0;
         let counted = Range { min: range.min.min(tolerance::SURFACE), max: range.max };
-        self.search(ray, counted, false, &mut |hit| {
+        self.search(ray, counted, &mut |hit| {
             if range.contains(hit.t) {
                 out.push(hit);
             }
@@ -300,20 +315,11 @@ impl Kernel for Isosurface {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
-        self.search(ray, range, false, &mut |hit| {
+        self.search(ray, range, &mut |hit| {
             first = Some(hit);
             true
         });
         first
-    }
-
-    fn any(&self, ray: &Ray, range: Range) -> bool {
-        let mut is_met = false;
-        self.search(ray, range, true, &mut |_| {
-            is_met = true;
-            true
-        });
-        is_met
     }
 
     fn inside(&self, p: DVec3) -> bool {

@@ -12,12 +12,10 @@ pub struct Search<'a> {
     pub value: &'a dyn Fn(f64) -> f64,
     /// Roots nearer together than this may count as none.
     pub apart: f64,
-    /// Roots are known as well as this.
-    pub exact: f64,
+    /// Roots are known as well as the first of these, and those from here on as well as the last.
+    pub exact: (f64, f64, f64),
     /// Where roots count.
     pub range: Range,
-    /// Is it enough to know that there is a root? Then what is told is a place near it, in the range.
-    pub whether: bool,
 }
 
 impl Search<'_> {
@@ -55,9 +53,7 @@ impl Search<'_> {
         if a.0 < min && is_before(min) || b.0 > max && !is_before(max) {
             return None;
         }
-        Some(match self.whether {
-            true => 0.5 * (a.0.max(min) + b.0.min(max)),
-            false => crossing(self.value, a, b, self.exact),
-        })
+        let (fine, from, coarse) = self.exact;
+        Some(crossing(self.value, a, b, if a.0 < from { fine } else { coarse }))
     }
 }

@@ -51,9 +51,9 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         lowering.default_texture = object.default_texture.clone();
         let before = lowering.mark();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
-            // Of a shape by itself, POV-Ray 3.7 takes but the box.
+            // Of most shapes by themselves, POV-Ray 3.7 takes but the box.
             let mut node = match &object.kind {
-                ObjectKind::Shape(shape) if object.rare.bounded_by.is_some() => {
+                ObjectKind::Shape(shape) if object.rare.bounded_by.is_some() && !shape.keeps_bound() => {
                     solid.node.bounded_by_box(Some(object.extent()).filter(|_| !shape.is_never_bounded()))
                 }
                 _ => solid.node,
