@@ -1,5 +1,6 @@
 //! Fonts by the names that they have themselves: `DejaVu Sans Bold`.
 
+use super::Font;
 use fontdb::{Database, FaceInfo, Family, Query, Source, Stretch, Style, Weight};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -56,7 +57,7 @@ pub fn of_family(name: &str, files: &[PathBuf], may_read: impl Fn(&Path) -> bool
         // (What is no font is none of its family.)
         let _ = fonts.load_font_file(file);
     }
-    fonts.load_font_source(Source::Binary(Arc::new(super::OWN)));
+    fonts.load_font_source(Source::Binary(Arc::new(Font::OWN)));
     let words: Vec<&str> = name.split_whitespace().collect();
     // The longest family: that of `Arial Black` is not `Arial`.
     let (family, looks) = (1..=words.len()).rev().find_map(|count| {
@@ -100,7 +101,7 @@ mod tests {
     fn roboto() -> (tempfile::TempDir, Vec<PathBuf>) {
         let folder = tempfile::tempdir().unwrap();
         let [font, none] = ["a.ttf", "b.ttf"].map(|name| folder.path().join(name));
-        std::fs::write(&font, super::super::OWN).unwrap();
+        std::fs::write(&font, Font::OWN).unwrap();
         std::fs::write(&none, "no font").unwrap();
         (folder, vec![none, font])
     }

@@ -22,9 +22,6 @@ pub struct Font {
     data: Cow<'static, [u8]>,
 }
 
-/// Roboto (Apache-2.0).
-const OWN: &[u8] = include_bytes!("Roboto-Regular.ttf");
-
 /// A letter where it stands on its line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Set {
@@ -44,6 +41,9 @@ pub type Outline = Vec<Curve>;
 const PIECES: u32 = 4;
 
 impl Font {
+    /// Roboto (Apache-2.0).
+    const OWN: &[u8] = include_bytes!("Roboto-Regular.ttf");
+
     /// Reads a file.
     ///
     /// # Errors
@@ -62,7 +62,7 @@ impl Font {
 
     /// The font that durer brings along for machines that have none: Latin, Greek and Cyrillic letters of Roboto.
     pub fn own() -> Self {
-        Self { place: Place::Own, data: Cow::Borrowed(OWN) }
+        Self { place: Place::Own, data: Cow::Borrowed(Self::OWN) }
     }
 
     /// Its file; that of durer's own has but a name.

@@ -1,5 +1,6 @@
 //! Things that are alike are one: a loop reads the same finish a hundred thousand times.
 
+use crate::shape::{Kernel, Shape};
 use crate::texture::{Finish, Normal, Texture};
 use smallvec::SmallVec;
 use std::cell::RefCell;
@@ -14,6 +15,8 @@ pub struct Alike {
     finishes: Recent<Finish>,
     normals: Recent<Normal>,
     textures: Recent<Texture>,
+    /// Those that learn.
+    shapes: RefCell<SmallVec<[Shape; ROOM]>>,
 }
 
 /// The last few of one kind.
@@ -32,18 +35,33 @@ impl Alike {
         }
         join(&self.textures, texture, Texture::is_plainly);
     }
+
+    /// The shape that was read before and is like this one.
+    pub fn of_shape(&self, shape: &Shape) -> Option<Shape> {
+        self.shapes.borrow().iter().find(|other| shape.learns() && *other == shape).cloned()
+    }
+
+    /// Remembers a shape that learns.
+    pub fn remember(&self, shape: &Shape) {
+        if shape.learns() {
+            push(&mut self.shapes.borrow_mut(), shape.clone());
+        }
+    }
+}
+
+/// The last few: the oldest of them is forgotten.
+fn push<T>(recent: &mut SmallVec<[T; ROOM]>, thing: T) {
+    if recent.len() == ROOM {
+        recent.remove(0);
+    }
+    recent.push(thing);
 }
 
 fn join<T>(recent: &Recent<T>, thing: &mut Arc<T>, alike: impl Fn(&T, &T) -> bool) {
     let mut recent = recent.borrow_mut();
     match recent.iter().find(|other| Arc::ptr_eq(other, thing) || alike(other, thing)) {
         Some(other) => *thing = other.clone(),
-        None => {
-            if recent.len() == ROOM {
-                recent.remove(0);
-            }
-            recent.push(thing.clone());
-        }
+        None => push(&mut recent, thing.clone()),
     }
 }
 

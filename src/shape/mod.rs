@@ -347,6 +347,11 @@ pub trait Kernel {
     fn remembers_moves(&self) -> bool {
         false
     }
+
+    /// Does it find out about itself when rays ask, so that shapes that are alike had better be one?
+    fn learns(&self) -> bool {
+        false
+    }
 }
 
 /// A step by which a shape was moved.
@@ -415,6 +420,7 @@ macro_rules! shapes {
             fn is_never_bounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_bounded()),* } }
             fn keeps_bound(&self) -> bool { match self { $(Shape::$name(s) => s.keeps_bound()),* } }
             fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
+            fn learns(&self) -> bool { match self { $(Shape::$name(s) => s.learns()),* } }
         }
 
         impl Shape {

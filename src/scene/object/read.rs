@@ -89,7 +89,14 @@ impl Object {
             shape => shape?,
         };
         if object.read_modifiers(Some(&mut shape), r, defaults)? {
-            shape.finish(source, r)?;
+            let shape = match defaults.alike.of_shape(&shape) {
+                Some(known) => known,
+                None => {
+                    shape.finish(source, r)?;
+                    defaults.alike.remember(&shape);
+                    shape
+                }
+            };
             object.kind = ObjectKind::Shape(shape);
         }
         Ok(object)

@@ -341,6 +341,10 @@ impl Kernel for Isosurface {
     fn uv_mapped(&self) -> bool {
         false
     }
+
+    fn learns(&self) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

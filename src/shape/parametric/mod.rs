@@ -155,6 +155,10 @@ impl Readable for Parametric {
 }
 
 impl Kernel for Parametric {
+    fn learns(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Aabb {
         self.container.bounds()
     }
