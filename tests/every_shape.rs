@@ -454,7 +454,7 @@ fn picture(name: &str, words: &str, size: f64) -> Vec<[f32; 4]> {
         "#version 3.7; global_settings {{ assumed_gamma 1 max_trace_level 4 }}
         camera {{ location <0.7, 1.5, -4>*{size:e} look_at 0 }}
         light_source {{ <3, 5, -4>*{size:e} rgb 1 }}
-        {name} {{ {words} pigment {{ rgb <1, 0.7, 0.3> }} finish {{ specular 0.5 }} scale {size:e} }}
+        {name} {{ {words} pigment {{ rgb <1, 0.7, 0.3> }} finish {{ specular 0.5 }} }}
         box {{ <-3, -1.6, -3>, <3, -1.5, 3> pigment {{ checker rgb 1 rgb 0.2 }} finish {{ reflection 0.4 }} scale {size:e} }}"
     );
     let sources = source::Sources::default();
@@ -468,12 +468,18 @@ fn picture(name: &str, words: &str, size: f64) -> Vec<[f32; 4]> {
 #[test]
 fn scenes_of_all_sizes_are_drawn_alike() {
     for (name, _, writer) in WRITERS {
-        let words = writer(&mut Dice { stream: Stream::new(&[7]), size: 1.0 });
-        let usual = picture(name, &words, 1.0);
+        let written = |size| writer(&mut Dice { stream: Stream::new(&[7]), size });
+        // (`accuracy` is a length in the world, whatever the scale.)
+        let scaled = |size: f64| match *name {
+            "isosurface" => format!("{} accuracy {:e}", written(size), 1e-5 * size),
+            _ => format!("{} scale {size:e}", written(1.0)),
+        };
+        let usual = picture(name, &scaled(1.0), 1.0);
         for size in [1e-6, 1e-5, 1e3, 1e6] {
             if *name == "plane" && size > 1.0 {
                 continue;
             }
+            let words = scaled(size);
             let other = picture(name, &words, size);
             let differ = |(a, b): &(&[f32; 4], &[f32; 4])| a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1.0 / 255.0);
             let count = usual.iter().zip(&other).filter(differ).count();

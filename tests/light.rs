@@ -11,7 +11,7 @@ use durer::color::{Color, Rgb};
 use durer::math::DVec3;
 use durer::render::Options;
 use durer::scene::Scene;
-use durer::texture::{Finish, Pigment, Reflection};
+use durer::texture::{Finish, Interior, Pigment, Reflection};
 
 /// A wall at z = 0, seen straight on.
 fn wall(color: Color, finish: Finish, others: Vec<durer::scene::Object>) -> Scene {
@@ -328,6 +328,23 @@ fn alpha() {
     let mut half = empty;
     half.background = Some(Background { color: rgbft([0.4, 0.4, 0.4, 0.0, 0.25]), by_picture: false });
     assert_near(look_with(&half, |_| {}), [0.3, 0.3, 0.3, 1.0]);
+    // Mirrors see all of it where the picture keeps alpha (measured on POV-Ray 3.7).
+    half.objects = vec![plane(Z, 0.0).painted(rgb(0.0, 0.0, 0.0), mirror(0.5))];
+    assert_near(look_with(&half, |o| o.alpha = true), [0.2, 0.2, 0.2, 1.0]);
+    assert_near(look_with(&half, |_| {}), [0.15, 0.15, 0.15, 1.0]);
+}
+
+#[test]
+fn what_fades_inside_is_less_see_through() {
+    // half of the light at the length of the way through: 1/(1 + (2/2)³) (measured on POV-Ray 3.7: alpha 0.5, and 0.8 before a
+    // background of transmit 0.4)
+    let interior = Interior { fade_distance: 2.0, fade_power: 3.0, ..Interior::default() };
+    let mut glass = sphere(DVec3::ZERO, 1.0).painted(CLEAR, dull());
+    glass.rare.interior = Some(std::sync::Arc::new(interior));
+    let mut scene = scene(-5.0 * Z, Z, vec![glass]);
+    assert_near(look_with(&scene, |o| o.alpha = true), [0.0, 0.0, 0.0, 0.5]);
+    scene.background = Some(Background { color: rgbft([1.0, 0.8, 0.3, 0.0, 0.4]), by_picture: false });
+    assert_near(look_with(&scene, |o| o.alpha = true), [0.375, 0.3, 0.1125, 0.8]);
 }
 
 #[test]

@@ -338,7 +338,8 @@ impl<'w> Tracer<'w> {
                     // What has faded counts as if it had not (measured on 3.7).
                     light: coat.share * fade * coat.pass,
                     weight: coat.pass.abs().max_element(),
-                    passed: coat.share * gray(coat.pass),
+                    // (So measured, as a product of two grays.)
+                    passed: coat.share * gray(coat.pass) * gray(fade),
                 },
                 Onward::Total => {
                     // It takes no more from the light, but the ray counts less (measured on 3.7).
