@@ -1,7 +1,7 @@
 //! `isosurface { function { … } … }`: all points where a function of x, y and z has one value.
 //!
 //! Inside, the function is less than `threshold`. It ends at `contained_by`, a box or a sphere: where the solid reaches out of that, its face
-//! closes it, unless `open` is said. durer bounds the function and its gradient by interval arithmetic, and so needs no `max_gradient`; only
+//! closes it, unless `open` is said. A ray meets it up to `accuracy` behind where it is, as in POV-Ray. durer bounds the function and its gradient by interval arithmetic, and so needs no `max_gradient`; only
 //! for functions that nothing is known of (patterns, pigments, splines, most of those behind `functions.inc`) it searches by that, as
 //! POV-Ray always does, and a value that is too small makes holes.
 //!
@@ -137,8 +137,8 @@ impl Isosurface {
         }
     }
 
-    /// Passes the cells up to `to`, of a ray that begins at `origin`, that reach into a range; `known` is a place whose value is known. Pieces begin where cells do, so that
-    /// hits in them hardly depend on the range.
+    /// Passes the cells up to `to` that reach into a range; the ray begins at `origin`, and `known` is a place whose value is known. Pieces
+    /// begin where cells do, so that roots in them hardly depend on the range.
     fn pass(
         &self,
         near: &Ray,
@@ -236,7 +236,7 @@ impl Readable for Isosurface {
             "accuracy",
             Kind::Float,
             "0.001",
-            "how small details are that may be lost, and how long the steps that find normals",
+            "how far behind the surface it is met, in units of the world, and how long the steps that find normals",
         )
         .sets(|s, r| set(&mut s.accuracy, formula::positive(r, "accuracy", 0.001))),
         word("max_gradient", Kind::Float, "1.1", "how steep the function is, where durer can't know it")

@@ -18,7 +18,7 @@ const DOUBT: f64 = 0.02;
 
 /// A ray's way through a container, behind the last hit.
 pub struct Walk<'a> {
-    /// The function's along the ray.
+    /// The function's value along the ray.
     value: &'a dyn Fn(f64) -> f64,
     accuracy: f64,
     to: f64,
@@ -94,7 +94,8 @@ impl<'a> Walk<'a> {
 
     fn divide(&mut self) {
         self.piece = self.to - self.from;
-        while self.piece >= self.accuracy {
+        // (What has no end is never short enough.)
+        while self.piece.is_finite() && self.piece >= self.accuracy {
             self.piece *= 0.5;
         }
     }
