@@ -30,7 +30,7 @@ use walk::Walk;
 const SURFACE: u32 = 0;
 const FACE: u32 = 1;
 /// Parts of a cell's diagonal beyond which `accuracy` is not obeyed: where the gradient is known, and where it is not.
-const FINEST: f64 = 1e-7;
+const FINEST: f64 = 1e-5;
 const COARSEST: f64 = 1e-3;
 /// A ray that enters its container nearer than this begins in it (measured on POV-Ray 3.7).
 const BEGINS: f64 = 1e-6;
