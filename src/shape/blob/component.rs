@@ -1,0 +1,208 @@
+//! The parts of a blob: balls and rods whose fields end at their radius.
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DQuat, DVec3, Ray, Transform, solve_quadratic};
+use crate::shape::{Kernel, Paints, Sphere, finite};
+use crate::source::Span;
+use crate::value::{Next, Reader};
+use serde::Serialize;
+use smallvec::SmallVec;
+
+/// A ball or a rod.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Component {
+    /// The middle of a ball, or one end of a rod's axis.
+    pub base: DVec3,
+    /// From there to the other end; zero of a ball.
+    pub axis: DVec3,
+    /// How far the field reaches.
+    pub radius: f64,
+    /// In the middle; it may be negative.
+    pub strength: f64,
+    /// The blob's space from its own, if it was moved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub place: Option<Box<Transform>>,
+    /// Its texture (see [`Paints`]).
+    pub slot: u32,
+    /// How many radii wide POV-Ray 3.7 believes it to be (see [`Component::extent`]).
+    #[serde(skip)]
+    widening: f64,
+}
+
+/// What POV-Ray 3.7 takes for the unit cube around a ball (as was measured): a ball stays one while it is moved, rotated and scaled
+/// evenly by words of their own; by any other it becomes the image of its cube, as a rod is from the start, which it turns from z.
+struct Cube {
+    is_ball: bool,
+    /// Where the axes go.
+    columns: [DVec3; 3],
+}
+
+impl Cube {
+    fn around(axis: DVec3) -> Self {
+        let turn = DQuat::from_rotation_arc(DVec3::Z, axis.normalize_or(DVec3::Z));
+        Self { is_ball: axis == DVec3::ZERO, columns: DVec3::AXES.map(|side| turn * side) }
+    }
+
+    fn transform(&mut self, word: Next, step: &Transform) {
+        let scale = step.vector(DVec3::ONE);
+        let even = scale.min_element() == scale.max_element();
+        self.columns = match word {
+            Next::Word("translate" | "rotate") if self.is_ball => return,
+            Next::Word("scale") if self.is_ball && even => self.columns.map(|side| side * scale.x),
+            _ => self.columns.map(|side| step.vector(side)),
+        };
+        self.is_ball &= even && word == Next::Word("scale");
+    }
+
+    /// Along the axis on which it is widest.
+    fn half_width(&self) -> f64 {
+        self.columns.iter().map(|side| side.abs()).sum::<DVec3>().max_element()
+    }
+}
+
+/// What a component adds in a stretch of a ray: s·(1 - (a·t² + b·t + c))².
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretch {
+    pub from: f64,
+    pub to: f64,
+    strength: f64,
+    squared_distance: [f64; 3],
+}
+
+pub(super) type Stretches = SmallVec<[Stretch; 16]>;
+
+impl Component {
+    fn local(&self, p: DVec3) -> DVec3 {
+        self.place.as_ref().map_or(p, |m| m.inverse_point(p))
+    }
+
+    /// From the nearest point of its middle, in radii.
+    fn way_from_middle(&self, p: DVec3) -> DVec3 {
+        let from_base = self.local(p) - self.base;
+        let along = from_base.dot(self.axis) / self.axis.length_squared().max(f64::MIN_POSITIVE);
+        (from_base - self.axis * along.clamp(0.0, 1.0)) / self.radius
+    }
+
+    pub(super) fn field(&self, p: DVec3) -> f64 {
+        let u = 1.0 - self.way_from_middle(p).length_squared();
+        if u > 0.0 { self.strength * u * u } else { 0.0 }
+    }
+
+    /// The gradient of its field: s·2u·(-2d/r²), where d is the way from its middle; by Mᵀ⁻¹ like a normal.
+    pub(super) fn gradient(&self, p: DVec3) -> DVec3 {
+        let d = self.way_from_middle(p);
+        let u = 1.0 - d.length_squared();
+        if u <= 0.0 {
+            return DVec3::ZERO;
+        }
+        let local = d * (-4.0 * self.strength * u / self.radius);
+        self.place.as_ref().map_or(local, |m| m.normal(local))
+    }
+
+    /// A rod lies between the balls at its ends.
+    pub(super) fn bounds(&self) -> Aabb {
+        self.ball(self.base, self.radius).union(self.ball(self.base + self.axis, self.radius))
+    }
+
+    /// The box around a ball of its own space.
+    fn ball(&self, center: DVec3, radius: f64) -> Aabb {
+        let ball = Sphere { center, radius };
+        self.place.as_ref().map_or(ball.bounds(), |m| ball.bounds_under(m))
+    }
+
+    /// As POV-Ray 3.7 sees it (as was measured): cubes around its balls, as wide as the longest side of the image of a cube; a rod
+    /// without its ends lies in a ball, too.
+    pub(super) fn extent(&self) -> Aabb {
+        let cube = |center: DVec3, radius: f64| {
+            let center = self.place.as_ref().map_or(center, |m| m.point(center));
+            Aabb::from_corners(center, center).grown(radius * self.widening)
+        };
+        let half = self.axis / 2.0;
+        let around = (half.length_squared() + self.radius * self.radius).sqrt();
+        let ends = cube(self.base, self.radius).union(cube(self.base + self.axis, self.radius));
+        if self.axis == DVec3::ZERO { ends } else { ends.union(cube(self.base + half, around)) }
+    }
+
+    /// Where the ray is in reach of it, and how far it is from its middle there.
+    pub(super) fn stretches(&self, ray: &Ray, out: &mut Stretches) {
+        let local = self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray));
+        let (o, d) = ((local.origin - self.base) / self.radius, local.dir / self.radius);
+        let mut push = |o: DVec3, d: DVec3, within: [f64; 2]| {
+            let [a, b, c] = [d.length_squared(), 2.0 * o.dot(d), o.length_squared()];
+            let Some((t1, t2)) = solve_quadratic(a, b, c - 1.0) else { return };
+            let (from, to) = (t1.max(within[0]), t2.min(within[1]));
+            if from < to {
+                out.push(Stretch { from, to, strength: self.strength, squared_distance: [a, b, c] });
+            }
+        };
+        if self.axis == DVec3::ZERO {
+            return push(o, d, [f64::NEG_INFINITY, f64::INFINITY]);
+        }
+        let axis = self.axis / self.radius;
+        let length = axis.length_squared();
+        // How far along the axis, from 0 to 1 between the ends.
+        let (start, speed) = (o.dot(axis) / length, d.dot(axis) / length);
+        let (at_base, at_cap) = (-start / speed, (1.0 - start) / speed);
+        let (before, behind) = match speed {
+            0.0 if start < 0.0 => return push(o, d, [f64::NEG_INFINITY, f64::INFINITY]),
+            0.0 if start > 1.0 => return push(o - axis, d, [f64::NEG_INFINITY, f64::INFINITY]),
+            0.0 => return push(o - axis * start, d, [f64::NEG_INFINITY, f64::INFINITY]),
+            s if s > 0.0 => ((o, at_base), (o - axis, at_cap)),
+            _ => ((o - axis, at_cap), (o, at_base)),
+        };
+        push(before.0, d, [f64::NEG_INFINITY, before.1]);
+        push(o - axis * start, d - axis * speed, [before.1, behind.1]);
+        push(behind.0, d, [behind.1, f64::INFINITY]);
+    }
+}
+
+impl Component {
+    pub(super) fn new(span: Span, base: DVec3, axis: DVec3, radius: f64, strength: f64) -> Result<Self> {
+        finite(span, &[base, axis], &[radius, strength])?;
+        if radius <= 0.0 {
+            return Diagnostic::err(codes::BAD_ARGUMENT, span, "the radius of a component must be more than 0");
+        }
+        Ok(Self { base, axis, radius, strength, place: None, slot: 0, widening: 1.0 })
+    }
+
+    pub(super) fn read_modifiers(&mut self, kind: &str, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
+        let mut cube = Cube::around(self.axis);
+        loop {
+            let next = r.next()?;
+            match next {
+                Next::End => {
+                    self.widening = cube.half_width();
+                    return Ok(());
+                }
+                next if next.moves() => {
+                    if let Some(step) = r.transform()? {
+                        cube.transform(next, &step);
+                        paints.transform(&mut self.slot, &step);
+                        let place = self.place.as_deref().map_or(*step, |place| place.then(&step));
+                        self.place = Some(Box::new(place));
+                    }
+                }
+                next if paints.read(&mut self.slot, next, r)? => {}
+                _ => {
+                    let words = ["texture", "pigment", "normal", "finish", "translate", "rotate", "scale", "matrix"];
+                    return Err(r.unknown_word(kind, &words).into());
+                }
+            }
+        }
+    }
+}
+
+impl Stretch {
+    /// Adds what it adds, as a polynomial of t - middle.
+    pub fn add(&self, middle: f64, sum: &mut [f64; 5]) {
+        let [a, b, c] = self.squared_distance;
+        // u = 1 - (a·t² + b·t + c), then s·u²
+        let (u2, u1, u0) = (-a, -(2.0 * a * middle + b), 1.0 - ((a * middle + b) * middle + c));
+        let s = self.strength;
+        sum[0] += s * u2 * u2;
+        sum[1] += s * 2.0 * u2 * u1;
+        sum[2] += s * (u1 * u1 + 2.0 * u2 * u0);
+        sum[3] += s * 2.0 * u1 * u0;
+        sum[4] += s * u0 * u0;
+    }
+}
