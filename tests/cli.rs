@@ -300,8 +300,19 @@ fn devices_are_written_to_and_full_disks_are_told() {
 fn fonts_of_the_system_are_found_by_their_families() {
     let place = Place::new();
     std::fs::create_dir_all(place.path().join("fonts/deep")).unwrap();
-    std::fs::copy("scenes/gallery/Roboto-Regular.ttf", place.path().join("fonts/deep/some.ttf")).unwrap();
-    for (name, is_told) in [("roboto", false), ("Roboto Medium Italic", false), ("Roboto Slab", true)] {
+    // A font that calls itself otherwise: durer brings Roboto along.
+    let mut font = std::fs::read("scenes/gallery/Roboto-Regular.ttf").unwrap();
+    let [from, to] =
+        ["Roboto", "Durero"].map(|name| name.encode_utf16().flat_map(u16::to_be_bytes).collect::<Vec<_>>());
+    for at in 0..font.len() - from.len() {
+        if font[at..].starts_with(&from) {
+            font[at..at + to.len()].copy_from_slice(&to);
+        }
+    }
+    std::fs::write(place.path().join("fonts/deep/some.ttf"), font).unwrap();
+    for (name, is_told) in
+        [("durero", false), ("Durero Medium Italic", false), ("Durero Slab", true), ("Roboto", false)]
+    {
         let text = format!("text {{ ttf \"{name}\" \"a\" 1, 0 pigment {{ rgb 1 }} }}");
         std::fs::write(place.path().join("text.scene"), text).unwrap();
         let output = place.command("check text.scene").env("DURER_FONTS", "fonts").output().unwrap();

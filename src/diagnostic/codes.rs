@@ -189,8 +189,8 @@ here or where it was to be used. A name that begins with `_` is not told."
 "Told with `--warn shadow`. Inside of a macro, its parameters and `#local`s come first; a name declared outside is not seen then, nor by
 the macros that are called from there."
     FONT_MISSING "W0211" "a font is not there"
-"A `text` names a font file that is neither in the scene's folder nor in those of the includes, nor a family of this machine's fonts. A similar one
-of the system stands for it (serif, sans or monospaced, bold, italic, as its name tells), so that the picture will differ a
+"A `text` names a font file that is neither in the scene's folder nor in those of the includes, nor a family of this
+machine's fonts. A similar one of the system stands for it (serif, sans or monospaced, bold, italic, as its name tells), so that the picture will differ a
 little. The environment variable DURER_FONTS names other folders in which to look for it."
     MISPLACED "W0212" "a word stands in another place than it should"
 "POV-Ray takes it there and does what durer does: a colour of an object outside of its `pigment` changes nothing,

@@ -140,7 +140,7 @@ impl Callee {
         gives == Gives::Number
     }
 
-    pub(super) fn is(&self, other: &Callee) -> bool {
+    fn is(&self, other: &Callee) -> bool {
         match (self, other) {
             (Callee::Internal(a), Callee::Internal(b)) => std::ptr::eq(*a, *b),
             (Callee::SceneNoise(_), Callee::SceneNoise(_)) => true,

@@ -391,6 +391,11 @@ impl<'a> Interpreter<'a> {
         self.version_stated = true;
     }
 
+    /// The version in force, if the scene has said one.
+    fn stated_version(&self) -> Option<u32> {
+        self.version_stated.then_some(self.language.version)
+    }
+
     fn division_by_zero(&mut self, span: Span) {
         let d = Diagnostic::new(codes::DIVISION_BY_ZERO, span, "division by zero gives infinity");
         let d = self.with_trace(d.label("this is 0"));

@@ -105,8 +105,7 @@ impl Interpreter<'_> {
                 let at = self.span();
                 let color = self.color()?;
                 tell_bytes(self, at, &color);
-                let version = self.version_stated.then_some(self.language.version);
-                let by_picture = compat::has_background_by_picture(version);
+                let by_picture = compat::has_background_by_picture(self.stated_version());
                 self.scene.background = Some(Background { color, by_picture });
             }
             "sky_sphere" => {
@@ -251,7 +250,7 @@ impl Interpreter<'_> {
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
         self.scene.version = self.language.version;
-        let version = self.version_stated.then_some(self.language.version);
+        let version = self.stated_version();
         let generator = self.noise_generator.load(std::sync::atomic::Ordering::Relaxed);
         self.scene.settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
         self.scene.settings.opacity_by_color = compat::has_opacity_by_color(version);

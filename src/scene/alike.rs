@@ -38,7 +38,10 @@ impl Alike {
 
     /// The shape that was read before and is like this one.
     pub fn of_shape(&self, shape: &Shape) -> Option<Shape> {
-        self.shapes.borrow().iter().find(|other| shape.learns() && *other == shape).cloned()
+        if !shape.learns() {
+            return None;
+        }
+        self.shapes.borrow().iter().find(|other| *other == shape).cloned()
     }
 
     /// Remembers a shape that learns.

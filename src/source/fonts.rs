@@ -110,15 +110,16 @@ fn collect(folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {
     for path in paths {
         if path.is_dir() && depth > 0 {
             collect(&path, depth - 1, out);
-        } else if is_font(&path) && out.len() < MAX_FILES {
+        } else if is_file_name(&path) && path.is_file() && out.len() < MAX_FILES {
             out.push(path);
         }
     }
 }
 
-fn is_font(path: &Path) -> bool {
+/// Has the name of a font's file an ending?
+pub fn is_file_name(path: &Path) -> bool {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    ["ttf", "otf", "ttc"].iter().any(|e| ending.eq_ignore_ascii_case(e)) && path.is_file()
+    ["ttf", "otf", "ttc"].iter().any(|e| ending.eq_ignore_ascii_case(e))
 }
 
 /// How much a font differs from what is wanted; what counts most comes first.

@@ -7,9 +7,6 @@ use crate::source::{Span, fonts};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Names with these are names of files.
-const ENDINGS: &[&str] = &[".ttf", ".otf", ".ttc"];
-
 impl Interpreter<'_> {
     /// See [`crate::value::Reader::font`]. A name without ending means ttf, or else a family of the system's fonts.
     pub(super) fn font_named(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
@@ -31,7 +28,7 @@ impl Interpreter<'_> {
 
     /// A font of the system by its family: an addition of durer's.
     fn installed(&mut self, name: &str) -> Option<Place> {
-        if ENDINGS.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending)) {
+        if fonts::is_file_name(Path::new(name)) {
             return None;
         }
         if let Some(known) = self.families.get(name) {

@@ -284,7 +284,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn language(&self) -> Language {
-        let version = self.version_stated.then_some(self.language.version);
+        let version = self.stated_version();
         let srgb_files = version.is_some_and(compat::has_srgb_files);
         Language { other_gamma: compat::gamma_without_setting(version), srgb_files, ..self.language }
     }

@@ -1,9 +1,9 @@
 //! `isosurface { function { … } … }`: all points where a function of x, y and z has one value.
 //!
 //! Inside, the function is less than `threshold`. It ends at `contained_by`, a box or a sphere: where the solid reaches out of that, its face
-//! closes it, unless `open` is said. A ray meets it up to `accuracy` behind where it is, as in POV-Ray. durer bounds the function and its gradient by interval arithmetic, and so needs no `max_gradient`; only
-//! for functions that nothing is known of (patterns, pigments, splines, most of those behind `functions.inc`) it searches by that, as
-//! POV-Ray always does, and a value that is too small makes holes.
+//! closes it, unless `open` is said. A ray meets it up to `accuracy` behind where it is, as in POV-Ray. durer bounds the function and its
+//! gradient by interval arithmetic, and so needs no `max_gradient`; only for functions that nothing is known of (patterns, pigments, splines,
+//! most of those behind `functions.inc`) it searches by that, as POV-Ray always does, and a value that is too small makes holes.
 //!
 //! ```pov
 //! isosurface { function { x*x + y*y + z*z - 1 + 0.3*sin(8*x)*sin(8*y)*sin(8*z) } contained_by { sphere { 0, 1.2 } } pigment { color rgb <0.9, 0.6, 0.2> } }
@@ -29,7 +29,8 @@ use walk::Walk;
 
 const SURFACE: u32 = 0;
 const FACE: u32 = 1;
-/// Parts of a cell's diagonal beyond which `accuracy` is not obeyed: where the gradient is known, and where it is not.
+/// Parts of a cell's diagonal beyond which `accuracy` is not obeyed: where the gradient is known, and where it is not. No more pieces of a cell
+/// than so many are looked at, however steep the function may be.
 const FINEST: f64 = 1e-5;
 const COARSEST: f64 = 1e-3;
 /// A ray that enters its container nearer than this begins in it (measured on POV-Ray 3.7).
@@ -111,14 +112,16 @@ impl Isosurface {
         let to = leave - enter;
         // Where the ray begins.
         let origin = -enter;
-        let first = value(0.0);
-        if range.min <= enter && !self.open && first < 0.0 && tell(0.0, FACE) {
+        let begins_outside = enter > BEGINS;
+        // (Nobody asks for the value behind the ray.)
+        let first = (begins_outside || range.min <= enter).then(|| value(0.0));
+        let is_solid = first.is_some_and(|first| first < 0.0);
+        if range.min <= enter && !self.open && is_solid && tell(0.0, FACE) {
             return;
         }
-        let mut walk = if enter <= BEGINS {
-            Walk::within(&value, origin, to, self.accuracy, self.max_gradient)
-        } else {
-            Walk::entering(&value, self.open, to, self.accuracy)
+        let mut walk = match begins_outside {
+            true => Walk::entering(&value, is_solid, self.open, to, self.accuracy),
+            false => Walk::within(&value, origin, to, self.accuracy, self.max_gradient),
         };
         let from = walk.as_ref().map_or(f64::INFINITY, Walk::from);
         let within = Range { min: from.min(range.min - enter), max: range.max - enter };
@@ -128,7 +131,7 @@ impl Isosurface {
             Some(walk) => walk.hit(t).is_some_and(|t| tell(t, SURFACE)),
             None => false,
         };
-        if self.pass(&near, (origin, to), within, Some((0.0, first)), &mut tell_root) {
+        if self.pass(&near, (origin, to), within, first.map(|first| (0.0, first)), &mut tell_root) {
             return;
         }
         let leaves = walk.is_some() || to <= origin;
@@ -156,12 +159,12 @@ impl Isosurface {
         let apart = |exact: f64, least: f64| exact.max(cells.side() * least / length);
         let (fine, coarse) = (apart(0.25 * self.accuracy, FINEST), apart(self.accuracy, COARSEST));
         let exact = 1e-10 * cells.side() / length;
-        let exact = (exact, origin, exact.max(self.accuracy * walk::ROOTS));
+        let roughly = exact.max(self.accuracy * walk::ROOTS);
         let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64| {
             let first = known.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
             let last = (b, value(b));
             known = Some(last);
-            Search { value, apart, exact, range: within }.between(first, last, rate, found)
+            Search { value, apart, exact, roughly, ahead: origin, range: within }.between(first, last, rate, found)
         };
         // Cells of which nothing is known are passed as one.
         let mut run: Option<(f64, f64)> = None;

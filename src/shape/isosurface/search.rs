@@ -12,8 +12,12 @@ pub struct Search<'a> {
     pub value: &'a dyn Fn(f64) -> f64,
     /// Roots nearer together than this may count as none.
     pub apart: f64,
-    /// Roots are known as well as the first of these, and those from here on as well as the last.
-    pub exact: (f64, f64, f64),
+    /// Roots are known as well as this.
+    pub exact: f64,
+    /// But from `ahead` on it is enough to know them as well as this.
+    pub roughly: f64,
+    /// Where the ray begins.
+    pub ahead: f64,
     /// Where roots count.
     pub range: Range,
 }
@@ -53,7 +57,6 @@ impl Search<'_> {
         if a.0 < min && is_before(min) || b.0 > max && !is_before(max) {
             return None;
         }
-        let (fine, from, coarse) = self.exact;
-        Some(crossing(self.value, a, b, if a.0 < from { fine } else { coarse }))
+        Some(crossing(self.value, a, b, if a.0 < self.ahead { self.exact } else { self.roughly }))
     }
 }

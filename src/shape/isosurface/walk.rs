@@ -30,12 +30,12 @@ pub struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    /// Of a ray that comes from outside of the container. What is too short to be divided has no hits.
-    pub fn entering(value: &'a dyn Fn(f64) -> f64, open: bool, to: f64, accuracy: f64) -> Option<Self> {
-        let mut walk = Self { value, accuracy, to, from: 0.0, piece: 0.0, inside: None };
+    /// Of a ray that comes from outside of the container, and enters the solid with it or not. What is too short to be divided has no hits.
+    pub fn entering(value: &'a dyn Fn(f64) -> f64, inside: bool, open: bool, to: f64, accuracy: f64) -> Option<Self> {
+        let mut walk = Self { value, accuracy, to, from: 0.0, piece: 0.0, inside: Some(inside) };
         walk.divide();
         // Behind the container's own face the end of the first piece counts as a hit, which that face hides.
-        if !open && walk.is_inside() {
+        if !open && inside {
             walk.skip(walk.piece);
         }
         walk.is_long().then_some(walk)
