@@ -1,5 +1,5 @@
 //! The reference pages of the manual (`docs/src/reference/`), made of the tables that the readers obey. `tests/manual.rs`
-//! compares them with the files; `UPDATE_DOCS=1 cargo test --test manual` writes these anew.
+//! compares them with the files; `UPDATE_DOCS=1 cargo test --test cases manual::` writes these anew.
 
 mod command;
 mod functions;
@@ -42,7 +42,8 @@ pub fn pages() -> Vec<Page> {
     ]
 }
 
-const GENERATED: &str = "<!-- Made of durer's tables by `UPDATE_DOCS=1 cargo test --test manual`: change those. -->";
+const GENERATED: &str =
+    "<!-- Made of durer's tables by `UPDATE_DOCS=1 cargo test --test cases manual::`: change those. -->";
 
 /// A table; cells may hold `|`.
 fn table<const N: usize>(head: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
