@@ -2,9 +2,9 @@
 
 use super::Interpreter;
 use super::eval::{as_float, as_vector};
-use super::pieces::is_callable;
-use super::scope::{Place, Slot};
+use super::evaluator::{Place, Slot};
 use super::stream::Token;
+use super::token_expr::is_callable;
 use crate::diagnostic::{Diagnostic, Result};
 use crate::math::DVec3;
 use crate::source::Span;
@@ -48,17 +48,17 @@ impl<'a> Interpreter<'a> {
         match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 // (Looking at what follows may end the macro whose name it is.)
-                let (slot, depth) = (self.scopes.get(*symbol).cloned(), self.depth);
-                let level = self.scopes.resolve(*symbol).map(|place| self.scopes.level_of(&place));
+                let (slot, depth) = (self.evaluator.scopes.get(*symbol).cloned(), self.stream.depth);
+                let level = self.evaluator.scopes.resolve(*symbol).map(|place| self.evaluator.scopes.level_of(&place));
                 self.advance();
                 let called = matches!(&slot, Some(Slot::Value(value)) if is_callable(value)) && self.call_follows()?;
                 let ends = !called && self.value_ends()?;
-                let lasting = level.is_some_and(|level| level <= self.scopes.level());
+                let lasting = level.is_some_and(|level| level <= self.evaluator.scopes.level());
                 if !ends {
                     self.first_use(*symbol, span);
                 }
                 match slot {
-                    _ if ends && depth == self.depth => Ok(Argument { given: Given::Name(*symbol), span }),
+                    _ if ends && depth == self.stream.depth => Ok(Argument { given: Given::Name(*symbol), span }),
                     Some(_) if ends && lasting => Ok(Argument { given: Given::Name(*symbol), span }),
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
                     Some(slot) => self.argument_from(slot, span),
@@ -69,12 +69,14 @@ impl<'a> Interpreter<'a> {
                 }
             }
             Token::Element(_) => {
-                let Some(place) = self.element.clone() else { return Err(self.unexpected_token("a value").into()) };
-                let (slot, depth) = (self.scopes.at(&place).cloned(), self.depth);
+                let Some(place) = self.stream.element.clone() else {
+                    return Err(self.unexpected_token("a value").into());
+                };
+                let (slot, depth) = (self.evaluator.scopes.at(&place).cloned(), self.stream.depth);
                 self.advance();
                 let ends = self.value_ends()?;
                 match slot {
-                    _ if ends && depth == self.depth => Ok(Argument { given: Given::Place(place), span }),
+                    _ if ends && depth == self.stream.depth => Ok(Argument { given: Given::Place(place), span }),
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
                     Some(slot) => self.argument_from(slot, span),
                     None => self.slot_at(&place, span).map(|slot| Argument { given: Given::Slot(slot), span }),
@@ -112,7 +114,7 @@ impl<'a> Interpreter<'a> {
     /// What a name, an element or anything else holds.
     pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
         match &argument.given {
-            Given::Name(symbol) => match self.scopes.get(*symbol) {
+            Given::Name(symbol) => match self.evaluator.scopes.get(*symbol) {
                 Some(slot) => Ok(slot.clone()),
                 None => self.name_value(*symbol, argument.span).map(Slot::Value),
             },
@@ -152,8 +154,8 @@ impl<'a> Interpreter<'a> {
     /// Is there something under this name, or in this place?
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
-            Given::Name(symbol) => self.scopes.get(*symbol).is_some(),
-            Given::Place(place) => self.scopes.at(place).is_some(),
+            Given::Name(symbol) => self.evaluator.scopes.get(*symbol).is_some(),
+            Given::Place(place) => self.evaluator.scopes.at(place).is_some(),
             Given::Slot(_) => false,
         }
     }

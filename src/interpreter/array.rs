@@ -3,9 +3,9 @@
 use super::Interpreter;
 use super::argument::Argument;
 use super::eval::as_float;
-use super::pieces::joined;
-use super::scope::{Array, Place, Slot};
+use super::evaluator::{Array, Place, Slot};
 use super::stream::{StackFrame, Token};
+use super::token_expr::joined;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, ElementKind, Expr, ExprKind, Sign, Symbol};
@@ -25,10 +25,10 @@ impl<'a> Interpreter<'a> {
         self.advance();
         // 3.8 asks for the word `mixed` where kinds are mixed; nobody needs it here.
         if let Some(ElementKind::Expr(e)) = self.raw().map(|e| &e.kind) {
-            if matches!(&e.kind, ExprKind::Index(word, _) if self.sources.snippet(word.span) == "mixed") {
+            if matches!(&e.kind, ExprKind::Index(word, _) if self.inputs.sources.snippet(word.span) == "mixed") {
                 self.take_apart();
             }
-            if self.raw().is_some_and(|e| self.sources.snippet(e.span) == "mixed") {
+            if self.raw().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
                 self.advance();
             }
         }
@@ -159,7 +159,7 @@ impl<'a> Interpreter<'a> {
             Token::Sign(Sign::Dot) => {
                 self.advance();
                 let name = self.component_name()?;
-                Ok(self.sources.snippet(name.span).into())
+                Ok(self.inputs.sources.snippet(name.span).into())
             }
             Token::Open(Bracket::Square, _) => {
                 self.open()?;
@@ -174,10 +174,10 @@ impl<'a> Interpreter<'a> {
     /// An array's name has been seen, perhaps with an index behind it: where that element is kept, or the array itself.
     pub(super) fn element_in_pieces(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
-        let before = self.comma;
+        let before = self.stream.comma;
         // (It is the name of the array that stands first.)
-        if let Some(frame) = self.frames.last_mut() {
-            self.comma = frame.elements.get(frame.at).is_some_and(|e| e.comma);
+        if let Some(frame) = self.stream.frames.last_mut() {
+            self.stream.comma = frame.elements.get(frame.at).is_some_and(|e| e.comma);
             frame.at += 1;
         }
         let indices = self.indices_of(symbol)?;
@@ -185,7 +185,7 @@ impl<'a> Interpreter<'a> {
             return Ok(self.hold(Token::Expr(name), span, before));
         }
         let whole = indices.last().map_or(span, |(_, at)| joined(span, Span { hi: at.hi + 1, ..*at }));
-        self.element = Some(self.place_of_values(symbol, span, &indices, false)?);
+        self.stream.element = Some(self.place_of_values(symbol, span, &indices, false)?);
         Ok(self.hold(Token::Element(whole), whole, before))
     }
 
@@ -202,7 +202,7 @@ impl<'a> Interpreter<'a> {
                 Some(Token::Sign(Sign::Dot)) if self.is_dictionary(symbol, &indices)? => {
                     self.advance();
                     let name = self.component_name()?;
-                    indices.push((Value::Text(self.sources.snippet(name.span).into()), name.span));
+                    indices.push((Value::Text(self.inputs.sources.snippet(name.span).into()), name.span));
                 }
                 _ => return Ok(indices),
             }
@@ -212,14 +212,16 @@ impl<'a> Interpreter<'a> {
     /// What comes directly behind an array's name: no directive and no macro runs in between, and none ends, as in POV-Ray.
     fn index_ahead(&mut self) -> Result<Option<Token<'a>>> {
         loop {
-            if self.comma {
+            if self.stream.comma {
                 return Ok(None);
             }
             return match self.raw().map(|e| &e.kind) {
                 Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot)) => {
                     self.peek().map(Some)
                 }
-                None if self.held.is_empty() && self.frames.last().is_some_and(StackFrame::is_spent_piece) => {
+                None if self.stream.held.is_empty()
+                    && self.stream.frames.last().is_some_and(StackFrame::is_spent_piece) =>
+                {
                     self.pop_frame();
                     continue;
                 }
@@ -229,21 +231,21 @@ impl<'a> Interpreter<'a> {
     }
 
     fn is_dictionary(&self, symbol: Symbol, indices: &[(Value, Span)]) -> Result<bool> {
-        let Some(mut place) = self.scopes.resolve(symbol) else { return Ok(false) };
+        let Some(mut place) = self.evaluator.scopes.resolve(symbol) else { return Ok(false) };
         for (index, _) in indices {
-            let Some(dictionary) = self.scopes.dictionary(&place) else { return Ok(false) };
+            let Some(dictionary) = self.evaluator.scopes.dictionary(&place) else { return Ok(false) };
             let Value::Text(key) = index else { return Ok(false) };
             let Some(i) = dictionary.key_index(key) else { return Ok(false) };
             place = place.element(&[i]);
         }
-        Ok(self.scopes.dictionary(&place).is_some())
+        Ok(self.evaluator.scopes.dictionary(&place).is_some())
     }
 
     /// The place that `D.Key`, `D["key"].Key` and the like name, if D is a dictionary.
     pub(super) fn dictionary_place(&mut self, e: &'a Expr) -> Result<Option<Place>> {
         let base = match &e.kind {
-            ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Slot::Array(array)) if array.keys.is_some() => return Ok(self.scopes.resolve(*symbol)),
+            ExprKind::Name(symbol) => match self.evaluator.scopes.get(*symbol) {
+                Some(Slot::Array(array)) if array.keys.is_some() => return Ok(self.evaluator.scopes.resolve(*symbol)),
                 _ => return Ok(None),
             },
             ExprKind::Dot(base, ..) => base,
@@ -255,8 +257,8 @@ impl<'a> Interpreter<'a> {
         };
         let Some(place) = self.dictionary_place(base)? else { return Ok(None) };
         let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
-        let Some(dictionary) = self.scopes.dictionary(&place) else { return Ok(None) };
-        let key = self.names.text(*symbol);
+        let Some(dictionary) = self.evaluator.scopes.dictionary(&place) else { return Ok(None) };
+        let key = self.inputs.names.text(*symbol);
         match dictionary.key_index(key) {
             Some(i) => Ok(Some(place.element(&[i]))),
             None => Err(self.missing_key(dictionary, key, name.span)),
@@ -278,7 +280,7 @@ impl<'a> Interpreter<'a> {
     /// What [`Token::Element`] announced, which is consumed.
     pub(super) fn take_element(&mut self) -> Result<Slot<'a>> {
         let span = self.here();
-        let place = self.element.take();
+        let place = self.stream.element.take();
         self.advance();
         match place {
             Some(place) => self.slot_at(&place, span),
@@ -287,14 +289,14 @@ impl<'a> Interpreter<'a> {
     }
 
     pub(super) fn slot_at(&self, place: &Place, span: Span) -> Result<Slot<'a>> {
-        match self.scopes.at(place) {
+        match self.evaluator.scopes.at(place) {
             Some(slot) => Ok(slot.clone()),
             None => self.no_value(span),
         }
     }
 
     fn no_value<T>(&self, span: Span) -> Result<T> {
-        let text = self.sources.snippet(span);
+        let text = self.inputs.sources.snippet(span);
         let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{text}` has no value yet"));
         d.help(format!("`#declare {text} = …;` gives it one")).into()
     }
@@ -330,11 +332,11 @@ impl<'a> Interpreter<'a> {
         indices: &[(Value, Span)],
         adds: bool,
     ) -> Result<Place> {
-        let Some(place) = self.scopes.resolve(symbol) else {
+        let Some(place) = self.evaluator.scopes.resolve(symbol) else {
             self.name_value(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
-        if self.scopes.dictionary(&place).is_some() {
+        if self.evaluator.scopes.dictionary(&place).is_some() {
             return self.key_place(place, indices, adds);
         }
         let numbers: SmallVec<[f64; 4]> =
@@ -343,14 +345,14 @@ impl<'a> Interpreter<'a> {
         let mut rest = &numbers[..];
         while !rest.is_empty() {
             let at = indices[numbers.len() - rest.len()].1;
-            let slot = self.scopes.at(&place).and_then(|slot| slot.element(&path));
+            let slot = self.evaluator.scopes.at(&place).and_then(|slot| slot.element(&path));
             if let Some(slot @ Slot::Faulty(_)) = slot {
                 let slot = slot.clone();
                 self.slot_value(slot, span)?;
                 return Diagnostic::err(codes::FOLLOWS, span, "");
             }
             let Some(Slot::Array(array)) = slot else {
-                let name = self.sources.snippet(Span { lo: span.lo, hi: at.lo.saturating_sub(1) });
+                let name = self.inputs.sources.snippet(Span { lo: span.lo, hi: at.lo.saturating_sub(1) });
                 return Diagnostic::err(codes::WRONG_TYPE, at, format!("`{name}` is no array: it takes no `[…]`"));
             };
             let n = array.sizes.len();
@@ -377,12 +379,12 @@ impl<'a> Interpreter<'a> {
         let mut place = place;
         for (i, (value, span)) in indices.iter().enumerate() {
             let Value::Text(key) = value else { return self.not_text(value, *span) };
-            let Some(dictionary) = self.scopes.dictionary(&place) else {
+            let Some(dictionary) = self.evaluator.scopes.dictionary(&place) else {
                 return Diagnostic::err(codes::WRONG_TYPE, *span, "this is no dictionary: it has no keys");
             };
             let index = match dictionary.key_index(key) {
                 Some(index) => index,
-                None if adds && i + 1 == indices.len() => self.scopes.add_key(&place, key),
+                None if adds && i + 1 == indices.len() => self.evaluator.scopes.add_key(&place, key),
                 None => return Err(self.missing_key(dictionary, key, *span)),
             };
             place = place.element(&[index]);
@@ -394,12 +396,12 @@ impl<'a> Interpreter<'a> {
     pub(super) fn has_keys(&mut self, mut place: Place, indices: &'a [Expr]) -> Result<bool> {
         for e in indices {
             let key = self.text_value(e)?;
-            match self.scopes.dictionary(&place).and_then(|d| d.key_index(&key)) {
+            match self.evaluator.scopes.dictionary(&place).and_then(|d| d.key_index(&key)) {
                 Some(index) => place = place.element(&[index]),
                 None => return Ok(false),
             }
         }
-        Ok(self.scopes.at(&place).is_some())
+        Ok(self.evaluator.scopes.at(&place).is_some())
     }
 
     /// How many elements a dimension has; the first is 1.

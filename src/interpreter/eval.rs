@@ -2,9 +2,9 @@
 //! read token by token, in [`super::pieces`].
 
 use super::Interpreter;
-use super::operators::{SMALL, apply, apply_prefix, component};
-use super::quick::Quick;
-use super::scope::Slot;
+use super::evaluator::{SMALL, apply, apply_prefix, component};
+
+use super::evaluator::{Quick, Slot};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::source::Span;
@@ -92,7 +92,7 @@ impl<'a> Interpreter<'a> {
 
     /// What a name stands for, as a value.
     pub(super) fn name_value(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
-        match self.scopes.get(symbol) {
+        match self.evaluator.scopes.get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => {
                 let thing = thing.clone();
                 self.first_use(symbol, span);
@@ -100,7 +100,7 @@ impl<'a> Interpreter<'a> {
             }
             Some(Slot::Value(value)) => {
                 let value = value.clone();
-                if !self.deprecated.is_empty() {
+                if !self.evaluator.deprecated.is_empty() {
                     self.first_use(symbol, span);
                 }
                 Ok(value)
@@ -124,17 +124,17 @@ impl<'a> Interpreter<'a> {
                 Diagnostic::err(codes::FOLLOWS, span, "")
             }
             Slot::Macro(definition) => {
-                let name = self.names.text(definition.name);
+                let name = self.inputs.names.text(definition.name);
                 Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"))
                     .help(format!("a call needs parentheses: `{name}()`"))
                     .into()
             }
             Slot::File(_) => {
-                let name = self.sources.snippet(span);
+                let name = self.inputs.sources.snippet(span);
                 Diagnostic::err(codes::EXPECTED_VALUE, span, format!("`{name}` is a file"))
             }
             Slot::Array(_) | Slot::Alias(_) => {
-                let name = self.sources.snippet(span);
+                let name = self.inputs.sources.snippet(span);
                 Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is an array"))
                     .help(format!("`{name}[0]` is its first element"))
                     .into()
@@ -144,27 +144,27 @@ impl<'a> Interpreter<'a> {
 
     /// Tells the warnings that waited for the use of a declared thing.
     pub(super) fn first_use(&mut self, symbol: Symbol, span: Span) {
-        for warning in self.scopes.pending(symbol).iter().flat_map(|p| p.iter()) {
+        for warning in self.evaluator.scopes.pending(symbol).iter().flat_map(|p| p.iter()) {
             self.report_fault(warning.clone());
         }
-        if let Some(why) = self.deprecated.remove(&symbol) {
-            let message = format!("`{}` is deprecated: {}", self.names.text(symbol), why.trim());
+        if let Some(why) = self.evaluator.deprecated.remove(&symbol) {
+            let message = format!("`{}` is deprecated: {}", self.inputs.names.text(symbol), why.trim());
             self.report_fault(Diagnostic::new(codes::DEPRECATED, span, message));
         }
     }
 
     fn constant(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
-        if let Some(Some(value)) = self.constants.get(symbol.0 as usize) {
+        if let Some(Some(value)) = self.evaluator.constants.get(symbol.0 as usize) {
             return Ok(value.clone());
         }
-        if let Some(value) = self.constant_value(self.names.text(symbol)) {
+        if let Some(value) = self.constant_value(self.inputs.names.text(symbol)) {
             return Ok(value);
         }
         self.undeclared(symbol, span).into()
     }
 
     pub(super) fn is_constant(&self, symbol: Symbol) -> bool {
-        self.constant_value(self.names.text(symbol)).is_some()
+        self.constant_value(self.inputs.names.text(symbol)).is_some()
     }
 
     /// Operands of one precedence from left to right.

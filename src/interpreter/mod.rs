@@ -3,49 +3,36 @@
 mod argument;
 mod array;
 mod builtin;
-mod compat;
 mod directive;
 mod eval;
+mod evaluator;
 mod function;
-mod hints;
-mod limits;
-mod mistake;
-mod operators;
 mod parsed;
-mod pieces;
-mod quick;
+mod pull;
 mod reader;
+mod reporter;
 mod rvalue;
-mod scope;
+mod scene_builder;
+mod statement;
 mod stream;
-mod timing;
-mod top;
+mod token_expr;
 
 use crate::diagnostic::{Diagnostic, Label, Severity, codes};
-use crate::font::{self, Font};
-use crate::image_io::Picture;
-use crate::scene::{Defaults, Scene};
+use crate::scene::Scene;
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
-use crate::syntax::ast::Symbol;
-use crate::syntax::{ListPlaces, Names, Wholes};
-use crate::value::{Language, Thing, Value};
-use crate::world::Probe;
+use crate::syntax::{Names, Wholes};
 pub use directive::table as directives;
+use evaluator::Evaluator;
+pub use evaluator::Timing;
 pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
-use rustc_hash::{FxHashMap, FxHashSet};
+use reporter::Reporter;
 pub use rvalue::LATER;
-use scope::{Place, Scopes, Slot};
-use std::cell::RefCell;
-use std::collections::BTreeMap;
-use std::path::PathBuf;
-use std::rc::Rc;
+use scene_builder::{SceneBuilder, compat};
+pub use statement::STATEMENTS;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
-use std::time::Instant;
-use stream::{FrameKind, Held, Opened, StackFrame, Token};
-pub use timing::Timing;
-pub use top::STATEMENTS;
+use std::sync::atomic::{AtomicBool, Ordering};
+use stream::{FrameKind, StackFrame, TokenStream};
 
 /// Every function of scripts that `function { }` does not have: name, arguments, one line.
 pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
@@ -145,82 +132,26 @@ pub fn interpret_with(
     interpreter.outcome()
 }
 
-/// Everything of one run.
-pub(crate) struct Interpreter<'a> {
+/// Inputs of a run, shared by all its parts.
+#[derive(Clone, Copy)]
+struct Inputs<'a> {
     sources: &'a Sources,
     names: &'a Names,
     parsed: &'a ParsedFiles,
     options: &'a Options,
-    debug: &'a mut dyn FnMut(&str),
-    including: Vec<PathBuf>,
-    /// An empty list for the arguments of the next call.
-    call_slots: Vec<Option<Slot<'a>>>,
-    scopes: Scopes<'a>,
-    deprecated: FxHashMap<Symbol, &'a str>,
-    /// What constants stand for that never change, by symbol.
-    constants: Vec<Option<Value>>,
-    /// States of the streams that `seed()` opened.
-    random: Vec<u32>,
-    /// Declared objects that were asked by rays, by their addresses.
-    probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
-    /// Decoded picture files.
-    pictures: FxHashMap<PathBuf, Arc<Picture>>,
-    /// What files of meshes became.
-    meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
-    /// Fonts that were read.
-    fonts: FxHashMap<font::Place, Arc<Font>>,
-    /// What was found of families of fonts.
-    families: FxHashMap<String, Option<font::Place>>,
-    /// Files by the numbers in [`Slot::File`].
+}
+
+/// One run: the four parts, which know each other only through their interfaces.
+pub(crate) struct Interpreter<'a> {
+    inputs: Inputs<'a>,
+    stream: TokenStream<'a>,
+    evaluator: Evaluator<'a>,
+    builder: SceneBuilder,
+    reporter: Reporter<'a>,
+    /// Files by the numbers in [`evaluator::Slot::File`].
     files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
     written: u64,
-    /// Where the last place in a list of numbers was found.
-    list_places: RefCell<ListPlaces>,
-    frames: Vec<StackFrame<'a>>,
-    peeked: Option<Token<'a>>,
-    /// Tokens that come before those of the frames, the next one last.
-    held: Vec<Held<'a>>,
-    /// Does a comma stand between what was read last and what comes next?
-    comma: bool,
-    /// Do directives and macros behind a value wait until it has been used? So it is with what a name gets, with what
-    /// an array holds and a macro is given, and with conditions.
-    closed: bool,
-    /// Is a value read that nobody wants?
-    skipping: bool,
-    /// Values that are being read inside each other.
-    nested: usize,
-    /// The element of an array that [`Token::Element`] announces.
-    element: Option<Place>,
-    /// How many frames there were when the declaration that is being read began.
-    floor: usize,
-    /// The brackets around here, innermost last.
-    opened: Vec<Opened>,
-    /// Faults of the text, told behind those of the run.
-    late: Vec<Diagnostic>,
-    /// Where brackets stand that nothing in the rest of their file closes.
-    unclosed: FxHashSet<u32>,
-    depth: usize,
-    steps: u64,
-    /// Bytes of strings made since memory was looked at.
-    text_made: usize,
-    started: Instant,
-    language: Language,
-    /// The number of the scene's noise generator, which functions ask for when they run.
-    noise_generator: Arc<AtomicU8>,
-    version_stated: bool,
-    defaults: Defaults,
-    scene: Scene,
-    diagnostics: Vec<Diagnostic>,
-    limit_reached: bool,
-    /// Did a branch run? By its place; noted where [`Options::branches`] asks for it.
-    branches: BTreeMap<Span, bool>,
-    /// Kept where [`Options::origins`] asks for it.
-    origins: Vec<Vec<Label>>,
-    /// Faults met, also those that were told before.
-    faults: usize,
-    /// What earlier faults have left undone.
-    mistakes: mistake::Mistakes,
 }
 
 impl<'a> Interpreter<'a> {
@@ -231,74 +162,29 @@ impl<'a> Interpreter<'a> {
         debug: &'a mut dyn FnMut(&str),
     ) -> Self {
         Self {
-            sources,
-            names: &parsed.names,
-            parsed,
-            options,
-            debug,
-            including: vec![],
-            call_slots: vec![],
-            scopes: Scopes::default(),
-            deprecated: FxHashMap::default(),
-            constants: vec![],
-            random: vec![],
-            probes: FxHashMap::default(),
-            pictures: FxHashMap::default(),
-            meshes: FxHashMap::default(),
-            list_places: RefCell::default(),
-            fonts: FxHashMap::default(),
-            families: FxHashMap::default(),
+            inputs: Inputs { sources, names: &parsed.names, parsed, options },
+            stream: TokenStream::default(),
+            evaluator: Evaluator::default(),
+            builder: SceneBuilder::new(),
+            reporter: Reporter::new(debug),
             files: vec![],
             written: 0,
-            frames: vec![],
-            peeked: None,
-            held: vec![],
-            comma: false,
-            closed: false,
-            skipping: false,
-            nested: 0,
-            element: None,
-            floor: 0,
-            opened: vec![],
-            late: vec![],
-            unclosed: FxHashSet::default(),
-            depth: 0,
-            steps: 0,
-            text_made: 0,
-            started: Instant::now(),
-            language: Language {
-                version: compat::DEFAULT_VERSION,
-                bare_textures: false,
-                assumed_gamma: None,
-                other_gamma: compat::gamma_without_setting(None),
-                srgb_files: false,
-            },
-            noise_generator: Arc::new(AtomicU8::new(compat::noise_generator(compat::DEFAULT_VERSION))),
-            version_stated: false,
-            defaults: Defaults::default(),
-            scene: Scene::default(),
-            diagnostics: vec![],
-            limit_reached: false,
-            branches: BTreeMap::new(),
-            origins: vec![],
-            faults: 0,
-            mistakes: mistake::Mistakes::default(),
         }
     }
 
     fn run(&mut self, file: FileId) {
         self.keep_constants();
-        if let Some(version) = self.options.version {
+        if let Some(version) = self.inputs.options.version {
             self.set_version(compat::version_number(version));
         }
         self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
         // What is missing at the end of the text is told there.
-        let end = self.sources.base(file) + self.sources.text(file).len();
+        let end = self.inputs.sources.base(file) + self.inputs.sources.text(file).len();
         self.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
         loop {
             // Directives and macros run while the next statement is looked for: their faults are met here.
-            (self.closed, self.nested) = (false, 0);
+            (self.stream.closed, self.stream.nested) = (false, 0);
             let mut mark = self.mark();
             let failed = match self.peek() {
                 Err(fault) => Some((fault, false)),
@@ -312,7 +198,7 @@ impl<'a> Interpreter<'a> {
                 }
             };
             if let Some((fault, in_statement)) = failed {
-                let ends = self.limit_reached || fault.code == codes::ENDS_RUN;
+                let ends = self.reporter.limit_reached || fault.code == codes::ENDS_RUN;
                 let fault = self.with_trace(*fault);
                 // What follows a bracket that is not closed makes no sense.
                 let told = if ends { None } else { self.unclosed_bracket().or_else(|| self.closed_early(&fault)) };
@@ -327,9 +213,9 @@ impl<'a> Interpreter<'a> {
                     self.forget_ahead(mark)
                 }
                 self.report_fault(fault);
-                self.faults += 1;
+                self.reporter.faults += 1;
                 // A fault in a loop's body is told once, but met in every pass.
-                if ends || self.faults >= MAX_FAULTS {
+                if ends || self.reporter.faults >= MAX_FAULTS {
                     return;
                 }
             }
@@ -338,23 +224,23 @@ impl<'a> Interpreter<'a> {
     }
 
     fn outcome(mut self) -> Outcome {
-        for d in std::mem::take(&mut self.late) {
+        for d in std::mem::take(&mut self.reporter.late) {
             self.report_fault(d);
         }
-        let unused: Vec<Diagnostic> = self.scopes.unused_faults().cloned().collect();
+        let unused: Vec<Diagnostic> = self.evaluator.scopes.unused_faults().cloned().collect();
         for mut fault in unused.into_iter().filter(|fault| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS)) {
             fault.severity = Severity::Warning;
             self.report_fault(fault);
         }
-        self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
+        self.reporter.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
         self.settle_messages();
         let failed = self.error_count() > 0;
         Outcome {
-            scene: (!failed).then_some(self.scene),
-            diagnostics: self.diagnostics,
-            limit_reached: self.limit_reached,
-            origins: self.origins,
-            idle: self.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect(),
+            scene: (!failed).then_some(self.builder.scene),
+            diagnostics: self.reporter.diagnostics,
+            limit_reached: self.reporter.limit_reached,
+            origins: self.builder.origins,
+            idle: self.reporter.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect(),
         }
     }
 
@@ -369,12 +255,12 @@ impl<'a> Interpreter<'a> {
     fn trace(&self) -> Vec<Label> {
         let label = |frame: &StackFrame| match frame.kind {
             FrameKind::Macro(name) => {
-                Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.names.text(name)) })
+                Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.inputs.names.text(name)) })
             }
             FrameKind::Include => Some(Label { span: frame.span, text: "included".into() }),
             _ => None,
         };
-        let all: Vec<Label> = self.frames.iter().rev().filter_map(label).collect();
+        let all: Vec<Label> = self.stream.frames.iter().rev().filter_map(label).collect();
         if all.len() <= 12 {
             return all;
         }
@@ -383,17 +269,17 @@ impl<'a> Interpreter<'a> {
 
     /// What follows is of this version of the language.
     fn set_version(&mut self, version: u32) {
-        self.language.version = version;
-        self.language.bare_textures = compat::has_bare_textures(version);
-        if self.scene.settings.noise_generator.is_none() {
-            self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
+        self.builder.language.version = version;
+        self.builder.language.bare_textures = compat::has_bare_textures(version);
+        if self.builder.scene.settings.noise_generator.is_none() {
+            self.builder.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
         }
-        self.version_stated = true;
+        self.builder.version_stated = true;
     }
 
     /// The version in force, if the scene has said one.
     fn stated_version(&self) -> Option<u32> {
-        self.version_stated.then_some(self.language.version)
+        self.builder.version_stated.then_some(self.builder.language.version)
     }
 
     fn division_by_zero(&mut self, span: Span) {

@@ -1,10 +1,10 @@
 //! What may stand behind `#declare X =` and as a macro's argument: anything that can have a name.
 
 use super::Interpreter;
-use super::pieces::is_callable;
+use super::evaluator::Slot;
 use super::reader::TransformThing;
-use super::scope::Slot;
 use super::stream::{BlockName, Token};
+use super::token_expr::is_callable;
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_camera, read_layers, read_material};
@@ -22,16 +22,16 @@ pub const LATER: &[&str] =
 impl<'a> Interpreter<'a> {
     /// The next complete value. No directive and no macro behind it runs.
     pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
-        let closed = std::mem::replace(&mut self.closed, true);
+        let closed = std::mem::replace(&mut self.stream.closed, true);
         let slot = self.rvalue_closed();
-        self.closed = closed;
+        self.stream.closed = closed;
         slot
     }
 
     fn rvalue_closed(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
-                if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.scopes.get(*symbol) {
+                if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.evaluator.scopes.get(*symbol) {
                     let slot = slot.clone();
                     self.advance();
                     return Ok(slot);
@@ -59,7 +59,7 @@ impl<'a> Interpreter<'a> {
             }
             Token::Word("array") => self.array(),
             Token::Block(BlockName { word: Some("array"), .. }) => self.array_of_braces(self.here()),
-            Token::Block(BlockName { word: None, span, .. }) if self.sources.snippet(span) == "dictionary" => {
+            Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
                 self.dictionary()
             }
             Token::Word(_) if self.at_color()? => self.plain_value(),
@@ -89,7 +89,7 @@ impl<'a> Interpreter<'a> {
 
     /// A block that has a kind of value.
     fn thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
-        let defaults = self.defaults.clone();
+        let defaults = self.builder.defaults.clone();
         if word == "spline" {
             return Ok(self.spline()?);
         }
@@ -138,23 +138,23 @@ impl<'a> Interpreter<'a> {
             match next {
                 Next::End => return Ok(()),
                 Next::Block("texture") | Next::Thing("texture") => {
-                    let defaults = self.defaults.clone();
-                    self.defaults.texture = Arc::new(read_layers(self, &defaults)?);
+                    let defaults = self.builder.defaults.clone();
+                    self.builder.defaults.texture = Arc::new(read_layers(self, &defaults)?);
                 }
                 Next::Block("camera") => {
                     let at = self.take()?;
-                    let defaults = self.defaults.clone();
-                    self.scene.camera = read_camera(self, at, &defaults)?;
+                    let defaults = self.builder.defaults.clone();
+                    self.builder.scene.camera = read_camera(self, at, &defaults)?;
                     self.leave()?;
                 }
                 _ => {
-                    let base = self.defaults.texture.clone();
+                    let base = self.builder.defaults.texture.clone();
                     let mut texture = (*base).clone();
                     if !texture.read_part(self, next, &base)? {
                         let words = ["texture", "pigment", "normal", "finish", "camera"];
                         return Err(self.unknown_word("default", &words).into());
                     }
-                    self.defaults.texture = Arc::new(texture);
+                    self.builder.defaults.texture = Arc::new(texture);
                 }
             }
         }
@@ -164,11 +164,11 @@ impl<'a> Interpreter<'a> {
     pub(super) fn keep_constants(&mut self) {
         let changing = ["version", "now", "input_file_name"];
         for (name, _) in word::CONSTANTS.iter().filter(|(name, _)| !changing.contains(name)) {
-            let i = self.names.intern(name).0 as usize;
-            if i >= self.constants.len() {
-                self.constants.resize(i + 1, None);
+            let i = self.inputs.names.intern(name).0 as usize;
+            if i >= self.evaluator.constants.len() {
+                self.evaluator.constants.resize(i + 1, None);
             }
-            self.constants[i] = self.constant_value(name);
+            self.evaluator.constants[i] = self.constant_value(name);
         }
     }
 
@@ -188,21 +188,21 @@ impl<'a> Interpreter<'a> {
             "pi" => float(std::f64::consts::PI),
             "true" | "on" | "yes" => flag(true),
             "false" | "off" | "no" => flag(false),
-            "image_width" => float(self.options.size.0 as f64),
-            "image_height" => float(self.options.size.1 as f64),
-            "version" => float(f64::from(self.language.version) / 100.0),
+            "image_width" => float(self.inputs.options.size.0 as f64),
+            "image_height" => float(self.inputs.options.size.1 as f64),
+            "version" => float(f64::from(self.builder.language.version) / 100.0),
             "now" => float(days_since_2000()),
-            "input_file_name" => Some(Value::Text(self.options.input_name.as_str().into())),
-            _ => self.options.timing.constant(name).map(Value::Float),
+            "input_file_name" => Some(Value::Text(self.inputs.options.input_name.as_str().into())),
+            _ => self.inputs.options.timing.constant(name).map(Value::Float),
         }
     }
 
     /// `--declare NAME=VALUE`: a number, vector or colour, or else text.
     pub(super) fn declare_options(&mut self) {
-        for (name, value) in &self.options.declares {
+        for (name, value) in &self.inputs.options.declares {
             let value = given(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
-            let symbol = self.names.intern(name);
-            self.scopes.set_global(symbol, Slot::Value(value), vec![]);
+            let symbol = self.inputs.names.intern(name);
+            self.evaluator.scopes.set_global(symbol, Slot::Value(value), vec![]);
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::{Argument, Given};
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::Slot;
 use crate::math::DVec3;
 use crate::scene::Object;
 use crate::value::{Thing, Value, downcast};
@@ -50,12 +50,12 @@ impl<'a> Interpreter<'a> {
     /// Gives a name or an array's element a value.
     fn set_result(&mut self, target: &Argument<'a>, value: Value) -> Result<()> {
         match &target.given {
-            Given::Name(symbol) if self.scopes.get(*symbol).is_some() => {
-                self.scopes.set_global(*symbol, Slot::Value(value), vec![]);
+            Given::Name(symbol) if self.evaluator.scopes.get(*symbol).is_some() => {
+                self.evaluator.scopes.set_global(*symbol, Slot::Value(value), vec![]);
                 Ok(())
             }
             Given::Place(place) => {
-                self.scopes.set_element(place, Some(Slot::Value(value)));
+                self.evaluator.scopes.set_element(place, Some(Slot::Value(value)));
                 Ok(())
             }
             Given::Name(symbol) => self.name_value(*symbol, target.span).map(drop),
@@ -82,15 +82,15 @@ impl<'a> Interpreter<'a> {
     fn probe(&mut self, argument: &Argument<'a>) -> Result<Rc<Probe>> {
         let object = self.object_argument(argument)?;
         let key = Arc::as_ptr(&object).cast::<()>();
-        if let Some((_, probe)) = self.probes.get(&key) {
+        if let Some((_, probe)) = self.evaluator.probes.get(&key) {
             return Ok(probe.clone());
         }
-        if self.probes.len() >= MAX_PROBES {
-            self.probes.clear();
+        if self.evaluator.probes.len() >= MAX_PROBES {
+            self.evaluator.probes.clear();
         }
         let probe = Rc::new(Probe::new(&object)?);
         // The object is kept, so that no other one gets its address.
-        self.probes.insert(key, (object as Arc<dyn Thing>, probe.clone()));
+        self.evaluator.probes.insert(key, (object as Arc<dyn Thing>, probe.clone()));
         Ok(probe)
     }
 }

@@ -4,8 +4,8 @@ use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
 use crate::interpreter::eval::as_float;
-use crate::interpreter::operators::SMALL;
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::SMALL;
+use crate::interpreter::evaluator::Slot;
 use crate::interpreter::stream::FrameKind;
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -43,10 +43,10 @@ impl<'a> Interpreter<'a> {
 
     /// `#if A = 1` instead of `#if (A = 1)`.
     fn no_parentheses(&self, span: Span) -> Fault {
-        let Some((file, range)) = self.sources.locate(span) else {
+        let Some((file, range)) = self.inputs.sources.locate(span) else {
             return Box::new(Diagnostic::new(codes::SYNTAX, span, "expected `(`"));
         };
-        Box::new(fault::explain(self.sources.text(file), range.start, self.sources.base(file)))
+        Box::new(fault::explain(self.inputs.sources.text(file), range.start, self.inputs.sources.base(file)))
     }
 
     pub(in crate::interpreter) fn branch(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
@@ -69,7 +69,7 @@ impl<'a> Interpreter<'a> {
             if taken {
                 branches[i + 1..].iter().for_each(|other| self.note_branch(&other.body, false));
                 if let (Condition::Always, Some(next)) = (&branch.condition, branches.get(i + 1)) {
-                    return Err(continues_nothing(next.span, self.sources.snippet(next.span)));
+                    return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
                 }
                 self.push_frame(&branch.body, FrameKind::Branch, span);
                 break;
@@ -80,8 +80,8 @@ impl<'a> Interpreter<'a> {
 
     /// For those who show what did not run.
     fn note_branch(&mut self, body: &[Element], runs: bool) {
-        if let (true, [first, ..], Some(last)) = (self.options.branches, body, body.last()) {
-            *self.branches.entry(first.span.to(last.span)).or_default() |= runs;
+        if let (true, [first, ..], Some(last)) = (self.inputs.options.branches, body, body.last()) {
+            *self.reporter.branches.entry(first.span.to(last.span)).or_default() |= runs;
         }
     }
 
@@ -111,7 +111,7 @@ impl<'a> Interpreter<'a> {
             Head::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| {
                 // (The name may be a macro's, which is not called here.)
                 match me.bare_name() {
-                    Some((symbol, _)) => Ok(me.scopes.get(symbol).is_some()),
+                    Some((symbol, _)) => Ok(me.evaluator.scopes.get(symbol).is_some()),
                     None => {
                         let argument = match me.argument_here() {
                             Err(fault) if fault.code == codes::UNDECLARED => return me.skip_to_end().map(|()| false),
@@ -141,7 +141,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
         match &e.kind {
             // The language's own constants are not declared.
-            ExprKind::Name(symbol) => Ok(self.scopes.get(*symbol).is_some()),
+            ExprKind::Name(symbol) => Ok(self.evaluator.scopes.get(*symbol).is_some()),
             ExprKind::Index(array, indices) => {
                 if !self.is_declared(array)? {
                     return Ok(false);
@@ -150,12 +150,14 @@ impl<'a> Interpreter<'a> {
                     return self.has_keys(place, indices);
                 }
                 let place = self.element_place(array, indices)?;
-                Ok(self.scopes.at(&place).is_some())
+                Ok(self.evaluator.scopes.at(&place).is_some())
             }
             ExprKind::Dot(base, _, symbol) => {
                 let place = self.dictionary_place(base)?;
-                let key = self.names.text(*symbol);
-                Ok(matches!(place.and_then(|p| self.scopes.at(&p)), Some(Slot::Array(array)) if array.has_key(key)))
+                let key = self.inputs.names.text(*symbol);
+                Ok(
+                    matches!(place.and_then(|p| self.evaluator.scopes.at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
+                )
             }
             ExprKind::Paren(inner) => self.is_declared(inner),
             _ => Diagnostic::err(codes::WRONG_TYPE, e.span, "`#ifdef` takes a name"),
@@ -191,7 +193,7 @@ impl<'a> Interpreter<'a> {
         if step.is_nan() || step.abs() < SMALL {
             return Diagnostic::err(codes::ZERO_STEP, at, format!("a step of {step} would never reach the last value"));
         }
-        self.scopes.set_local(counter, Slot::Value(Value::Float(first)), vec![]);
+        self.evaluator.scopes.set_local(counter, Slot::Value(Value::Float(first)), vec![]);
         if within(first, last, step) {
             self.push_frame(&f.body, FrameKind::For { counter, last, step }, span);
         }
@@ -226,12 +228,12 @@ impl<'a> Interpreter<'a> {
         step: f64,
         span: Span,
     ) -> Result<bool> {
-        let Some(Slot::Value(Value::Float(value))) = self.scopes.get(counter) else {
-            let name = self.names.text(counter);
+        let Some(Slot::Value(Value::Float(value))) = self.evaluator.scopes.get(counter) else {
+            let name = self.inputs.names.text(counter);
             return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
         };
         let next = value + step;
-        self.scopes.set_global(counter, Slot::Value(Value::Float(next)), vec![]);
+        self.evaluator.scopes.set_global(counter, Slot::Value(Value::Float(next)), vec![]);
         Ok(within(next, last, step))
     }
 
@@ -251,9 +253,9 @@ impl<'a> Interpreter<'a> {
                 When::Otherwise => true,
             };
             // What a head in pieces has left of its body.
-            let begun = self.frames.split_off(mark.frames);
+            let begun = self.stream.frames.split_off(mark.frames);
             if let (true, When::Otherwise, Some(next)) = (fits, &arm.when, arms.get(i + 1)) {
-                return Err(continues_nothing(next.span, self.sources.snippet(next.span)));
+                return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
             }
             // (Where an arm ends is known when it runs: those behind it are not called idle.)
             self.note_branch(&arm.body, fits);
@@ -264,7 +266,7 @@ impl<'a> Interpreter<'a> {
                 for arm in arms[i + usize::from(!begun.is_empty())..].iter().rev() {
                     self.push_frame(&arm.body, FrameKind::Branch, span);
                 }
-                self.frames.extend(begun);
+                self.stream.frames.extend(begun);
                 break;
             }
         }

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::scope::{Place, Slot};
+use crate::interpreter::evaluator::{Place, Slot};
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -36,8 +36,8 @@ impl<'a> Interpreter<'a> {
         {
             let slot = Slot::Value(Value::Float(x));
             match declare.local {
-                true => self.scopes.set_local(target.symbol, slot, vec![]),
-                false => self.scopes.set_global(target.symbol, slot, vec![]),
+                true => self.evaluator.scopes.set_local(target.symbol, slot, vec![]),
+                false => self.evaluator.scopes.set_global(target.symbol, slot, vec![]),
             }
             return Ok(());
         }
@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
     fn expect_value_of(&self, symbol: Symbol) -> Result<()> {
         match self.at_semicolon() {
             Some(at) => {
-                let message = format!("expected a value for `{}`, found `;`", self.names.text(symbol));
+                let message = format!("expected a value for `{}`, found `;`", self.inputs.names.text(symbol));
                 Diagnostic::err(codes::EXPECTED, at, message)
             }
             None => Ok(()),
@@ -153,7 +153,7 @@ impl<'a> Interpreter<'a> {
             self.take_apart();
         }
         let Some((symbol, span)) = self.raw_name() else { return Err(self.no_name(directive)) };
-        let text = self.names.text(symbol);
+        let text = self.inputs.names.text(symbol);
         if let Some((word, _)) = word::lookup(text).filter(|(_, category)| *category != Category::Contextual) {
             self.expect_equal()?;
             self.reserved_name(word, span)?;
@@ -173,10 +173,14 @@ impl<'a> Interpreter<'a> {
 
     /// What can't stand where it does, told from the text.
     fn explained(&self, at: Span) -> crate::diagnostic::Fault {
-        let Some((file, range)) = self.sources.locate(at) else {
+        let Some((file, range)) = self.inputs.sources.locate(at) else {
             return Box::new(Diagnostic::new(codes::SYNTAX, at, "this can't stand here"));
         };
-        Box::new(crate::syntax::fault::explain(self.sources.text(file), range.start, self.sources.base(file)))
+        Box::new(crate::syntax::fault::explain(
+            self.inputs.sources.text(file),
+            range.start,
+            self.inputs.sources.base(file),
+        ))
     }
 
     fn expect_equal(&mut self) -> Result<()> {
@@ -193,23 +197,27 @@ impl<'a> Interpreter<'a> {
     }
 
     fn declare_one(&mut self, local: bool, deprecated: Deprecated<'a>, declared: Declared) -> Result<()> {
-        let first = self.diagnostics.len();
+        let first = self.reporter.diagnostics.len();
         let mark = self.mark();
-        let outer = std::mem::replace(&mut self.floor, mark.frames);
+        let outer = std::mem::replace(&mut self.stream.floor, mark.frames);
         let value = self.rvalue().and_then(|slot| self.drain(mark.frames).map(|()| slot));
-        self.floor = outer;
+        self.stream.floor = outer;
         if value.is_ok() && self.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
             self.advance();
         }
         let slot = match value {
             Ok(slot) => slot,
-            Err(fault) if self.limit_reached || fault.code == codes::ENDS_RUN || self.unclosed_bracket().is_some() => {
+            Err(fault)
+                if self.reporter.limit_reached
+                    || fault.code == codes::ENDS_RUN
+                    || self.unclosed_bracket().is_some() =>
+            {
                 return Err(fault);
             }
             Err(fault) => {
                 let fault = self.with_trace(*fault);
                 self.skip_statement(mark);
-                if let Some(frame) = self.frames.last_mut() {
+                if let Some(frame) = self.stream.frames.last_mut() {
                     frame.skip_layers(mark.at);
                 }
                 // What POV-Ray could not even read is an error at once.
@@ -217,17 +225,21 @@ impl<'a> Interpreter<'a> {
                     self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);
                     return fault.into();
                 }
-                let mut faults = self.diagnostics.split_off(first);
+                let mut faults = self.reporter.diagnostics.split_off(first);
                 faults.push(fault);
                 Slot::Faulty(Rc::new(faults))
             }
         };
         // Warnings about a thing wait until it is used; those about a number are told here.
         let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
-        let pending = if waits { self.diagnostics.split_off(first.min(self.diagnostics.len())) } else { vec![] };
+        let pending = if waits {
+            self.reporter.diagnostics.split_off(first.min(self.reporter.diagnostics.len()))
+        } else {
+            vec![]
+        };
         self.bind(local, &declared, slot, pending);
         if let Some((_, why)) = deprecated {
-            self.deprecated.insert(declared.symbol, why);
+            self.evaluator.deprecated.insert(declared.symbol, why);
         }
         Ok(())
     }
@@ -244,11 +256,11 @@ impl<'a> Interpreter<'a> {
     fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match &declared.place {
             Some(place) => {
-                self.scopes.set_element(place, Some(slot));
+                self.evaluator.scopes.set_element(place, Some(slot));
                 pending.into_iter().for_each(|d| self.report_fault(d));
             }
-            None if local => self.scopes.set_local(declared.symbol, slot, pending),
-            None => self.scopes.set_global(declared.symbol, slot, pending),
+            None if local => self.evaluator.scopes.set_local(declared.symbol, slot, pending),
+            None => self.evaluator.scopes.set_global(declared.symbol, slot, pending),
         }
     }
 
@@ -275,11 +287,11 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn undef(&mut self, span: Span) -> Result<()> {
         self.pop_spent();
         // (Nothing behind the name runs before it is forgotten, and a macro's is not called.)
-        let next = self.frames.last().and_then(|f| f.elements.get(f.at + 1)).map(|e| &e.kind);
+        let next = self.stream.frames.last().and_then(|f| f.elements.get(f.at + 1)).map(|e| &e.kind);
         if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Sign(_)))
             && let Some((symbol, _)) = self.raw_name()
         {
-            self.scopes.remove(symbol);
+            self.evaluator.scopes.remove(symbol);
             return Ok(());
         }
         if self.raw().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
@@ -298,8 +310,8 @@ impl<'a> Interpreter<'a> {
             argument => argument?,
         };
         match argument.given {
-            Given::Name(symbol) => drop(self.scopes.remove(symbol)),
-            Given::Place(place) => self.scopes.set_element(&place, None),
+            Given::Name(symbol) => drop(self.evaluator.scopes.remove(symbol)),
+            Given::Place(place) => self.evaluator.scopes.set_element(&place, None),
             Given::Slot(_) => {}
         }
         Ok(())
@@ -311,7 +323,7 @@ impl<'a> Interpreter<'a> {
             return d.help("`#default { finish { ambient 0 } }`").into();
         }
         self.open()?;
-        if let Some(opened) = self.opened.last_mut() {
+        if let Some(opened) = self.stream.opened.last_mut() {
             (opened.word, opened.span) = (Some("default"), span);
         }
         self.read_defaults()?;

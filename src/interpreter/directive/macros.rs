@@ -3,27 +3,27 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::limits::MAX_CALLS;
-use crate::interpreter::pieces::joined;
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::Slot;
+use crate::interpreter::reporter::MAX_CALLS;
 use crate::interpreter::stream::{FrameKind, Token};
+use crate::interpreter::token_expr::joined;
 use crate::source::Span;
 use crate::syntax::ast::*;
 
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn define_macro(&mut self, definition: &'a Macro) -> Result<()> {
         if let Some(at) = definition.fault {
-            let found = self.sources.snippet(at);
+            let found = self.inputs.sources.snippet(at);
             let found = if found.is_empty() { "nothing".into() } else { format!("`{found}`") };
             let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name behind `#macro`, found {found}"));
             return d.help("`#macro Name(A, B) … #end`").into();
         }
-        self.scopes.set_global(definition.name, Slot::Macro(definition), vec![]);
+        self.evaluator.scopes.set_global(definition.name, Slot::Macro(definition), vec![]);
         Ok(())
     }
 
     pub(in crate::interpreter) fn is_macro(&self, name: Symbol) -> bool {
-        matches!(self.scopes.get(name), Some(Slot::Macro(_)))
+        matches!(self.evaluator.scopes.get(name), Some(Slot::Macro(_)))
     }
 
     /// Evaluates the arguments, opens a scope and puts the body next in the stream, then perhaps a comma.
@@ -34,7 +34,7 @@ impl<'a> Interpreter<'a> {
         span: Span,
         comma: bool,
     ) -> Result<()> {
-        let Some(&Slot::Macro(definition)) = self.scopes.get(name) else { return Ok(()) };
+        let Some(&Slot::Macro(definition)) = self.evaluator.scopes.get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
         let slots = match self.plain_arguments(definition, arguments)? {
             Some(slots) => slots,
@@ -46,12 +46,12 @@ impl<'a> Interpreter<'a> {
 
     /// The same for a name that has been consumed, whose `(` comes next.
     pub(in crate::interpreter) fn call_macro_in_pieces(&mut self, name: Symbol, span: Span) -> Result<()> {
-        let Some(&Slot::Macro(definition)) = self.scopes.get(name) else { return Ok(()) };
+        let Some(&Slot::Macro(definition)) = self.evaluator.scopes.get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
-        self.comma = false;
+        self.stream.comma = false;
         self.expose_parenthesis()?;
         if !matches!(self.peek()?, Token::Open(Bracket::Paren, _)) {
-            let name = self.names.text(name);
+            let name = self.inputs.names.text(name);
             let d = Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"));
             return d.help(format!("a call needs parentheses: `{name}()`")).into();
         }
@@ -70,31 +70,31 @@ impl<'a> Interpreter<'a> {
                 return Err(fault);
             }
         };
-        let comma = std::mem::take(&mut self.comma);
+        let comma = std::mem::take(&mut self.stream.comma);
         self.enter_macro(definition, slots, joined(span, end), comma);
         Ok(())
     }
 
     fn check_depth(&mut self, name: Symbol, span: Span) -> Result<()> {
         self.step(span)?;
-        if self.depth < MAX_CALLS {
+        if self.stream.depth < MAX_CALLS {
             return Ok(());
         }
-        let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.names.text(name));
+        let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.inputs.names.text(name));
         self.limit(codes::CALL_DEPTH, span, message, "does this recursion ever end?")
     }
 
     fn enter_macro(&mut self, definition: &'a Macro, mut slots: Vec<Option<Slot<'a>>>, span: Span, comma: bool) {
-        self.scopes.enter();
+        self.evaluator.scopes.enter();
         for ((parameter, _), slot) in definition.parameters.iter().zip(slots.drain(..)) {
             if let Some(slot) = slot {
-                self.scopes.bind_parameter(*parameter, slot);
+                self.evaluator.scopes.bind_parameter(*parameter, slot);
             }
         }
-        self.call_slots = slots;
-        self.depth += 1;
+        self.evaluator.call_slots = slots;
+        self.stream.depth += 1;
         self.push_frame(&definition.body, FrameKind::Macro(definition.name), span);
-        if let Some(frame) = self.frames.last_mut() {
+        if let Some(frame) = self.stream.frames.last_mut() {
             frame.comma = comma;
         }
     }
@@ -107,7 +107,7 @@ impl<'a> Interpreter<'a> {
     ) -> Result<Option<Vec<Option<Slot<'a>>>>> {
         let is_plain = |element: &Element| match &element.kind {
             ElementKind::Expr(e) => match &e.kind {
-                ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
+                ExprKind::Name(symbol) => matches!(self.evaluator.scopes.get(*symbol), Some(Slot::Value(_))),
                 ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
                 ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => !e.compares() && !self.splits(e),
                 ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.splits(e),
@@ -119,12 +119,12 @@ impl<'a> Interpreter<'a> {
             return Ok(None);
         }
         // (A list that was used before: calls are many, and evaluating expressions makes none.)
-        let mut slots = std::mem::take(&mut self.call_slots);
+        let mut slots = std::mem::take(&mut self.evaluator.call_slots);
         slots.clear();
         for element in arguments {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
             slots.push(Some(match e.kind {
-                ExprKind::Name(symbol) => match self.scopes.resolve(symbol) {
+                ExprKind::Name(symbol) => match self.evaluator.scopes.resolve(symbol) {
                     Some(place) => Slot::Alias(place),
                     None => return Ok(None),
                 },
@@ -135,8 +135,8 @@ impl<'a> Interpreter<'a> {
     }
 
     fn arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
-        let name = self.names.text(definition.name);
-        let (level, wanted) = (self.scopes.level(), definition.parameters.len());
+        let name = self.inputs.names.text(definition.name);
+        let (level, wanted) = (self.evaluator.scopes.level(), definition.parameters.len());
         let mut slots = Vec::with_capacity(wanted);
         for &(parameter, optional) in &definition.parameters {
             if self.peek()?.ends() {
@@ -144,7 +144,7 @@ impl<'a> Interpreter<'a> {
                     slots.push(None);
                     continue;
                 }
-                let parameter = self.names.text(parameter);
+                let parameter = self.inputs.names.text(parameter);
                 return Diagnostic::new(
                     codes::WRONG_COUNT,
                     span,
@@ -178,13 +178,13 @@ impl<'a> Interpreter<'a> {
             return self.rvalue();
         }
         let place = match self.peek()? {
-            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.scopes.resolve(*symbol),
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.scopes.resolve(*symbol),
             _ => None,
         };
-        let lasting = place.filter(|place| self.scopes.level_of(place) <= level);
-        let closed = std::mem::replace(&mut self.closed, true);
+        let lasting = place.filter(|place| self.evaluator.scopes.level_of(place) <= level);
+        let closed = std::mem::replace(&mut self.stream.closed, true);
         let argument = self.argument_here();
-        self.closed = closed;
+        self.stream.closed = closed;
         let argument = argument?;
         match argument.given {
             Given::Name(_) if let Some(place) = lasting => Ok(Slot::Alias(place)),

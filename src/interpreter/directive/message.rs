@@ -16,7 +16,7 @@ impl Interpreter<'_> {
                 Ok(())
             }
             _ => {
-                (self.debug)(&message);
+                (self.reporter.debug)(&message);
                 Ok(())
             }
         }

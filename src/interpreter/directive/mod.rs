@@ -34,14 +34,14 @@ impl<'a> Interpreter<'a> {
 
     /// A directive without a body; or a `#` that stands before something else, as in `#Ball(1)`.
     fn plain_directive(&mut self, directive: &'a Directive, word: Symbol, span: Span) -> Result<()> {
-        let name = self.names.text(word);
+        let name = self.inputs.names.text(word);
         if let Some((name, run)) = table::find(name) {
             return self.run_plain(name, run, span);
         }
-        let declared = self.scopes.get(word).is_some();
+        let declared = self.evaluator.scopes.get(word).is_some();
         if declared || crate::syntax::word::lookup(name).is_some() {
             let text = Span { lo: span.hi - name.len() as u32, hi: span.hi };
-            let parts = self.parsed.parts_of(directive, || self.tokens_of(text));
+            let parts = self.inputs.parsed.parts_of(directive, || self.tokens_of(text));
             self.push_piece(parts, None, text, false);
             return Ok(());
         }
@@ -54,11 +54,11 @@ impl<'a> Interpreter<'a> {
     /// Runs a directive without a body, whose word has been consumed.
     pub(super) fn run_plain(&mut self, name: &'static str, run: table::Run, span: Span) -> Result<()> {
         // No other directive runs before this one has got what it takes.
-        let closed = std::mem::replace(&mut self.closed, true);
-        let floor = std::mem::replace(&mut self.floor, self.frames.len());
+        let closed = std::mem::replace(&mut self.stream.closed, true);
+        let floor = std::mem::replace(&mut self.stream.floor, self.stream.frames.len());
         let mark = self.mark();
         let result = run(self, name, span).map_err(|fault| self.past_fault(mark, *fault));
-        (self.closed, self.floor) = (closed, floor);
+        (self.stream.closed, self.stream.floor) = (closed, floor);
         result
     }
 }

@@ -2,14 +2,14 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::stream::Token;
-use crate::interpreter::{Interpreter, compat};
+use crate::interpreter::{Interpreter, scene_builder::compat};
 use crate::syntax::ast::{Expr, ExprKind};
 
 impl Interpreter<'_> {
     pub(in crate::interpreter) fn version(&mut self) -> Result<()> {
         // `#version unofficial patch 3.7;`: the names of MegaPOV and its kin say nothing here.
         while let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
-            && self.scopes.get(*symbol).is_none()
+            && self.evaluator.scopes.get(*symbol).is_none()
             && !self.is_constant(*symbol)
         {
             self.advance();

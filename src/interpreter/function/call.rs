@@ -22,11 +22,11 @@ impl<'a> Interpreter<'a> {
         }
         let Some(function) = self.thing_of::<Function>(name) else {
             self.name_value(name, span)?;
-            let text = self.names.text(name);
+            let text = self.inputs.names.text(name);
             return Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"));
         };
         let numbers = self.whole_numbers(arguments)?;
-        let name = Span { hi: span.lo + self.names.text(name).len() as u32, ..span };
+        let name = Span { hi: span.lo + self.inputs.names.text(name).len() as u32, ..span };
         self.check_arity(name, numbers.len(), function.arity())?;
         Ok(answer(&function, &numbers))
     }

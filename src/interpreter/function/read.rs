@@ -1,12 +1,12 @@
 //! `function (…) { … }`, as a whole or in pieces.
 
-use super::pieces::Compiled;
+use super::token_function::Compiled;
 use super::{Compiler, internal_function};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::eval::as_float;
-use crate::interpreter::pieces::joined;
 use crate::interpreter::stream::Token;
+use crate::interpreter::token_expr::joined;
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Symbol};
 use crate::value::{SizedFunction, Thing};
@@ -139,7 +139,7 @@ impl<'a> Interpreter<'a> {
             }
             _ => return Ok(None),
         };
-        match internal_function(number, &self.noise_generator) {
+        match internal_function(number, &self.builder.noise_generator) {
             Some(function) if self.peek()?.ends() => Ok(Some(Arc::new(function))),
             Some(_) => Err(self.unexpected_token("the end of the function").into()),
             None => Diagnostic::err(codes::NOT_YET, span, format!("`internal({number})` is not supported yet")),

@@ -117,7 +117,7 @@ impl Interpreter<'_> {
     /// An sRGB colour in the numbers that the scene computes with.
     fn linear_of_srgb(&self, c: Rgb) -> Rgb {
         let linear = transfer::srgb_decode_rgb(c);
-        match self.language.assumed_gamma {
+        match self.builder.language.assumed_gamma {
             Some(Gamma::Srgb) => c,
             Some(Gamma::Power(g)) if g != 1.0 => {
                 let power = |x: f64| fp::pow(x.max(0.0), 1.0 / g);

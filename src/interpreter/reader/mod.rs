@@ -10,10 +10,10 @@ mod transform;
 pub(super) use transform::TransformThing;
 
 use super::eval::{as_float, as_vector};
-use super::operators::SMALL;
-use super::scope::Slot;
+use super::evaluator::SMALL;
+use super::evaluator::Slot;
 use super::stream::Token;
-use super::{Interpreter, compat, hints};
+use super::{Interpreter, reporter::hints, scene_builder::compat};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::font::Font;
@@ -48,7 +48,7 @@ impl<'a> Interpreter<'a> {
 
     /// What a name in word position is: a thing, a value, or nothing.
     fn next_of_name(&mut self, symbol: Symbol) -> Next {
-        match self.scopes.get(symbol) {
+        match self.evaluator.scopes.get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
             _ => Next::Value,
         }
@@ -68,9 +68,9 @@ impl Reader for Interpreter<'_> {
             Token::Block(name) => match name.word {
                 Some(word) => Next::Block(word),
                 None => {
-                    let (text, span) = (self.sources.snippet(name.span), name.span);
+                    let (text, span) = (self.inputs.sources.snippet(name.span), name.span);
                     let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("there is no block `{text} {{…}}`"));
-                    let symbol = self.names.find(text);
+                    let symbol = self.inputs.names.find(text);
                     if let Some(Next::Thing(kind)) = symbol.map(|symbol| self.next_of_name(symbol)) {
                         return d.help(format!("write `{kind} {{ {text} … }}`")).into();
                     }
@@ -80,7 +80,7 @@ impl Reader for Interpreter<'_> {
                 }
             },
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.next_of_name(*symbol),
-            Token::Element(_) => match self.element.as_ref().and_then(|place| self.scopes.at(place)) {
+            Token::Element(_) => match self.stream.element.as_ref().and_then(|place| self.evaluator.scopes.at(place)) {
                 Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
                 _ => Next::Value,
             },
@@ -143,7 +143,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn solid(&mut self) -> Result<Arc<dyn Solid>> {
-        let defaults = self.defaults.clone();
+        let defaults = self.builder.defaults.clone();
         let object = Object::read(self, &defaults)?;
         Ok(Arc::new(Probe::new(&object)?))
     }
@@ -259,10 +259,10 @@ impl Reader for Interpreter<'_> {
             Token::Word(word) => begins_color(word),
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 matches!(self.next_of_name(*symbol), Next::Value)
-                    && !matches!(self.scopes.get(*symbol), Some(Slot::Value(Value::Text(_))))
+                    && !matches!(self.evaluator.scopes.get(*symbol), Some(Slot::Value(Value::Text(_))))
             }
             Token::Element(_) => {
-                let slot = self.element.as_ref().and_then(|place| self.scopes.at(place));
+                let slot = self.stream.element.as_ref().and_then(|place| self.evaluator.scopes.at(place));
                 matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,
@@ -286,7 +286,7 @@ impl Reader for Interpreter<'_> {
     fn language(&self) -> Language {
         let version = self.stated_version();
         let srgb_files = version.is_some_and(compat::has_srgb_files);
-        Language { other_gamma: compat::gamma_without_setting(version), srgb_files, ..self.language }
+        Language { other_gamma: compat::gamma_without_setting(version), srgb_files, ..self.builder.language }
     }
 
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>> {
@@ -344,11 +344,11 @@ impl Reader for Interpreter<'_> {
 impl Interpreter<'_> {
     /// A picture's file, decoded once.
     fn picture_at(&mut self, path: PathBuf, at: Span) -> Result<Arc<Picture>> {
-        if let Some(picture) = self.pictures.get(&path) {
+        if let Some(picture) = self.evaluator.pictures.get(&path) {
             return Ok(picture.clone());
         }
         let picture = Arc::new(Picture::read(&path).map_err(|fault| fault.at(at))?);
-        self.pictures.insert(path, picture.clone());
+        self.evaluator.pictures.insert(path, picture.clone());
         Ok(picture)
     }
 

@@ -2,7 +2,7 @@
 
 use super::super::Interpreter;
 use super::super::eval::vector_value;
-use super::super::scope::Slot;
+use super::super::evaluator::Slot;
 use super::super::stream::Token;
 use super::color::{begins_color, is_component};
 use crate::diagnostic::{Diagnostic, Result, codes};

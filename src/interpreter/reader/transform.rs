@@ -62,11 +62,11 @@ impl Interpreter<'_> {
             return;
         }
         // A pattern is turned to look less regular, and then any axis will do.
-        let word = self.opened.last().and_then(|opened| opened.word);
+        let word = self.stream.opened.last().and_then(|opened| opened.word);
         if !word.is_some_and(|word| is_object(word) || word == "camera") {
             return;
         }
-        let typed = self.sources.snippet(span);
+        let typed = self.inputs.sources.snippet(span);
         if typed.parse::<f64>().is_ok() && !self.goes_on_behind(span) {
             let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
             let help =
@@ -78,8 +78,8 @@ impl Interpreter<'_> {
 
     /// Does an operator stand behind this number? (Taken apart, `360*rand(S)` begins with a token that is a number.)
     fn goes_on_behind(&self, span: Span) -> bool {
-        let Some((file, range)) = self.sources.locate(span) else { return false };
-        let rest = self.sources.text(file).get(range.end..).unwrap_or("");
+        let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
+        let rest = self.inputs.sources.text(file).get(range.end..).unwrap_or("");
         rest.trim_start().starts_with(['*', '/', '+', '-', '.'])
     }
 

@@ -2,7 +2,7 @@
 
 use super::missing::{include_help, include_message};
 use crate::diagnostic::{Cause, Diagnostic, Remedy, codes, nearest};
-use crate::interpreter::{Interpreter, hints};
+use crate::interpreter::{Interpreter, reporter::hints};
 use crate::library;
 use crate::source::Span;
 use crate::syntax::ast::Symbol;
@@ -11,9 +11,9 @@ use crate::syntax::word;
 impl Interpreter<'_> {
     /// The message for a name that stands for nothing: which include declares it, or which name was meant.
     pub(in crate::interpreter) fn undeclared(&self, symbol: Symbol, span: Span) -> Diagnostic {
-        let name = self.names.text(symbol);
+        let name = self.inputs.names.text(symbol);
         // (Of a call, the name alone is the fault.)
-        let named = self.sources.snippet(span).starts_with(name);
+        let named = self.inputs.sources.snippet(span).starts_with(name);
         let span = if named { Span { hi: span.lo + name.len() as u32, ..span } } else { span };
         let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{name}` is not declared"));
         if let Some(file) = self.include_missing_for(name) {
@@ -33,13 +33,13 @@ impl Interpreter<'_> {
         if hints::other_tools(name).is_some() && !name.starts_with(char::is_uppercase) {
             return None;
         }
-        let declared = self.scopes.names().map(|s| self.names.text(s));
+        let declared = self.evaluator.scopes.names().map(|s| self.inputs.names.text(s));
         nearest(name, declared).map(|found| format!("did you mean `{found}`?"))
     }
 
     fn declaration_of(&self, name: &str, span: Span) -> String {
-        let called = self.sources.locate(span).is_some_and(|(file, range)| {
-            self.sources.text(file).get(range.end..).unwrap_or_default().trim_start().starts_with('(')
+        let called = self.inputs.sources.locate(span).is_some_and(|(file, range)| {
+            self.inputs.sources.text(file).get(range.end..).unwrap_or_default().trim_start().starts_with('(')
         });
         match called {
             true => format!(

@@ -19,9 +19,9 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn call_follows(&mut self) -> Result<bool> {
         let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
         let waits = matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
-        let closed = std::mem::replace(&mut self.closed, waits);
+        let closed = std::mem::replace(&mut self.stream.closed, waits);
         let next = self.peek_after();
-        self.closed = closed;
+        self.stream.closed = closed;
         if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
             self.expose_parenthesis()?;
         }
@@ -38,7 +38,7 @@ impl<'a> Interpreter<'a> {
         let mut arguments = SmallVec::<[Argument<'a>; 4]>::new();
         while !self.peek()?.closes(Bracket::Paren) {
             // (Only where there may be any number of arguments, the commas have to be there: measured on POV-Ray 3.7.)
-            if !arguments.is_empty() && !self.comma && builtin::needs_commas(word) {
+            if !arguments.is_empty() && !self.stream.comma && builtin::needs_commas(word) {
                 let at = self.here();
                 return Err(self.misplaced(at).into());
             }

@@ -5,9 +5,9 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Id, Operation};
 use crate::interpreter::Interpreter;
 use crate::interpreter::eval::as_float;
-use crate::interpreter::pieces::{Operands, expect_colon, is_callable, joined, read_signs};
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::Slot;
 use crate::interpreter::stream::Token;
+use crate::interpreter::token_expr::{Operands, expect_colon, is_callable, joined, read_signs};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
 use crate::value::Value;
@@ -59,7 +59,7 @@ impl<'a> Interpreter<'a> {
                     }
                     ExprKind::Name(symbol) => {
                         self.advance();
-                        let callee = match self.scopes.get(*symbol) {
+                        let callee = match self.evaluator.scopes.get(*symbol) {
                             Some(Slot::Value(value)) => is_callable(value),
                             _ => false,
                         };

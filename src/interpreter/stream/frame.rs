@@ -46,14 +46,14 @@ impl StackFrame<'_> {
         whole && self.at >= self.elements.len()
     }
 
-    pub(super) fn opens_brace(&self, at: usize) -> bool {
+    pub(in crate::interpreter) fn opens_brace(&self, at: usize) -> bool {
         matches!(
             self.elements.get(at).map(|e| &e.kind),
             Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace)))
         )
     }
 
-    pub(super) fn opens_paren(&self, at: usize) -> bool {
+    pub(in crate::interpreter) fn opens_paren(&self, at: usize) -> bool {
         match self.elements.get(at).map(|e| &e.kind) {
             Some(ElementKind::Sign(sign)) => *sign == Sign::Open(Bracket::Paren),
             Some(ElementKind::Expr(e)) => matches!(e.kind, ExprKind::Paren(_)),
@@ -64,8 +64,8 @@ impl StackFrame<'_> {
 
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn push_frame(&mut self, elements: &'a [Element], kind: FrameKind<'a>, span: Span) {
-        self.peeked = None;
-        self.frames.push(StackFrame { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false });
+        self.stream.peeked = None;
+        self.stream.frames.push(StackFrame { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false });
     }
 
     /// Elements that come next, then perhaps a closing bracket and a comma.
@@ -76,22 +76,30 @@ impl<'a> Interpreter<'a> {
         span: Span,
         comma: bool,
     ) {
-        self.peeked = None;
-        self.frames.push(StackFrame { elements, at: 0, item: (0, 0), kind: FrameKind::Piece, span, closer, comma });
+        self.stream.peeked = None;
+        self.stream.frames.push(StackFrame {
+            elements,
+            at: 0,
+            item: (0, 0),
+            kind: FrameKind::Piece,
+            span,
+            closer,
+            comma,
+        });
     }
 
     /// Drops the innermost frame, and the scope that came with it.
     pub(in crate::interpreter) fn pop_frame(&mut self) {
-        self.peeked = None;
-        let Some(frame) = self.frames.pop() else { return };
-        self.comma |= frame.comma;
+        self.stream.peeked = None;
+        let Some(frame) = self.stream.frames.pop() else { return };
+        self.stream.comma |= frame.comma;
         match frame.kind {
             FrameKind::Macro(_) => {
-                self.scopes.leave();
-                self.depth -= 1;
+                self.evaluator.scopes.leave();
+                self.stream.depth -= 1;
             }
             FrameKind::Include => {
-                self.scopes.leave();
+                self.evaluator.scopes.leave();
                 self.leave_include();
             }
             _ => {}
@@ -99,8 +107,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A frame that nobody waits for has run out: loops begin again, all others go.
-    pub(super) fn end_of_frame(&mut self) -> Result<()> {
-        let Some(frame) = self.frames.last() else { return Ok(()) };
+    pub(in crate::interpreter) fn end_of_frame(&mut self) -> Result<()> {
+        let Some(frame) = self.stream.frames.last() else { return Ok(()) };
         let span = frame.span;
         let again = match frame.kind {
             FrameKind::While(condition) => self.step(span).and_then(|()| self.condition(condition, span)),
@@ -118,7 +126,7 @@ impl<'a> Interpreter<'a> {
                 return Err(Box::new(fault));
             }
         };
-        match self.frames.last_mut() {
+        match self.stream.frames.last_mut() {
             Some(frame) if again => frame.at = 0,
             _ => self.pop_frame(),
         }
@@ -131,11 +139,11 @@ impl<'a> Interpreter<'a> {
             matches!(f.kind, FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch | FrameKind::Macro(_))
         };
         let is_inner = |f: &StackFrame| matches!(f.kind, FrameKind::Branch | FrameKind::Piece);
-        let inner = self.frames.iter().rev().take_while(|f| is_inner(f)).count();
-        let target = self.frames.len().checked_sub(inner + 1);
+        let inner = self.stream.frames.iter().rev().take_while(|f| is_inner(f)).count();
+        let target = self.stream.frames.len().checked_sub(inner + 1);
         match target {
-            Some(depth) if is_breakable(&self.frames[depth]) => {
-                while self.frames.len() > depth {
+            Some(depth) if is_breakable(&self.stream.frames[depth]) => {
+                while self.stream.frames.len() > depth {
                     self.pop_frame();
                 }
                 Ok(())
@@ -149,11 +157,11 @@ impl<'a> Interpreter<'a> {
     /// Runs what the macros that gave a declared value still have to run, down to `floor` frames.
     pub(in crate::interpreter) fn drain(&mut self, floor: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind, FrameKind::Macro(_));
-        if self.held.is_empty() {
-            self.peeked = None;
+        if self.stream.held.is_empty() {
+            self.stream.peeked = None;
         }
-        while self.frames.iter().skip(floor).any(in_macro) {
-            let Some(frame) = self.frames.last_mut() else { break };
+        while self.stream.frames.iter().skip(floor).any(in_macro) {
+            let Some(frame) = self.stream.frames.last_mut() else { break };
             match frame.elements.get(frame.at) {
                 None if frame.closer.is_some() => return Ok(()),
                 None => self.end_of_frame()?,

@@ -16,11 +16,11 @@ pub(in crate::interpreter) struct Opened {
     pub(in crate::interpreter) alone: Option<Span>,
     pub(in crate::interpreter) bracket: Bracket,
     /// durer's own words inside this block.
-    pub(super) own_words: &'static [&'static str],
+    pub(in crate::interpreter) own_words: &'static [&'static str],
     /// How many frames there were.
-    pub(super) frames: usize,
+    pub(in crate::interpreter) frames: usize,
     /// What [`Interpreter::closed`] was outside.
-    pub(super) closed: bool,
+    pub(in crate::interpreter) closed: bool,
 }
 
 /// Brackets and values that are read inside each other.
@@ -31,7 +31,7 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn open(&mut self) -> Result<Span> {
         let token = self.peek()?;
         let span = self.here();
-        if self.opened.len() >= MAX_NESTING {
+        if self.stream.opened.len() >= MAX_NESTING {
             let message = format!("more than {MAX_NESTING} brackets are open here");
             return self.limit(codes::TOO_DEEP, span, message, "does a macro open one without closing it?");
         }
@@ -47,14 +47,14 @@ impl<'a> Interpreter<'a> {
         // (What stands whole ends with the bracket that a message may speak of.)
         let whole = self.raw().map_or(span, |element| element.span);
         self.advance();
-        let closed = std::mem::replace(&mut self.closed, false);
+        let closed = std::mem::replace(&mut self.stream.closed, false);
         let own_words = word.map_or(&[][..], crate::syntax::word::contextual);
         let mut opened =
-            Opened { word, span: name, alone: None, bracket, own_words, frames: self.frames.len(), closed };
+            Opened { word, span: name, alone: None, bracket, own_words, frames: self.stream.frames.len(), closed };
         match body {
             Some(body) => {
                 self.push_piece(body, Some(bracket), whole, comma);
-                self.comma = false;
+                self.stream.comma = false;
             }
             // The bracket is a token by itself.
             None if matches!(token, Token::Block(_)) => match self.peek()? {
@@ -62,7 +62,7 @@ impl<'a> Interpreter<'a> {
                     let (at, comma) = (self.here(), self.element_comma());
                     let whole = self.raw().map_or(at, |element| element.span);
                     self.advance();
-                    opened.frames = self.frames.len();
+                    opened.frames = self.stream.frames.len();
                     match body {
                         Some(body) => self.push_piece(body, Some(Bracket::Brace), whole, comma),
                         None => opened.alone = Some(at),
@@ -72,26 +72,27 @@ impl<'a> Interpreter<'a> {
             },
             None => opened.alone = Some(span),
         }
-        self.opened.push(opened);
+        self.stream.opened.push(opened);
         Ok(name)
     }
 
-    pub(super) fn element_comma(&self) -> bool {
-        self.held.is_empty() && self.frames.last().and_then(|f| f.elements.get(f.at)).is_some_and(|e| e.comma)
+    pub(in crate::interpreter) fn element_comma(&self) -> bool {
+        self.stream.held.is_empty()
+            && self.stream.frames.last().and_then(|f| f.elements.get(f.at)).is_some_and(|e| e.comma)
     }
 
     /// Consumes the bracket that closes what was opened last; anything else is a fault.
     pub(in crate::interpreter) fn close(&mut self, expected: &str) -> Result<()> {
         let token = self.peek()?;
-        let Some(opened) = self.opened.last() else { return Err(self.unexpected_token(expected).into()) };
+        let Some(opened) = self.stream.opened.last() else { return Err(self.unexpected_token(expected).into()) };
         if !token.closes(opened.bracket) {
             return Err(match token {
                 Token::Sign(Sign::Close(_)) | Token::End => self.not_closed().into(),
                 _ => self.unexpected_token(expected).into(),
             });
         }
-        self.closed = opened.closed;
-        self.opened.pop();
+        self.stream.closed = opened.closed;
+        self.stream.opened.pop();
         self.advance();
         Ok(())
     }
@@ -106,9 +107,9 @@ impl<'a> Interpreter<'a> {
     ) -> Result<T> {
         let mark = self.mark();
         self.push_piece(elements, Some(bracket), span, false);
-        let closed = std::mem::replace(&mut self.closed, false);
-        let frames = self.frames.len();
-        self.opened.push(Opened { word: None, span, alone: None, bracket, own_words: &[], frames, closed });
+        let closed = std::mem::replace(&mut self.stream.closed, false);
+        let frames = self.stream.frames.len();
+        self.stream.opened.push(Opened { word: None, span, alone: None, bracket, own_words: &[], frames, closed });
         let result = read(self).and_then(|value| self.close(bracket.text()[1]).map(|()| value));
         result.map_err(|fault| {
             let fault = self.with_trace(*fault);

@@ -16,7 +16,7 @@ pub(in crate::interpreter) struct Mark {
 
 /// Brackets that were open when a fault was met.
 #[derive(Clone, Copy)]
-pub(super) struct Unclosed {
+pub(in crate::interpreter) struct Unclosed {
     count: usize,
     /// If there are braces, they alone count.
     braces: bool,
@@ -24,7 +24,7 @@ pub(super) struct Unclosed {
 
 impl StackFrame<'_> {
     /// After a fault: on to the end of the statement that began at index `from`, of which so many brackets are open.
-    pub(super) fn skip_statement(&mut self, from: usize, open: Unclosed) {
+    pub(in crate::interpreter) fn skip_statement(&mut self, from: usize, open: Unclosed) {
         self.item = (0, 0);
         self.closer = None;
         if open.count > 0 {
@@ -62,7 +62,7 @@ impl StackFrame<'_> {
     }
 
     /// Over one element, or over a bracket with all that is in it.
-    pub(super) fn skip_one(&mut self) {
+    pub(in crate::interpreter) fn skip_one(&mut self) {
         let opens = matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(_))));
         self.at += 1;
         if opens {
@@ -70,7 +70,7 @@ impl StackFrame<'_> {
         }
     }
 
-    pub(super) fn skip_brackets(&mut self, Unclosed { mut count, braces }: Unclosed) {
+    pub(in crate::interpreter) fn skip_brackets(&mut self, Unclosed { mut count, braces }: Unclosed) {
         while let Some(element) = self.elements.get(self.at) {
             self.at += 1;
             match element.kind {
@@ -103,31 +103,31 @@ impl StackFrame<'_> {
 
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn mark(&self) -> Mark {
-        let at = self.frames.last().map_or(0, |f| f.at);
-        Mark { frames: self.frames.len(), opened: self.opened.len(), at, closed: self.closed }
+        let at = self.stream.frames.last().map_or(0, |f| f.at);
+        Mark { frames: self.stream.frames.len(), opened: self.stream.opened.len(), at, closed: self.stream.closed }
     }
 
     /// After an error: back to the frames that were there when the statement began.
     pub(in crate::interpreter) fn unwind(&mut self, mark: Mark) {
-        while self.frames.len() > mark.frames {
+        while self.stream.frames.len() > mark.frames {
             self.pop_frame();
         }
         self.forget_ahead(mark);
-        self.closed = mark.closed;
+        self.stream.closed = mark.closed;
     }
 
     /// After an error in a directive: what was seen behind it is looked at anew.
     pub(in crate::interpreter) fn forget_ahead(&mut self, mark: Mark) {
-        self.opened.truncate(mark.opened);
-        self.held.clear();
-        (self.peeked, self.comma, self.skipping) = (None, false, false);
+        self.stream.opened.truncate(mark.opened);
+        self.stream.held.clear();
+        (self.stream.peeked, self.stream.comma, self.stream.skipping) = (None, false, false);
     }
 
     /// After an error: past the statement that began at the mark.
     pub(in crate::interpreter) fn skip_statement(&mut self, mark: Mark) {
         let open = self.opened_alone(mark);
         self.unwind(mark);
-        if let Some(frame) = self.frames.last_mut() {
+        if let Some(frame) = self.stream.frames.last_mut() {
             frame.skip_statement(mark.at, open);
         }
     }
@@ -144,7 +144,7 @@ impl<'a> Interpreter<'a> {
     /// What was opened since the mark, as tokens of the frame that was the innermost.
     fn opened_alone(&self, mark: Mark) -> Unclosed {
         let own = |o: &&Opened| o.alone.is_some() && o.frames == mark.frames;
-        let all = self.opened.iter().skip(mark.opened).filter(own);
+        let all = self.stream.opened.iter().skip(mark.opened).filter(own);
         let braces = all.clone().filter(|o| o.bracket == Bracket::Brace).count();
         Unclosed { count: if braces > 0 { braces } else { all.count() }, braces: braces > 0 }
     }
@@ -153,7 +153,7 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn skip_brackets(&mut self, mark: Mark) {
         let open = self.opened_alone(mark);
         self.unwind(mark);
-        if let Some(frame) = self.frames.last_mut().filter(|_| open.count > 0) {
+        if let Some(frame) = self.stream.frames.last_mut().filter(|_| open.count > 0) {
             frame.skip_brackets(open);
         }
     }

@@ -10,7 +10,7 @@ const MAX_WARNINGS: usize = 500;
 
 impl Interpreter<'_> {
     pub(in crate::interpreter) fn error_count(&self) -> usize {
-        self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
+        self.reporter.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
     }
 
     /// Keeps a message, unless the same was told of the same place.
@@ -22,20 +22,20 @@ impl Interpreter<'_> {
         // (Nobody is warned of what is told as an error.)
         let told = |k: &Diagnostic| k.message == d.message || k.severity > d.severity;
         let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && told(k);
-        if self.diagnostics.iter().rev().take(100).any(known) {
+        if self.reporter.diagnostics.iter().rev().take(100).any(known) {
             return;
         }
-        if d.severity == Severity::Error && self.error_count() >= MAX_ERRORS && !self.limit_reached {
-            self.mistakes.count_untold(d.span());
+        if d.severity == Severity::Error && self.error_count() >= MAX_ERRORS && !self.reporter.limit_reached {
+            self.reporter.mistakes.count_untold(d.span());
             return;
         }
-        if d.severity == Severity::Warning && self.diagnostics.len() >= MAX_WARNINGS {
+        if d.severity == Severity::Warning && self.reporter.diagnostics.len() >= MAX_WARNINGS {
             // A loop that warns in every pass would fill the memory.
-            if let Some(last) = self.diagnostics.last_mut() {
+            if let Some(last) = self.reporter.diagnostics.last_mut() {
                 last.help = Some("there are more warnings, which are not told".into());
             }
             return;
         }
-        self.diagnostics.push(d);
+        self.reporter.diagnostics.push(d);
     }
 }

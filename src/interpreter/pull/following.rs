@@ -1,8 +1,8 @@
 //! What stands behind a value: may it go on with it?
 
-use super::{FrameKind, StackFrame, Token};
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
+use crate::interpreter::stream::{FrameKind, StackFrame, Token};
 use crate::syntax::ast::*;
 use crate::syntax::{begins_with_parenthesis, begins_with_sign};
 
@@ -10,8 +10,8 @@ impl<'a> Interpreter<'a> {
     /// Is the expression or list that comes next a value by itself, whatever follows? Told without running anything. Where
     /// it `compares`, a `>` goes on.
     pub(in crate::interpreter) fn is_whole(&self, compares: bool) -> bool {
-        let Some((frame, outer)) = self.frames.split_last() else { return true };
-        let Some(element) = frame.elements.get(frame.at).filter(|_| self.held.is_empty()) else { return false };
+        let Some((frame, outer)) = self.stream.frames.split_last() else { return true };
+        let Some(element) = frame.elements.get(frame.at).filter(|_| self.stream.held.is_empty()) else { return false };
         if let ElementKind::Numbers(list) = &element.kind
             && frame.item.0 + 1 < list.len()
         {
@@ -26,7 +26,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    pub(super) fn end_separates<'f>(
+    pub(in crate::interpreter) fn end_separates<'f>(
         &self,
         mut frame: &'f StackFrame<'a>,
         mut outer: &'f [StackFrame<'a>],
@@ -40,7 +40,7 @@ impl<'a> Interpreter<'a> {
                 FrameKind::File => return true,
                 FrameKind::Piece | FrameKind::Branch | FrameKind::Macro(_) | FrameKind::Include | FrameKind::Switch => {
                 }
-                FrameKind::While(_) | FrameKind::For { .. } => return self.closed,
+                FrameKind::While(_) | FrameKind::For { .. } => return self.stream.closed,
             }
             let Some((last, rest)) = outer.split_last() else { return true };
             match last.elements.get(last.at) {
@@ -51,20 +51,20 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Does a value before this element end there?
-    pub(super) fn separates(&self, next: &Element, compares: bool) -> bool {
+    pub(in crate::interpreter) fn separates(&self, next: &Element, compares: bool) -> bool {
         match &next.kind {
             ElementKind::Semicolon | ElementKind::Comma | ElementKind::Word(_) | ElementKind::Block(_) => true,
             ElementKind::Group(_) | ElementKind::Entry(_) | ElementKind::Function(_) => true,
             ElementKind::Sign(Sign::Operator(Operator::Greater)) => !compares,
             ElementKind::Sign(sign) => matches!(sign, Sign::Close(_)),
-            ElementKind::Directive(_) => self.closed,
+            ElementKind::Directive(_) => self.stream.closed,
             ElementKind::Numbers(list) => list.width(0) > 1 || !list.data[0].is_sign_negative(),
-            ElementKind::Expr(e) if self.is_macro_call(e) => self.closed,
+            ElementKind::Expr(e) if self.is_macro_call(e) => self.stream.closed,
             ElementKind::Expr(e) => !e.calls && !begins_with_sign(e) && !begins_with_parenthesis(e),
         }
     }
 
-    pub(super) fn is_macro_call(&self, e: &Expr) -> bool {
+    pub(in crate::interpreter) fn is_macro_call(&self, e: &Expr) -> bool {
         matches!(e.kind, ExprKind::Call(name, _) | ExprKind::Name(name) if self.is_macro(name))
     }
 
@@ -72,20 +72,20 @@ impl<'a> Interpreter<'a> {
     /// comes next, and where a directive or a macro does that must wait for the value ([`Self::closed`]).
     pub(in crate::interpreter) fn peek_after(&mut self) -> Result<Option<Token<'a>>> {
         loop {
-            if !self.held.is_empty() || self.peeked.is_some() {
-                return if self.comma { Ok(None) } else { self.peek().map(Some) };
+            if !self.stream.held.is_empty() || self.stream.peeked.is_some() {
+                return if self.stream.comma { Ok(None) } else { self.peek().map(Some) };
             }
-            if self.comma {
+            if self.stream.comma {
                 return Ok(None);
             }
-            let Some(frame) = self.frames.last() else { return Ok(None) };
+            let Some(frame) = self.stream.frames.last() else { return Ok(None) };
             match frame.elements.get(frame.at).map(|e| &e.kind) {
                 Some(ElementKind::Comma | ElementKind::Semicolon) => return Ok(None),
-                Some(ElementKind::Directive(_)) if self.closed => return Ok(None),
-                Some(ElementKind::Expr(e)) if self.closed && self.is_macro_call(e) => return Ok(None),
-                None if frame.closer.is_none() && self.closed => match frame.kind {
+                Some(ElementKind::Directive(_)) if self.stream.closed => return Ok(None),
+                Some(ElementKind::Expr(e)) if self.stream.closed && self.is_macro_call(e) => return Ok(None),
+                None if frame.closer.is_none() && self.stream.closed => match frame.kind {
                     FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch | FrameKind::Include
-                        if self.frames.len() > self.floor =>
+                        if self.stream.frames.len() > self.stream.floor =>
                     {
                         self.pop_frame();
                     }

@@ -6,8 +6,8 @@ mod skipped;
 
 use super::Interpreter;
 use super::eval::{as_float, vector_value};
-use super::operators::{SMALL, apply, apply_prefix, component};
-use super::scope::Slot;
+use super::evaluator::Slot;
+use super::evaluator::{SMALL, apply, apply_prefix, component};
 use super::stream::{BlockName, Token};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
@@ -51,7 +51,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
         self.nest()?;
         let result = self.climb_from(operands, compares, LOOSEST);
-        self.nested -= 1;
+        self.stream.nested -= 1;
         result
     }
 
@@ -84,8 +84,8 @@ impl<'a> Interpreter<'a> {
 
     /// One more value inside another.
     fn nest(&mut self) -> Result<()> {
-        self.nested += 1;
-        if self.nested <= MAX_NESTED {
+        self.stream.nested += 1;
+        if self.stream.nested <= MAX_NESTED {
             return Ok(());
         }
         let message = format!("more than {MAX_NESTED} values are read inside each other here");
@@ -119,7 +119,7 @@ impl<'a> Interpreter<'a> {
     /// The same; where it `compares`, as in a colour or a condition, `<` is no vector behind an operand.
     pub(super) fn value_in(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
-        if self.is_whole(compares) && !(self.closed && self.ends_with_callable(token)) {
+        if self.is_whole(compares) && !(self.stream.closed && self.ends_with_callable(token)) {
             match token {
                 Token::Expr(e) if compares || !e.compares() => {
                     self.advance();
@@ -144,7 +144,7 @@ impl<'a> Interpreter<'a> {
             last = operand;
         }
         match last.kind {
-            ExprKind::Name(name) => match self.scopes.get(name) {
+            ExprKind::Name(name) => match self.evaluator.scopes.get(name) {
                 Some(Slot::Value(value)) => is_callable(value),
                 slot => matches!(slot, Some(Slot::Macro(_))),
             },
@@ -194,7 +194,10 @@ impl<'a> Interpreter<'a> {
                 Ok((Value::Color(color), span))
             }
             // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
-            Token::Word(word) if let Some(symbol) = self.names.find(word).filter(|s| self.scopes.get(*s).is_some()) => {
+            Token::Word(word)
+                if let Some(symbol) =
+                    self.inputs.names.find(word).filter(|s| self.evaluator.scopes.get(*s).is_some()) =>
+            {
                 self.advance();
                 Ok((self.name_value(symbol, span)?, span))
             }
@@ -234,7 +237,7 @@ impl<'a> Interpreter<'a> {
         self.expose_operand()?;
         let token = self.peek()?;
         let span = self.here();
-        let text = self.sources.snippet(span);
+        let text = self.inputs.sources.snippet(span);
         let word = word::lookup(text).map(|(word, _)| word);
         match token {
             Token::Word(_) | Token::Expr(Expr { kind: ExprKind::Name(_), .. }) => {
@@ -255,13 +258,13 @@ impl<'a> Interpreter<'a> {
     pub(super) fn numbers_in_pieces(&mut self) -> Result<(Vec<f64>, Span)> {
         let start = self.here();
         self.advance();
-        let closed = std::mem::replace(&mut self.closed, false);
+        let closed = std::mem::replace(&mut self.stream.closed, false);
         let mut data = vec![];
         loop {
             match self.peek()? {
                 Token::Sign(Sign::Operator(Operator::Greater)) => {
                     let end = self.here();
-                    self.closed = closed;
+                    self.stream.closed = closed;
                     self.advance();
                     return Ok((data, joined(start, end)));
                 }
@@ -273,7 +276,7 @@ impl<'a> Interpreter<'a> {
                 Token::Block(_) => return Err(self.open_vector(start).into()),
                 _ => {
                     let (value, span) = self.value_here()?;
-                    if !self.comma && matches!(value, Value::Vector(_)) && !data.is_empty() {
+                    if !self.stream.comma && matches!(value, Value::Vector(_)) && !data.is_empty() {
                         return Err(self.misplaced(span).into());
                     }
                     data.push(as_float(&value, span)?);
@@ -284,7 +287,7 @@ impl<'a> Interpreter<'a> {
 
     /// Can a vector not go on with this word?
     fn ends_vector(&self, word: &str) -> bool {
-        let declared = self.names.find(word).is_some_and(|symbol| self.scopes.get(symbol).is_some());
+        let declared = self.inputs.names.find(word).is_some_and(|symbol| self.evaluator.scopes.get(symbol).is_some());
         !super::reader::begins_color(word) && !declared
     }
 

@@ -29,9 +29,9 @@ impl<'a> Operands<'a> for Skipped {
     type Value = ();
 
     fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<((), Span)> {
-        let outer = std::mem::replace(&mut me.skipping, true);
+        let outer = std::mem::replace(&mut me.stream.skipping, true);
         let span = self.skip(me)?;
-        me.skipping = outer;
+        me.stream.skipping = outer;
         Ok(((), span))
     }
 

@@ -1,17 +1,17 @@
 //! Operators, with POV-Ray's promotions, and the components of values.
 
-use super::Interpreter;
-use super::eval::as_float;
 use crate::color::{Color, gray};
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::interpreter::Interpreter;
+use crate::interpreter::eval::as_float;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
 /// Numbers nearer to each other than this are equal to `=`, and nearer to 0 are false (measured on POV-Ray 3.7).
-pub(super) const SMALL: f64 = 1e-10;
+pub(in crate::interpreter) const SMALL: f64 = 1e-10;
 
-pub(super) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
+pub(in crate::interpreter) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
     Ok(match (prefix, value) {
         (Prefix::Not, value) => Value::Float(f64::from(as_float(&value, span)?.abs() <= SMALL)),
         (Prefix::Minus, Value::Float(x)) => Value::Float(-x),
@@ -29,7 +29,7 @@ pub(super) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<V
 }
 
 /// The numbers of a vector or colour, and which of both it is.
-pub(super) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
+pub(in crate::interpreter) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
     match value {
         Value::Vector(v) => Some((*v, false)),
         Value::Color(c) => Some((VecN { c: c.to_array(), len: 5 }, true)),
@@ -38,20 +38,20 @@ pub(super) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
 }
 
 /// The numbers of a vector or colour; a number is a vector of one component.
-pub(super) fn numbers_of(value: &Value) -> Option<VecN> {
+pub(in crate::interpreter) fn numbers_of(value: &Value) -> Option<VecN> {
     match value {
         Value::Float(x) => Some(VecN::splat(*x, 1)),
         value => five_numbers(value).map(|(v, _)| v),
     }
 }
 
-pub(super) fn from_numbers(v: VecN, color: bool) -> Value {
+pub(in crate::interpreter) fn from_numbers(v: VecN, color: bool) -> Value {
     if color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
 }
 
 /// One operator, with POV-Ray's promotions: a float becomes a vector of equal numbers, the shorter of two vectors is
 /// filled with zeros; only numbers compare with `<`, numbers and strings with `=`.
-pub(super) fn apply(
+pub(in crate::interpreter) fn apply(
     op: Operator,
     left: Value,
     right: Value,
@@ -93,12 +93,12 @@ pub(super) fn apply(
     }
 }
 
-pub(super) fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
+pub(in crate::interpreter) fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
     let message = format!("`{}` compares numbers, not {}", op.text(), value.describe());
     Diagnostic::err(codes::WRONG_TYPE, span, message)
 }
 
-pub(super) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
+pub(in crate::interpreter) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
     use Operator::*;
     let truth = |x: f64| x.abs() > SMALL;
     match op {
@@ -120,7 +120,7 @@ pub(super) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
 }
 
 /// One by one; the shorter vector is filled with zeros.
-pub(super) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
+pub(in crate::interpreter) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
     let mut out = VecN { c: [0.0; 5], len: a.len.max(b.len) };
     for i in 0..out.len as usize {
         out.c[i] = on_floats(op, a.c[i], b.c[i]);
@@ -129,12 +129,12 @@ pub(super) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
 }
 
 /// Is one of its numbers zero, so that nothing can be divided by it?
-pub(super) fn holds_zero(v: &VecN) -> bool {
+pub(in crate::interpreter) fn holds_zero(v: &VecN) -> bool {
     v.c[..v.len as usize].contains(&0.0)
 }
 
 /// Which of five numbers a component is.
-pub(super) fn component_index(name: &Name) -> Option<usize> {
+pub(in crate::interpreter) fn component_index(name: &Name) -> Option<usize> {
     Some(match name.word? {
         "x" | "u" | "red" => 0,
         "y" | "v" | "green" => 1,
@@ -146,7 +146,7 @@ pub(super) fn component_index(name: &Name) -> Option<usize> {
 }
 
 /// `.x`, `.red`, `.gray` and the like.
-pub(super) fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
+pub(in crate::interpreter) fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
     let Some(v) = numbers_of(value) else {
         return Diagnostic::err(codes::WRONG_TYPE, span, format!("{} has no components", value.describe()));
     };

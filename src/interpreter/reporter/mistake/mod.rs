@@ -12,8 +12,8 @@ mod source_line;
 mod statement;
 mod undeclared;
 
-use super::Interpreter;
 use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::interpreter::Interpreter;
 use crate::library;
 use crate::source::{FileId, Span};
 use habit::Habit;
@@ -52,12 +52,12 @@ impl Mistakes {
 impl Interpreter<'_> {
     /// A fault as it is to be told; `None` if it follows from another, or is told with another.
     pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
-        let Some(source) = SourceLine::of(self.sources, d.span()) else { return Some(d) };
+        let Some(source) = SourceLine::of(self.inputs.sources, d.span()) else { return Some(d) };
         let line = (source.file, source.line.start);
         let habit = habit::find(&source, &d);
         let is_habit = habit.is_some();
         if let Some(habit) = habit {
-            let base = self.sources.base(source.file);
+            let base = self.inputs.sources.base(source.file);
             self.note_habit(&habit, source.file);
             d = habit.told(d, base);
         } else if self.follows(&d, &source) {
@@ -65,13 +65,13 @@ impl Interpreter<'_> {
         }
         self.note(&d, &source);
         // What else is wrong in a line that can't be read is no news.
-        let known = self.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
+        let known = self.reporter.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
         if !known && d.severity == Severity::Error {
-            if self.mistakes.lines.contains(&line) {
+            if self.reporter.mistakes.lines.contains(&line) {
                 return None;
             }
             if is_habit {
-                self.mistakes.lines.insert(line);
+                self.reporter.mistakes.lines.insert(line);
             }
         }
         self.joined_with_others(d)
@@ -79,42 +79,47 @@ impl Interpreter<'_> {
 
     /// Remembers what was meant, and is not there.
     fn note_habit(&mut self, habit: &Habit, file: FileId) {
-        self.mistakes.names.extend(habit.names.iter().cloned());
-        self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
-        self.mistakes.lost_directive |= habit.loses_directive;
+        self.reporter.mistakes.names.extend(habit.names.iter().cloned());
+        self.reporter.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
+        self.reporter.mistakes.lost_directive |= habit.loses_directive;
     }
 
     /// Remembers what a fault leaves undone.
     fn note(&mut self, d: &Diagnostic, source: &SourceLine) {
-        let text = self.sources.snippet(d.span());
+        let text = self.inputs.sources.snippet(d.span());
         let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
         if let Some(("declare" | "local" | "macro", rest)) = directive
             && let Some((name, _)) = leading_name(rest.trim_start())
         {
-            self.mistakes.names.insert(name.to_string());
+            self.reporter.mistakes.names.insert(name.to_string());
         }
         match d.code {
             codes::MISSING_INCLUDE | codes::UNREADABLE_INCLUDE if matches!(directive, Some(("include", _))) => {
                 let meant = d.help.as_deref().and_then(|help| help.strip_prefix("did you mean `")?.strip_suffix("`?"));
                 for name in [Some(text.trim_matches('"')), meant].into_iter().flatten() {
-                    self.mistakes.files.push((name.to_string(), source.file));
+                    self.reporter.mistakes.files.push((name.to_string(), source.file));
                 }
             }
-            codes::RESERVED_NAME => drop(self.mistakes.words.insert(text.to_string())),
+            codes::RESERVED_NAME => drop(self.reporter.mistakes.words.insert(text.to_string())),
             _ => {}
         }
     }
 
     /// Does a fault follow from an earlier one?
     fn follows(&self, d: &Diagnostic, source: &SourceLine) -> bool {
-        if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && source.after().starts_with("#end") {
+        if d.code == codes::UNMATCHED_CLOSER
+            && self.reporter.mistakes.lost_directive
+            && source.after().starts_with("#end")
+        {
             return true;
         }
         if let Some(cause) = &d.cause {
             return cause.uses.iter().all(|(name, _)| self.is_left_undone(name, source.file));
         }
         let is_value = matches!(d.code, codes::EXPECTED | codes::EXPECTED_VALUE | codes::UNKNOWN_WORD);
-        is_value && !self.mistakes.words.is_empty() && source.words().any(|word| self.mistakes.words.contains(word))
+        is_value
+            && !self.reporter.mistakes.words.is_empty()
+            && source.words().any(|word| self.reporter.mistakes.words.contains(word))
     }
 
     /// Would the name be declared, had nothing failed before?
@@ -124,22 +129,22 @@ impl Interpreter<'_> {
             // Nobody knows what a file of the author's would have declared for the one that includes it.
             false => *includer == user && library::declared_in(name).is_none(),
         };
-        self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
+        self.reporter.mistakes.names.contains(name) || self.reporter.mistakes.files.iter().any(gives)
     }
 
     /// At the end of the run: one message for each cause, and how many errors were only counted.
-    pub(super) fn settle_messages(&mut self) {
-        let all = std::mem::take(&mut self.diagnostics);
-        self.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
-        let untold = self.mistakes.untold.len();
-        if let Some(first) = self.mistakes.first_untold {
+    pub(in crate::interpreter) fn settle_messages(&mut self) {
+        let all = std::mem::take(&mut self.reporter.diagnostics);
+        self.reporter.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
+        let untold = self.reporter.mistakes.untold.len();
+        if let Some(first) = self.reporter.mistakes.first_untold {
             let more = if untold == 1 {
                 "one more error was found".into()
             } else {
                 format!("{untold} more errors were found")
             };
             let d = Diagnostic::new(codes::MORE_ERRORS, first, format!("{more}, and not told")).label("the next one");
-            self.diagnostics.push(d.help("mend the first ones: others often follow from them"));
+            self.reporter.diagnostics.push(d.help("mend the first ones: others often follow from them"));
         }
     }
 }

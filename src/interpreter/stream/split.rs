@@ -2,8 +2,8 @@
 
 use super::{FrameKind, StackFrame};
 use crate::interpreter::Interpreter;
-use crate::interpreter::pieces::is_callable;
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::Slot;
+use crate::interpreter::token_expr::is_callable;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::pieces;
@@ -15,10 +15,10 @@ impl<'a> Interpreter<'a> {
         e.calls && self.calls_split(e)
     }
 
-    pub(super) fn calls_split(&self, e: &Expr) -> bool {
+    pub(in crate::interpreter) fn calls_split(&self, e: &Expr) -> bool {
         let any = |elements: &[Element]| elements.iter().any(|element| self.element_splits(element));
         match &e.kind {
-            ExprKind::Call(name, arguments) => match self.scopes.get(*name) {
+            ExprKind::Call(name, arguments) => match self.evaluator.scopes.get(*name) {
                 Some(Slot::Value(value)) if is_callable(value) => any(arguments),
                 // A value before a parenthesis is no call: `plane { z (-6) }`.
                 Some(Slot::Value(_) | Slot::Macro(_)) => true,
@@ -38,7 +38,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    pub(super) fn element_splits(&self, element: &Element) -> bool {
+    pub(in crate::interpreter) fn element_splits(&self, element: &Element) -> bool {
         match &element.kind {
             ElementKind::Expr(e) => match &e.kind {
                 ExprKind::Name(name) => self.is_macro(*name),
@@ -53,19 +53,19 @@ impl<'a> Interpreter<'a> {
 
     /// Replaces the expression or list of literals that comes next by its parts.
     pub(in crate::interpreter) fn take_apart(&mut self) {
-        self.peeked = None;
-        let Some(frame) = self.frames.last_mut() else { return };
+        self.stream.peeked = None;
+        let Some(frame) = self.stream.frames.last_mut() else { return };
         let Some(element) = frame.elements.get(frame.at) else { return };
         let item = frame.item;
         frame.at += 1;
         frame.item = (0, 0);
-        let parts = self.parsed.parts_of(element, || match &element.kind {
-            ElementKind::Expr(e) => self.with_exact_signs(pieces(e, self.names)),
+        let parts = self.inputs.parsed.parts_of(element, || match &element.kind {
+            ElementKind::Expr(e) => self.with_exact_signs(pieces(e, self.inputs.names)),
             ElementKind::Numbers(_) => self.tokens_of(element.span),
             _ => vec![element.clone()],
         });
         self.push_piece(parts, None, element.span, element.comma);
-        if let (ElementKind::Numbers(list), Some(frame)) = (&element.kind, self.frames.last_mut()) {
+        if let (ElementKind::Numbers(list), Some(frame)) = (&element.kind, self.stream.frames.last_mut()) {
             // Those that were read before are passed over: each item ends with a comma.
             let behind = parts.iter().enumerate().filter(|(_, e)| e.comma && item_ends(parts, e)).map(|(i, _)| i + 1);
             frame.at = if item.0 == 0 { 0 } else { behind.take(list.len()).nth(item.0 - 1).unwrap_or(0) };
@@ -73,9 +73,9 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The place of an operator that was taken out of an expression is all that stands between its operands.
-    pub(super) fn with_exact_signs(&self, mut parts: Vec<Element>) -> Vec<Element> {
+    pub(in crate::interpreter) fn with_exact_signs(&self, mut parts: Vec<Element>) -> Vec<Element> {
         for part in parts.iter_mut().filter(|part| matches!(part.kind, ElementKind::Sign(_))) {
-            let text = self.sources.snippet(part.span);
+            let text = self.inputs.sources.snippet(part.span);
             let lo = part.span.lo + (text.len() - text.trim_start().len()) as u32;
             part.span = Span { lo, hi: lo + text.trim().len() as u32 };
         }
@@ -88,20 +88,22 @@ impl<'a> Interpreter<'a> {
             let leaves = matches!(f.kind, FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch);
             leaves && f.closer.is_none() && f.at >= f.elements.len()
         };
-        while self.held.is_empty() && self.frames.last().is_some_and(spent) {
+        while self.stream.held.is_empty() && self.stream.frames.last().is_some_and(spent) {
             self.pop_frame();
         }
     }
 
     /// An expression as the only element of a row, so that it is taken apart where it has to be.
     pub(in crate::interpreter) fn as_elements(&self, e: &'a Expr) -> &'a [Element] {
-        self.parsed.parts_of(e, || vec![Element::new(e.span, ElementKind::Expr(Box::new(e.clone())))])
+        self.inputs.parsed.parts_of(e, || vec![Element::new(e.span, ElementKind::Expr(Box::new(e.clone())))])
     }
 
     /// A piece of text as single tokens.
     pub(in crate::interpreter) fn tokens_of(&self, span: Span) -> Vec<Element> {
-        let text = self.sources.snippet(span);
-        crate::syntax::parse_text(text, span.lo as usize, self.names, crate::syntax::Wholes::TakenApart).0.elements
+        let text = self.inputs.sources.snippet(span);
+        crate::syntax::parse_text(text, span.lo as usize, self.inputs.names, crate::syntax::Wholes::TakenApart)
+            .0
+            .elements
     }
 }
 

@@ -1,7 +1,7 @@
 //! Statements at the outermost level: objects, lights, cameras, settings.
 
 use super::stream::Token;
-use super::{Interpreter, compat, hints};
+use super::{Interpreter, reporter::hints, scene_builder::compat};
 use crate::atmosphere::{Background, Fog, Rainbow, SkySphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
@@ -49,7 +49,7 @@ impl Interpreter<'_> {
             Next::End if !matches!(self.peek()?, Token::End) => {
                 let span = self.here();
                 self.advance();
-                let message = format!("`{}` closes nothing", self.sources.snippet(span));
+                let message = format!("`{}` closes nothing", self.inputs.sources.snippet(span));
                 let d = Diagnostic::new(codes::UNMATCHED_CLOSER, span, message);
                 return d.help("remove it, or look for its opener above").into();
             }
@@ -86,7 +86,7 @@ impl Interpreter<'_> {
         }
         if STATEMENTS.leaves_out(word) {
             let said = self.keep_undrawn(word)?;
-            self.scene.undrawn.push(said);
+            self.builder.scene.undrawn.push(said);
             return Ok(());
         }
         const OTHERS: [&str; 7] =
@@ -97,51 +97,51 @@ impl Interpreter<'_> {
         let at = self.take()?;
         match word {
             "camera" => {
-                let defaults = self.defaults.clone();
-                self.scene.camera = read_camera(self, at, &defaults)?;
-                self.scene.cameras.push(at);
+                let defaults = self.builder.defaults.clone();
+                self.builder.scene.camera = read_camera(self, at, &defaults)?;
+                self.builder.scene.cameras.push(at);
             }
             "background" => {
                 let at = self.span();
                 let color = self.color()?;
                 tell_bytes(self, at, &color);
                 let by_picture = compat::has_background_by_picture(self.stated_version());
-                self.scene.background = Some(Background { color, by_picture });
+                self.builder.scene.background = Some(Background { color, by_picture });
             }
             "sky_sphere" => {
-                let defaults = self.defaults.clone();
-                self.scene.sky_sphere = Some(SkySphere::read(self, &defaults.texture, at)?);
+                let defaults = self.builder.defaults.clone();
+                self.builder.scene.sky_sphere = Some(SkySphere::read(self, &defaults.texture, at)?);
             }
             "fog" => {
                 let fog = Fog::read(self)?;
-                self.scene.fogs.push(fog);
+                self.builder.scene.fogs.push(fog);
             }
             "rainbow" => {
                 let rainbow = Rainbow::read(self, at)?;
-                self.scene.rainbows.push(rainbow);
+                self.builder.scene.rainbows.push(rainbow);
             }
             "default" => self.read_defaults()?,
             _ => {
-                let mut settings = self.scene.settings.clone();
+                let mut settings = self.builder.scene.settings.clone();
                 settings.read(self)?;
-                self.language.assumed_gamma = settings.gamma;
+                self.builder.language.assumed_gamma = settings.gamma;
                 if let Some(generator) = settings.noise_generator {
-                    self.noise_generator.store(generator.number(), Ordering::Relaxed);
+                    self.builder.noise_generator.store(generator.number(), Ordering::Relaxed);
                 }
-                self.scene.settings = settings;
+                self.builder.scene.settings = settings;
             }
         }
         self.leave()
     }
 
     fn top_object(&mut self) -> Result<()> {
-        let defaults = self.defaults.clone();
+        let defaults = self.builder.defaults.clone();
         let mut object = Object::read(self, &defaults)?;
         // A declared object without a texture gets the default of the place where it is used.
-        object.default_texture = self.defaults.texture.clone();
-        self.scene.objects.push(*object);
-        if self.options.origins {
-            self.origins.push(self.trace());
+        object.default_texture = self.builder.defaults.texture.clone();
+        self.builder.scene.objects.push(*object);
+        if self.inputs.options.origins {
+            self.builder.origins.push(self.trace());
         }
         Ok(())
     }
@@ -159,16 +159,16 @@ impl Interpreter<'_> {
     }
 
     fn at_bare_version(&self) -> bool {
-        self.raw().is_some_and(|element| self.sources.snippet(element.span) == "version")
+        self.raw().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
     }
 
     /// A setting that POV-Ray takes outside of `global_settings` too.
     fn stray_trace_level(&mut self) -> Result<()> {
         let at = self.here();
-        let mut settings = std::mem::take(&mut self.scene.settings);
+        let mut settings = std::mem::take(&mut self.builder.scene.settings);
         self.take()?;
         let read = settings.read_max_trace_level(self);
-        self.scene.settings = settings;
+        self.builder.scene.settings = settings;
         read?;
         let d = Diagnostic::new(codes::MISPLACED, at, "`max_trace_level` stands outside of `global_settings`");
         self.report_fault(self.with_trace(d.help("write `global_settings { max_trace_level … }`")));
@@ -199,7 +199,7 @@ impl Interpreter<'_> {
             }
         }
         let (at, is_value) = match self.peek() {
-            Ok(Token::Expr(e)) => (e.span, !self.sources.snippet(e.span).starts_with('(')),
+            Ok(Token::Expr(e)) => (e.span, !self.inputs.sources.snippet(e.span).starts_with('(')),
             Ok(Token::Numbers(_)) => (self.here(), true),
             Ok(Token::Sign(sign)) => (self.here(), self.begins_value(sign, self.here())),
             _ => (Span::NONE, false),
@@ -213,8 +213,8 @@ impl Interpreter<'_> {
 
     /// Does a value begin with this sign, which comes in pieces? (Behind an operand, `<` compares.)
     fn begins_value(&self, sign: Sign, span: Span) -> bool {
-        let Some((file, range)) = self.sources.locate(span) else { return false };
-        let (before, behind) = self.sources.text(file).split_at(range.start);
+        let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
+        let (before, behind) = self.inputs.sources.text(file).split_at(range.start);
         let begins = match sign {
             Sign::Not => true,
             Sign::Operator(Operator::Less) => {
@@ -236,7 +236,7 @@ impl Interpreter<'_> {
         if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.take_apart();
         }
-        let frame = self.frames.last()?;
+        let frame = self.stream.frames.last()?;
         let row = frame.elements.get(frame.at..)?.iter();
         let in_row = |e: &&Element| matches!(e.kind, ElementKind::Expr(_) | ElementKind::Sign(Sign::Operator(_)));
         let compares = |e: &Element| match e.kind {
@@ -249,14 +249,14 @@ impl Interpreter<'_> {
     /// What is settled only when the whole text has run.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
-        self.scene.version = self.language.version;
+        self.builder.scene.version = self.builder.language.version;
         let version = self.stated_version();
-        let generator = self.noise_generator.load(std::sync::atomic::Ordering::Relaxed);
-        self.scene.settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
-        self.scene.settings.opacity_by_color = compat::has_opacity_by_color(version);
-        self.scene.settings.sky_by_share = compat::has_sky_by_share(version);
-        self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
-        if self.scene.cameras.is_empty() && self.error_count() == 0 {
+        let generator = self.builder.noise_generator.load(std::sync::atomic::Ordering::Relaxed);
+        self.builder.scene.settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
+        self.builder.scene.settings.opacity_by_color = compat::has_opacity_by_color(version);
+        self.builder.scene.settings.sky_by_share = compat::has_sky_by_share(version);
+        self.builder.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
+        if self.builder.scene.cameras.is_empty() && self.error_count() == 0 {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
             self.report_fault(
                 Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)

@@ -1,21 +1,21 @@
 //! The short way through expressions: numbers and vectors, and nothing that has an effect or needs a message. Most
 //! expressions of a script are no more than that.
 
-use super::Interpreter;
-use super::operators::{SMALL, component_index, holds_zero, on_floats, on_vectors};
-use super::scope::Slot;
+use super::Slot;
+use super::{SMALL, component_index, holds_zero, on_floats, on_vectors};
 use crate::function::numeric::{self, Domain, Kernel};
+use crate::interpreter::Interpreter;
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
 /// A value that needs no allocation.
-pub(super) enum Quick {
+pub(in crate::interpreter) enum Quick {
     Float(f64),
     Vector(VecN),
 }
 
 /// What the short way gives: a number alone, which is fastest, or either.
-pub(super) trait Short: Sized {
+pub(in crate::interpreter) trait Short: Sized {
     /// Can it be a vector? Else nobody shall compute one.
     const VECTORS: bool;
     fn float(x: f64) -> Self;
@@ -91,21 +91,21 @@ impl Short for Quick {
 
 impl Interpreter<'_> {
     /// The short way to a number.
-    pub(super) fn simple(&self, e: &Expr) -> Option<f64> {
+    pub(in crate::interpreter) fn simple(&self, e: &Expr) -> Option<f64> {
         self.quick(e)
     }
 
     /// The short way for what most expressions are: numbers and vectors, and nothing that has an effect or needs a message.
     /// `None` says that the long way has to be gone.
-    pub(super) fn quick<T: Short>(&self, e: &Expr) -> Option<T> {
+    pub(in crate::interpreter) fn quick<T: Short>(&self, e: &Expr) -> Option<T> {
         match &e.kind {
             ExprKind::Number(x) => Some(T::float(*x)),
             ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
             ExprKind::Vector(parts) if T::VECTORS => self.quick_vector(parts),
             ExprKind::Paren(inner) => self.quick(inner),
-            ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Slot::Value(value)) if self.deprecated.is_empty() => T::of(value),
-                None => T::of(self.constants.get(symbol.0 as usize)?.as_ref()?),
+            ExprKind::Name(symbol) => match self.evaluator.scopes.get(*symbol) {
+                Some(Slot::Value(value)) if self.evaluator.deprecated.is_empty() => T::of(value),
+                None => T::of(self.evaluator.constants.get(symbol.0 as usize)?.as_ref()?),
                 _ => None,
             },
             ExprKind::Prefix(prefix, inner) => self.quick::<T>(inner)?.prefixed(*prefix),
@@ -144,8 +144,8 @@ impl Interpreter<'_> {
     /// `V.x` of a name alone, which could be a dictionary.
     fn quick_component(&self, base: &Expr, name: &Name) -> Option<f64> {
         let ExprKind::Name(symbol) = base.kind else { return None };
-        match self.scopes.get(symbol)? {
-            Slot::Value(Value::Vector(v)) if self.deprecated.is_empty() => {
+        match self.evaluator.scopes.get(symbol)? {
+            Slot::Value(Value::Vector(v)) if self.evaluator.deprecated.is_empty() => {
                 component_index(name).filter(|i| *i < usize::from(v.len)).map(|i| v.c[i])
             }
             _ => None,
@@ -176,7 +176,7 @@ impl Interpreter<'_> {
     fn quick_element<T: Short>(&self, array: &Expr, index: &Expr) -> Option<T> {
         let ExprKind::Name(symbol) = array.kind else { return None };
         let i = self.simple(index).filter(|i| *i >= 0.0)?;
-        match self.scopes.get(symbol)? {
+        match self.evaluator.scopes.get(symbol)? {
             Slot::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
                 Some(Slot::Value(value)) => T::of(value),
                 _ => None,
