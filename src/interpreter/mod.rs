@@ -17,9 +17,10 @@ mod statement;
 mod stream;
 mod token_expr;
 
-use crate::diagnostic::{Diagnostic, Label, Severity, codes};
+use crate::diagnostic::{Diagnostic, Label, codes};
 use crate::scene::Scene;
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
+use crate::syntax::ast::Symbol;
 use crate::syntax::{Names, Wholes};
 pub use directive::table as directives;
 use evaluator::Evaluator;
@@ -31,8 +32,8 @@ pub use rvalue::LATER;
 use scene_builder::{SceneBuilder, compat};
 pub use statement::STATEMENTS;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use stream::{FrameKind, StackFrame, TokenStream};
+use std::sync::atomic::AtomicBool;
+use stream::{FrameKind, Mode, TokenStream};
 
 /// Every function of scripts that `function { }` does not have: name, arguments, one line.
 pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
@@ -109,9 +110,6 @@ pub struct Outcome {
     pub idle: Vec<Span>,
 }
 
-/// A run ends after so many faults, though they be the same again and again.
-const MAX_FAULTS: usize = 200;
-
 /// Runs a file that [`Sources`] already holds. `debug` receives what `#debug`, `#render` and `#statistics` print.
 ///
 /// It recurses as deeply as the text nests and macros call each other: give it a stack of some 500 MB.
@@ -161,130 +159,99 @@ impl<'a> Interpreter<'a> {
         options: &'a Options,
         debug: &'a mut dyn FnMut(&str),
     ) -> Self {
+        let inputs = Inputs { sources, names: &parsed.names, parsed, options };
         Self {
-            inputs: Inputs { sources, names: &parsed.names, parsed, options },
-            stream: TokenStream::default(),
-            evaluator: Evaluator::default(),
+            inputs,
+            stream: TokenStream::new(inputs),
+            evaluator: Evaluator::new(inputs),
             builder: SceneBuilder::new(),
-            reporter: Reporter::new(debug),
+            reporter: Reporter::new(inputs, debug),
             files: vec![],
             written: 0,
         }
     }
 
     fn run(&mut self, file: FileId) {
-        self.keep_constants();
+        self.evaluator.set_version(compat::DEFAULT_VERSION);
         if let Some(version) = self.inputs.options.version {
             self.set_version(compat::version_number(version));
         }
-        self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
-        // What is missing at the end of the text is told there.
+        // Faults at the end of the text are reported at its last offset.
         let end = self.inputs.sources.base(file) + self.inputs.sources.text(file).len();
-        self.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
-        loop {
-            // Directives and macros run while the next statement is looked for: their faults are met here.
-            (self.stream.closed, self.stream.nested) = (false, 0);
-            let mut mark = self.mark();
-            let failed = match self.peek() {
-                Err(fault) => Some((fault, false)),
-                Ok(_) => {
-                    mark = self.mark();
-                    match self.statement() {
-                        Ok(true) => None,
-                        Ok(false) => break,
-                        Err(fault) => Some((fault, true)),
-                    }
-                }
-            };
-            if let Some((fault, in_statement)) = failed {
-                let ends = self.reporter.limit_reached || fault.code == codes::ENDS_RUN;
-                let fault = self.with_trace(*fault);
-                // What follows a bracket that is not closed makes no sense.
-                let told = if ends { None } else { self.unclosed_bracket().or_else(|| self.closed_early(&fault)) };
-                if let Some(d) = told {
-                    self.report_fault(d);
-                    return;
-                }
-                // A directive that failed has been passed.
-                if in_statement {
-                    self.skip_statement(mark)
-                } else {
-                    self.forget_ahead(mark)
-                }
-                self.report_fault(fault);
-                self.reporter.faults += 1;
-                // A fault in a loop's body is told once, but met in every pass.
-                if ends || self.reporter.faults >= MAX_FAULTS {
-                    return;
-                }
-            }
+        self.stream.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
+        while self.next_statement() {}
+    }
+
+    /// Reads one statement; false at the end of the scene, and after a fault that ends the run.
+    fn next_statement(&mut self) -> bool {
+        self.stream.set_mode(Mode::default());
+        // Directives and macros run while the next statement is peeked: a fault in them was skipped where it was found.
+        let checkpoint = self.stream.checkpoint();
+        if let Err(fault) = self.peek() {
+            return self.recover(*fault, |me| me.stream.forget_look_ahead(checkpoint));
         }
-        self.finish_scene();
+        let checkpoint = self.stream.checkpoint();
+        match self.statement() {
+            Ok(true) => true,
+            Ok(false) => {
+                self.finish_scene();
+                false
+            }
+            Err(fault) => self.recover(*fault, |me| me.skip_statement(checkpoint)),
+        }
+    }
+
+    /// Reports a fault, or the bracket that causes it, and skips what `skip` does; false if the run ends.
+    fn recover(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
+        let ends = self.reporter.limit_reached() || fault.code == codes::ENDS_RUN;
+        let fault = self.stream.with_trace(fault);
+        // What follows an unclosed bracket makes no sense.
+        let bracket = match ends {
+            true => None,
+            false => self.stream.unclosed_bracket().or_else(|| self.reporter.closed_early(&fault)),
+        };
+        if let Some(d) = bracket {
+            self.reporter.report(d);
+            return false;
+        }
+        skip(self);
+        self.reporter.report(fault);
+        // A fault in a loop's body is reported once, but found in each pass.
+        let too_many = self.reporter.count_fault();
+        !ends && !too_many
     }
 
     fn outcome(mut self) -> Outcome {
-        for d in std::mem::take(&mut self.reporter.late) {
-            self.report_fault(d);
-        }
-        let unused: Vec<Diagnostic> = self.evaluator.scopes.unused_faults().cloned().collect();
-        for mut fault in unused.into_iter().filter(|fault| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS)) {
-            fault.severity = Severity::Warning;
-            self.report_fault(fault);
-        }
-        self.reporter.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
-        self.settle_messages();
-        let failed = self.error_count() > 0;
-        Outcome {
-            scene: (!failed).then_some(self.builder.scene),
-            diagnostics: self.reporter.diagnostics,
-            limit_reached: self.reporter.limit_reached,
-            origins: self.builder.origins,
-            idle: self.reporter.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect(),
-        }
+        let unused = self.evaluator.scopes().unused_faults().cloned().collect();
+        self.reporter.finish(unused);
+        let failed = self.reporter.error_count() > 0;
+        let limit_reached = self.reporter.limit_reached();
+        let (scene, origins) = self.builder.into_scene();
+        let (diagnostics, idle) = self.reporter.into_diagnostics();
+        Outcome { scene: (!failed).then_some(scene), diagnostics, limit_reached, origins, idle }
     }
 
-    fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {
-        if d.trace.is_empty() {
-            d.trace = self.trace().into();
-        }
-        d
-    }
-
-    /// The macro calls and includes around here, innermost first; of a deep recursion both ends.
-    fn trace(&self) -> Vec<Label> {
-        let label = |frame: &StackFrame| match frame.kind {
-            FrameKind::Macro(name) => {
-                Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.inputs.names.text(name)) })
-            }
-            FrameKind::Include => Some(Label { span: frame.span, text: "included".into() }),
-            _ => None,
-        };
-        let all: Vec<Label> = self.stream.frames.iter().rev().filter_map(label).collect();
-        if all.len() <= 12 {
-            return all;
-        }
-        all[..6].iter().chain(&all[all.len() - 4..]).cloned().collect()
-    }
-
-    /// What follows is of this version of the language.
+    /// Sets the language version of the text that follows.
     fn set_version(&mut self, version: u32) {
-        self.builder.language.version = version;
-        self.builder.language.bare_textures = compat::has_bare_textures(version);
-        if self.builder.scene.settings.noise_generator.is_none() {
-            self.builder.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
-        }
-        self.builder.version_stated = true;
+        self.builder.set_version(version);
+        self.evaluator.set_version(version);
     }
 
-    /// The version in force, if the scene has said one.
-    fn stated_version(&self) -> Option<u32> {
-        self.builder.version_stated.then_some(self.builder.language.version)
+    /// Reports a diagnostic with the present call trace.
+    fn report_here(&mut self, d: Diagnostic) {
+        self.reporter.report(self.stream.with_trace(d));
     }
 
+    /// Reports a division by zero.
     fn division_by_zero(&mut self, span: Span) {
         let d = Diagnostic::new(codes::DIVISION_BY_ZERO, span, "division by zero gives infinity");
-        let d = self.with_trace(d.label("this is 0"));
-        self.report_fault(d);
+        self.report_here(d.label("this is 0"));
+    }
+
+    /// The error for a name that is not declared.
+    fn undeclared(&self, symbol: Symbol, span: Span) -> Diagnostic {
+        let declared = self.evaluator.scopes().names().map(|s| self.inputs.names.text(s));
+        self.reporter.undeclared(self.inputs.names.text(symbol), span, declared)
     }
 }

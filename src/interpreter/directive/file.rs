@@ -61,9 +61,9 @@ impl<'a> Interpreter<'a> {
         };
         // What is done with a file that could not be opened is no fault of its own.
         let file =
-            file.inspect_err(|_| self.evaluator.scopes.set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
+            file.inspect_err(|_| self.evaluator.scopes_mut().set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
         self.files.push(file);
-        self.evaluator.scopes.set_global(symbol, Slot::File(self.files.len() - 1), vec![]);
+        self.evaluator.scopes_mut().set_global(symbol, Slot::File(self.files.len() - 1), vec![]);
         Ok(())
     }
 
@@ -71,7 +71,7 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn name_here(&mut self) -> Result<Option<(Symbol, Span)>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
-                self.advance();
+                self.stream.advance();
                 Ok(Some((*symbol, *span)))
             }
             _ => Ok(None),
@@ -80,10 +80,10 @@ impl<'a> Interpreter<'a> {
 
     /// The word behind the file's name, or nothing. It is the last one: no directive behind it may run before the file is open.
     fn last_word(&mut self) -> &'static str {
-        while let Some(ElementKind::Comma) = self.raw().map(|e| &e.kind) {
-            self.advance();
+        while let Some(ElementKind::Comma) = self.stream.raw().map(|e| &e.kind) {
+            self.stream.advance();
         }
-        let word = match self.raw().map(|e| &e.kind) {
+        let word = match self.stream.raw().map(|e| &e.kind) {
             Some(ElementKind::Word(word)) => word.name,
             Some(ElementKind::Expr(e)) if let ExprKind::Name(symbol) = e.kind => {
                 crate::syntax::word::lookup(self.inputs.names.text(symbol)).map_or("", |(word, _)| word)
@@ -91,7 +91,7 @@ impl<'a> Interpreter<'a> {
             _ => "",
         };
         if !word.is_empty() {
-            self.advance();
+            self.stream.advance();
         }
         word
     }
@@ -137,10 +137,10 @@ impl<'a> Interpreter<'a> {
     }
 
     fn close_file(&mut self, symbol: Symbol, span: Span) {
-        if let Some(Slot::File(index)) = self.evaluator.scopes.get(symbol) {
+        if let Some(Slot::File(index)) = self.evaluator.scopes().get(symbol) {
             self.flush(*index, span);
-            if let Some(place) = self.evaluator.scopes.resolve(symbol) {
-                self.evaluator.scopes.unbind(&place);
+            if let Some(place) = self.evaluator.scopes().resolve(symbol) {
+                self.evaluator.scopes_mut().unbind(&place);
             }
         }
     }
@@ -154,7 +154,7 @@ impl<'a> Interpreter<'a> {
         };
         let fault = written.err().map(|error| unwritable(&file.path, &error, span));
         self.inputs.parsed.forget(&file.path);
-        fault.into_iter().for_each(|fault| self.report_fault(fault));
+        fault.into_iter().for_each(|fault| self.reporter.report(fault));
     }
 
     /// Closes what the scene has left open.
@@ -163,7 +163,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn file_number(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
-        match self.evaluator.scopes.get(symbol) {
+        match self.evaluator.scopes().get(symbol) {
             Some(Slot::File(index)) => Ok(*index),
             Some(Slot::Faulty(_)) => Diagnostic::err(codes::FOLLOWS, span, ""),
             _ => {
@@ -190,15 +190,15 @@ impl<'a> Interpreter<'a> {
             }
             let value = self.next_value(index, span);
             if let (Err(_), Given::Name(symbol)) = (&value, &target.given) {
-                self.evaluator.scopes.set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
+                self.evaluator.scopes_mut().set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
             }
             let Some((value, follows)) = value? else {
                 more = false;
                 continue;
             };
             match &target.given {
-                Given::Name(symbol) => self.evaluator.scopes.set_global(*symbol, Slot::Value(value), vec![]),
-                Given::Place(place) => self.evaluator.scopes.set_element(place, Some(Slot::Value(value))),
+                Given::Name(symbol) => self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]),
+                Given::Place(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
                 Given::Slot(_) => {
                     return Diagnostic::err(codes::EXPECTED, target.span, "expected a name for what is read");
                 }
@@ -249,13 +249,13 @@ impl<'a> Interpreter<'a> {
         let mut form = None;
         loop {
             let token = self.peek()?;
-            if self.stream.comma {
+            if self.stream.has_comma() {
                 form = None;
             }
             match token {
                 token if token.ends() => return self.close("`)`"),
                 Token::Word(word) if Binary::of(word).is_some() => {
-                    self.advance();
+                    self.stream.advance();
                     form = Binary::of(word);
                 }
                 _ => {
@@ -275,7 +275,7 @@ impl<'a> Interpreter<'a> {
         self.written += bytes.len() as u64;
         if self.written > MAX_WRITTEN {
             let message = format!("the scene writes more than {} GB", MAX_WRITTEN >> 30);
-            return self.limit(codes::MEMORY_LIMIT, span, message, "does a loop write without end?");
+            return self.reporter.limit(codes::MEMORY_LIMIT, span, message, "does a loop write without end?");
         }
         let file = &mut self.files[index];
         let written = match &mut file.access {

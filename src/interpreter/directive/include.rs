@@ -3,7 +3,6 @@
 use crate::diagnostic::{Diagnostic, Result, Severity, codes, file, nearest};
 use crate::interpreter::Interpreter;
 use crate::interpreter::reporter::MAX_INCLUDES;
-use crate::interpreter::stream::FrameKind;
 use crate::interpreter::token_expr::joined;
 use crate::library;
 use crate::source::{FileId, Found, Span, read_text};
@@ -15,9 +14,9 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn include(&mut self, span: Span) -> Result<()> {
         let (text, name) = self.text_here()?;
         let span = joined(span, name);
-        if self.stream.including.len() >= MAX_INCLUDES {
+        if self.stream.include_paths().len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
-            return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
+            return self.reporter.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
         let (path, ast) = match self.find_read_file(&text, name)? {
             Some(path) => (path.clone(), self.load(&path, &text, name)?),
@@ -26,19 +25,14 @@ impl<'a> Interpreter<'a> {
                 None => return Err(self.missing_include(&text, name).into()),
             },
         };
-        self.evaluator.scopes.enter();
-        self.stream.including.push(path);
-        let comma = std::mem::take(&mut self.stream.comma);
-        self.push_frame(&ast.elements, FrameKind::Include, span);
-        if let Some(frame) = self.stream.frames.last_mut() {
-            frame.comma = comma;
-        }
+        self.evaluator.scopes_mut().enter();
+        self.stream.push_include(path, &ast.elements, span);
         Ok(())
     }
 
     /// A file that the scene names, if it is there and may be read.
     pub(in crate::interpreter) fn find_read_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
-        let including = self.stream.including.last().map(PathBuf::as_path);
+        let including = self.stream.include_paths().last().map(PathBuf::as_path);
         // `"C:\new\shapes.inc"` as it is typed, where `\n` is no line's end.
         let typed = self.inputs.sources.snippet(span);
         let typed = typed.strip_prefix('"').and_then(|t| t.strip_suffix('"')).filter(|t| t.contains('\\'));
@@ -48,8 +42,7 @@ impl<'a> Interpreter<'a> {
         if let Some(Found { portable: Some(portable), .. }) = &found {
             let message = format!("there is no file `{name}`; `{portable}` is read instead");
             let d = Diagnostic::new(codes::OTHER_SPELLING, span, message);
-            let d = self.with_trace(d.help(format!("write \"{portable}\", which every system finds")));
-            self.report_fault(d);
+            self.report_here(d.help(format!("write \"{portable}\", which every system finds")));
         }
         match found.map(|found| found.path) {
             Some(path) if !self.inputs.options.sandbox.may_read(&path) => {
@@ -60,10 +53,6 @@ impl<'a> Interpreter<'a> {
             }
             found => Ok(found),
         }
-    }
-
-    pub(in crate::interpreter) fn leave_include(&mut self) {
-        self.stream.including.pop();
     }
 
     /// A file's tree: read and parsed once, however often it is included.
@@ -82,7 +71,12 @@ impl<'a> Interpreter<'a> {
             Box::new(Diagnostic::new(codes::UNREADABLE_INCLUDE, span, message))
         })?;
         let Some(file) = self.inputs.sources.add(name, Some(path), text) else {
-            return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
+            return self.reporter.limit(
+                codes::MEMORY_LIMIT,
+                span,
+                "the scene's text is larger than 4 GB".into(),
+                "split it",
+            );
         };
         self.inputs.parsed.keep_file(path, file);
         Ok(file)
@@ -95,7 +89,12 @@ impl<'a> Interpreter<'a> {
             return Ok((path, ast));
         }
         let Some(file) = self.inputs.sources.add(&path.to_string_lossy(), None, text.to_string()) else {
-            return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
+            return self.reporter.limit(
+                codes::MEMORY_LIMIT,
+                span,
+                "the scene's text is larger than 4 GB".into(),
+                "split it",
+            );
         };
         let ast = self.parse_file(file)?;
         self.inputs.parsed.keep_file(&path, file);
@@ -105,24 +104,24 @@ impl<'a> Interpreter<'a> {
     /// Parses a text that [`crate::source::Sources`] holds.
     pub(in crate::interpreter) fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
         if let Some(ast) = self.inputs.parsed.tree(file) {
-            self.stream.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
+            self.stream.add_unclosed(ast);
             return Ok(ast);
         }
         let (ast, mut faults) = parse(self.inputs.sources, file, self.inputs.names, self.inputs.options.wholes);
-        self.reporter.late.extend(faults.extract_if(.., |fault| fault.severity == Severity::Warning));
+        self.reporter.defer(faults.extract_if(.., |fault| fault.severity == Severity::Warning));
         // An `#end` too many spoils nothing of what stands around it.
         if faults.iter().all(|fault| fault.code == codes::UNMATCHED_CLOSER) {
-            self.reporter.late.append(&mut faults);
+            self.reporter.defer(std::mem::take(&mut faults));
         }
         let Some(mut last) = faults.pop() else {
-            self.stream.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
+            self.stream.add_unclosed(&ast);
             return Ok(self.inputs.parsed.keep(file, ast));
         };
         for fault in faults {
-            self.report_fault(fault);
+            self.reporter.report(fault);
         }
-        last.trace = self.trace().into();
-        self.report_fault(last);
+        last.trace = self.stream.trace().into();
+        self.reporter.report(last);
         Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
     }
 

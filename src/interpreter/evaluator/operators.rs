@@ -2,8 +2,7 @@
 
 use crate::color::{Color, gray};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::interpreter::Interpreter;
-use crate::interpreter::eval::as_float;
+use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
@@ -51,22 +50,16 @@ pub(in crate::interpreter) fn from_numbers(v: VecN, color: bool) -> Value {
 
 /// One operator, with POV-Ray's promotions: a float becomes a vector of equal numbers, the shorter of two vectors is
 /// filled with zeros; only numbers compare with `<`, numbers and strings with `=`.
-pub(in crate::interpreter) fn apply(
+pub(in crate::interpreter) fn combine(
     op: Operator,
     left: Value,
     right: Value,
     left_span: Span,
     right_span: Span,
-    me: &mut Interpreter,
 ) -> Result<Value> {
     use Operator::*;
     match (&left, &right) {
-        (Value::Float(a), Value::Float(b)) => {
-            if op == Div && *b == 0.0 {
-                me.division_by_zero(right_span);
-            }
-            Ok(Value::Float(on_floats(op, *a, *b)))
-        }
+        (Value::Float(a), Value::Float(b)) => Ok(Value::Float(on_floats(op, *a, *b))),
         (Value::Text(a), Value::Text(b)) if op.compares() => {
             Ok(Value::Float(on_floats(op, f64::from(a.cmp(b) as i8), 0.0)))
         }
@@ -83,9 +76,6 @@ pub(in crate::interpreter) fn apply(
                 (None, _, left, _) if !matches!(left, Value::Float(_)) => return wrong(left, left_span),
                 _ => return wrong(&right, right_span),
             };
-            if op == Div && holds_zero(&b) {
-                me.division_by_zero(right_span);
-            }
             Ok(from_numbers(on_vectors(op, a, b), color))
         }
         (Value::Float(_), _) => wrong_comparison(op, &right, right_span),
@@ -128,6 +118,11 @@ pub(in crate::interpreter) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN
     out
 }
 
+/// True for a division whose right side is or holds zero.
+pub(in crate::interpreter) fn divides_by_zero(op: Operator, right: &Value) -> bool {
+    op == Operator::Div && numbers_of(right).is_some_and(|v| holds_zero(&v))
+}
+
 /// Is one of its numbers zero, so that nothing can be divided by it?
 pub(in crate::interpreter) fn holds_zero(v: &VecN) -> bool {
     v.c[..v.len as usize].contains(&0.0)
@@ -162,4 +157,39 @@ pub(in crate::interpreter) fn component(value: &Value, name: &Name, span: Span) 
         return Diagnostic::err(codes::NO_COMPONENT, name.span, message);
     }
     Ok(Value::Float(v.c[index]))
+}
+
+/// Two to five numbers.
+pub(in crate::interpreter) fn vector_value(data: &[f64], span: Span) -> Result<Value> {
+    match data.len() {
+        2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
+        n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a vector has two to five numbers, this has {n}")),
+    }
+}
+
+/// Three numbers; one stands for all, and shorter vectors are filled with zeros.
+pub(in crate::interpreter) fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
+    match value {
+        Value::Float(x) => Ok(DVec3::splat(*x)),
+        Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
+        other => {
+            let message = format!("expected a vector of three numbers, found {}", other.describe());
+            Diagnostic::err(codes::WRONG_TYPE, span, message)
+        }
+    }
+}
+
+/// The number in a value.
+pub(in crate::interpreter) fn as_float(value: &Value, span: Span) -> Result<f64> {
+    match value {
+        Value::Float(x) => Ok(*x),
+        other => {
+            let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("expected a number, found {}", other.describe()));
+            match other {
+                Value::Vector(_) => d.help("`.x`, `.y` or `.z` takes one of its numbers").into(),
+                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` takes one number of it").into(),
+                _ => d.into(),
+            }
+        }
+    }
 }

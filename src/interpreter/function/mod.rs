@@ -6,7 +6,6 @@ mod sampler;
 mod token_function;
 
 use super::Interpreter;
-use super::evaluator::Slot;
 use super::evaluator::component_index;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{
@@ -41,17 +40,17 @@ impl<'a> Interpreter<'a> {
         let sampler: Arc<dyn Sampler> = match word {
             "pigment" => {
                 self.take()?;
-                let defaults = self.builder.defaults.texture.clone();
+                let defaults = self.builder.defaults().texture.clone();
                 let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
                 self.leave()?;
-                Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.builder.noise_generator.clone()))
+                Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.builder.noise_generator().clone()))
             }
             "pattern" => {
                 self.take()?;
-                let defaults = self.builder.defaults.texture.clone();
+                let defaults = self.builder.defaults().texture.clone();
                 let pattern = Pigment::read(self, &Pigment::default(), &defaults)?;
                 self.leave()?;
-                Arc::new(PatternSampler(PigmentProgram::new(&pattern), self.builder.noise_generator.clone()))
+                Arc::new(PatternSampler(PigmentProgram::new(&pattern), self.builder.noise_generator().clone()))
             }
             "transform" => {
                 self.take()?;
@@ -75,7 +74,7 @@ impl<'a> Interpreter<'a> {
     /// What stands between the braces of a pigment, as the pattern of its brightness. (Those of functions and `pigment_pattern` do not
     /// begin with the default pigment, as was measured on POV-Ray 3.7.)
     pub(super) fn brightness(&mut self) -> Result<Arc<dyn Thing>> {
-        let defaults = self.builder.defaults.texture.clone();
+        let defaults = self.builder.defaults().texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
         Ok(Arc::new(PigmentPattern::new(Arc::new(Brightness::new(&pigment)))))
     }
@@ -92,7 +91,7 @@ impl<'a> Interpreter<'a> {
         if let Next::Word(word) = Reader::next(self)?
             && let Some(named) = SplineKind::of(word)
         {
-            self.advance();
+            self.stream.advance();
             kind = named;
         }
         while Reader::next(self)? != Next::End {
@@ -330,13 +329,6 @@ impl<'a> Interpreter<'a> {
     fn called_text(&self, span: Span) -> &'a str {
         let text = self.inputs.sources.snippet(span);
         text.split('(').next().unwrap_or(text).trim_end()
-    }
-
-    fn thing_of<T: Thing>(&self, name: Symbol) -> Option<Arc<T>> {
-        match self.evaluator.scopes.get(name) {
-            Some(Slot::Value(Value::Thing(thing))) => downcast(thing),
-            _ => None,
-        }
     }
 
     fn check_arity(&self, called: Span, found: usize, wanted: usize) -> Result<()> {

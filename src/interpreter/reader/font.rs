@@ -18,11 +18,11 @@ impl Interpreter<'_> {
                 None => return Ok(Arc::new(Font::own())),
             },
         };
-        if let Some(font) = self.evaluator.fonts.get(&place) {
+        if let Some(font) = self.evaluator.assets().fonts.get(&place) {
             return Ok(font.clone());
         }
         let font = Arc::new(Font::read(&place).map_err(|fault| fault.at(at))?);
-        self.evaluator.fonts.insert(place, font.clone());
+        self.evaluator.assets().fonts.insert(place, font.clone());
         Ok(font)
     }
 
@@ -31,12 +31,12 @@ impl Interpreter<'_> {
         if fonts::is_file_name(Path::new(name)) {
             return None;
         }
-        if let Some(known) = self.evaluator.families.get(name) {
+        if let Some(known) = self.evaluator.assets().families.get(name) {
             return known.clone();
         }
         let files = fonts::files(&self.inputs.options.search.fonts);
         let found = font::of_family(name, &files, |path| self.inputs.options.sandbox.may_read(path));
-        self.evaluator.families.insert(name.to_string(), found.clone());
+        self.evaluator.assets().families.insert(name.to_string(), found.clone());
         found
     }
 
@@ -53,8 +53,7 @@ impl Interpreter<'_> {
             None => ": durer's own one, Roboto, stands for it".into(),
         };
         let d = Diagnostic::new(codes::FONT_MISSING, at, format!("the font `{name}` was not found{what}"));
-        let d = self.with_trace(d.help("fonts are looked for where included files are; -I DIR adds a folder"));
-        self.report_fault(d);
+        self.report_here(d.help("fonts are looked for where included files are; -I DIR adds a folder"));
         found
     }
 }

@@ -17,7 +17,7 @@ impl Interpreter<'_> {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the mesh's file `{name}` was not found"));
             return d.help("such files are looked for where included files are; -I DIR adds a folder").into();
         };
-        if let Some(mesh) = self.evaluator.meshes.get(&path) {
+        if let Some(mesh) = self.evaluator.assets().meshes.get(&path) {
             return Ok(mesh.clone());
         }
         let file = self.read_mesh(&path, at)?;
@@ -27,7 +27,7 @@ impl Interpreter<'_> {
         let pictures: Vec<_> =
             file.looks.iter().map(|look| self.picture_beside(&path, look.picture.as_deref()?, at)).collect();
         let mesh = build(file, pictures);
-        self.evaluator.meshes.insert(path, mesh.clone());
+        self.evaluator.assets().meshes.insert(path, mesh.clone());
         Ok(mesh)
     }
 

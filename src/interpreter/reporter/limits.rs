@@ -1,9 +1,10 @@
 //! Limits on steps, time, memory and depth, so that a scene that runs away ends in a message.
 
+use super::Reporter;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::interpreter::Interpreter;
 use crate::source::Span;
 use std::sync::atomic::Ordering;
+use std::time::Instant;
 
 /// Macro calls inside each other.
 pub(in crate::interpreter) const MAX_CALLS: usize = 5_000;
@@ -18,27 +19,42 @@ const CLOCK_EVERY: u64 = 4096;
 /// And once in so many bytes of text.
 const TEXT_EVERY: usize = 64 << 20;
 
-impl<'a> Interpreter<'a> {
+/// Work done so far.
+pub(super) struct Usage {
+    /// Directives, loop passes and macro calls.
+    steps: u64,
+    /// Bytes of strings made since the limits were last checked.
+    text_made: usize,
+    started: Instant,
+}
+
+impl Default for Usage {
+    fn default() -> Self {
+        Self { steps: 0, text_made: 0, started: Instant::now() }
+    }
+}
+
+impl Reporter<'_> {
     /// Counts one step (a directive, a loop's pass, a macro call).
     pub(in crate::interpreter) fn step(&mut self, span: Span) -> Result<()> {
-        self.reporter.steps += 1;
-        if self.reporter.steps > self.inputs.options.max_steps {
+        self.usage.steps += 1;
+        if self.usage.steps > self.inputs.options.max_steps {
             let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);
             return self.limit(codes::STEP_LIMIT, span, message, "is this loop endless? --max-steps N allows more");
         }
-        if self.reporter.steps.is_multiple_of(CLOCK_EVERY) {
+        if self.usage.steps.is_multiple_of(CLOCK_EVERY) {
             return self.look_at_clock(span);
         }
         Ok(())
     }
 
     /// Counts bytes of text that were made: a few large strings take as much as many steps.
-    pub(in crate::interpreter) fn made(&mut self, bytes: usize, span: Span) -> Result<()> {
-        self.reporter.text_made += bytes;
-        if self.reporter.text_made < TEXT_EVERY {
+    pub(in crate::interpreter) fn count_text(&mut self, bytes: usize, span: Span) -> Result<()> {
+        self.usage.text_made += bytes;
+        if self.usage.text_made < TEXT_EVERY {
             return Ok(());
         }
-        self.reporter.text_made = 0;
+        self.usage.text_made = 0;
         self.look_at_clock(span)
     }
 
@@ -47,7 +63,7 @@ impl<'a> Interpreter<'a> {
             return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "it is of no use any more");
         }
         if let Some(seconds) = self.inputs.options.max_time
-            && self.reporter.started.elapsed().as_secs_f64() > seconds
+            && self.usage.started.elapsed().as_secs_f64() > seconds
         {
             let message = format!("the scene took more than {seconds} seconds");
             return self.limit(codes::TIME_LIMIT, span, message, "--max-time SECONDS allows more");
@@ -86,7 +102,7 @@ impl<'a> Interpreter<'a> {
         message: String,
         help: &str,
     ) -> Result<T> {
-        self.reporter.limit_reached = true;
+        self.limit_reached = true;
         Diagnostic::new(code, span, message).help(help).into()
     }
 }

@@ -1,120 +1,126 @@
-//! Brackets that are open while the text is read.
+//! Open brackets around the read position.
 
-use super::{BlockName, Token};
-use crate::diagnostic::{Result, codes};
-use crate::interpreter::Interpreter;
+use super::{Mode, TokenStream};
+use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use crate::syntax::ast::*;
+use crate::syntax::blame;
 
 /// A bracket that is open.
-pub(in crate::interpreter) struct Opened {
-    /// The word before it.
+pub(in crate::interpreter) struct OpenBracket {
+    /// The word before the bracket.
     pub(in crate::interpreter) word: Option<&'static str>,
-    /// The word's place, or the bracket's.
+    /// Span of the word, or of the bracket if it has none.
     pub(in crate::interpreter) span: Span,
-    /// The place of the bracket alone, where it is a token by itself.
+    /// Span of the bracket alone; `None` if the parser found the matching bracket.
     pub(in crate::interpreter) alone: Option<Span>,
     pub(in crate::interpreter) bracket: Bracket,
-    /// durer's own words inside this block.
+    /// durer's own words inside the block.
     pub(in crate::interpreter) own_words: &'static [&'static str],
-    /// How many frames there were.
-    pub(in crate::interpreter) frames: usize,
-    /// What [`Interpreter::closed`] was outside.
-    pub(in crate::interpreter) closed: bool,
+    /// Number of frames where the bracket was opened.
+    pub(in crate::interpreter) frame_count: usize,
+    /// Mode outside of the bracket.
+    pub(in crate::interpreter) mode: Mode,
 }
 
-/// Brackets and values that are read inside each other.
-const MAX_NESTING: usize = 5_000;
+/// Brackets that were open where a fault was found.
+#[derive(Clone, Copy)]
+pub(super) struct Unclosed {
+    pub(super) count: usize,
+    /// True if only braces are counted; other brackets inside them are ignored.
+    pub(super) braces: bool,
+}
 
-impl<'a> Interpreter<'a> {
-    /// Consumes the opening bracket that comes next, perhaps with the word before it.
-    pub(in crate::interpreter) fn open(&mut self) -> Result<Span> {
-        let token = self.peek()?;
-        let span = self.here();
-        if self.stream.opened.len() >= MAX_NESTING {
-            let message = format!("more than {MAX_NESTING} brackets are open here");
-            return self.limit(codes::TOO_DEEP, span, message, "does a macro open one without closing it?");
-        }
-        let (word, name, body, bracket) = match token {
-            Token::Block(BlockName { word, span: name, body }) => (word, name, body, Bracket::Brace),
-            Token::Open(bracket, body) => (None, span, body, bracket),
-            _ => {
-                self.advance();
-                return Ok(span);
-            }
-        };
-        let comma = self.element_comma();
-        // (What stands whole ends with the bracket that a message may speak of.)
-        let whole = self.raw().map_or(span, |element| element.span);
-        self.advance();
-        let closed = std::mem::replace(&mut self.stream.closed, false);
-        let own_words = word.map_or(&[][..], crate::syntax::word::contextual);
-        let mut opened =
-            Opened { word, span: name, alone: None, bracket, own_words, frames: self.stream.frames.len(), closed };
-        match body {
-            Some(body) => {
-                self.push_piece(body, Some(bracket), whole, comma);
-                self.stream.comma = false;
-            }
-            // The bracket is a token by itself.
-            None if matches!(token, Token::Block(_)) => match self.peek()? {
-                Token::Open(Bracket::Brace, body) => {
-                    let (at, comma) = (self.here(), self.element_comma());
-                    let whole = self.raw().map_or(at, |element| element.span);
-                    self.advance();
-                    opened.frames = self.stream.frames.len();
-                    match body {
-                        Some(body) => self.push_piece(body, Some(Bracket::Brace), whole, comma),
-                        None => opened.alone = Some(at),
-                    }
-                }
-                _ => return Err(self.unexpected_token("`{`").into()),
-            },
-            None => opened.alone = Some(span),
-        }
-        self.stream.opened.push(opened);
-        Ok(name)
+/// Brackets.
+impl<'a> TokenStream<'a> {
+    /// The innermost open bracket.
+    pub(in crate::interpreter) fn bracket(&self) -> Option<&OpenBracket> {
+        self.open_brackets.last()
     }
 
-    pub(in crate::interpreter) fn element_comma(&self) -> bool {
-        self.stream.held.is_empty()
-            && self.stream.frames.last().and_then(|f| f.elements.get(f.at)).is_some_and(|e| e.comma)
+    pub(in crate::interpreter) fn bracket_count(&self) -> usize {
+        self.open_brackets.len()
     }
 
-    /// Consumes the bracket that closes what was opened last; anything else is a fault.
-    pub(in crate::interpreter) fn close(&mut self, expected: &str) -> Result<()> {
-        let token = self.peek()?;
-        let Some(opened) = self.stream.opened.last() else { return Err(self.unexpected_token(expected).into()) };
-        if !token.closes(opened.bracket) {
-            return Err(match token {
-                Token::Sign(Sign::Close(_)) | Token::End => self.not_closed().into(),
-                _ => self.unexpected_token(expected).into(),
-            });
+    /// Opens a bracket: inside it, directives after a value are not deferred.
+    pub(in crate::interpreter) fn push_bracket(&mut self, bracket: OpenBracket) {
+        self.open_brackets.push(bracket);
+    }
+
+    /// Closes the innermost bracket, and restores the mode outside of it.
+    pub(in crate::interpreter) fn pop_bracket(&mut self) {
+        if let Some(bracket) = self.open_brackets.pop() {
+            self.mode = bracket.mode;
         }
-        self.stream.closed = opened.closed;
-        self.stream.opened.pop();
-        self.advance();
-        Ok(())
     }
 
-    /// Reads what stands between brackets, of which the opening one is consumed, to its end.
-    pub(in crate::interpreter) fn within<T>(
-        &mut self,
-        elements: &'a [Element],
-        bracket: Bracket,
-        span: Span,
-        read: impl FnOnce(&mut Self) -> Result<T>,
-    ) -> Result<T> {
-        let mark = self.mark();
-        self.push_piece(elements, Some(bracket), span, false);
-        let closed = std::mem::replace(&mut self.stream.closed, false);
-        let frames = self.stream.frames.len();
-        self.stream.opened.push(Opened { word: None, span, alone: None, bracket, own_words: &[], frames, closed });
-        let result = read(self).and_then(|value| self.close(bracket.text()[1]).map(|()| value));
-        result.map_err(|fault| {
-            let fault = self.with_trace(*fault);
-            self.unwind(mark);
-            Box::new(fault)
-        })
+    /// Names the innermost bracket after a directive, for messages.
+    pub(in crate::interpreter) fn name_bracket(&mut self, word: &'static str, span: Span) {
+        if let Some(bracket) = self.open_brackets.last_mut() {
+            (bracket.word, bracket.span) = (Some(word), span);
+        }
+    }
+
+    /// The name `symbol` as one of durer's own words that the innermost block takes.
+    pub(in crate::interpreter) fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
+        let words = self.open_brackets.last()?.own_words;
+        if words.is_empty() {
+            return None;
+        }
+        let name = self.inputs.names.text(symbol);
+        words.iter().copied().find(|word| *word == name)
+    }
+
+    /// True if an expression begins with one of durer's own words: `eye -5*z` parses as a difference.
+    pub(in crate::interpreter) fn begins_with_own_word(&self, e: &Expr) -> bool {
+        if self.open_brackets.last().is_none_or(|o| o.own_words.is_empty()) {
+            return false;
+        }
+        let mut first = e;
+        loop {
+            first = match &first.kind {
+                ExprKind::Chain(chain) => &chain.first,
+                ExprKind::Choice(parts) => &parts[0],
+                ExprKind::Call(symbol, _) => return self.own_word(*symbol).is_some(),
+                ExprKind::Name(symbol) => return self.own_word(*symbol).is_some(),
+                _ => return false,
+            };
+        }
+    }
+
+    /// Records the brackets of a file that the rest of the file does not close.
+    pub(in crate::interpreter) fn add_unclosed(&mut self, ast: &Ast) {
+        self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
+    }
+
+    /// E-message for the innermost bracket that the rest of its file does not close. Faults inside it follow from it.
+    pub(in crate::interpreter) fn unclosed_bracket(&self) -> Option<Diagnostic> {
+        let unclosed = |o: &&OpenBracket| o.alone.is_some_and(|span| self.is_unclosed(span));
+        let opened = self.open_brackets.iter().rev().find(unclosed)?;
+        let [open, close] = opened.bracket.text();
+        Some(self.unclosed_at(opened.alone?, open, close))
+    }
+
+    /// True if the rest of the file does not close the bracket at `span`.
+    pub(in crate::interpreter) fn is_unclosed(&self, span: Span) -> bool {
+        self.unclosed.contains(&span.lo)
+    }
+
+    /// The message "this `{` is not closed" for the bracket at `span`, or for the brace that was meant.
+    pub(in crate::interpreter) fn unclosed_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
+        if let Some(d) = self.blamed_brace(span).filter(|_| open == "{") {
+            return self.with_trace(d);
+        }
+        let message = format!("this `{open}` is not closed");
+        let d = Diagnostic::new(codes::UNCLOSED, span, message);
+        let d = d.help(format!("add `{close}` where it should end"));
+        self.with_trace(d)
+    }
+
+    /// The brace that was left open, judged by the words of its block and the indentation of the lines. `span` is that of
+    /// a brace which is open where its file ends.
+    fn blamed_brace(&self, span: Span) -> Option<Diagnostic> {
+        let (file, _) = self.inputs.sources.locate(span)?;
+        blame::open_brace(self.inputs.sources.text(file), self.inputs.sources.base(file))
     }
 }

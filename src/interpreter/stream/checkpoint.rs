@@ -1,30 +1,29 @@
-//! After a fault: to the end of the statement, so that one mistake gives one message.
+//! Checkpoints: where reading resumes after a fault, so that one mistake gives one message.
 
-use super::{Opened, StackFrame};
-use crate::diagnostic::{Diagnostic, Fault};
-use crate::interpreter::Interpreter;
+use super::bracket::Unclosed;
+use super::{Mode, OpenBracket, StackFrame, TokenStream};
 use crate::syntax::ast::*;
 
-/// Where the reading was, to go back there after a fault.
+/// A state of the stream to return to.
 #[derive(Clone, Copy)]
-pub(in crate::interpreter) struct Mark {
-    pub(in crate::interpreter) frames: usize,
-    pub(in crate::interpreter) opened: usize,
-    pub(in crate::interpreter) at: usize,
-    pub(in crate::interpreter) closed: bool,
+pub(in crate::interpreter) struct Checkpoint {
+    frame_count: usize,
+    bracket_count: usize,
+    /// Read position in the innermost frame.
+    at: usize,
+    mode: Mode,
 }
 
-/// Brackets that were open when a fault was met.
-#[derive(Clone, Copy)]
-pub(in crate::interpreter) struct Unclosed {
-    count: usize,
-    /// If there are braces, they alone count.
-    braces: bool,
+impl Checkpoint {
+    /// Number of frames at the checkpoint.
+    pub(in crate::interpreter) fn frame_count(self) -> usize {
+        self.frame_count
+    }
 }
 
 impl StackFrame<'_> {
-    /// After a fault: on to the end of the statement that began at index `from`, of which so many brackets are open.
-    pub(in crate::interpreter) fn skip_statement(&mut self, from: usize, open: Unclosed) {
+    /// Moves to the end of the statement that began at index `from`, in which `open` brackets are open.
+    fn skip_statement(&mut self, from: usize, open: Unclosed) {
         self.item = (0, 0);
         self.closer = None;
         if open.count > 0 {
@@ -33,8 +32,7 @@ impl StackFrame<'_> {
         if self.at == from {
             self.skip_one();
         }
-        // A block or a function ends a statement.
-        // (A loop's next pass stands at its start.)
+        // A block or a function ends a statement. At the start of a loop's next pass there is no last element.
         let last = self.at.checked_sub(1).and_then(|last| self.elements.get(last)).map(|e| &e.kind);
         let ends = matches!(
             last,
@@ -61,8 +59,8 @@ impl StackFrame<'_> {
         }
     }
 
-    /// Over one element, or over a bracket with all that is in it.
-    pub(in crate::interpreter) fn skip_one(&mut self) {
+    /// Skips one element, or a bracket with its contents.
+    fn skip_one(&mut self) {
         let opens = matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(_))));
         self.at += 1;
         if opens {
@@ -70,7 +68,7 @@ impl StackFrame<'_> {
         }
     }
 
-    pub(in crate::interpreter) fn skip_brackets(&mut self, Unclosed { mut count, braces }: Unclosed) {
+    fn skip_brackets(&mut self, Unclosed { mut count, braces }: Unclosed) {
         while let Some(element) = self.elements.get(self.at) {
             self.at += 1;
             match element.kind {
@@ -84,8 +82,8 @@ impl StackFrame<'_> {
         }
     }
 
-    /// After a declared texture that failed: over its other layers.
-    pub(in crate::interpreter) fn skip_layers(&mut self, from: usize) {
+    /// Skips the further layers of a texture that began at index `from`.
+    fn skip_layers(&mut self, from: usize) {
         let is_texture = |frame: &Self, at: usize| match frame.elements.get(at).map(|e| &e.kind) {
             Some(ElementKind::Block(b)) => b.name.word == Some("texture"),
             Some(ElementKind::Word(word)) => word.name == "texture" && frame.opens_brace(at + 1),
@@ -101,60 +99,66 @@ impl StackFrame<'_> {
     }
 }
 
-impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn mark(&self) -> Mark {
-        let at = self.stream.frames.last().map_or(0, |f| f.at);
-        Mark { frames: self.stream.frames.len(), opened: self.stream.opened.len(), at, closed: self.stream.closed }
-    }
-
-    /// After an error: back to the frames that were there when the statement began.
-    pub(in crate::interpreter) fn unwind(&mut self, mark: Mark) {
-        while self.stream.frames.len() > mark.frames {
-            self.pop_frame();
-        }
-        self.forget_ahead(mark);
-        self.stream.closed = mark.closed;
-    }
-
-    /// After an error in a directive: what was seen behind it is looked at anew.
-    pub(in crate::interpreter) fn forget_ahead(&mut self, mark: Mark) {
-        self.stream.opened.truncate(mark.opened);
-        self.stream.held.clear();
-        (self.stream.peeked, self.stream.comma, self.stream.skipping) = (None, false, false);
-    }
-
-    /// After an error: past the statement that began at the mark.
-    pub(in crate::interpreter) fn skip_statement(&mut self, mark: Mark) {
-        let open = self.opened_alone(mark);
-        self.unwind(mark);
-        if let Some(frame) = self.stream.frames.last_mut() {
-            frame.skip_statement(mark.at, open);
+/// Checkpoints. Frames above a checkpoint are dropped by `Interpreter::unwind`, because scopes end with them.
+impl TokenStream<'_> {
+    /// The present state, to return to after a fault.
+    pub(in crate::interpreter) fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            frame_count: self.frames.len(),
+            bracket_count: self.open_brackets.len(),
+            at: self.frames.last().map_or(0, |f| f.at),
+            mode: self.mode,
         }
     }
 
-    /// Leaves the statement in which a fault was met, unless a bracket that nothing closes tells more of it.
-    pub(in crate::interpreter) fn past_fault(&mut self, mark: Mark, fault: Diagnostic) -> Fault {
-        let fault = self.with_trace(fault);
-        if self.unclosed_bracket().is_none() {
-            self.skip_statement(mark);
-        }
-        Box::new(fault)
+    /// True if frames were pushed since the checkpoint.
+    pub(in crate::interpreter) fn is_above(&self, checkpoint: Checkpoint) -> bool {
+        self.frames.len() > checkpoint.frame_count
     }
 
-    /// What was opened since the mark, as tokens of the frame that was the innermost.
-    fn opened_alone(&self, mark: Mark) -> Unclosed {
-        let own = |o: &&Opened| o.alone.is_some() && o.frames == mark.frames;
-        let all = self.stream.opened.iter().skip(mark.opened).filter(own);
+    /// Restores brackets and mode of the checkpoint, and drops all tokens that were read ahead.
+    pub(in crate::interpreter) fn restore(&mut self, checkpoint: Checkpoint) {
+        self.forget_look_ahead(checkpoint);
+        self.mode = checkpoint.mode;
+    }
+
+    /// Restores the brackets of the checkpoint, and drops all tokens that were read ahead.
+    pub(in crate::interpreter) fn forget_look_ahead(&mut self, checkpoint: Checkpoint) {
+        self.open_brackets.truncate(checkpoint.bracket_count);
+        self.pushed_back.clear();
+        (self.look_ahead, self.comma, self.mode.skips) = (None, false, false);
+    }
+
+    /// Skips the statement that began at the checkpoint, whose frames are restored; `open` is the state before that.
+    pub(in crate::interpreter) fn skip_statement(&mut self, checkpoint: Checkpoint, open: Open) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.skip_statement(checkpoint.at, open.0);
+        }
+    }
+
+    /// Skips to the end of the brackets that were opened since the checkpoint.
+    pub(in crate::interpreter) fn skip_brackets(&mut self, open: Open) {
+        if let Some(frame) = self.frames.last_mut().filter(|_| open.0.count > 0) {
+            frame.skip_brackets(open.0);
+        }
+    }
+
+    /// Skips the further layers of a declared texture that began at the checkpoint.
+    pub(in crate::interpreter) fn skip_layers(&mut self, checkpoint: Checkpoint) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.skip_layers(checkpoint.at);
+        }
+    }
+
+    /// Brackets opened since the checkpoint that are tokens of the frame which was the innermost there.
+    pub(in crate::interpreter) fn opened_since(&self, checkpoint: Checkpoint) -> Open {
+        let own = |o: &&OpenBracket| o.alone.is_some() && o.frame_count == checkpoint.frame_count;
+        let all = self.open_brackets.iter().skip(checkpoint.bracket_count).filter(own);
         let braces = all.clone().filter(|o| o.bracket == Bracket::Brace).count();
-        Unclosed { count: if braces > 0 { braces } else { all.count() }, braces: braces > 0 }
-    }
-
-    /// After an error: past the brackets that were opened since the mark.
-    pub(in crate::interpreter) fn skip_brackets(&mut self, mark: Mark) {
-        let open = self.opened_alone(mark);
-        self.unwind(mark);
-        if let Some(frame) = self.stream.frames.last_mut().filter(|_| open.count > 0) {
-            frame.skip_brackets(open);
-        }
+        Open(Unclosed { count: if braces > 0 { braces } else { all.count() }, braces: braces > 0 })
     }
 }
+
+/// See [`TokenStream::opened_since`].
+#[derive(Clone, Copy)]
+pub(in crate::interpreter) struct Open(Unclosed);

@@ -1,60 +1,130 @@
-//! Where elements come from: bodies of branches, loops and macros, files, and what stands in brackets.
+//! Call frames: bodies of branches, loops and macros, files, bracketed groups and split expressions.
 
-use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::interpreter::Interpreter;
+use super::TokenStream;
 use crate::source::Span;
 use crate::syntax::ast::*;
+use std::path::PathBuf;
 
-/// Where elements come from.
+/// A row of elements with a read position.
 pub(in crate::interpreter) struct StackFrame<'a> {
-    pub(in crate::interpreter) elements: &'a [Element],
-    pub(in crate::interpreter) at: usize,
-    /// Index within a literal list, and of its first number.
-    pub(in crate::interpreter) item: (usize, usize),
-    pub(in crate::interpreter) kind: FrameKind<'a>,
-    /// The whole of what is being read: block, call, directive.
-    pub(in crate::interpreter) span: Span,
-    /// The bracket that follows the last element.
-    pub(in crate::interpreter) closer: Option<Bracket>,
-    /// Does a comma follow?
-    pub(in crate::interpreter) comma: bool,
+    pub(super) elements: &'a [Element],
+    /// Index of the next element.
+    pub(super) at: usize,
+    /// Read position within a literal list: index of the item, and of its first number.
+    pub(super) item: (usize, usize),
+    kind: FrameKind<'a>,
+    /// Span of the whole construct being read: block, call, directive.
+    span: Span,
+    /// The closing bracket that follows the last element.
+    pub(super) closer: Option<Bracket>,
+    /// True if a comma follows the frame's last token.
+    pub(super) comma: bool,
 }
 
+/// The construct that a frame's elements belong to.
+#[derive(Clone, Copy)]
 pub(in crate::interpreter) enum FrameKind<'a> {
     /// The outermost file.
     File,
-    /// Between brackets, or an expression taken apart.
+    /// The inside of a bracket, or the parts of a split expression.
     Piece,
-    /// A branch or an arm.
+    /// A branch of `#if`, or an arm of `#switch`.
     Branch,
-    /// Like a branch, and `#break` leaves it.
+    /// A `#switch`, whose arms lie above; `#break` leaves it.
     Switch,
+    /// A pass of `#while`, with its condition.
     While(&'a Head),
-    For {
-        counter: Symbol,
-        last: f64,
-        step: f64,
-    },
+    /// A pass of `#for`.
+    For { counter: Symbol, last: f64, step: f64 },
+    /// The body of a macro.
     Macro(Symbol),
+    /// An included file.
     Include,
 }
 
-impl StackFrame<'_> {
-    /// Has an expression that was taken apart come to its end?
-    pub(in crate::interpreter) fn is_spent_piece(&self) -> bool {
-        let whole = matches!(self.kind, FrameKind::Piece) && self.closer.is_none();
-        whole && self.at >= self.elements.len()
+impl FrameKind<'_> {
+    /// True if `#local` names end with the frame.
+    pub(in crate::interpreter) fn has_scope(self) -> bool {
+        matches!(self, FrameKind::Macro(_) | FrameKind::Include)
+    }
+}
+
+impl<'a> StackFrame<'a> {
+    fn new(elements: &'a [Element], kind: FrameKind<'a>, span: Span) -> Self {
+        Self { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false }
     }
 
-    pub(in crate::interpreter) fn opens_brace(&self, at: usize) -> bool {
+    /// The element at the read position.
+    #[inline]
+    pub(in crate::interpreter) fn next(&self) -> Option<&'a Element> {
+        self.elements.get(self.at)
+    }
+
+    /// The element after [`Self::next`].
+    #[inline]
+    pub(in crate::interpreter) fn following(&self) -> Option<&'a Element> {
+        self.elements.get(self.at + 1)
+    }
+
+    /// The elements from the read position on.
+    pub(in crate::interpreter) fn rest(&self) -> &'a [Element] {
+        self.elements.get(self.at..).unwrap_or_default()
+    }
+
+    pub(in crate::interpreter) fn kind(&self) -> FrameKind<'a> {
+        self.kind
+    }
+
+    pub(in crate::interpreter) fn span(&self) -> Span {
+        self.span
+    }
+
+    /// The closing bracket that follows the last element.
+    pub(in crate::interpreter) fn closer(&self) -> Option<Bracket> {
+        self.closer
+    }
+
+    /// True if a bracket or a comma follows the last element.
+    pub(in crate::interpreter) fn is_delimited(&self) -> bool {
+        self.closer.is_some() || self.comma
+    }
+
+    /// Index of the next item in the literal list at the read position.
+    pub(in crate::interpreter) fn list_item(&self) -> usize {
+        self.item.0
+    }
+
+    /// The next item of a literal list at the read position.
+    pub(in crate::interpreter) fn list_numbers(&self, list: &'a NumberList) -> &'a [f64] {
+        let (i, start) = self.item;
+        &list.data[start..start + list.width(i)]
+    }
+
+    /// True if the parts of a split expression are all consumed.
+    pub(in crate::interpreter) fn is_spent_piece(&self) -> bool {
+        matches!(self.kind, FrameKind::Piece) && self.is_spent()
+    }
+
+    /// True if all elements are consumed and no closing bracket follows.
+    pub(in crate::interpreter) fn is_spent(&self) -> bool {
+        self.closer.is_none() && self.at >= self.elements.len()
+    }
+
+    pub(super) fn opens_brace(&self, at: usize) -> bool {
         matches!(
             self.elements.get(at).map(|e| &e.kind),
             Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace)))
         )
     }
 
-    pub(in crate::interpreter) fn opens_paren(&self, at: usize) -> bool {
-        match self.elements.get(at).map(|e| &e.kind) {
+    /// True if a `{` comes next.
+    pub(in crate::interpreter) fn is_at_brace(&self) -> bool {
+        self.opens_brace(self.at)
+    }
+
+    /// True if a `(` comes next.
+    pub(in crate::interpreter) fn is_at_parenthesis(&self) -> bool {
+        match self.next().map(|e| &e.kind) {
             Some(ElementKind::Sign(sign)) => *sign == Sign::Open(Bracket::Paren),
             Some(ElementKind::Expr(e)) => matches!(e.kind, ExprKind::Paren(_)),
             _ => false,
@@ -62,13 +132,35 @@ impl StackFrame<'_> {
     }
 }
 
-impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn push_frame(&mut self, elements: &'a [Element], kind: FrameKind<'a>, span: Span) {
-        self.stream.peeked = None;
-        self.stream.frames.push(StackFrame { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false });
+/// Call frames.
+impl<'a> TokenStream<'a> {
+    #[inline]
+    pub(in crate::interpreter) fn innermost(&self) -> Option<&StackFrame<'a>> {
+        self.frames.last()
     }
 
-    /// Elements that come next, then perhaps a closing bracket and a comma.
+    /// All frames, the innermost last.
+    pub(in crate::interpreter) fn frames(&self) -> &[StackFrame<'a>] {
+        &self.frames
+    }
+
+    /// Number of macro calls around the read position.
+    pub(in crate::interpreter) fn call_depth(&self) -> usize {
+        self.call_depth
+    }
+
+    /// Paths of the included files around the read position, the innermost last.
+    pub(in crate::interpreter) fn include_paths(&self) -> &[PathBuf] {
+        &self.include_paths
+    }
+
+    /// Reads these elements next.
+    pub(in crate::interpreter) fn push_frame(&mut self, elements: &'a [Element], kind: FrameKind<'a>, span: Span) {
+        self.look_ahead = None;
+        self.frames.push(StackFrame::new(elements, kind, span));
+    }
+
+    /// Reads these elements next, then a closing bracket if one is given, then a comma if `comma` is set.
     pub(in crate::interpreter) fn push_piece(
         &mut self,
         elements: &'a [Element],
@@ -76,110 +168,53 @@ impl<'a> Interpreter<'a> {
         span: Span,
         comma: bool,
     ) {
-        self.stream.peeked = None;
-        self.stream.frames.push(StackFrame {
-            elements,
-            at: 0,
-            item: (0, 0),
-            kind: FrameKind::Piece,
-            span,
-            closer,
-            comma,
-        });
+        self.look_ahead = None;
+        self.frames.push(StackFrame { closer, comma, ..StackFrame::new(elements, FrameKind::Piece, span) });
     }
 
-    /// Drops the innermost frame, and the scope that came with it.
-    pub(in crate::interpreter) fn pop_frame(&mut self) {
-        self.stream.peeked = None;
-        let Some(frame) = self.stream.frames.pop() else { return };
-        self.stream.comma |= frame.comma;
+    /// Reads a macro's body next, then a comma if `comma` is set.
+    pub(in crate::interpreter) fn push_call(&mut self, definition: &'a Macro, span: Span, comma: bool) {
+        self.look_ahead = None;
+        self.call_depth += 1;
+        let kind = FrameKind::Macro(definition.name);
+        self.frames.push(StackFrame { comma, ..StackFrame::new(&definition.body, kind, span) });
+    }
+
+    /// Reads an included file next; a comma before the directive moves to the end of the file.
+    pub(in crate::interpreter) fn push_include(&mut self, path: PathBuf, elements: &'a [Element], span: Span) {
+        let comma = self.take_comma();
+        self.look_ahead = None;
+        self.include_paths.push(path);
+        self.frames.push(StackFrame { comma, ..StackFrame::new(elements, FrameKind::Include, span) });
+    }
+
+    /// Drops the innermost frame, and returns its kind.
+    pub(in crate::interpreter) fn pop_frame(&mut self) -> Option<FrameKind<'a>> {
+        self.look_ahead = None;
+        let frame = self.frames.pop()?;
+        self.comma |= frame.comma;
         match frame.kind {
-            FrameKind::Macro(_) => {
-                self.evaluator.scopes.leave();
-                self.stream.depth -= 1;
-            }
-            FrameKind::Include => {
-                self.evaluator.scopes.leave();
-                self.leave_include();
-            }
+            FrameKind::Macro(_) => self.call_depth -= 1,
+            FrameKind::Include => drop(self.include_paths.pop()),
             _ => {}
         }
+        Some(frame.kind)
     }
 
-    /// A frame that nobody waits for has run out: loops begin again, all others go.
-    pub(in crate::interpreter) fn end_of_frame(&mut self) -> Result<()> {
-        let Some(frame) = self.stream.frames.last() else { return Ok(()) };
-        let span = frame.span;
-        let again = match frame.kind {
-            FrameKind::While(condition) => self.step(span).and_then(|()| self.condition(condition, span)),
-            FrameKind::For { counter, last, step } => {
-                self.step(span).and_then(|()| self.advance_counter(counter, last, step, span))
-            }
-            _ => Ok(false),
-        };
-        let again = match again {
-            Ok(again) => again,
-            Err(fault) => {
-                // A loop whose condition fails ends here.
-                let fault = self.with_trace(*fault);
-                self.pop_frame();
-                return Err(Box::new(fault));
-            }
-        };
-        match self.stream.frames.last_mut() {
-            Some(frame) if again => frame.at = 0,
-            _ => self.pop_frame(),
-        }
-        Ok(())
-    }
-
-    /// `#break`: leaves the innermost loop, `#switch` or macro.
-    pub(in crate::interpreter) fn break_out(&mut self, span: Span) -> Result<()> {
-        let is_breakable = |f: &StackFrame| {
-            matches!(f.kind, FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch | FrameKind::Macro(_))
-        };
-        let is_inner = |f: &StackFrame| matches!(f.kind, FrameKind::Branch | FrameKind::Piece);
-        let inner = self.stream.frames.iter().rev().take_while(|f| is_inner(f)).count();
-        let target = self.stream.frames.len().checked_sub(inner + 1);
-        match target {
-            Some(depth) if is_breakable(&self.stream.frames[depth]) => {
-                while self.stream.frames.len() > depth {
-                    self.pop_frame();
-                }
-                Ok(())
-            }
-            _ => Diagnostic::new(codes::BREAK_OUTSIDE, span, "`#break` stands in no loop, no `#switch` and no macro")
-                .help("it leaves the innermost `#while`, `#for`, `#switch` or `#macro`")
-                .into(),
+    /// Moves the read position of the innermost frame back to its first element.
+    pub(in crate::interpreter) fn restart_frame(&mut self) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.at = 0;
         }
     }
 
-    /// Runs what the macros that gave a declared value still have to run, down to `floor` frames.
-    pub(in crate::interpreter) fn drain(&mut self, floor: usize) -> Result<()> {
-        let in_macro = |f: &StackFrame| matches!(f.kind, FrameKind::Macro(_));
-        if self.stream.held.is_empty() {
-            self.stream.peeked = None;
-        }
-        while self.stream.frames.iter().skip(floor).any(in_macro) {
-            let Some(frame) = self.stream.frames.last_mut() else { break };
-            match frame.elements.get(frame.at) {
-                None if frame.closer.is_some() => return Ok(()),
-                None => self.end_of_frame()?,
-                Some(element) => match &element.kind {
-                    ElementKind::Semicolon | ElementKind::Comma => frame.at += 1,
-                    ElementKind::Directive(directive) => {
-                        frame.at += 1;
-                        self.run_directive(directive, element.span)?;
-                    }
-                    ElementKind::Expr(_) | ElementKind::Numbers(_) => {
-                        let message = "the macro gives more than the one value that is declared here";
-                        return Diagnostic::err(codes::WRONG_COUNT, element.span, message);
-                    }
-                    // It ends a block in which the declaration stands, or begins another one.
-                    _ => return Ok(()),
-                },
-            }
-        }
-        Ok(())
+    /// Removes and returns the frames above the first `count`.
+    pub(in crate::interpreter) fn split_off_frames(&mut self, count: usize) -> Vec<StackFrame<'a>> {
+        self.frames.split_off(count)
+    }
+
+    /// Puts back frames that [`Self::split_off_frames`] removed.
+    pub(in crate::interpreter) fn push_frames(&mut self, frames: Vec<StackFrame<'a>>) {
+        self.frames.extend(frames);
     }
 }

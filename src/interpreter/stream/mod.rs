@@ -1,4 +1,6 @@
-//! The token stream's state: call frames, look-ahead, pushed-back tokens, commas, open brackets.
+//! The state of the token stream: call frames, look-ahead, pushed-back tokens, commas, open brackets, checkpoints.
+//!
+//! Nothing here runs a directive or evaluates an expression; [`super::pull`] does both while it fills the look-ahead.
 
 mod bracket;
 mod checkpoint;
@@ -6,41 +8,333 @@ mod frame;
 mod split;
 mod token;
 
+use super::Inputs;
 use super::evaluator::Place;
+use crate::diagnostic::{Diagnostic, Label};
+use crate::source::Span;
 use crate::syntax::ListPlaces;
-pub(super) use bracket::Opened;
+use crate::syntax::ast::*;
+pub(super) use bracket::OpenBracket;
+pub(super) use checkpoint::Checkpoint;
 pub(super) use frame::{FrameKind, StackFrame};
 use rustc_hash::FxHashSet;
 use std::cell::RefCell;
 use std::path::PathBuf;
-pub(super) use token::{BlockName, Held, Token};
+use token::PushedBack;
+pub(super) use token::{BlockName, Token};
 
-/// The token stream's state.
-#[derive(Default)]
+/// The state of the token stream.
 pub(super) struct TokenStream<'a> {
-    pub(super) including: Vec<PathBuf>,
-    /// Where the last place in a list of numbers was found.
-    pub(super) list_places: RefCell<ListPlaces>,
-    pub(super) frames: Vec<StackFrame<'a>>,
-    pub(super) peeked: Option<Token<'a>>,
-    /// Tokens that come before those of the frames, the next one last.
-    pub(super) held: Vec<Held<'a>>,
-    /// Does a comma stand between what was read last and what comes next?
-    pub(super) comma: bool,
-    /// Do directives and macros behind a value wait until it has been used? So it is with what a name gets, with what
-    /// an array holds and a macro is given, and with conditions.
-    pub(super) closed: bool,
-    /// Is a value read that nobody wants?
-    pub(super) skipping: bool,
-    /// Values that are being read inside each other.
-    pub(super) nested: usize,
-    /// The element of an array that [`Token::Element`] announces.
-    pub(super) element: Option<Place>,
-    /// How many frames there were when the declaration that is being read began.
-    pub(super) floor: usize,
-    /// The brackets around here, innermost last.
-    pub(super) opened: Vec<Opened>,
-    /// Where brackets stand that nothing in the rest of their file closes.
-    pub(super) unclosed: FxHashSet<u32>,
-    pub(super) depth: usize,
+    inputs: Inputs<'a>,
+    /// Sources of elements, the innermost last.
+    frames: Vec<StackFrame<'a>>,
+    /// The next token, whose text is not consumed.
+    look_ahead: Option<Token<'a>>,
+    /// Tokens that precede `look_ahead`, the next one last; their text is consumed.
+    pushed_back: Vec<PushedBack<'a>>,
+    /// True if a comma separates the last token from the next one.
+    comma: bool,
+    mode: Mode,
+    /// Location of the array element that [`Token::Element`] represents.
+    element: Option<Place>,
+    /// Brackets around the read position, the innermost last.
+    open_brackets: Vec<OpenBracket>,
+    /// Global offsets of brackets that the rest of their file does not close.
+    unclosed: FxHashSet<u32>,
+    /// Number of macro frames.
+    call_depth: usize,
+    /// Paths of the included files that are being read, the innermost last.
+    include_paths: Vec<PathBuf>,
+    /// Span of the last literal that was looked up in a list.
+    literal_spans: RefCell<ListPlaces>,
+}
+
+/// How the text is being read. `Interpreter::in_mode` changes it and restores it as a whole.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Mode {
+    /// True if directives and macro calls after a value wait until the value has been used: in declarations, array
+    /// elements, macro arguments and conditions.
+    pub(super) defers: bool,
+    /// True while operands are skipped without being looked up.
+    pub(super) skips: bool,
+    /// Number of frames where the declaration or directive being read began; deferred reading leaves none of them.
+    pub(super) frame_floor: usize,
+    /// Number of values that are being read inside each other.
+    pub(super) nesting: usize,
+}
+
+impl<'a> TokenStream<'a> {
+    pub(super) fn new(inputs: Inputs<'a>) -> Self {
+        Self {
+            inputs,
+            frames: vec![],
+            look_ahead: None,
+            pushed_back: vec![],
+            comma: false,
+            mode: Mode::default(),
+            element: None,
+            open_brackets: vec![],
+            unclosed: FxHashSet::default(),
+            call_depth: 0,
+            include_paths: vec![],
+            literal_spans: RefCell::default(),
+        }
+    }
+
+    #[inline]
+    pub(super) fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    #[inline]
+    pub(super) fn set_mode(&mut self, mode: Mode) {
+        self.mode = mode;
+    }
+
+    /// True if a comma separates the last token from the next one.
+    #[inline]
+    pub(super) fn has_comma(&self) -> bool {
+        self.comma
+    }
+
+    /// Clears the comma, and returns it.
+    #[inline]
+    pub(super) fn take_comma(&mut self) -> bool {
+        std::mem::take(&mut self.comma)
+    }
+
+    #[inline]
+    pub(super) fn set_comma(&mut self, comma: bool) {
+        self.comma = comma;
+    }
+
+    /// Sets the comma if `comma` is set.
+    #[inline]
+    pub(super) fn add_comma(&mut self, comma: bool) {
+        self.comma |= comma;
+    }
+
+    /// The next token if it is known: pushed back, or the look-ahead.
+    #[inline]
+    pub(super) fn look_ahead(&self) -> Option<Token<'a>> {
+        match self.pushed_back.last() {
+            Some(pushed_back) => Some(pushed_back.token),
+            None => self.look_ahead,
+        }
+    }
+
+    #[inline]
+    pub(super) fn has_pushed_back(&self) -> bool {
+        !self.pushed_back.is_empty()
+    }
+
+    /// Drops the look-ahead unless it was pushed back.
+    pub(super) fn clear_look_ahead(&mut self) {
+        if self.pushed_back.is_empty() {
+            self.look_ahead = None;
+        }
+    }
+
+    /// Sets the next token, whose text is at the read position.
+    #[inline]
+    pub(super) fn announce(&mut self, token: Token<'a>) -> Token<'a> {
+        self.look_ahead = Some(token);
+        token
+    }
+
+    /// Makes a token the next one, although its text has been consumed. The present comma follows the token, `before`
+    /// precedes it.
+    pub(super) fn push_back(&mut self, token: Token<'a>, span: Span, before: bool) -> Token<'a> {
+        let comma = std::mem::replace(&mut self.comma, before);
+        self.pushed_back.push(PushedBack { token, span, comma });
+        token
+    }
+
+    /// Location of the array element that the next token, a [`Token::Element`], represents.
+    pub(super) fn element(&self) -> Option<&Place> {
+        self.element.as_ref()
+    }
+
+    pub(super) fn set_element(&mut self, element: Place) {
+        self.element = Some(element);
+    }
+
+    pub(super) fn take_element(&mut self) -> Option<Place> {
+        self.element.take()
+    }
+
+    /// The element at the read position, whatever it is; `None` if a token was pushed back. No directive runs.
+    pub(super) fn raw(&self) -> Option<&'a Element> {
+        let held = !self.pushed_back.is_empty();
+        self.frames.last().filter(|_| !held).and_then(StackFrame::next)
+    }
+
+    /// Consumes a name that comes next, even if it is a macro's.
+    pub(super) fn raw_name(&mut self) -> Option<(Symbol, Span)> {
+        let element = self.raw()?;
+        let ElementKind::Expr(e) = &element.kind else { return None };
+        let ExprKind::Name(symbol) = e.kind else { return None };
+        self.advance();
+        Some((symbol, element.span))
+    }
+
+    /// Consumes a name that comes next if a closing bracket follows it.
+    pub(super) fn bare_name(&mut self) -> Option<(Symbol, Span)> {
+        let frame = self.frames.last()?;
+        match frame.following().map(|e| &e.kind) {
+            Some(ElementKind::Sign(Sign::Close(_))) => {}
+            None if frame.closer.is_some() => {}
+            _ => return None,
+        }
+        self.raw_name()
+    }
+
+    /// Span of a `;` that comes next.
+    pub(super) fn at_semicolon(&self) -> Option<Span> {
+        self.raw().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
+    }
+
+    /// The expression that comes next, if a `;` follows it.
+    #[inline]
+    pub(super) fn expression_statement(&self) -> Option<&'a Expr> {
+        match self.frames.last()?.rest() {
+            [Element { kind: ElementKind::Expr(e), .. }, Element { kind: ElementKind::Semicolon, .. }, ..] => Some(e),
+            _ => None,
+        }
+    }
+
+    /// Consumes the two elements that [`Self::expression_statement`] found.
+    #[inline]
+    pub(super) fn skip_expression_statement(&mut self) {
+        self.look_ahead = None;
+        if let Some(frame) = self.frames.last_mut() {
+            frame.at += 2;
+        }
+    }
+
+    /// True if a comma follows the element at the read position.
+    pub(super) fn comma_follows_element(&self) -> bool {
+        self.pushed_back.is_empty() && self.frames.last().and_then(StackFrame::next).is_some_and(|e| e.comma)
+    }
+
+    /// Moves the read position past one element.
+    #[inline]
+    pub(super) fn skip_element(&mut self) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.at += 1;
+        }
+    }
+
+    /// Consumes the next token.
+    pub(super) fn advance(&mut self) {
+        if let Some(pushed_back) = self.pushed_back.pop() {
+            self.comma = pushed_back.comma;
+            return;
+        }
+        self.look_ahead = None;
+        let Some(frame) = self.frames.last_mut() else { return };
+        let Some(element) = frame.next() else {
+            if frame.closer.is_some() {
+                let comma = frame.comma;
+                self.pop_frame();
+                self.comma = comma;
+            }
+            return;
+        };
+        self.comma = element.comma;
+        if let ElementKind::Numbers(list) = &element.kind {
+            let (i, start) = frame.item;
+            frame.item = (i + 1, start + list.width(i));
+            if i + 1 < list.len() {
+                self.comma = true;
+                return;
+            }
+            frame.item = (0, 0);
+        }
+        frame.at += 1;
+    }
+
+    /// Consumes the next item of a literal list whose first item is consumed, except the last item.
+    pub(super) fn inner_literal(&mut self) -> Option<&'a [f64]> {
+        if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
+            return None;
+        }
+        let frame = self.frames.last_mut()?;
+        let ElementKind::Numbers(list) = &frame.elements.get(frame.at)?.kind else { return None };
+        let (i, start) = frame.item;
+        if i == 0 || i + 1 >= list.len() {
+            return None;
+        }
+        let end = start + list.width(i);
+        frame.item = (i + 1, end);
+        Some(&list.data[start..end])
+    }
+
+    /// Consumes up to `most` inner items of a literal list, while each has `width` numbers and `take` accepts them.
+    /// Returns the number of items consumed.
+    pub(super) fn inner_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
+        if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
+            return 0;
+        }
+        let Some(frame) = self.frames.last_mut() else { return 0 };
+        let Some(Element { kind: ElementKind::Numbers(list), .. }) = frame.elements.get(frame.at) else { return 0 };
+        let (first, mut at) = frame.item;
+        let end = if first == 0 { 0 } else { (list.len() - 1).min(first.saturating_add(most)) };
+        let mut i = first;
+        while i < end && list.width(i) == width && take(&list.data[at..at + width]) {
+            (i, at) = (i + 1, at + width);
+        }
+        frame.item = (i, at);
+        i - first
+    }
+
+    /// Span of the next token.
+    pub(super) fn here(&self) -> Span {
+        if let Some(pushed_back) = self.pushed_back.last() {
+            return pushed_back.span;
+        }
+        let Some(frame) = self.frames.last() else { return Span::NONE };
+        match frame.next() {
+            Some(Element { span, kind: ElementKind::Numbers(_), .. }) => {
+                let text = self.inputs.sources.snippet(*span);
+                let found = self.literal_spans.borrow_mut().find(text, *span, frame.item.0);
+                found.unwrap_or(*span)
+            }
+            Some(Element { kind: ElementKind::Block(block), .. }) => block.name.span,
+            Some(Element { span, kind: ElementKind::Group(_) | ElementKind::Entry(_), .. }) => {
+                Span { hi: span.lo + 1, ..*span }
+            }
+            Some(element) => element.span,
+            None => {
+                let span = frame.span();
+                Span { lo: span.hi.saturating_sub(1).max(span.lo), hi: span.hi }
+            }
+        }
+    }
+
+    /// Adds the call trace to a diagnostic that has none.
+    pub(super) fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {
+        if d.trace.is_empty() {
+            d.trace = self.trace().into();
+        }
+        d
+    }
+
+    /// Macro calls and includes around the read position, innermost first; of a deep recursion the first six and the
+    /// last four.
+    pub(super) fn trace(&self) -> Vec<Label> {
+        let label = |frame: &StackFrame| match frame.kind() {
+            FrameKind::Macro(name) => {
+                let text = format!("in macro `{}`, called", self.inputs.names.text(name));
+                Some(Label { span: frame.span(), text })
+            }
+            FrameKind::Include => Some(Label { span: frame.span(), text: "included".into() }),
+            _ => None,
+        };
+        let all: Vec<Label> = self.frames.iter().rev().filter_map(label).collect();
+        if all.len() <= 12 {
+            return all;
+        }
+        all[..6].iter().chain(&all[all.len() - 4..]).cloned().collect()
+    }
 }

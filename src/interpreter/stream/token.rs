@@ -1,57 +1,60 @@
-//! Tokens, as the readers of blocks and expressions get them.
+//! Tokens, as the readers of blocks and expressions receive them.
 
 use crate::source::Span;
 use crate::syntax::ast::*;
 
-/// What the iterator gives.
+/// One token of the stream; an expression or a body that needs no splitting is a single token.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::interpreter) enum Token<'a> {
+    /// A keyword without a `{` after it.
     Word(&'static str),
-    /// The name of a built-in function that has arguments behind it.
+    /// The name of a built-in function whose arguments follow.
     Callee(&'static str),
-    /// A word and the `{` behind it.
+    /// A word and the `{` after it.
     Block(BlockName<'a>),
-    /// An expression without macros: its value is what it is wherever it stands.
+    /// An expression without macro calls; nothing that follows continues it.
     Expr(&'a Expr),
     /// An item of a literal list: one number, or a vector of several.
     Numbers(&'a [f64]),
-    /// `{`, `[` or `(`, and what stands between it and its partner, if that is whole.
+    /// `{`, `[` or `(`, with the elements up to the matching bracket if the parser found it.
     Open(Bracket, Option<&'a [Element]>),
-    /// `function { … }`; without its parts only the word.
+    /// `function { … }`; `None` for the word `function` alone.
     Function(Option<&'a Function>),
-    /// An element of an array alone; its indices are evaluated, and where it is kept stands in `Interpreter::element`.
+    /// An array's element; its indices are evaluated, and [`super::TokenStream::element`] returns the location.
     Element(Span),
-    /// A closing bracket, an operator.
+    /// A closing bracket or an operator.
     Sign(Sign),
     /// The end of the text.
     End,
 }
 
-/// What stands before a `{`.
+/// The word before a `{`.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::interpreter) struct BlockName<'a> {
-    /// The keyword; `None` for a word that is none.
+    /// The keyword; `None` for an unknown word.
     pub(in crate::interpreter) word: Option<&'static str>,
+    /// Span of the word.
     pub(in crate::interpreter) span: Span,
-    /// What stands between the braces; `None` where the tokens of the block come one by one.
+    /// The elements between the braces; `None` where the block's tokens come one by one.
     pub(in crate::interpreter) body: Option<&'a [Element]>,
 }
 
 impl Token<'_> {
-    /// Does it close a bracket, or is there no more text?
+    /// True for a closing bracket and for the end of the text.
     pub(in crate::interpreter) fn ends(self) -> bool {
         matches!(self, Token::End | Token::Sign(Sign::Close(_)))
     }
 
+    /// True for the closing bracket of this kind.
     pub(in crate::interpreter) fn closes(self, bracket: Bracket) -> bool {
         matches!(self, Token::Sign(Sign::Close(found)) if found == bracket)
     }
 }
 
-/// A token whose text has been consumed.
-pub(in crate::interpreter) struct Held<'a> {
-    pub(in crate::interpreter) token: Token<'a>,
-    pub(in crate::interpreter) span: Span,
-    /// Does a comma follow?
-    pub(in crate::interpreter) comma: bool,
+/// A token that precedes those of the frames; its text is consumed.
+pub(super) struct PushedBack<'a> {
+    pub(super) token: Token<'a>,
+    pub(super) span: Span,
+    /// True if a comma follows the token.
+    pub(super) comma: bool,
 }

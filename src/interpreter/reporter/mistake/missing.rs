@@ -1,7 +1,7 @@
 //! Names of an include file that is missing: one message for all of them, in the author's own file.
 
 use crate::diagnostic::{Cause, Diagnostic, Label, Remedy};
-use crate::interpreter::Interpreter;
+use crate::interpreter::reporter::Reporter;
 use crate::library;
 use crate::source::Span;
 use std::path::Path;
@@ -9,14 +9,14 @@ use std::path::Path;
 /// So many further places are shown.
 const MAX_PLACES: usize = 4;
 
-impl Interpreter<'_> {
+impl Reporter<'_> {
     /// Adds a fault to one of the same cause that is told already, or gives it back.
     pub(super) fn joined_with_others(&mut self, d: Diagnostic) -> Option<Diagnostic> {
         let Some(cause) = d.cause.as_deref() else { return Some(d) };
         // (What nobody uses only warns, and joins whatever there is.)
         let same =
             |k: &&mut Diagnostic| k.severity >= d.severity && k.cause.as_ref().is_some_and(|known| known.is(cause));
-        match self.reporter.diagnostics.iter_mut().find(same).and_then(|known| known.cause.as_mut()) {
+        match self.diagnostics.iter_mut().find(same).and_then(|known| known.cause.as_mut()) {
             Some(known) => {
                 known.join(cause);
                 None

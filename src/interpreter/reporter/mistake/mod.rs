@@ -7,13 +7,12 @@ mod directive;
 mod habit;
 mod missing;
 mod operator;
-mod report;
 mod source_line;
 mod statement;
 mod undeclared;
 
 use crate::diagnostic::{Diagnostic, Severity, codes};
-use crate::interpreter::Interpreter;
+use crate::interpreter::reporter::Reporter;
 use crate::library;
 use crate::source::{FileId, Span};
 use habit::Habit;
@@ -34,22 +33,22 @@ pub(super) struct Mistakes {
     /// Lines, as a file and the line's start, that can't be read.
     lines: FxHashSet<(FileId, usize)>,
     /// Places of errors that are counted only.
-    untold: FxHashSet<Span>,
+    unreported: FxHashSet<Span>,
     /// The first of them.
-    first_untold: Option<Span>,
+    first_unreported: Option<Span>,
     /// What was found out of a file's braces.
     early: FxHashMap<FileId, Option<Box<Diagnostic>>>,
 }
 
 impl Mistakes {
     /// An error after all that are told.
-    pub(super) fn count_untold(&mut self, at: Span) {
-        self.first_untold.get_or_insert(at);
-        self.untold.insert(at);
+    pub(super) fn count_unreported(&mut self, at: Span) {
+        self.first_unreported.get_or_insert(at);
+        self.unreported.insert(at);
     }
 }
 
-impl Interpreter<'_> {
+impl Reporter<'_> {
     /// A fault as it is to be told; `None` if it follows from another, or is told with another.
     pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
         let Some(source) = SourceLine::of(self.inputs.sources, d.span()) else { return Some(d) };
@@ -65,13 +64,13 @@ impl Interpreter<'_> {
         }
         self.note(&d, &source);
         // What else is wrong in a line that can't be read is no news.
-        let known = self.reporter.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
+        let known = self.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
         if !known && d.severity == Severity::Error {
-            if self.reporter.mistakes.lines.contains(&line) {
+            if self.mistakes.lines.contains(&line) {
                 return None;
             }
             if is_habit {
-                self.reporter.mistakes.lines.insert(line);
+                self.mistakes.lines.insert(line);
             }
         }
         self.joined_with_others(d)
@@ -79,9 +78,9 @@ impl Interpreter<'_> {
 
     /// Remembers what was meant, and is not there.
     fn note_habit(&mut self, habit: &Habit, file: FileId) {
-        self.reporter.mistakes.names.extend(habit.names.iter().cloned());
-        self.reporter.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
-        self.reporter.mistakes.lost_directive |= habit.loses_directive;
+        self.mistakes.names.extend(habit.names.iter().cloned());
+        self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
+        self.mistakes.lost_directive |= habit.loses_directive;
     }
 
     /// Remembers what a fault leaves undone.
@@ -91,35 +90,30 @@ impl Interpreter<'_> {
         if let Some(("declare" | "local" | "macro", rest)) = directive
             && let Some((name, _)) = leading_name(rest.trim_start())
         {
-            self.reporter.mistakes.names.insert(name.to_string());
+            self.mistakes.names.insert(name.to_string());
         }
         match d.code {
             codes::MISSING_INCLUDE | codes::UNREADABLE_INCLUDE if matches!(directive, Some(("include", _))) => {
                 let meant = d.help.as_deref().and_then(|help| help.strip_prefix("did you mean `")?.strip_suffix("`?"));
                 for name in [Some(text.trim_matches('"')), meant].into_iter().flatten() {
-                    self.reporter.mistakes.files.push((name.to_string(), source.file));
+                    self.mistakes.files.push((name.to_string(), source.file));
                 }
             }
-            codes::RESERVED_NAME => drop(self.reporter.mistakes.words.insert(text.to_string())),
+            codes::RESERVED_NAME => drop(self.mistakes.words.insert(text.to_string())),
             _ => {}
         }
     }
 
     /// Does a fault follow from an earlier one?
     fn follows(&self, d: &Diagnostic, source: &SourceLine) -> bool {
-        if d.code == codes::UNMATCHED_CLOSER
-            && self.reporter.mistakes.lost_directive
-            && source.after().starts_with("#end")
-        {
+        if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && source.after().starts_with("#end") {
             return true;
         }
         if let Some(cause) = &d.cause {
             return cause.uses.iter().all(|(name, _)| self.is_left_undone(name, source.file));
         }
         let is_value = matches!(d.code, codes::EXPECTED | codes::EXPECTED_VALUE | codes::UNKNOWN_WORD);
-        is_value
-            && !self.reporter.mistakes.words.is_empty()
-            && source.words().any(|word| self.reporter.mistakes.words.contains(word))
+        is_value && !self.mistakes.words.is_empty() && source.words().any(|word| self.mistakes.words.contains(word))
     }
 
     /// Would the name be declared, had nothing failed before?
@@ -129,22 +123,22 @@ impl Interpreter<'_> {
             // Nobody knows what a file of the author's would have declared for the one that includes it.
             false => *includer == user && library::declared_in(name).is_none(),
         };
-        self.reporter.mistakes.names.contains(name) || self.reporter.mistakes.files.iter().any(gives)
+        self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
     }
 
     /// At the end of the run: one message for each cause, and how many errors were only counted.
     pub(in crate::interpreter) fn settle_messages(&mut self) {
-        let all = std::mem::take(&mut self.reporter.diagnostics);
-        self.reporter.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
-        let untold = self.reporter.mistakes.untold.len();
-        if let Some(first) = self.reporter.mistakes.first_untold {
-            let more = if untold == 1 {
+        let all = std::mem::take(&mut self.diagnostics);
+        self.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
+        let unreported = self.mistakes.unreported.len();
+        if let Some(first) = self.mistakes.first_unreported {
+            let more = if unreported == 1 {
                 "one more error was found".into()
             } else {
-                format!("{untold} more errors were found")
+                format!("{unreported} more errors were found")
             };
             let d = Diagnostic::new(codes::MORE_ERRORS, first, format!("{more}, and not told")).label("the next one");
-            self.reporter.diagnostics.push(d.help("mend the first ones: others often follow from them"));
+            self.diagnostics.push(d.help("mend the first ones: others often follow from them"));
         }
     }
 }
