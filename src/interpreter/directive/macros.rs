@@ -44,7 +44,6 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
-        self.stream.set_comma(false);
         self.expose_parenthesis()?;
         if !matches!(self.peek()?, Token::Open(Bracket::Paren, _)) {
             let name = self.inputs.names.text(name);

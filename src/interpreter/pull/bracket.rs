@@ -31,10 +31,7 @@ impl<'a> Interpreter<'a> {
         // A parsed group ends with the bracket that a message may speak of.
         let whole = self.stream.raw().map_or(span, |element| element.span);
         self.stream.advance();
-        let mode = self.stream.mode();
-        let mut inner = mode;
-        inner.defers = false;
-        self.stream.set_mode(inner);
+        let mode = self.stream.stop_deferring();
         let own_words = word.map_or(&[][..], crate::syntax::word::contextual);
         let frame_count = self.stream.frames().len();
         let mut opened = OpenBracket { word, span: name, alone: None, bracket, own_words, frame_count, mode };
@@ -88,10 +85,7 @@ impl<'a> Interpreter<'a> {
     ) -> Result<T> {
         let checkpoint = self.stream.checkpoint();
         self.stream.push_piece(elements, Some(bracket), span, false);
-        let mode = self.stream.mode();
-        let mut inner = mode;
-        inner.defers = false;
-        self.stream.set_mode(inner);
+        let mode = self.stream.stop_deferring();
         let frame_count = self.stream.frames().len();
         self.stream.push_bracket(OpenBracket {
             word: None,

@@ -94,10 +94,7 @@ impl<'a> Interpreter<'a> {
             if frame.closer().is_some() || matches!(frame.kind(), FrameKind::File) {
                 return Ok(false);
             }
-            // Commas in a loop's condition do not separate the tokens around the loop.
-            let comma = self.stream.has_comma();
-            self.end_of_frame()?;
-            self.stream.add_comma(comma);
+            self.between_tokens(Self::end_of_frame)?;
             return Ok(true);
         };
         match &element.kind {
@@ -113,16 +110,11 @@ impl<'a> Interpreter<'a> {
             ElementKind::Expr(expr) => match &expr.kind {
                 ExprKind::Call(name, arguments) if self.evaluator.is_macro(*name) => {
                     self.stream.skip_element();
-                    // Commas between its arguments do not separate the tokens around the call.
-                    let comma = self.stream.has_comma();
-                    self.call_macro(*name, arguments, element.span, element.comma)?;
-                    self.stream.set_comma(comma);
+                    self.between_tokens(|me| me.call_macro(*name, arguments, element.span, element.comma))?;
                 }
                 ExprKind::Name(name) if self.evaluator.is_macro(*name) => {
                     self.stream.skip_element();
-                    let comma = self.stream.has_comma();
-                    self.call_macro_by_tokens(*name, element.span)?;
-                    self.stream.set_comma(comma);
+                    self.between_tokens(|me| me.call_macro_by_tokens(*name, element.span))?;
                 }
                 _ if expr.calls && self.evaluator.splits(expr) => self.stream.split_next(),
                 _ => return Ok(false),
@@ -132,12 +124,18 @@ impl<'a> Interpreter<'a> {
         Ok(true)
     }
 
-    /// Runs the directive that has just been consumed. A comma before it separates the tokens around it.
+    /// Runs the directive that has just been consumed.
     #[inline]
     fn run_next_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
         self.reporter.step(span)?;
+        self.between_tokens(|me| me.run_directive(directive, span))
+    }
+
+    /// Runs a directive, a macro call or a loop's condition. A comma before it separates the tokens around it.
+    #[inline]
+    fn between_tokens(&mut self, run: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
         let comma = self.stream.take_comma();
-        self.run_directive(directive, span)?;
+        run(self)?;
         self.stream.add_comma(comma);
         Ok(())
     }

@@ -42,7 +42,13 @@ impl<'a> TokenStream<'a> {
         self.open_brackets.len()
     }
 
-    /// Opens a bracket: inside it, directives after a value are not deferred.
+    /// Enters the mode inside of brackets, where nothing is deferred, and returns the mode outside.
+    pub(in crate::interpreter) fn stop_deferring(&mut self) -> Mode {
+        let outer = self.mode;
+        self.mode.defers = false;
+        outer
+    }
+
     pub(in crate::interpreter) fn push_bracket(&mut self, bracket: OpenBracket) {
         self.open_brackets.push(bracket);
     }

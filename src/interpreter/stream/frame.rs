@@ -172,9 +172,9 @@ impl<'a> TokenStream<'a> {
         self.frames.push(StackFrame { closer, comma, ..StackFrame::new(elements, FrameKind::Piece, span) });
     }
 
-    /// Reads a macro's body next, then a comma if `comma` is set.
+    /// Reads a macro's body next, then a comma if `comma` is set. Commas among the arguments are forgotten.
     pub(in crate::interpreter) fn push_call(&mut self, definition: &'a Macro, span: Span, comma: bool) {
-        self.look_ahead = None;
+        (self.look_ahead, self.comma) = (None, false);
         self.call_depth += 1;
         let kind = FrameKind::Macro(definition.name);
         self.frames.push(StackFrame { comma, ..StackFrame::new(&definition.body, kind, span) });
