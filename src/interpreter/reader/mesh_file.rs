@@ -17,7 +17,7 @@ impl Interpreter<'_> {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the mesh's file `{name}` was not found"));
             return d.help("such files are looked for where included files are; -I DIR adds a folder").into();
         };
-        if let Some(mesh) = self.meshes.get(&path) {
+        if let Some(mesh) = self.evaluator.assets().meshes.get(&path) {
             return Ok(mesh.clone());
         }
         let file = self.read_mesh(&path, at)?;
@@ -27,7 +27,7 @@ impl Interpreter<'_> {
         let pictures: Vec<_> =
             file.looks.iter().map(|look| self.picture_beside(&path, look.picture.as_deref()?, at)).collect();
         let mesh = build(file, pictures);
-        self.meshes.insert(path, mesh.clone());
+        self.evaluator.assets().meshes.insert(path, mesh.clone());
         Ok(mesh)
     }
 
@@ -40,7 +40,7 @@ impl Interpreter<'_> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut open = |name: &str| -> Reading<Vec<u8>> {
             let beside = folder.join(name);
-            if beside.exists() && !self.options.sandbox.may_read(&beside) {
+            if beside.exists() && !self.inputs.options.sandbox.may_read(&beside) {
                 return Err(format!("the file `{name}` may not be read by the scene"));
             }
             read_bytes(&beside).map_err(|_| format!("there is no file `{name}` that can be read"))
@@ -54,7 +54,7 @@ impl Interpreter<'_> {
     /// The picture of a material, if it is there; else that is told.
     fn picture_beside(&mut self, mesh: &Path, name: &str, at: Span) -> Option<Arc<Picture>> {
         let path = mesh.parent().unwrap_or(Path::new("")).join(name);
-        let is_open = path.is_file() && self.options.sandbox.may_read(&path);
+        let is_open = path.is_file() && self.inputs.options.sandbox.may_read(&path);
         let picture = if is_open {
             self.picture_at(path, at).map_err(|fault| fault.message)
         } else {

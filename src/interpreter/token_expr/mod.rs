@@ -5,9 +5,7 @@ mod call;
 mod skipped;
 
 use super::Interpreter;
-use super::eval::{as_float, vector_value};
-use super::operators::{SMALL, apply, apply_prefix, component};
-use super::scope::Slot;
+use super::evaluator::{SMALL, apply_prefix, as_float, component, is_callable, vector_value};
 use super::stream::{BlockName, Token};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
@@ -49,10 +47,12 @@ const LOOSEST: u8 = 0;
 impl<'a> Interpreter<'a> {
     /// Operands and operators in a row (precedence climbing). Where it `compares`, `<`, `&`, `?` and their kin are operators.
     pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
-        self.nest()?;
-        let result = self.climb_from(operands, compares, LOOSEST);
-        self.nested -= 1;
-        result
+        if self.stream.mode().nesting >= MAX_NESTED {
+            let message = format!("more than {MAX_NESTED} values are read inside each other here");
+            let at = self.stream.here();
+            return self.reporter.limit(codes::TOO_DEEP, at, message, "does a macro give one without end?");
+        }
+        self.in_mode(|mode| mode.nesting += 1, |me| me.climb_from(operands, compares, LOOSEST))
     }
 
     fn climb_from<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool, least: u8) -> Result<(O::Value, Span)> {
@@ -62,12 +62,12 @@ impl<'a> Interpreter<'a> {
             if strength < least {
                 break;
             }
-            self.advance();
+            self.stream.advance();
             if let Token::Word(word) | Token::Block(BlockName { word: Some(word), .. }) = self.peek()?
                 && !super::reader::begins_color(word)
             {
                 let message = format!("expected a value, found the word `{word}`");
-                let at = self.here();
+                let at = self.stream.here();
                 return Diagnostic::err(codes::EXPECTED_VALUE, at, message);
             }
             let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
@@ -75,22 +75,11 @@ impl<'a> Interpreter<'a> {
             span = joined(span, right_span);
         }
         if least == LOOSEST && compares && matches!(self.peek_after()?, Some(Token::Sign(Sign::Question))) {
-            self.advance();
+            self.stream.advance();
             let (value, end) = operands.choose(self, (left, span))?;
             return Ok((value, joined(span, end)));
         }
         Ok((left, span))
-    }
-
-    /// One more value inside another.
-    fn nest(&mut self) -> Result<()> {
-        self.nested += 1;
-        if self.nested <= MAX_NESTED {
-            return Ok(());
-        }
-        let message = format!("more than {MAX_NESTED} values are read inside each other here");
-        let at = self.here();
-        self.limit(codes::TOO_DEEP, at, message, "does a macro give one without end?")
     }
 
     /// The operator that goes on with the value that was just read.
@@ -99,11 +88,11 @@ impl<'a> Interpreter<'a> {
             return Ok(match self.peek_after()? {
                 Some(Token::Sign(Sign::Operator(op))) if compares || op.adds() || op.multiplies() => Some(op),
                 Some(Token::Expr(e)) if begins_with_sign(e) => {
-                    self.take_apart();
+                    self.stream.split_next();
                     continue;
                 }
                 Some(Token::Numbers([x])) if x.is_sign_negative() => {
-                    self.take_apart();
+                    self.stream.split_next();
                     continue;
                 }
                 _ => None,
@@ -119,37 +108,21 @@ impl<'a> Interpreter<'a> {
     /// The same; where it `compares`, as in a colour or a condition, `<` is no vector behind an operand.
     pub(super) fn value_in(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
-        if self.is_whole(compares) && !(self.closed && self.ends_with_callable(token)) {
+        if self.is_whole(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
             match token {
                 Token::Expr(e) if compares || !e.compares() => {
-                    self.advance();
+                    self.stream.advance();
                     return Ok((self.eval(e)?, e.span));
                 }
                 Token::Numbers(data) => {
-                    let span = self.here();
-                    self.advance();
+                    let span = self.stream.here();
+                    self.stream.advance();
                     return Ok((numbers_value(data, span)?, span));
                 }
                 _ => {}
             }
         }
         self.climb(&mut Computed::default(), compares)
-    }
-
-    /// Is the last operand the name of something that may be called? What stands behind it may hold the arguments.
-    fn ends_with_callable(&self, token: Token) -> bool {
-        let Token::Expr(mut last) = token else { return false };
-        while let ExprKind::Chain(chain) = &last.kind {
-            let Some((_, operand)) = chain.rest.last() else { return false };
-            last = operand;
-        }
-        match last.kind {
-            ExprKind::Name(name) => match self.scopes.get(name) {
-                Some(Slot::Value(value)) => is_callable(value),
-                slot => matches!(slot, Some(Slot::Macro(_))),
-            },
-            _ => false,
-        }
     }
 
     /// A value whose first operand has been read.
@@ -161,14 +134,14 @@ impl<'a> Interpreter<'a> {
     pub(super) fn primary(&mut self) -> Result<(Value, Span)> {
         self.expose_operand()?;
         let token = self.peek()?;
-        let span = self.here();
+        let span = self.stream.here();
         match token {
             Token::Expr(e) => {
-                self.advance();
+                self.stream.advance();
                 Ok((self.eval(e)?, span))
             }
             Token::Numbers(data) => {
-                self.advance();
+                self.stream.advance();
                 Ok((numbers_value(data, span)?, span))
             }
             Token::Element(_) => {
@@ -184,7 +157,7 @@ impl<'a> Interpreter<'a> {
                     let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
                     return d.help("vectors stand in angle brackets: `<1, 2, 3>`").into();
                 }
-                let end = self.here();
+                let end = self.stream.here();
                 self.close("`)`")?;
                 Ok((value, joined(span, end)))
             }
@@ -194,8 +167,10 @@ impl<'a> Interpreter<'a> {
                 Ok((Value::Color(color), span))
             }
             // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
-            Token::Word(word) if let Some(symbol) = self.names.find(word).filter(|s| self.scopes.get(*s).is_some()) => {
-                self.advance();
+            Token::Word(word)
+                if let Some(symbol) = self.inputs.names.find(word).filter(|s| self.evaluator.is_declared(*s)) =>
+            {
+                self.stream.advance();
                 Ok((self.name_value(symbol, span)?, span))
             }
             _ => Err(self.unexpected_token("a value").into()),
@@ -206,7 +181,7 @@ impl<'a> Interpreter<'a> {
     fn expose_operand(&mut self) -> Result<()> {
         let holds_more = |e: &Expr| matches!(e.kind, ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..));
         while matches!(self.peek()?, Token::Expr(e) if holds_more(e)) {
-            self.take_apart();
+            self.stream.split_next();
         }
         Ok(())
     }
@@ -216,7 +191,7 @@ impl<'a> Interpreter<'a> {
         loop {
             match self.peek_after()? {
                 Some(Token::Sign(Sign::Dot)) => {
-                    self.advance();
+                    self.stream.advance();
                     let name = self.component_name()?;
                     value = component(&value, &name, span)?;
                     span = joined(span, name.span);
@@ -233,12 +208,12 @@ impl<'a> Interpreter<'a> {
     pub(super) fn component_name(&mut self) -> Result<Name> {
         self.expose_operand()?;
         let token = self.peek()?;
-        let span = self.here();
-        let text = self.sources.snippet(span);
+        let span = self.stream.here();
+        let text = self.inputs.sources.snippet(span);
         let word = word::lookup(text).map(|(word, _)| word);
         match token {
             Token::Word(_) | Token::Expr(Expr { kind: ExprKind::Name(_), .. }) => {
-                self.advance();
+                self.stream.advance();
                 Ok(Name { word, span })
             }
             _ => Err(self.unexpected_token("the name of a component").into()),
@@ -253,39 +228,34 @@ impl<'a> Interpreter<'a> {
 
     /// The numbers of a vector of any length, whose `<` comes next.
     pub(super) fn numbers_in_pieces(&mut self) -> Result<(Vec<f64>, Span)> {
-        let start = self.here();
-        self.advance();
-        let closed = std::mem::replace(&mut self.closed, false);
+        let start = self.stream.here();
+        self.stream.advance();
         let mut data = vec![];
+        let end = self.in_mode(|mode| mode.defers = false, |me| me.vector_parts_to_end(start, &mut data))?;
+        self.stream.advance();
+        Ok((data, joined(start, end)))
+    }
+
+    /// Reads the numbers of the vector whose `<` is at `start`, up to its `>`; returns the span of that.
+    fn vector_parts_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
         loop {
             match self.peek()? {
-                Token::Sign(Sign::Operator(Operator::Greater)) => {
-                    let end = self.here();
-                    self.closed = closed;
-                    self.advance();
-                    return Ok((data, joined(start, end)));
-                }
+                Token::Sign(Sign::Operator(Operator::Greater)) => return Ok(self.stream.here()),
                 token if token.ends() || matches!(token, Token::Sign(_)) && !self.at_sign() => {
                     return Err(self.open_vector(start).into());
                 }
-                // (A colour has no place in a vector, but is a value.)
-                Token::Word(word) if self.ends_vector(word) => return Err(self.open_vector(start).into()),
+                // A colour is a value, although none fits into a vector.
+                Token::Word(word) if self.evaluator.ends_vector(word) => return Err(self.open_vector(start).into()),
                 Token::Block(_) => return Err(self.open_vector(start).into()),
                 _ => {
                     let (value, span) = self.value_here()?;
-                    if !self.comma && matches!(value, Value::Vector(_)) && !data.is_empty() {
+                    if !self.stream.has_comma() && matches!(value, Value::Vector(_)) && !data.is_empty() {
                         return Err(self.misplaced(span).into());
                     }
                     data.push(as_float(&value, span)?);
                 }
             }
         }
-    }
-
-    /// Can a vector not go on with this word?
-    fn ends_vector(&self, word: &str) -> bool {
-        let declared = self.names.find(word).is_some_and(|symbol| self.scopes.get(symbol).is_some());
-        !super::reader::begins_color(word) && !declared
     }
 
     /// Does a sign come next that may stand before an operand?
@@ -316,11 +286,6 @@ fn numbers_value(data: &[f64], span: Span) -> Result<Value> {
     }
 }
 
-/// Can it be called: is it a function or a spline?
-pub(super) fn is_callable(value: &Value) -> bool {
-    matches!(value, Value::Thing(thing) if matches!(thing.kind(), "function" | "spline"))
-}
-
 /// Reads the signs before an operand.
 pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     let mut typed = vec![];
@@ -332,8 +297,8 @@ pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
             Token::Sign(Sign::Not) => Prefix::Not,
             _ => break,
         };
-        typed.push((prefix, me.here()));
-        me.advance();
+        typed.push((prefix, me.stream.here()));
+        me.stream.advance();
     }
     let mut row = SignRow::default();
     typed.into_iter().rev().for_each(|(prefix, span)| row.push_outer(prefix, span));
@@ -368,7 +333,7 @@ impl<'a> Operands<'a> for Computed {
         left: (Value, Span),
         right: (Value, Span),
     ) -> Result<Value> {
-        apply(op, left.0, right.0, left.1, right.1, me)
+        me.combine(op, left, right)
     }
 
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
@@ -387,7 +352,7 @@ impl<'a> Operands<'a> for Computed {
 pub(super) fn expect_colon(me: &mut Interpreter) -> Result<()> {
     match me.peek()? {
         Token::Sign(Sign::Colon) => {
-            me.advance();
+            me.stream.advance();
             Ok(())
         }
         _ => Err(me.unexpected_token("`:` and the other value").into()),

@@ -1,17 +1,15 @@
 //! Statements at the outermost level: objects, lights, cameras, settings.
 
 use super::stream::Token;
-use super::{Interpreter, compat, hints};
-use crate::atmosphere::{Background, Fog, Rainbow, SkySphere};
+use super::{Interpreter, reporter::hints};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::noise::NoiseGenerator;
 use crate::scene::{Object, is_object, read_camera};
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
 use crate::texture::tell_bytes;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Vocabulary};
-use std::sync::atomic::Ordering;
 
 /// Everything that can stand at the outermost level, beside shapes.
 pub const STATEMENTS: Vocabulary = Vocabulary {
@@ -47,9 +45,9 @@ impl Interpreter<'_> {
     pub(super) fn statement(&mut self) -> Result<bool> {
         match Reader::next(self)? {
             Next::End if !matches!(self.peek()?, Token::End) => {
-                let span = self.here();
-                self.advance();
-                let message = format!("`{}` closes nothing", self.sources.snippet(span));
+                let span = self.stream.here();
+                self.stream.advance();
+                let message = format!("`{}` closes nothing", self.inputs.sources.snippet(span));
                 let d = Diagnostic::new(codes::UNMATCHED_CLOSER, span, message);
                 return d.help("remove it, or look for its opener above").into();
             }
@@ -66,7 +64,7 @@ impl Interpreter<'_> {
                 self.top_object()?;
             }
             Next::Thing(kind) => {
-                let span = self.here();
+                let span = self.stream.here();
                 let d = Diagnostic::new(
                     codes::EXPECTED,
                     span,
@@ -86,7 +84,7 @@ impl Interpreter<'_> {
         }
         if STATEMENTS.leaves_out(word) {
             let said = self.keep_undrawn(word)?;
-            self.scene.undrawn.push(said);
+            self.builder.add_unsupported(said);
             return Ok(());
         }
         const OTHERS: [&str; 7] =
@@ -97,61 +95,55 @@ impl Interpreter<'_> {
         let at = self.take()?;
         match word {
             "camera" => {
-                let defaults = self.defaults.clone();
-                self.scene.camera = read_camera(self, at, &defaults)?;
-                self.scene.cameras.push(at);
+                let defaults = self.builder.defaults().clone();
+                let camera = read_camera(self, at, &defaults)?;
+                self.builder.set_camera(camera, at);
             }
             "background" => {
                 let at = self.span();
                 let color = self.color()?;
                 tell_bytes(self, at, &color);
-                let by_picture = compat::has_background_by_picture(self.stated_version());
-                self.scene.background = Some(Background { color, by_picture });
+                self.builder.set_background(color);
             }
             "sky_sphere" => {
-                let defaults = self.defaults.clone();
-                self.scene.sky_sphere = Some(SkySphere::read(self, &defaults.texture, at)?);
+                let defaults = self.builder.defaults().clone();
+                let sky = SkySphere::read(self, &defaults.texture, at)?;
+                self.builder.set_sky_sphere(sky);
             }
             "fog" => {
                 let fog = Fog::read(self)?;
-                self.scene.fogs.push(fog);
+                self.builder.add_fog(fog);
             }
             "rainbow" => {
                 let rainbow = Rainbow::read(self, at)?;
-                self.scene.rainbows.push(rainbow);
+                self.builder.add_rainbow(rainbow);
             }
             "default" => self.read_defaults()?,
             _ => {
-                let mut settings = self.scene.settings.clone();
+                let mut settings = self.builder.settings().clone();
                 settings.read(self)?;
-                self.language.assumed_gamma = settings.gamma;
-                if let Some(generator) = settings.noise_generator {
-                    self.noise_generator.store(generator.number(), Ordering::Relaxed);
-                }
-                self.scene.settings = settings;
+                self.builder.set_settings(settings);
             }
         }
         self.leave()
     }
 
     fn top_object(&mut self) -> Result<()> {
-        let defaults = self.defaults.clone();
-        let mut object = Object::read(self, &defaults)?;
-        // A declared object without a texture gets the default of the place where it is used.
-        object.default_texture = self.defaults.texture.clone();
-        self.scene.objects.push(*object);
-        if self.options.origins {
-            self.origins.push(self.trace());
+        let defaults = self.builder.defaults().clone();
+        let object = Object::read(self, &defaults)?;
+        self.builder.add_object(*object);
+        if self.inputs.options.origins {
+            self.builder.add_origin(self.stream.trace());
         }
         Ok(())
     }
 
     /// A directive whose `#` is left out, as POV-Ray takes some of them between statements.
     fn bare_directive(&mut self, word: &'static str) -> Result<()> {
-        let span = self.here();
-        self.advance();
+        let span = self.stream.here();
+        self.stream.advance();
         let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` stands without its `#`"));
-        self.report_fault(self.with_trace(d.help(format!("write `#{word}`"))));
+        self.report_here(d.help(format!("write `#{word}`")));
         match crate::interpreter::directives::find(word) {
             Some((name, run)) => self.run_plain(name, run, span),
             None => self.declare_pieces(false, span),
@@ -159,19 +151,19 @@ impl Interpreter<'_> {
     }
 
     fn at_bare_version(&self) -> bool {
-        self.raw().is_some_and(|element| self.sources.snippet(element.span) == "version")
+        self.stream.raw().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
     }
 
     /// A setting that POV-Ray takes outside of `global_settings` too.
     fn stray_trace_level(&mut self) -> Result<()> {
-        let at = self.here();
-        let mut settings = std::mem::take(&mut self.scene.settings);
+        let at = self.stream.here();
+        let mut settings = self.builder.settings().clone();
         self.take()?;
         let read = settings.read_max_trace_level(self);
-        self.scene.settings = settings;
+        self.builder.set_settings(settings);
         read?;
         let d = Diagnostic::new(codes::MISPLACED, at, "`max_trace_level` stands outside of `global_settings`");
-        self.report_fault(self.with_trace(d.help("write `global_settings { max_trace_level … }`")));
+        self.report_here(d.help("write `global_settings { max_trace_level … }`"));
         Ok(())
     }
 
@@ -179,7 +171,7 @@ impl Interpreter<'_> {
     fn stray_block(&mut self, word: &'static str) -> Diagnostic {
         let span = match self.peek() {
             Ok(Token::Block(name)) => name.span,
-            _ => self.here(),
+            _ => self.stream.here(),
         };
         let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` can't stand by itself"));
         match hints::other_tools(word) {
@@ -199,9 +191,9 @@ impl Interpreter<'_> {
             }
         }
         let (at, is_value) = match self.peek() {
-            Ok(Token::Expr(e)) => (e.span, !self.sources.snippet(e.span).starts_with('(')),
-            Ok(Token::Numbers(_)) => (self.here(), true),
-            Ok(Token::Sign(sign)) => (self.here(), self.begins_value(sign, self.here())),
+            Ok(Token::Expr(e)) => (e.span, !self.inputs.sources.snippet(e.span).starts_with('(')),
+            Ok(Token::Numbers(_)) => (self.stream.here(), true),
+            Ok(Token::Sign(sign)) => (self.stream.here(), self.begins_value(sign, self.stream.here())),
             _ => (Span::NONE, false),
         };
         if !is_value {
@@ -213,8 +205,8 @@ impl Interpreter<'_> {
 
     /// Does a value begin with this sign, which comes in pieces? (Behind an operand, `<` compares.)
     fn begins_value(&self, sign: Sign, span: Span) -> bool {
-        let Some((file, range)) = self.sources.locate(span) else { return false };
-        let (before, behind) = self.sources.text(file).split_at(range.start);
+        let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
+        let (before, behind) = self.inputs.sources.text(file).split_at(range.start);
         let begins = match sign {
             Sign::Not => true,
             Sign::Operator(Operator::Less) => {
@@ -233,11 +225,10 @@ impl Interpreter<'_> {
 
     /// `Size = 3`: a sign that compares, in the row of operands that comes next.
     fn comparison_ahead(&mut self) -> Option<Span> {
-        if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
-            self.take_apart();
+        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+            self.stream.split_next();
         }
-        let frame = self.frames.last()?;
-        let row = frame.elements.get(frame.at..)?.iter();
+        let row = self.stream.innermost()?.rest().iter();
         let in_row = |e: &&Element| matches!(e.kind, ElementKind::Expr(_) | ElementKind::Sign(Sign::Operator(_)));
         let compares = |e: &Element| match e.kind {
             ElementKind::Sign(Sign::Operator(op)) => !op.adds() && !op.multiplies(),
@@ -249,16 +240,10 @@ impl Interpreter<'_> {
     /// What is settled only when the whole text has run.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
-        self.scene.version = self.language.version;
-        let version = self.stated_version();
-        let generator = self.noise_generator.load(std::sync::atomic::Ordering::Relaxed);
-        self.scene.settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
-        self.scene.settings.opacity_by_color = compat::has_opacity_by_color(version);
-        self.scene.settings.sky_by_share = compat::has_sky_by_share(version);
-        self.scene.settings.gamma.get_or_insert(compat::gamma_without_setting(version));
-        if self.scene.cameras.is_empty() && self.error_count() == 0 {
+        self.builder.finish();
+        if !self.builder.has_camera() && self.reporter.error_count() == 0 {
             let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
-            self.report_fault(
+            self.reporter.report(
                 Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)
                     .help("`camera { location <0, 2, -5> look_at 0 }`"),
             );

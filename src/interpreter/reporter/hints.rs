@@ -1,7 +1,7 @@
 //! Words that people bring along from other tools.
 
 /// What to say about a word that is unknown here and known elsewhere.
-pub(super) fn other_tools(word: &str) -> Option<&'static str> {
+pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {
         "cube" | "cuboid" => "a box is `box { <corner>, <opposite corner> }`",
         "vec3" | "vec2" | "vector" | "point3" => "a vector is `<x, y, z>`",
@@ -35,7 +35,7 @@ pub(super) fn other_tools(word: &str) -> Option<&'static str> {
 }
 
 /// What to say about a word that another block takes, or that this one calls otherwise.
-pub(super) fn in_block(block: &str, word: &str) -> Option<&'static str> {
+pub(in crate::interpreter) fn in_block(block: &str, word: &str) -> Option<&'static str> {
     Some(match (block, word.to_lowercase().as_str()) {
         ("camera", "position" | "pos" | "from" | "origin" | "place") => {
             "`location <x, y, z>` says where a camera stands"

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 /// What a name stands for.
 #[derive(Clone, Debug)]
-pub(super) enum Slot<'a> {
+pub(in crate::interpreter) enum Slot<'a> {
     Value(Value),
     Array(Rc<Array<'a>>),
     Macro(&'a Macro),
@@ -26,9 +26,9 @@ type Path = Rc<[usize]>;
 
 /// Where a value is kept.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(in crate::interpreter) struct Place {
     /// Whose binding it is.
-    pub(super) symbol: Symbol,
+    pub(in crate::interpreter) symbol: Symbol,
     /// Which of the symbol's bindings, the outermost first.
     depth: usize,
     /// The element of the array that is kept there.
@@ -41,7 +41,7 @@ impl Place {
     }
 
     /// An element of the array that is here, or of an array in it.
-    pub(super) fn element(&self, indices: &[usize]) -> Place {
+    pub(in crate::interpreter) fn element(&self, indices: &[usize]) -> Place {
         let path = self.path().iter().chain(indices).copied().collect();
         Place { path: Some(path), ..self.clone() }
     }
@@ -49,30 +49,30 @@ impl Place {
 
 /// `array[2][3]`: anything that can have a name, or nothing yet, in each place.
 #[derive(Clone, Debug)]
-pub(super) struct Array<'a> {
+pub(in crate::interpreter) struct Array<'a> {
     /// How many elements each dimension has.
-    pub(super) sizes: Box<[usize]>,
+    pub(in crate::interpreter) sizes: Box<[usize]>,
     /// In rows: the last index counts fastest.
-    pub(super) items: Vec<Option<Slot<'a>>>,
+    pub(in crate::interpreter) items: Vec<Option<Slot<'a>>>,
     /// Of a dictionary: what each element is called.
-    pub(super) keys: Option<Vec<Rc<str>>>,
+    pub(in crate::interpreter) keys: Option<Vec<Rc<str>>>,
 }
 
 impl Array<'_> {
     /// Has the dictionary a value of this name?
-    pub(super) fn has_key(&self, key: &str) -> bool {
+    pub(in crate::interpreter) fn has_key(&self, key: &str) -> bool {
         self.key_index(key).is_some_and(|i| self.items[i].is_some())
     }
 
     /// Which of a dictionary's elements is called so.
-    pub(super) fn key_index(&self, key: &str) -> Option<usize> {
+    pub(in crate::interpreter) fn key_index(&self, key: &str) -> Option<usize> {
         self.keys.iter().flatten().position(|k| **k == *key)
     }
 }
 
 impl<'a> Slot<'a> {
     /// The element at the end of a path.
-    pub(super) fn element(&self, path: &[usize]) -> Option<&Slot<'a>> {
+    pub(in crate::interpreter) fn element(&self, path: &[usize]) -> Option<&Slot<'a>> {
         path.iter().try_fold(self, |slot, &i| match slot {
             Slot::Array(array) => array.items.get(i)?.as_ref(),
             _ => None,
@@ -91,7 +91,7 @@ struct Binding<'a> {
 }
 
 #[derive(Default)]
-pub(super) struct Scopes<'a> {
+pub(in crate::interpreter) struct Scopes<'a> {
     bindings: Vec<Vec<Binding<'a>>>,
     /// The symbols bound at the levels above the global one, the outermost level's first.
     names: Vec<Symbol>,
@@ -101,21 +101,21 @@ pub(super) struct Scopes<'a> {
 
 impl<'a> Scopes<'a> {
     /// The number of the innermost level; 0 is the global one.
-    pub(super) fn level(&self) -> u32 {
+    pub(in crate::interpreter) fn level(&self) -> u32 {
         self.levels.len() as u32
     }
 
     /// The number of the level at which a place's name is bound.
-    pub(super) fn level_of(&self, place: &Place) -> u32 {
+    pub(in crate::interpreter) fn level_of(&self, place: &Place) -> u32 {
         let binding = self.bindings.get(place.symbol.0 as usize).and_then(|stack| stack.get(place.depth));
         binding.map_or(0, |binding| binding.level)
     }
 
-    pub(super) fn enter(&mut self) {
+    pub(in crate::interpreter) fn enter(&mut self) {
         self.levels.push(self.names.len());
     }
 
-    pub(super) fn leave(&mut self) {
+    pub(in crate::interpreter) fn leave(&mut self) {
         let Some(start) = self.levels.pop() else { return };
         for symbol in self.names.drain(start..) {
             if let Some(stack) = self.bindings.get_mut(symbol.0 as usize) {
@@ -146,7 +146,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// The place of the innermost binding, aliases followed; `None` too where an `#undef` has taken what an alias stood for.
-    pub(super) fn resolve(&self, symbol: Symbol) -> Option<Place> {
+    pub(in crate::interpreter) fn resolve(&self, symbol: Symbol) -> Option<Place> {
         let (symbol, depth, path) = self.find(symbol)?;
         Some(Place { symbol, depth, path: path.cloned() })
     }
@@ -166,7 +166,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// A parameter of the call whose level has just been entered. Of two with one name the last counts.
-    pub(super) fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
+    pub(in crate::interpreter) fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
         let level = self.level();
         match self.stack(symbol).last_mut() {
             Some(binding) if binding.level == level => binding.slot = slot,
@@ -182,19 +182,19 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    pub(super) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
+    pub(in crate::interpreter) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
         let (symbol, depth, path) = self.find(symbol)?;
         let slot = &self.bindings[symbol.0 as usize][depth].slot;
         path.map_or(Some(slot), |path| slot.element(path))
     }
 
     /// What is at a place now.
-    pub(super) fn at(&self, place: &Place) -> Option<&Slot<'a>> {
+    pub(in crate::interpreter) fn at(&self, place: &Place) -> Option<&Slot<'a>> {
         self.bindings.get(place.symbol.0 as usize)?.get(place.depth)?.slot.element(place.path())
     }
 
     /// Puts something into an array's element, or takes it out.
-    pub(super) fn set_element(&mut self, place: &Place, slot: Option<Slot<'a>>) {
+    pub(in crate::interpreter) fn set_element(&mut self, place: &Place, slot: Option<Slot<'a>>) {
         let binding = self.bindings.get_mut(place.symbol.0 as usize).and_then(|b| b.get_mut(place.depth));
         let Some((binding, (last, path))) = binding.zip(place.path().split_last()) else { return };
         let mut target = &mut binding.slot;
@@ -211,7 +211,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// The dictionary that is kept here, if one is.
-    pub(super) fn dictionary(&self, place: &Place) -> Option<&Array<'a>> {
+    pub(in crate::interpreter) fn dictionary(&self, place: &Place) -> Option<&Array<'a>> {
         match self.at(place)? {
             Slot::Array(array) if array.keys.is_some() => Some(array),
             _ => None,
@@ -219,7 +219,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// A new element of the dictionary that is kept here, without a value yet: its index.
-    pub(super) fn add_key(&mut self, place: &Place, key: &str) -> usize {
+    pub(in crate::interpreter) fn add_key(&mut self, place: &Place, key: &str) -> usize {
         let Some(Slot::Array(array)) = self.at_mut(place) else { return 0 };
         let array = Rc::make_mut(array);
         array.keys.get_or_insert_default().push(key.into());
@@ -238,13 +238,13 @@ impl<'a> Scopes<'a> {
     }
 
     /// The warnings that wait for the use of a name.
-    pub(super) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
+    pub(in crate::interpreter) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
         let (symbol, depth, _) = self.find(symbol)?;
         self.bindings[symbol.0 as usize][depth].pending.clone()
     }
 
     /// `#local`, and the parameters of a call: binds at the innermost level.
-    pub(super) fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    pub(in crate::interpreter) fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let level = self.level();
         if self.stack(symbol).last().is_none_or(|b| b.level != level) {
             return self.push(symbol, level, slot, pending);
@@ -258,7 +258,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// `#declare`: changes the innermost binding, or makes a global one.
-    pub(super) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    pub(in crate::interpreter) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match self.resolve(symbol) {
             Some(place) => self.replace(&place, slot, pending),
             None => match self.stack(symbol).len() {
@@ -282,14 +282,14 @@ impl<'a> Scopes<'a> {
     }
 
     /// `#undef`: the innermost binding goes. (An alias goes, not what it stands for.)
-    pub(super) fn remove(&mut self, symbol: Symbol) -> bool {
+    pub(in crate::interpreter) fn remove(&mut self, symbol: Symbol) -> bool {
         let Some(binding) = self.stack(symbol).pop() else { return false };
         self.forget(symbol, binding.level);
         true
     }
 
     /// What is at a place goes.
-    pub(super) fn unbind(&mut self, place: &Place) {
+    pub(in crate::interpreter) fn unbind(&mut self, place: &Place) {
         if place.path.is_some() {
             return self.set_element(place, None);
         }
@@ -301,13 +301,13 @@ impl<'a> Scopes<'a> {
     }
 
     /// All names that are bound now.
-    pub(super) fn names(&self) -> impl Iterator<Item = Symbol> + '_ {
+    pub(in crate::interpreter) fn names(&self) -> impl Iterator<Item = Symbol> + '_ {
         let bound = |(i, stack): (usize, &Vec<Binding>)| (!stack.is_empty()).then_some(Symbol(i as u32));
         self.bindings.iter().enumerate().filter_map(bound)
     }
 
     /// Errors in declared things that nobody used.
-    pub(super) fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
+    pub(in crate::interpreter) fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
         self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
     }
 }

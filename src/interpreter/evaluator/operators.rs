@@ -1,17 +1,16 @@
 //! Operators, with POV-Ray's promotions, and the components of values.
 
-use super::Interpreter;
-use super::eval::as_float;
 use crate::color::{Color, gray};
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
 /// Numbers nearer to each other than this are equal to `=`, and nearer to 0 are false (measured on POV-Ray 3.7).
-pub(super) const SMALL: f64 = 1e-10;
+pub(in crate::interpreter) const SMALL: f64 = 1e-10;
 
-pub(super) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
+pub(in crate::interpreter) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
     Ok(match (prefix, value) {
         (Prefix::Not, value) => Value::Float(f64::from(as_float(&value, span)?.abs() <= SMALL)),
         (Prefix::Minus, Value::Float(x)) => Value::Float(-x),
@@ -29,7 +28,7 @@ pub(super) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<V
 }
 
 /// The numbers of a vector or colour, and which of both it is.
-pub(super) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
+pub(in crate::interpreter) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
     match value {
         Value::Vector(v) => Some((*v, false)),
         Value::Color(c) => Some((VecN { c: c.to_array(), len: 5 }, true)),
@@ -38,35 +37,29 @@ pub(super) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
 }
 
 /// The numbers of a vector or colour; a number is a vector of one component.
-pub(super) fn numbers_of(value: &Value) -> Option<VecN> {
+pub(in crate::interpreter) fn numbers_of(value: &Value) -> Option<VecN> {
     match value {
         Value::Float(x) => Some(VecN::splat(*x, 1)),
         value => five_numbers(value).map(|(v, _)| v),
     }
 }
 
-pub(super) fn from_numbers(v: VecN, color: bool) -> Value {
+pub(in crate::interpreter) fn from_numbers(v: VecN, color: bool) -> Value {
     if color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
 }
 
 /// One operator, with POV-Ray's promotions: a float becomes a vector of equal numbers, the shorter of two vectors is
 /// filled with zeros; only numbers compare with `<`, numbers and strings with `=`.
-pub(super) fn apply(
+pub(in crate::interpreter) fn combine(
     op: Operator,
     left: Value,
     right: Value,
     left_span: Span,
     right_span: Span,
-    me: &mut Interpreter,
 ) -> Result<Value> {
     use Operator::*;
     match (&left, &right) {
-        (Value::Float(a), Value::Float(b)) => {
-            if op == Div && *b == 0.0 {
-                me.division_by_zero(right_span);
-            }
-            Ok(Value::Float(on_floats(op, *a, *b)))
-        }
+        (Value::Float(a), Value::Float(b)) => Ok(Value::Float(on_floats(op, *a, *b))),
         (Value::Text(a), Value::Text(b)) if op.compares() => {
             Ok(Value::Float(on_floats(op, f64::from(a.cmp(b) as i8), 0.0)))
         }
@@ -83,9 +76,6 @@ pub(super) fn apply(
                 (None, _, left, _) if !matches!(left, Value::Float(_)) => return wrong(left, left_span),
                 _ => return wrong(&right, right_span),
             };
-            if op == Div && holds_zero(&b) {
-                me.division_by_zero(right_span);
-            }
             Ok(from_numbers(on_vectors(op, a, b), color))
         }
         (Value::Float(_), _) => wrong_comparison(op, &right, right_span),
@@ -93,12 +83,12 @@ pub(super) fn apply(
     }
 }
 
-pub(super) fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
+pub(in crate::interpreter) fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
     let message = format!("`{}` compares numbers, not {}", op.text(), value.describe());
     Diagnostic::err(codes::WRONG_TYPE, span, message)
 }
 
-pub(super) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
+pub(in crate::interpreter) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
     use Operator::*;
     let truth = |x: f64| x.abs() > SMALL;
     match op {
@@ -120,7 +110,7 @@ pub(super) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
 }
 
 /// One by one; the shorter vector is filled with zeros.
-pub(super) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
+pub(in crate::interpreter) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
     let mut out = VecN { c: [0.0; 5], len: a.len.max(b.len) };
     for i in 0..out.len as usize {
         out.c[i] = on_floats(op, a.c[i], b.c[i]);
@@ -128,13 +118,18 @@ pub(super) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
     out
 }
 
+/// True for a division whose right side is or holds zero.
+pub(in crate::interpreter) fn divides_by_zero(op: Operator, right: &Value) -> bool {
+    op == Operator::Div && numbers_of(right).is_some_and(|v| holds_zero(&v))
+}
+
 /// Is one of its numbers zero, so that nothing can be divided by it?
-pub(super) fn holds_zero(v: &VecN) -> bool {
+pub(in crate::interpreter) fn holds_zero(v: &VecN) -> bool {
     v.c[..v.len as usize].contains(&0.0)
 }
 
 /// Which of five numbers a component is.
-pub(super) fn component_index(name: &Name) -> Option<usize> {
+pub(in crate::interpreter) fn component_index(name: &Name) -> Option<usize> {
     Some(match name.word? {
         "x" | "u" | "red" => 0,
         "y" | "v" | "green" => 1,
@@ -146,7 +141,7 @@ pub(super) fn component_index(name: &Name) -> Option<usize> {
 }
 
 /// `.x`, `.red`, `.gray` and the like.
-pub(super) fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
+pub(in crate::interpreter) fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
     let Some(v) = numbers_of(value) else {
         return Diagnostic::err(codes::WRONG_TYPE, span, format!("{} has no components", value.describe()));
     };
@@ -162,4 +157,39 @@ pub(super) fn component(value: &Value, name: &Name, span: Span) -> Result<Value>
         return Diagnostic::err(codes::NO_COMPONENT, name.span, message);
     }
     Ok(Value::Float(v.c[index]))
+}
+
+/// Two to five numbers.
+pub(in crate::interpreter) fn vector_value(data: &[f64], span: Span) -> Result<Value> {
+    match data.len() {
+        2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
+        n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a vector has two to five numbers, this has {n}")),
+    }
+}
+
+/// Three numbers; one stands for all, and shorter vectors are filled with zeros.
+pub(in crate::interpreter) fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
+    match value {
+        Value::Float(x) => Ok(DVec3::splat(*x)),
+        Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
+        other => {
+            let message = format!("expected a vector of three numbers, found {}", other.describe());
+            Diagnostic::err(codes::WRONG_TYPE, span, message)
+        }
+    }
+}
+
+/// The number in a value.
+pub(in crate::interpreter) fn as_float(value: &Value, span: Span) -> Result<f64> {
+    match value {
+        Value::Float(x) => Ok(*x),
+        other => {
+            let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("expected a number, found {}", other.describe()));
+            match other {
+                Value::Vector(_) => d.help("`.x`, `.y` or `.z` takes one of its numbers").into(),
+                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` takes one number of it").into(),
+                _ => d.into(),
+            }
+        }
+    }
 }

@@ -7,13 +7,12 @@ mod directive;
 mod habit;
 mod missing;
 mod operator;
-mod report;
 mod source_line;
 mod statement;
 mod undeclared;
 
-use super::Interpreter;
 use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::interpreter::reporter::Reporter;
 use crate::library;
 use crate::source::{FileId, Span};
 use habit::Habit;
@@ -34,30 +33,30 @@ pub(super) struct Mistakes {
     /// Lines, as a file and the line's start, that can't be read.
     lines: FxHashSet<(FileId, usize)>,
     /// Places of errors that are counted only.
-    untold: FxHashSet<Span>,
+    unreported: FxHashSet<Span>,
     /// The first of them.
-    first_untold: Option<Span>,
+    first_unreported: Option<Span>,
     /// What was found out of a file's braces.
     early: FxHashMap<FileId, Option<Box<Diagnostic>>>,
 }
 
 impl Mistakes {
     /// An error after all that are told.
-    pub(super) fn count_untold(&mut self, at: Span) {
-        self.first_untold.get_or_insert(at);
-        self.untold.insert(at);
+    pub(super) fn count_unreported(&mut self, at: Span) {
+        self.first_unreported.get_or_insert(at);
+        self.unreported.insert(at);
     }
 }
 
-impl Interpreter<'_> {
+impl Reporter<'_> {
     /// A fault as it is to be told; `None` if it follows from another, or is told with another.
     pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
-        let Some(source) = SourceLine::of(self.sources, d.span()) else { return Some(d) };
+        let Some(source) = SourceLine::of(self.inputs.sources, d.span()) else { return Some(d) };
         let line = (source.file, source.line.start);
         let habit = habit::find(&source, &d);
         let is_habit = habit.is_some();
         if let Some(habit) = habit {
-            let base = self.sources.base(source.file);
+            let base = self.inputs.sources.base(source.file);
             self.note_habit(&habit, source.file);
             d = habit.told(d, base);
         } else if self.follows(&d, &source) {
@@ -86,7 +85,7 @@ impl Interpreter<'_> {
 
     /// Remembers what a fault leaves undone.
     fn note(&mut self, d: &Diagnostic, source: &SourceLine) {
-        let text = self.sources.snippet(d.span());
+        let text = self.inputs.sources.snippet(d.span());
         let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
         if let Some(("declare" | "local" | "macro", rest)) = directive
             && let Some((name, _)) = leading_name(rest.trim_start())
@@ -128,15 +127,15 @@ impl Interpreter<'_> {
     }
 
     /// At the end of the run: one message for each cause, and how many errors were only counted.
-    pub(super) fn settle_messages(&mut self) {
+    pub(in crate::interpreter) fn settle_messages(&mut self) {
         let all = std::mem::take(&mut self.diagnostics);
         self.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
-        let untold = self.mistakes.untold.len();
-        if let Some(first) = self.mistakes.first_untold {
-            let more = if untold == 1 {
+        let unreported = self.mistakes.unreported.len();
+        if let Some(first) = self.mistakes.first_unreported {
+            let more = if unreported == 1 {
                 "one more error was found".into()
             } else {
-                format!("{untold} more errors were found")
+                format!("{unreported} more errors were found")
             };
             let d = Diagnostic::new(codes::MORE_ERRORS, first, format!("{more}, and not told")).label("the next one");
             self.diagnostics.push(d.help("mend the first ones: others often follow from them"));

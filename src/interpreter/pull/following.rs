@@ -1,97 +1,95 @@
-//! What stands behind a value: may it go on with it?
+//! What follows a value: whether it continues the value.
 
-use super::{FrameKind, StackFrame, Token};
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
+use crate::interpreter::stream::{FrameKind, StackFrame, Token};
 use crate::syntax::ast::*;
 use crate::syntax::{begins_with_parenthesis, begins_with_sign};
 
 impl<'a> Interpreter<'a> {
-    /// Is the expression or list that comes next a value by itself, whatever follows? Told without running anything. Where
-    /// it `compares`, a `>` goes on.
+    /// True if nothing that follows can continue the expression or list that comes next. Nothing runs to find out. Where
+    /// comparisons are allowed (`compares`), a `>` continues a value.
     pub(in crate::interpreter) fn is_whole(&self, compares: bool) -> bool {
-        let Some((frame, outer)) = self.frames.split_last() else { return true };
-        let Some(element) = frame.elements.get(frame.at).filter(|_| self.held.is_empty()) else { return false };
+        let Some((frame, outer)) = self.stream.frames().split_last() else { return true };
+        let Some(element) = frame.next().filter(|_| !self.stream.has_pushed_back()) else { return false };
         if let ElementKind::Numbers(list) = &element.kind
-            && frame.item.0 + 1 < list.len()
+            && frame.list_item() + 1 < list.len()
         {
             return true;
         }
         if element.comma {
             return true;
         }
-        match frame.elements.get(frame.at + 1) {
+        match frame.following() {
             Some(next) => self.separates(next, compares),
             None => self.end_separates(frame, outer, compares),
         }
     }
 
-    pub(super) fn end_separates<'f>(
+    /// True if a value at the end of `frame` ends there.
+    fn end_separates<'f>(
         &self,
         mut frame: &'f StackFrame<'a>,
         mut outer: &'f [StackFrame<'a>],
         compares: bool,
     ) -> bool {
         loop {
-            if frame.closer.is_some() || frame.comma {
+            if frame.is_delimited() {
                 return true;
             }
-            match frame.kind {
+            match frame.kind() {
                 FrameKind::File => return true,
                 FrameKind::Piece | FrameKind::Branch | FrameKind::Macro(_) | FrameKind::Include | FrameKind::Switch => {
                 }
-                FrameKind::While(_) | FrameKind::For { .. } => return self.closed,
+                FrameKind::While(_) | FrameKind::For { .. } => return self.stream.mode().defers,
             }
             let Some((last, rest)) = outer.split_last() else { return true };
-            match last.elements.get(last.at) {
+            match last.next() {
                 Some(next) => return self.separates(next, compares),
                 None => (frame, outer) = (last, rest),
             }
         }
     }
 
-    /// Does a value before this element end there?
-    pub(super) fn separates(&self, next: &Element, compares: bool) -> bool {
+    /// True if a value ends before the element `next`.
+    fn separates(&self, next: &Element, compares: bool) -> bool {
         match &next.kind {
             ElementKind::Semicolon | ElementKind::Comma | ElementKind::Word(_) | ElementKind::Block(_) => true,
             ElementKind::Group(_) | ElementKind::Entry(_) | ElementKind::Function(_) => true,
             ElementKind::Sign(Sign::Operator(Operator::Greater)) => !compares,
             ElementKind::Sign(sign) => matches!(sign, Sign::Close(_)),
-            ElementKind::Directive(_) => self.closed,
+            ElementKind::Directive(_) => self.stream.mode().defers,
             ElementKind::Numbers(list) => list.width(0) > 1 || !list.data[0].is_sign_negative(),
-            ElementKind::Expr(e) if self.is_macro_call(e) => self.closed,
+            ElementKind::Expr(e) if self.evaluator.is_macro_call(e) => self.stream.mode().defers,
             ElementKind::Expr(e) => !e.calls && !begins_with_sign(e) && !begins_with_parenthesis(e),
         }
     }
 
-    pub(super) fn is_macro_call(&self, e: &Expr) -> bool {
-        matches!(e.kind, ExprKind::Call(name, _) | ExprKind::Name(name) if self.is_macro(name))
-    }
-
-    /// What may go on with the value that was just read: the very next token. `None` where a comma, a `;` or nothing
-    /// comes next, and where a directive or a macro does that must wait for the value ([`Self::closed`]).
+    /// The token directly after the value that was just read. `None` after a comma, before a `;` or the end of the file,
+    /// and before a directive or macro call that must wait ([`super::Mode::defers`]).
     pub(in crate::interpreter) fn peek_after(&mut self) -> Result<Option<Token<'a>>> {
         loop {
-            if !self.held.is_empty() || self.peeked.is_some() {
-                return if self.comma { Ok(None) } else { self.peek().map(Some) };
+            if self.stream.look_ahead().is_some() {
+                return if self.stream.has_comma() { Ok(None) } else { self.peek().map(Some) };
             }
-            if self.comma {
+            if self.stream.has_comma() {
                 return Ok(None);
             }
-            let Some(frame) = self.frames.last() else { return Ok(None) };
-            match frame.elements.get(frame.at).map(|e| &e.kind) {
+            let Some(frame) = self.stream.innermost() else { return Ok(None) };
+            let mode = self.stream.mode();
+            match frame.next().map(|e| &e.kind) {
                 Some(ElementKind::Comma | ElementKind::Semicolon) => return Ok(None),
-                Some(ElementKind::Directive(_)) if self.closed => return Ok(None),
-                Some(ElementKind::Expr(e)) if self.closed && self.is_macro_call(e) => return Ok(None),
-                None if frame.closer.is_none() && self.closed => match frame.kind {
+                Some(ElementKind::Directive(_)) if mode.defers => return Ok(None),
+                Some(ElementKind::Expr(e)) if mode.defers && self.evaluator.is_macro_call(e) => return Ok(None),
+                None if frame.closer().is_none() && mode.defers => match frame.kind() {
                     FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch | FrameKind::Include
-                        if self.frames.len() > self.floor =>
+                        if self.stream.frames().len() > mode.frame_floor =>
                     {
                         self.pop_frame();
                     }
                     _ => return Ok(None),
                 },
-                None if matches!(frame.kind, FrameKind::File) => return Ok(None),
+                None if matches!(frame.kind(), FrameKind::File) => return Ok(None),
                 _ => {
                     if !self.settle_once()? {
                         return self.peek().map(Some);
@@ -101,8 +99,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What goes on with what was just read; the end where [`Self::peek_after`] finds nothing.
-    pub(in crate::interpreter) fn peek_on(&mut self) -> Result<Token<'a>> {
+    /// The token that may continue the value that was just read; [`Token::End`] if [`Self::peek_after`] finds none.
+    pub(in crate::interpreter) fn peek_continuation(&mut self) -> Result<Token<'a>> {
         Ok(self.peek_after()?.unwrap_or(Token::End))
     }
 }

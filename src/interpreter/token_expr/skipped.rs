@@ -19,7 +19,7 @@ impl Skipped {
                 Token::Sign(Sign::Close(_)) => return me.close("the end of this"),
                 Token::End => return Err(me.unexpected_token("a value").into()),
                 Token::Open(..) | Token::Block(_) => self.brackets(me)?,
-                _ => me.advance(),
+                _ => me.stream.advance(),
             }
         }
     }
@@ -29,9 +29,7 @@ impl<'a> Operands<'a> for Skipped {
     type Value = ();
 
     fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<((), Span)> {
-        let outer = std::mem::replace(&mut me.skipping, true);
-        let span = self.skip(me)?;
-        me.skipping = outer;
+        let span = me.in_mode(|mode| mode.skips = true, |me| self.skip(me))?;
         Ok(((), span))
     }
 
@@ -52,27 +50,27 @@ impl Skipped {
     fn skip(&mut self, me: &mut Interpreter) -> Result<Span> {
         read_signs(me)?;
         let token = me.peek()?;
-        let span = me.here();
+        let span = me.stream.here();
         match token {
             Token::Open(..) | Token::Block(_) => self.brackets(me)?,
             Token::Sign(Sign::Operator(Operator::Less)) => {
-                me.advance();
+                me.stream.advance();
                 while !matches!(me.peek()?, Token::Sign(Sign::Operator(Operator::Greater))) {
                     me.climb(self, false)?;
                 }
-                me.advance();
+                me.stream.advance();
             }
             Token::Sign(_) | Token::End => return Err(me.unexpected_token("a value").into()),
-            _ => me.advance(),
+            _ => me.stream.advance(),
         }
         loop {
             match me.peek_after()? {
                 Some(Token::Sign(Sign::Dot)) => {
-                    me.advance();
+                    me.stream.advance();
                     me.component_name()?;
                 }
                 Some(Token::Open(Bracket::Paren | Bracket::Square, _)) => self.brackets(me)?,
-                Some(Token::Expr(Expr { kind: ExprKind::Paren(_), .. })) => me.advance(),
+                Some(Token::Expr(Expr { kind: ExprKind::Paren(_), .. })) => me.stream.advance(),
                 _ => return Ok(span),
             }
         }

@@ -2,18 +2,22 @@
 
 use super::missing::{include_help, include_message};
 use crate::diagnostic::{Cause, Diagnostic, Remedy, codes, nearest};
-use crate::interpreter::{Interpreter, hints};
+use crate::interpreter::reporter::{Reporter, hints};
 use crate::library;
 use crate::source::Span;
-use crate::syntax::ast::Symbol;
 use crate::syntax::word;
 
-impl Interpreter<'_> {
-    /// The message for a name that stands for nothing: which include declares it, or which name was meant.
-    pub(in crate::interpreter) fn undeclared(&self, symbol: Symbol, span: Span) -> Diagnostic {
-        let name = self.names.text(symbol);
+impl Reporter<'_> {
+    /// The error for a name that is not declared: names the include file that declares it, or the name that was meant.
+    /// `declared` are the names that are declared now.
+    pub(in crate::interpreter) fn undeclared<'n>(
+        &self,
+        name: &str,
+        span: Span,
+        declared: impl Iterator<Item = &'n str>,
+    ) -> Diagnostic {
         // (Of a call, the name alone is the fault.)
-        let named = self.sources.snippet(span).starts_with(name);
+        let named = self.inputs.sources.snippet(span).starts_with(name);
         let span = if named { Span { hi: span.lo + name.len() as u32, ..span } } else { span };
         let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{name}` is not declared"));
         if let Some(file) = self.include_missing_for(name) {
@@ -21,25 +25,16 @@ impl Interpreter<'_> {
             return d.because(Cause::new(Remedy::Include(file), name, span));
         }
         let d = d.because(Cause::new(Remedy::Declare, name, span));
-        let help =
-            self.meant_name(name).or_else(|| hints::other_tools(name).map(String::from)).or_else(|| meant_word(name));
+        let help = meant_name(name, declared)
+            .or_else(|| hints::other_tools(name).map(String::from))
+            .or_else(|| meant_word(name));
         let help = help.or_else(|| meant_include(name));
         d.help(help.unwrap_or_else(|| self.declaration_of(name, span)))
     }
 
-    /// A declared name that is nearly the same.
-    fn meant_name(&self, name: &str) -> Option<String> {
-        // (Words of other languages are no slips.)
-        if hints::other_tools(name).is_some() && !name.starts_with(char::is_uppercase) {
-            return None;
-        }
-        let declared = self.scopes.names().map(|s| self.names.text(s));
-        nearest(name, declared).map(|found| format!("did you mean `{found}`?"))
-    }
-
     fn declaration_of(&self, name: &str, span: Span) -> String {
-        let called = self.sources.locate(span).is_some_and(|(file, range)| {
-            self.sources.text(file).get(range.end..).unwrap_or_default().trim_start().starts_with('(')
+        let called = self.inputs.sources.locate(span).is_some_and(|(file, range)| {
+            self.inputs.sources.text(file).get(range.end..).unwrap_or_default().trim_start().starts_with('(')
         });
         match called {
             true => format!(
@@ -48,6 +43,15 @@ impl Interpreter<'_> {
             false => format!("`#declare {name} = …;` gives it a value; is an `#include` missing?"),
         }
     }
+}
+
+/// A declared name with nearly the same spelling.
+fn meant_name<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> Option<String> {
+    // A lower-case word of another tool is no misspelling.
+    if hints::other_tools(name).is_some() && !name.starts_with(char::is_uppercase) {
+        return None;
+    }
+    nearest(name, declared).map(|found| format!("did you mean `{found}`?"))
 }
 
 /// A word of the language that is nearly the same.

@@ -1,26 +1,25 @@
 //! The short way through expressions: numbers and vectors, and nothing that has an effect or needs a message. Most
 //! expressions of a script are no more than that.
 
-use super::Interpreter;
 use super::operators::{SMALL, component_index, holds_zero, on_floats, on_vectors};
-use super::scope::Slot;
+use super::{Evaluator, Slot};
 use crate::function::numeric::{self, Domain, Kernel};
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
 /// A value that needs no allocation.
-pub(super) enum Quick {
+pub(in crate::interpreter) enum Quick {
     Float(f64),
     Vector(VecN),
 }
 
 /// What the short way gives: a number alone, which is fastest, or either.
-pub(super) trait Short: Sized {
+pub(in crate::interpreter) trait Short: Sized {
     /// Can it be a vector? Else nobody shall compute one.
     const VECTORS: bool;
     fn float(x: f64) -> Self;
     fn vector(v: VecN) -> Option<Self>;
-    /// Both with an operator between them; `None` where [`super::operators::apply`] has something to say.
+    /// Both with an operator between them; `None` where [`super::combine`] has something to say.
     fn combined(self, op: Operator, right: Self) -> Option<Self>;
     fn prefixed(self, prefix: Prefix) -> Option<Self>;
 
@@ -89,15 +88,15 @@ impl Short for Quick {
     }
 }
 
-impl Interpreter<'_> {
+impl Evaluator<'_> {
     /// The short way to a number.
-    pub(super) fn simple(&self, e: &Expr) -> Option<f64> {
+    pub(in crate::interpreter) fn quick_number(&self, e: &Expr) -> Option<f64> {
         self.quick(e)
     }
 
     /// The short way for what most expressions are: numbers and vectors, and nothing that has an effect or needs a message.
     /// `None` says that the long way has to be gone.
-    pub(super) fn quick<T: Short>(&self, e: &Expr) -> Option<T> {
+    pub(in crate::interpreter) fn quick<T: Short>(&self, e: &Expr) -> Option<T> {
         match &e.kind {
             ExprKind::Number(x) => Some(T::float(*x)),
             ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
@@ -105,7 +104,7 @@ impl Interpreter<'_> {
             ExprKind::Paren(inner) => self.quick(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
                 Some(Slot::Value(value)) if self.deprecated.is_empty() => T::of(value),
-                None => T::of(self.constants.get(symbol.0 as usize)?.as_ref()?),
+                None => T::of(self.constants.fixed(*symbol)?),
                 _ => None,
             },
             ExprKind::Prefix(prefix, inner) => self.quick::<T>(inner)?.prefixed(*prefix),
@@ -115,7 +114,7 @@ impl Interpreter<'_> {
             }
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
-                self.quick(if self.simple(condition)?.abs() > SMALL { yes } else { no })
+                self.quick(if self.quick_number(condition)?.abs() > SMALL { yes } else { no })
             }
             ExprKind::Builtin(name, arguments) => self.quick_call(name.name, arguments).map(T::float),
             ExprKind::Index(array, indices) => match &**indices {
@@ -134,7 +133,7 @@ impl Interpreter<'_> {
         let mut out = VecN { c: [0.0; 5], len: parts.len() as u8 };
         for (slot, part) in out.c.iter_mut().zip(parts) {
             match &part.kind {
-                ElementKind::Expr(e) => *slot = self.simple(e)?,
+                ElementKind::Expr(e) => *slot = self.quick_number(e)?,
                 _ => return None,
             }
         }
@@ -154,9 +153,9 @@ impl Interpreter<'_> {
 
     fn quick_call(&self, name: &str, arguments: &[Expr]) -> Option<f64> {
         let row = &numeric::TABLE[numeric::find(name)? as usize];
-        let first = row.clamped(self.simple(arguments.first()?)?);
+        let first = row.clamped(self.quick_number(arguments.first()?)?);
         let second = match arguments.get(1) {
-            Some(e) => self.simple(e)?,
+            Some(e) => self.quick_number(e)?,
             None => first,
         };
         let divides = second == 0.0 && row.domain == Domain::Divides;
@@ -167,7 +166,7 @@ impl Interpreter<'_> {
             (Kernel::One(f), [_]) => Some(f(first)),
             (Kernel::Two(f), [_, _]) => Some(f(first, second)),
             (Kernel::Many(f), [_, rest @ ..]) => {
-                rest.iter().try_fold(first, |out, e| self.simple(e).map(|next| f(out, next)))
+                rest.iter().try_fold(first, |out, e| self.quick_number(e).map(|next| f(out, next)))
             }
             _ => None,
         }
@@ -175,7 +174,7 @@ impl Interpreter<'_> {
 
     fn quick_element<T: Short>(&self, array: &Expr, index: &Expr) -> Option<T> {
         let ExprKind::Name(symbol) = array.kind else { return None };
-        let i = self.simple(index).filter(|i| *i >= 0.0)?;
+        let i = self.quick_number(index).filter(|i| *i >= 0.0)?;
         match self.scopes.get(symbol)? {
             Slot::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
                 Some(Slot::Value(value)) => T::of(value),

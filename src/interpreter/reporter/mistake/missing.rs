@@ -1,7 +1,7 @@
 //! Names of an include file that is missing: one message for all of them, in the author's own file.
 
 use crate::diagnostic::{Cause, Diagnostic, Label, Remedy};
-use crate::interpreter::Interpreter;
+use crate::interpreter::reporter::Reporter;
 use crate::library;
 use crate::source::Span;
 use std::path::Path;
@@ -9,7 +9,7 @@ use std::path::Path;
 /// So many further places are shown.
 const MAX_PLACES: usize = 4;
 
-impl Interpreter<'_> {
+impl Reporter<'_> {
     /// Adds a fault to one of the same cause that is told already, or gives it back.
     pub(super) fn joined_with_others(&mut self, d: Diagnostic) -> Option<Diagnostic> {
         let Some(cause) = d.cause.as_deref() else { return Some(d) };
@@ -52,7 +52,7 @@ impl Interpreter<'_> {
 
     /// The further places, and how many there are beyond them.
     fn add_places(&self, d: &mut Diagnostic, cause: &Cause, name: &str) {
-        let file = |span: Span| self.sources.locate(span).map(|(file, _)| file);
+        let file = |span: Span| self.inputs.sources.locate(span).map(|(file, _)| file);
         let mut more = 0;
         for (other, span) in &cause.uses[1..] {
             if d.labels.len() > MAX_PLACES || file(*span) != file(cause.uses[0].1) {
@@ -72,7 +72,7 @@ impl Interpreter<'_> {
     /// A standard include needs another: told where the author's own text includes it, or calls its macro.
     fn told_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
         let Some((name, first)) = cause.uses.first() else { return d };
-        let inner = self.sources.locate(*first).map_or("", |(id, _)| self.sources.name(id));
+        let inner = self.inputs.sources.locate(*first).map_or("", |(id, _)| self.inputs.sources.name(id));
         let inner = Path::new(inner).file_name().unwrap_or_default().to_string_lossy().into_owned();
         let outer = d.trace.iter().find(|step| !self.in_standard_file(step.span)).cloned();
         let Some(place) = outer.filter(|step| !step.span.is_none()) else { return d };
@@ -96,14 +96,14 @@ impl Interpreter<'_> {
 
     /// Does a place lie in a standard include file, installed or built in?
     pub(super) fn in_standard_file(&self, span: Span) -> bool {
-        let Some((id, _)) = self.sources.locate(span) else { return false };
-        match self.sources.path(id) {
+        let Some((id, _)) = self.inputs.sources.locate(span) else { return false };
+        match self.inputs.sources.path(id) {
             Some(path) => {
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
-                let own = self.options.search.folders.first().map(|folder| folder.as_path());
+                let own = self.inputs.options.search.folders.first().map(|folder| folder.as_path());
                 library::is_standard(&name) && path.parent() != own
             }
-            None => self.sources.name(id).starts_with(library::FOLDER),
+            None => self.inputs.sources.name(id).starts_with(library::FOLDER),
         }
     }
 
@@ -123,9 +123,10 @@ impl Interpreter<'_> {
     /// The standard include file that declares a name, unless it was read and does not.
     pub(super) fn include_missing_for(&self, name: &str) -> Option<&'static str> {
         let file = library::declared_in(name)?;
-        let read =
-            |(id, _): (crate::source::FileId, &_)| Path::new(self.sources.name(id)).file_name() == Some(file.as_ref());
-        (!self.parsed.all().into_iter().any(read)).then_some(file)
+        let read = |(id, _): (crate::source::FileId, &_)| {
+            Path::new(self.inputs.sources.name(id)).file_name() == Some(file.as_ref())
+        };
+        (!self.inputs.parsed.all().into_iter().any(read)).then_some(file)
     }
 }
 

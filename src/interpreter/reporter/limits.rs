@@ -1,14 +1,15 @@
 //! Limits on steps, time, memory and depth, so that a scene that runs away ends in a message.
 
-use super::Interpreter;
+use super::Reporter;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use std::sync::atomic::Ordering;
+use std::time::Instant;
 
 /// Macro calls inside each other.
-pub(super) const MAX_CALLS: usize = 5_000;
+pub(in crate::interpreter) const MAX_CALLS: usize = 5_000;
 /// Includes inside each other.
-pub(super) const MAX_INCLUDES: usize = 100;
+pub(in crate::interpreter) const MAX_INCLUDES: usize = 100;
 /// Bytes that a point of a picture takes which a function makes: four numbers.
 const PER_POINT: u64 = 16;
 /// The most points of such a picture where memory has no limit.
@@ -18,41 +19,56 @@ const CLOCK_EVERY: u64 = 4096;
 /// And once in so many bytes of text.
 const TEXT_EVERY: usize = 64 << 20;
 
-impl<'a> Interpreter<'a> {
+/// Work done so far.
+pub(super) struct Usage {
+    /// Directives, loop passes and macro calls.
+    steps: u64,
+    /// Bytes of strings made since the limits were last checked.
+    text_made: usize,
+    started: Instant,
+}
+
+impl Default for Usage {
+    fn default() -> Self {
+        Self { steps: 0, text_made: 0, started: Instant::now() }
+    }
+}
+
+impl Reporter<'_> {
     /// Counts one step (a directive, a loop's pass, a macro call).
-    pub(super) fn step(&mut self, span: Span) -> Result<()> {
-        self.steps += 1;
-        if self.steps > self.options.max_steps {
-            let message = format!("the scene took more than {} steps", self.options.max_steps);
+    pub(in crate::interpreter) fn step(&mut self, span: Span) -> Result<()> {
+        self.usage.steps += 1;
+        if self.usage.steps > self.inputs.options.max_steps {
+            let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);
             return self.limit(codes::STEP_LIMIT, span, message, "is this loop endless? --max-steps N allows more");
         }
-        if self.steps.is_multiple_of(CLOCK_EVERY) {
+        if self.usage.steps.is_multiple_of(CLOCK_EVERY) {
             return self.look_at_clock(span);
         }
         Ok(())
     }
 
     /// Counts bytes of text that were made: a few large strings take as much as many steps.
-    pub(super) fn made(&mut self, bytes: usize, span: Span) -> Result<()> {
-        self.text_made += bytes;
-        if self.text_made < TEXT_EVERY {
+    pub(in crate::interpreter) fn count_text(&mut self, bytes: usize, span: Span) -> Result<()> {
+        self.usage.text_made += bytes;
+        if self.usage.text_made < TEXT_EVERY {
             return Ok(());
         }
-        self.text_made = 0;
+        self.usage.text_made = 0;
         self.look_at_clock(span)
     }
 
     fn look_at_clock(&mut self, span: Span) -> Result<()> {
-        if self.options.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+        if self.inputs.options.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
             return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "it is of no use any more");
         }
-        if let Some(seconds) = self.options.max_time
-            && self.started.elapsed().as_secs_f64() > seconds
+        if let Some(seconds) = self.inputs.options.max_time
+            && self.usage.started.elapsed().as_secs_f64() > seconds
         {
             let message = format!("the scene took more than {seconds} seconds");
             return self.limit(codes::TIME_LIMIT, span, message, "--max-time SECONDS allows more");
         }
-        if let Some(bytes) = self.options.max_memory
+        if let Some(bytes) = self.inputs.options.max_memory
             && resident_bytes().is_some_and(|used| used > bytes)
         {
             let message = format!("the scene needs more than {} MiB of memory", bytes >> 20);
@@ -62,9 +78,9 @@ impl<'a> Interpreter<'a> {
     }
 
     /// E0242 if a picture that a function makes has no room in what is left of the memory that is allowed.
-    pub(super) fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
         let points = (width as u64).saturating_mul(height as u64);
-        let fits = match self.options.max_memory {
+        let fits = match self.inputs.options.max_memory {
             Some(bytes) => {
                 let needed = points.saturating_mul(PER_POINT);
                 resident_bytes().unwrap_or(0).saturating_add(needed) <= bytes
@@ -79,7 +95,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A limit ends the run: nothing after it is read.
-    pub(super) fn limit<T>(
+    pub(in crate::interpreter) fn limit<T>(
         &mut self,
         code: crate::diagnostic::Code,
         span: Span,

@@ -4,10 +4,11 @@ use super::{Compiler, series};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Id, Operation};
 use crate::interpreter::Interpreter;
-use crate::interpreter::eval::as_float;
-use crate::interpreter::pieces::{Operands, expect_colon, is_callable, joined, read_signs};
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::as_float;
+use crate::interpreter::evaluator::is_callable;
 use crate::interpreter::stream::Token;
+use crate::interpreter::token_expr::{Operands, expect_colon, joined, read_signs};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
 use crate::value::Value;
@@ -49,17 +50,17 @@ impl<'a> Interpreter<'a> {
     fn compile_primary(&mut self, c: &mut Compiler) -> Result<(Id, Span)> {
         loop {
             let token = self.peek()?;
-            let span = self.here();
+            let span = self.stream.here();
             return match token {
                 Token::Expr(e) => match &e.kind {
                     // A component or more may follow.
                     ExprKind::Call(..) | ExprKind::Apply(..) if !self.is_whole(true) => {
-                        self.take_apart();
+                        self.stream.split_next();
                         continue;
                     }
                     ExprKind::Name(symbol) => {
-                        self.advance();
-                        let callee = match self.scopes.get(*symbol) {
+                        self.stream.advance();
+                        let callee = match self.evaluator.scopes().get(*symbol) {
                             Some(Slot::Value(value)) => is_callable(value),
                             _ => false,
                         };
@@ -70,18 +71,18 @@ impl<'a> Interpreter<'a> {
                         Ok((self.compile_name(c, *symbol, e)?, span))
                     }
                     _ => {
-                        self.advance();
+                        self.stream.advance();
                         Ok((self.compile(c, e)?, span))
                     }
                 },
                 Token::Numbers([x]) => {
-                    self.advance();
+                    self.stream.advance();
                     Ok((c.graph.constant(*x), span))
                 }
                 Token::Open(Bracket::Paren, _) => {
                     self.open()?;
                     let (id, _) = self.climb(&mut Compiled(c), true)?;
-                    let end = self.here();
+                    let end = self.stream.here();
                     self.close("`)`")?;
                     Ok((id, joined(span, end)))
                 }
@@ -94,10 +95,10 @@ impl<'a> Interpreter<'a> {
                     Ok((c.graph.constant(as_float(&value, span)?), span))
                 }
                 Token::Callee(word) => {
-                    self.advance();
+                    self.stream.advance();
                     self.expect_paren(word)?;
                     let id = self.compile_builtin_in_pieces(c, word, span)?;
-                    let end = self.here();
+                    let end = self.stream.here();
                     self.close("`)`")?;
                     Ok((id, joined(span, end)))
                 }
@@ -113,11 +114,11 @@ impl<'a> Interpreter<'a> {
         while !self.peek()?.ends() {
             ids.push(self.climb(&mut Compiled(c), true)?.0);
         }
-        let mut whole = joined(span, self.here());
+        let mut whole = joined(span, self.stream.here());
         self.close("`)`")?;
         let mut component: Option<Name> = None;
         if matches!(self.peek_after()?, Some(Token::Sign(Sign::Dot))) {
-            self.advance();
+            self.stream.advance();
             let name = self.component_name()?;
             whole = joined(whole, name.span);
             component = Some(name);
@@ -146,7 +147,7 @@ impl<'a> Interpreter<'a> {
                 "expected a counter, a first and a last value, and a term",
             );
         };
-        self.advance();
+        self.stream.advance();
         let first = self.climb(&mut Compiled(c), true)?.0;
         let last = self.climb(&mut Compiled(c), true)?.0;
         let mut inner = c.with_counter(*counter);

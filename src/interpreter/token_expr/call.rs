@@ -4,7 +4,7 @@ use super::joined;
 use super::skipped::Skipped;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::argument::Argument;
-use crate::interpreter::eval::as_float;
+use crate::interpreter::evaluator::as_float;
 use crate::interpreter::stream::Token;
 use crate::interpreter::{Interpreter, builtin};
 use crate::source::Span;
@@ -18,10 +18,8 @@ impl<'a> Interpreter<'a> {
     /// wait for the end of a value. (A declaration could be of no use for that, and may use the name that is being declared.)
     pub(in crate::interpreter) fn call_follows(&mut self) -> Result<bool> {
         let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
-        let waits = matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
-        let closed = std::mem::replace(&mut self.closed, waits);
-        let next = self.peek_after();
-        self.closed = closed;
+        let waits = matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
+        let next = self.in_mode(|mode| mode.defers = waits, Self::peek_after);
         if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
             self.expose_parenthesis()?;
         }
@@ -30,7 +28,7 @@ impl<'a> Interpreter<'a> {
 
     /// `name ( … )` of a built-in function.
     pub(super) fn builtin_in_pieces(&mut self, word: &'static str, span: Span) -> Result<(Value, Span)> {
-        self.advance();
+        self.stream.advance();
         self.expect_paren(word)?;
         if word == "select" {
             return self.select_in_pieces(span);
@@ -38,13 +36,13 @@ impl<'a> Interpreter<'a> {
         let mut arguments = SmallVec::<[Argument<'a>; 4]>::new();
         while !self.peek()?.closes(Bracket::Paren) {
             // (Only where there may be any number of arguments, the commas have to be there: measured on POV-Ray 3.7.)
-            if !arguments.is_empty() && !self.comma && builtin::needs_commas(word) {
-                let at = self.here();
+            if !arguments.is_empty() && !self.stream.has_comma() && builtin::needs_commas(word) {
+                let at = self.stream.here();
                 return Err(self.misplaced(at).into());
             }
             arguments.push(self.argument_here()?);
         }
-        let end = self.here();
+        let end = self.stream.here();
         self.close("`)`")?;
         let span = joined(span, end);
         Ok((self.builtin_of(word, arguments, span)?, span))
@@ -53,7 +51,7 @@ impl<'a> Interpreter<'a> {
     /// Takes apart what comes next, until its `(` is a token.
     pub(in crate::interpreter) fn expose_parenthesis(&mut self) -> Result<()> {
         while matches!(self.peek()?, Token::Expr(e) if begins_with_parenthesis(e)) {
-            self.take_apart();
+            self.stream.split_next();
         }
         Ok(())
     }
@@ -88,7 +86,7 @@ impl<'a> Interpreter<'a> {
                 self.climb(&mut Skipped, false)?;
             }
         }
-        let end = self.here();
+        let end = self.stream.here();
         self.close("`)`")?;
         match found.filter(|_| (2..=3).contains(&count)) {
             Some(value) => Ok((value, joined(span, end))),
@@ -103,7 +101,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn call_in_pieces(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
         self.open()?;
         let value = self.call_with_arguments(callee, span)?;
-        let end = self.here();
+        let end = self.stream.here();
         self.close("`)`")?;
         Ok((value, joined(span, end)))
     }
