@@ -17,7 +17,7 @@
 //!     && let Ok((frame, _rays)) = render::render(world, &drawing, &render::Unwatched)
 //! {
 //!     let bytes = image_io::encode(&frame, &image_io::Encoding::new(image_io::Format::Png))?;
-//!     source::write_whole("ball.png".as_ref(), &bytes).ok();
+//!     sources.files().write("ball.png".as_ref(), &bytes).ok();
 //! }
 //! # Ok(()) }
 //! ```
@@ -57,7 +57,7 @@ pub mod world;
 use diagnostic::{Diagnostic, Result};
 use source::{FileId, Sources, Span};
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Reads a scene's text. A file that is not text gets a place all the same: its first byte.
 ///
@@ -65,7 +65,7 @@ use std::time::{Duration, Instant};
 /// E0001, E0002 or E0003: too long, not there, or not readable.
 pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
     let name = path.display().to_string();
-    match source::read_text(path) {
+    match source::read_text(sources.files(), path) {
         Ok(text) => add(sources, &name, Some(path), text),
         Err(error) => Err(refuse(sources, path, &error)),
     }
@@ -76,7 +76,7 @@ pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
 /// # Errors
 /// E0001 or E0003: too long, or no text.
 pub fn load_bytes(sources: &Sources, name: &str, bytes: Vec<u8>) -> Result<FileId> {
-    source::note(Path::new(name), &bytes);
+    sources.record(Path::new(name), &bytes);
     match source::text_of(bytes) {
         Ok(text) => add(sources, name, None, text),
         Err(error) => Err(refuse(sources, Path::new(name), &error)),
@@ -94,7 +94,7 @@ fn add(sources: &Sources, name: &str, path: Option<&Path>, text: String) -> Resu
 }
 
 fn refuse(sources: &Sources, path: &Path, error: &source::ReadError) -> diagnostic::Fault {
-    let mut fault = diagnostic::file::unreadable(path, error);
+    let mut fault = diagnostic::file::unreadable(sources.files(), path, error);
     if matches!(error, source::ReadError::NotText(_)) {
         let file = sources.add(&path.display().to_string(), Some(path), String::new());
         let start = file.map_or(0, |file| sources.base(file));
@@ -147,15 +147,15 @@ pub fn build_with(
     keep: Keep,
     debug: &mut dyn FnMut(&str),
 ) -> Built {
-    let start = Instant::now();
+    let start = options.host.elapsed();
     let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins, idle } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
-    let parse_time = start.elapsed();
+    let parse_time = options.host.elapsed().saturating_sub(start);
     if let Some(scene) = &scene {
         diagnostics.extend(advice::of_scene(scene, sources));
     }
     advice::keep_own(&mut diagnostics, sources, file);
-    let start = Instant::now();
+    let start = options.host.elapsed();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,
         Err(fault) => {
@@ -170,7 +170,8 @@ pub fn build_with(
         (true, Keep::World) => scene.take().map(world::lower_away),
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
-    Built { scene, world, diagnostics, limit_reached, origins, idle, parse_time, build_time: start.elapsed() }
+    let build_time = options.host.elapsed().saturating_sub(start);
+    Built { scene, world, diagnostics, limit_reached, origins, idle, parse_time, build_time }
 }
 
 /// Bytes of stack for parser and interpreter, which recurse as deeply as the text is nested. Only what is used costs memory.
@@ -192,4 +193,65 @@ pub fn on_big_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
         }
     });
     result.unwrap_or_else(|| unreachable!("the work is taken exactly once"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use source::{Memory, Sandbox, SearchPath};
+    use std::fmt::Write;
+    use std::sync::Arc;
+
+    /// A scene that includes a file, writes one, reads it again and includes it; all values depend on `number`.
+    fn scene_files(number: usize) -> Memory {
+        let files = Memory::default();
+        let mut main = String::from("#include \"part.inc\"\n#fopen Out \"made.inc\" write\n");
+        writeln!(main, "#write (Out, \"#declare Made = \", Part * 10, \";\\n\")\n#fclose Out").unwrap();
+        main.push_str("#include \"made.inc\"\n#debug concat(str(Part, 0, 0), \" \", str(Made, 0, 0), \"\\n\")\n");
+        main.push_str("sphere { <0, 0, Part>, 1 }\ncamera { location <0, 0, -Made> }\n");
+        files.insert("main.pov", main);
+        files.insert("part.inc", format!("#declare Part = {number};\n"));
+        files
+    }
+
+    #[test]
+    fn eight_scenes_in_eight_threads_do_not_mix() {
+        let run = |number: usize| {
+            let files = scene_files(number);
+            let sources = Sources::new(Arc::new(files.clone()));
+            let file = load(&sources, Path::new("main.pov")).unwrap();
+            let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
+            let options = interpreter::Options { sandbox: Sandbox::around(&search), search, ..Default::default() };
+            let mut printed = String::new();
+            let built = build(&sources, file, &options, &mut |text| printed.push_str(text));
+            assert_eq!(built.diagnostics.iter().map(|d| &d.message).collect::<Vec<_>>(), [""; 0]);
+            assert_eq!(printed, format!("{number} {}\n", number * 10));
+            assert_eq!(files.get("made.inc").unwrap(), format!("#declare Made = {};\n", number * 10).into_bytes());
+            let read: Vec<_> = sources.read_files().into_iter().collect();
+            let expected = ["./made.inc", "./part.inc", "main.pov"]
+                .map(|name| (name.into(), source::ContentHash::of(&files.get(name).unwrap())));
+            assert_eq!(read, expected);
+        };
+        std::thread::scope(|scope| {
+            let run = &run;
+            let work = |number: usize| move || (0..20).for_each(|_| run(number));
+            (1..=8).for_each(|number| _ = scope.spawn(work(number)));
+        });
+    }
+
+    #[test]
+    fn a_scene_in_memory_reads_and_writes_nothing_outside_its_sandbox() {
+        let files = Memory::default();
+        files.insert("/work/main.pov", "#include \"/etc/secret\"\n#fopen Out \"/tmp/out\" write\n");
+        files.insert("/etc/secret", "#declare A = 1;");
+        let sources = Sources::new(Arc::new(files.clone()));
+        let file = load(&sources, Path::new("/work/main.pov")).unwrap();
+        let search = SearchPath { folders: vec!["/work".into()], fonts: vec![] };
+        let sandbox = Sandbox { read: vec!["/work".into()], write: vec!["/work".into()] };
+        let options = interpreter::Options { search, sandbox, ..Default::default() };
+        let built = build(&sources, file, &options, &mut |_| {});
+        let codes: Vec<_> = built.diagnostics.iter().map(|d| d.code).collect();
+        assert_eq!(codes, [diagnostic::codes::FORBIDDEN_FILE; 2]);
+        assert_eq!((files.paths().len(), sources.read_files().len()), (2, 1));
+    }
 }

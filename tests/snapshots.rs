@@ -8,7 +8,7 @@ use libtest_mimic::{Failed, Trial};
 use std::path::PathBuf;
 
 fn main() {
-    let cases = durer::snapshot::find(&[PathBuf::from("scenes")]).unwrap_or_default();
+    let cases = durer::snapshot::find(&durer::source::Disk, &[PathBuf::from("scenes")]).unwrap_or_default();
     let trial = |case: durer::snapshot::Case| {
         Trial::test(case.scene.display().to_string(), move || {
             let setting = test::Setting { threads: 1, ..Default::default() };

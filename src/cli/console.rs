@@ -4,7 +4,7 @@ use super::args::{Common, When};
 use super::exit::{Exit, Failure, Result};
 use super::summary::Count;
 use crate::diagnostic::{Diagnostic, Severity, draw, file};
-use crate::source::Sources;
+use crate::source::{Disk, Sources};
 use serde_json::json;
 use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};
@@ -146,7 +146,7 @@ fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<()>
     let mut out = io::BufWriter::new(io::stdout().lock());
     write(&mut out).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::NobodyListens,
-        _ => Failure::Fault(Box::new(file::unwritable(Path::new("standard output"), &error))),
+        _ => Failure::Fault(Box::new(file::unwritable(&Disk, Path::new("standard output"), &error))),
     })
 }
 

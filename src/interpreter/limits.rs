@@ -47,13 +47,13 @@ impl<'a> Interpreter<'a> {
             return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "it is of no use any more");
         }
         if let Some(seconds) = self.options.max_time
-            && self.started.elapsed().as_secs_f64() > seconds
+            && self.options.host.elapsed().saturating_sub(self.started).as_secs_f64() > seconds
         {
             let message = format!("the scene took more than {seconds} seconds");
             return self.limit(codes::TIME_LIMIT, span, message, "--max-time SECONDS allows more");
         }
         if let Some(bytes) = self.options.max_memory
-            && resident_bytes().is_some_and(|used| used > bytes)
+            && self.options.host.resident_bytes().is_some_and(|used| used > bytes)
         {
             let message = format!("the scene needs more than {} MiB of memory", bytes >> 20);
             return self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more");
@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
         let fits = match self.options.max_memory {
             Some(bytes) => {
                 let needed = points.saturating_mul(PER_POINT);
-                resident_bytes().unwrap_or(0).saturating_add(needed) <= bytes
+                self.options.host.resident_bytes().unwrap_or(0).saturating_add(needed) <= bytes
             }
             None => points <= MAX_POINTS,
         };
@@ -89,10 +89,4 @@ impl<'a> Interpreter<'a> {
         self.limit_reached = true;
         Diagnostic::new(code, span, message).help(help).into()
     }
-}
-
-/// What the process holds in memory now, where the system tells.
-fn resident_bytes() -> Option<u64> {
-    let pages = std::fs::read_to_string("/proc/self/statm").ok()?;
-    Some(pages.split(' ').nth(1)?.parse::<u64>().ok()? * 4096)
 }

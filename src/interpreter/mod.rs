@@ -25,7 +25,7 @@ use crate::diagnostic::{Diagnostic, Label, Severity, codes};
 use crate::font::{self, Font};
 use crate::image_io::Picture;
 use crate::scene::{Defaults, Scene};
-use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
+use crate::source::{FileId, Files, Host, LocalHost, Sandbox, Sandboxed, SearchPath, Sources, Span};
 use crate::syntax::ast::Symbol;
 use crate::syntax::{ListPlaces, Names, Wholes};
 use crate::value::{Language, Thing, Value};
@@ -42,7 +42,7 @@ use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
-use std::time::Instant;
+use std::time::Duration;
 use stream::{FrameKind, Held, Opened, StackFrame, Token};
 pub use timing::Timing;
 pub use top::STATEMENTS;
@@ -75,6 +75,8 @@ pub struct Options {
     pub max_time: Option<f64>,
     /// `--max-memory` in bytes.
     pub max_memory: Option<u64>,
+    /// Clock and memory meter, for the limits and the built-in variable `now`.
+    pub host: Arc<dyn Host>,
     /// Ends the run as a limit does when somebody sets it.
     pub stop: Option<Arc<AtomicBool>>,
     /// How much of the text the parser keeps whole; tests have it taken apart.
@@ -99,6 +101,7 @@ impl Default for Options {
             max_steps: 1_000_000,
             max_time: None,
             max_memory: None,
+            host: Arc::new(LocalHost::default()),
             stop: None,
             wholes: Wholes::Kept,
             origins: false,
@@ -140,7 +143,8 @@ pub fn interpret_with(
     options: &Options,
     debug: &mut dyn FnMut(&str),
 ) -> Outcome {
-    let mut interpreter = Interpreter::new(sources, parsed, options, debug);
+    let files = Sandboxed::new(sources.files(), &options.sandbox);
+    let mut interpreter = Interpreter::new(sources, &files, parsed, options, debug);
     interpreter.run(file);
     interpreter.outcome()
 }
@@ -148,6 +152,8 @@ pub fn interpret_with(
 /// Everything of one run.
 pub(crate) struct Interpreter<'a> {
     sources: &'a Sources,
+    /// The storage, restricted by the sandbox.
+    files: &'a dyn Files,
     names: &'a Names,
     parsed: &'a ParsedFiles,
     options: &'a Options,
@@ -172,7 +178,7 @@ pub(crate) struct Interpreter<'a> {
     /// What was found of families of fonts.
     families: FxHashMap<String, Option<font::Place>>,
     /// Files by the numbers in [`Slot::File`].
-    files: Vec<directive::OpenFile>,
+    open_files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
     written: u64,
     /// Where the last place in a list of numbers was found.
@@ -204,7 +210,8 @@ pub(crate) struct Interpreter<'a> {
     steps: u64,
     /// Bytes of strings made since memory was looked at.
     text_made: usize,
-    started: Instant,
+    /// Time on the host's clock.
+    started: Duration,
     language: Language,
     /// The number of the scene's noise generator, which functions ask for when they run.
     noise_generator: Arc<AtomicU8>,
@@ -226,12 +233,14 @@ pub(crate) struct Interpreter<'a> {
 impl<'a> Interpreter<'a> {
     fn new(
         sources: &'a Sources,
+        files: &'a dyn Files,
         parsed: &'a ParsedFiles,
         options: &'a Options,
         debug: &'a mut dyn FnMut(&str),
     ) -> Self {
         Self {
             sources,
+            files,
             names: &parsed.names,
             parsed,
             options,
@@ -248,7 +257,7 @@ impl<'a> Interpreter<'a> {
             list_places: RefCell::default(),
             fonts: FxHashMap::default(),
             families: FxHashMap::default(),
-            files: vec![],
+            open_files: vec![],
             written: 0,
             frames: vec![],
             peeked: None,
@@ -265,7 +274,7 @@ impl<'a> Interpreter<'a> {
             depth: 0,
             steps: 0,
             text_made: 0,
-            started: Instant::now(),
+            started: options.host.elapsed(),
             language: Language {
                 version: compat::DEFAULT_VERSION,
                 bare_textures: false,

@@ -191,7 +191,7 @@ impl<'a> Interpreter<'a> {
             "image_width" => float(self.options.size.0 as f64),
             "image_height" => float(self.options.size.1 as f64),
             "version" => float(f64::from(self.language.version) / 100.0),
-            "now" => float(days_since_2000()),
+            "now" => float(self.options.host.since_1970().as_secs_f64() / 86_400.0 - DAYS_TO_2000),
             "input_file_name" => Some(Value::Text(self.options.input_name.as_str().into())),
             _ => self.options.timing.constant(name).map(Value::Float),
         }
@@ -207,8 +207,5 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// Days since the beginning of the year 2000 (manual, "now").
-fn days_since_2000() -> f64 {
-    let since_1970 = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    since_1970.map_or(0.0, |d| d.as_secs_f64() / 86_400.0 - 10_957.0)
-}
+/// Days from the beginning of the year 1970 to that of 2000, where `now` starts (manual, "now").
+const DAYS_TO_2000: f64 = 10_957.0;
