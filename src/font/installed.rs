@@ -105,20 +105,19 @@ fn looks_of(words: &[&str]) -> Option<Looks> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::{Disk, Sandbox, Sandboxed};
+    use crate::source::{Memory, Sandbox, Sandboxed};
 
-    /// The font that durer brings along, in a file.
-    fn roboto() -> (tempfile::TempDir, Vec<PathBuf>) {
-        let folder = tempfile::tempdir().unwrap();
-        let [font, none] = ["a.ttf", "b.ttf"].map(|name| folder.path().join(name));
-        std::fs::write(&font, Font::OWN).unwrap();
-        std::fs::write(&none, "no font").unwrap();
-        (folder, vec![none, font])
+    /// Storage with a broken font and durer's own font, and the paths of both.
+    fn roboto() -> (Memory, [PathBuf; 2]) {
+        let (files, paths) = (Memory::default(), ["b.ttf", "a.ttf"].map(PathBuf::from));
+        files.insert(&paths[0], "no font");
+        files.insert(&paths[1], Font::OWN);
+        (files, paths)
     }
 
     #[test]
     fn families_are_found_in_any_case_and_with_words_for_looks() {
-        let (_folder, files) = roboto();
+        let (files, paths) = roboto();
         for (name, is_there) in [
             ("Roboto", true),
             ("roboto regular", true),
@@ -128,11 +127,11 @@ mod tests {
             ("Bold", false),
             ("", false),
         ] {
-            let found = of_family(&Disk, name, &files);
-            assert_eq!(found, is_there.then(|| Place::first_of(files[1].clone())), "{name}");
+            let found = of_family(&files, name, &paths);
+            assert_eq!(found, is_there.then(|| Place::first_of(paths[1].clone())), "{name}");
         }
         let nothing = Sandbox::default();
-        assert_eq!(of_family(&Sandboxed::new(&Disk, &nothing), "Roboto", &files), Some(Place::Own));
+        assert_eq!(of_family(&Sandboxed::new(&files, &nothing), "Roboto", &paths), Some(Place::Own));
     }
 
     #[test]

@@ -65,13 +65,11 @@ pub fn header(text: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::Disk;
+    use crate::source::Memory;
 
     #[test]
     fn only_scenes_with_a_snapshot_are_found_in_folders() {
-        let folder = tempfile::tempdir().unwrap();
-        let at = |name: &str| folder.path().join(name);
-        std::fs::create_dir_all(at("b/.hidden")).unwrap();
+        let (files, at) = (Memory::default(), |name: &str| Path::new("/work").join(name));
         for name in [
             "a.scene",
             "a.snapshot.png",
@@ -83,14 +81,14 @@ mod tests {
             "b/.hidden/e.scene",
             "b/.hidden/e.snapshot.png",
         ] {
-            std::fs::write(at(name), "").unwrap();
+            files.insert(at(name), "");
         }
         let names =
-            |paths: &[PathBuf]| -> Vec<PathBuf> { find(&Disk, paths).unwrap().into_iter().map(|c| c.scene).collect() };
-        assert_eq!(names(&[folder.path().into()]), [at("a.scene"), at("b/c.d.pov")]);
+            |paths: &[PathBuf]| -> Vec<PathBuf> { find(&files, paths).unwrap().into_iter().map(|c| c.scene).collect() };
+        assert_eq!(names(&["/work".into()]), [at("a.scene"), at("b/c.d.pov")]);
         assert_eq!(names(&[at("new.scene")]), [at("new.scene")]);
         assert_eq!(names(&[at("b/c.d.snapshot.png"), at("b")]), [at("b/c.d.pov")]);
-        assert!(find(&Disk, &[at("missing")]).is_err());
+        assert!(find(&files, &[at("missing")]).is_err());
     }
 
     #[test]
