@@ -1,7 +1,7 @@
 ;;; povray-words.el --- Words of POV-Ray's scene language  -*- lexical-binding: t -*-
 
 ;;; Commentary:
-;; Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test editors`: change those.
+;; Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test suite editors::`: change those.
 
 ;;; Code:
 

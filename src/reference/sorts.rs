@@ -1,4 +1,4 @@
-//! Every word of the language by what it is: for the grammars of editors, which `tests/editors.rs` makes of this.
+//! Every word of the language by what it is: for the grammars of editors, which `tests/suite/editors.rs` makes of this.
 
 use super::{BLOCKS, FAMILIES};
 use crate::interpreter::{LATER, directives};

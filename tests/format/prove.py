@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Proves of `durer fmt`, over POV-Ray's own scenes or other folders: no file is lost, twice is once, and each scene is the Scene that it
-was. (That tokens and comments stay, tests/format.rs proves.)
+was. (That tokens and comments stay, tests/suite/format.rs proves.)
 
     tests/format/prove.py [--durer DURER] [--jobs N] [FOLDER…]
 

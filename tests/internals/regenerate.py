@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Asks the real POV-Ray for the functions of functions.inc at random points with random parameters.
 
-    regenerate.py [SEED [POINTS]]    writes values.txt beside it, with which tests/function_internals.rs compares
+    regenerate.py [SEED [POINTS]]    writes values.txt beside it, with which tests/suite/function_internals.rs compares
     regenerate.py --check            compares with values.txt instead; exit code 1 if it differs
 
 Each line of values.txt: the function's name, x, y, z, its parameters, and what POV-Ray prints. Needs `povray` 3.7.

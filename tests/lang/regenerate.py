@@ -3,7 +3,7 @@
 
     regenerate.py [--write] [FILE.scene ...]
 
-Runs `povray` on each section of each file (see tests/lang.rs for the format) and compares what it prints with the `//=`
+Runs `povray` on each section of each file (see tests/cases/lang.rs for the format) and compares what it prints with the `//=`
 comments, and whether it fails with the `//! E…` comments. `--write` puts what POV-Ray prints into the `//=` comments.
 Sections that hold `//~` are durer's own or a known difference: POV-Ray is not asked.
 """

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Asks the real POV-Ray for its noise.
 
-    measure.py points    writes points.txt and turbulence.txt, with which tests/noise.rs compares
+    measure.py points    writes points.txt and turbulence.txt, with which tests/suite/noise.rs compares
     measure.py tables    finds the tables of src/math/noise/tables.rs anew, and prints whether they follow their rules
 
 points.txt:      x y z, f_noise_generator 1 2 3, vturbulence(2, 0.5, 1, <x, y, z>)

@@ -9,7 +9,7 @@ settings.txt: a section begins with `== name`; each other line is a setting. `//
 - or `pigment` and what stands between the braces of `pigment { }`: its red is asked, which POV-Ray keeps in single precision,
 - or `picture` and an object: it is drawn with a camera and a lamp that stay the same.
 
-SECTION.txt, which tests/patterns.rs compares with durer: `# setting`, then a line `x y z value` for each point, or a line `column row value`
+SECTION.txt, which tests/cases/patterns.rs compares with durer: `# setting`, then a line `x y z value` for each point, or a line `column row value`
 for each pixel, with the value counted in 65535ths. A section has N points, 1000 unless said otherwise, shared by its settings; but each
 setting has 60 at least, and each picture 1200. Points are those of the setting's own dice, so adding settings leaves the places in the
 others' tables as they are.

@@ -1,4 +1,4 @@
-" Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test editors`: change those.
+" Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test suite editors::`: change those.
 if exists('b:current_syntax')
   finish
 endif

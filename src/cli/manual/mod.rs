@@ -1,9 +1,10 @@
 //! The reference pages of the manual (`docs/src/reference/`), made of the tables that the readers obey. `tests/manual.rs`
-//! compares them with the files; `UPDATE_DOCS=1 cargo test --test manual` writes these anew.
+//! compares them with the files; `UPDATE_DOCS=1 cargo test --test cases manual::` writes these anew.
 
 mod command;
 mod functions;
 mod language;
+mod quirks;
 mod words;
 
 use crate::value::{Kind, Vocabulary, WordSpec};
@@ -37,10 +38,12 @@ pub fn pages() -> Vec<Page> {
         page("constants.md", "Constants", functions::constants()),
         page("options.md", "Commands and options", command::options()),
         page("codes.md", "Messages", command::codes()),
+        page("quirks.md", "What POV-Ray 3.7 really does", quirks::page()),
     ]
 }
 
-const GENERATED: &str = "<!-- Made of durer's tables by `UPDATE_DOCS=1 cargo test --test manual`: change those. -->";
+const GENERATED: &str =
+    "<!-- Made of durer's tables by `UPDATE_DOCS=1 cargo test --test cases manual::`: change those. -->";
 
 /// A table; cells may hold `|`.
 fn table<const N: usize>(head: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {

@@ -1,5 +1,5 @@
 //! The functions behind `functions.inc`: `function { internal(N) }` (manual, "functions.inc"). Formulas are those of
-//! published surfaces, with what was measured on POV-Ray 3.7.0.10; `tests/function_internals.rs` compares each with it.
+//! published surfaces, with what was measured on POV-Ray 3.7.0.10; `tests/suite/function_internals.rs` compares each with it.
 
 mod algebraic;
 mod helix;

@@ -1,4 +1,4 @@
--- Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test editors`: change those.
+-- Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test suite editors::`: change those.
 return {
   'All_Console', 'All_File', 'Antialias', 'Antialias_Depth', 'Antialias_Gamma', 'Antialias_Threshold',
   'Append_File', 'BSP_BaseAccessCost', 'BSP_ChildAccessCost', 'BSP_IsectCost', 'BSP_MaxDepth',

@@ -1,0 +1,320 @@
+//! The command as a user meets it: exit codes, what goes to stdout and what to stderr, and files that are written whole or not
+//! at all.
+
+use crate::scratch::{SCENE, Scratch};
+use std::io::Write;
+use std::path::Path;
+use std::process::Stdio;
+
+#[test]
+fn a_scene_becomes_a_picture_beside_us() {
+    let scratch = Scratch::new();
+    let (out, err) = scratch.exits(0, "render ball.scene --size 8x6");
+    assert_eq!((out.as_str(), err.as_str()), ("", ""));
+    assert_eq!(scratch.names(), ["ball.png", "ball.scene"]);
+    assert!(scratch.read("ball.png").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn every_format_is_written() {
+    let scratch = Scratch::new();
+    let starts: [(&str, &[u8]); 8] = [
+        ("png", b"\x89PNG"),
+        ("exr", b"\x76\x2f\x31\x01"),
+        ("hdr", b"#?"),
+        ("jpg", b"\xff\xd8"),
+        ("ppm", b"P6\n8 6\n255\n"),
+        ("bmp", b"BM"),
+        ("tga", b"\0"),
+        ("tiff", b"II*\0"),
+    ];
+    for (ending, start) in starts {
+        scratch.exits(0, &format!("render ball.scene --size 8x6 -o a.{ending}"));
+        assert!(scratch.read(&format!("a.{ending}")).starts_with(start), "{ending}");
+    }
+}
+
+#[test]
+fn standard_output_and_input() {
+    let scratch = Scratch::new();
+    let output = scratch.run("render ball.scene --size 4x3 -o - --format ppm --bit-depth 16");
+    assert!(output.stdout.starts_with(b"P6\n4 3\n65535\n") && output.stderr.is_empty());
+    assert!(scratch.run("render ball.scene --size 4x3 -o -").stdout.starts_with(b"\x89PNG"));
+    let mut command = scratch.command("render - --size 4x3 -o -");
+    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    child.stdin.take().unwrap().write_all(SCENE.as_bytes()).unwrap();
+    assert!(child.wait_with_output().unwrap().stdout.starts_with(b"\x89PNG"));
+    assert_eq!(scratch.names(), ["ball.scene"]);
+}
+
+#[test]
+fn a_closed_pipe_is_no_accident() {
+    let scratch = Scratch::new();
+    for line in ["explain", "completions bash", "render ball.scene -o - --size 8x6"] {
+        let mut child = scratch.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{line}");
+        assert_eq!(output.status.code(), Some(0), "{line}");
+    }
+}
+
+#[test]
+fn exit_codes() {
+    let scratch = Scratch::new();
+    scratch.put("picture.scene", b"\x89PNG\r\n\x1a\n\0");
+    for (code, line) in [
+        (0, "check ball.scene"),
+        (0, "--help"),
+        (0, "--version"),
+        (0, "help render"),
+        (0, "-?"),
+        (0, "render ball.scene --no-output --size 4x3"),
+        (1, "check picture.scene"),
+        (1, "render picture.scene"),
+        (2, ""),
+        (2, "rendr ball.scene"),
+        (2, "render"),
+        (2, "render ball.scene --size 0x4"),
+        (2, "render ball.scene --size big"),
+        (2, "render ball.scene -o a.xyz"),
+        (2, "render ball.scene -o ./ball.scene --format png"),
+        (2, "render ball.scene -o a.jpg --alpha"),
+        (2, "render ball.scene -o - --stats json"),
+        (2, "render ball.scene --frame 3 --frames 1-2"),
+        (2, "render ball.scene --region 0,0,641,1"),
+        (2, "render ball.scene --declare 1=2"),
+        (2, "pick ball.scene 640,0"),
+        (2, "pick ball.scene -1,0"),
+        (2, "pick ball.scene here"),
+        (2, "explain E9999"),
+        (2, "test"),
+        (4, "render ball.scene --size 1000000x1000000"),
+        (4, "render ball.scene --size 18446744073709551615x18446744073709551615"),
+        (4, "render ball.scene --max-memory 1k"),
+        (4, "render ball.scene --max-time 0"),
+        (5, "render missing.scene"),
+        (5, "check missing.scene"),
+        (1, "check ."),
+        (5, "check /"),
+        (5, "render ball.scene -o nowhere/a.png"),
+    ] {
+        scratch.exits(code, line);
+    }
+    assert_eq!(scratch.names(), ["ball.scene", "picture.scene"]);
+}
+
+#[test]
+fn a_picture_that_fails_leaves_the_old_one() {
+    let scratch = Scratch::new();
+    scratch.put("ball.png", "old");
+    scratch.exits(4, "render ball.scene --max-time 0");
+    assert_eq!(scratch.read("ball.png"), b"old");
+    assert_eq!(scratch.names(), ["ball.png", "ball.scene"]);
+}
+
+#[test]
+fn missing_files_are_guessed() {
+    let scratch = Scratch::new();
+    let (out, err) = scratch.exits(5, "render bal.scene");
+    assert!(out.is_empty() && err.contains("E0002") && err.contains("did you mean `ball.scene`?"), "{err}");
+    // As with POV-Ray, the ending may be left out.
+    scratch.exits(0, "check ball");
+    scratch.put("anim.ini", "Input_File_Name=ball.scene");
+    let (_, err) = scratch.exits(2, "test anim.ini");
+    assert!(err.contains("name the scene, not `anim.ini`"), "{err}");
+}
+
+#[test]
+fn messages_for_programs() {
+    let scratch = Scratch::new();
+    scratch.put("picture.scene", b"\x89PNG\r\n\x1a\n\0");
+    let (out, err) = scratch.exits(1, "check --format json ball.scene picture.scene missing.scene");
+    let lines: Vec<serde_json::Value> = out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert!(err.is_empty() && lines.len() == 2, "{out}{err}");
+    assert_eq!((&lines[0]["code"], &lines[0]["severity"]), (&"E0001".into(), &"error".into()));
+    assert_eq!((&lines[0]["file"], &lines[0]["line"]), (&"picture.scene".into(), &1.into()));
+    assert_eq!((&lines[1]["code"], &lines[1]["file"]), (&"E0002".into(), &serde_json::Value::Null));
+}
+
+#[test]
+fn quiet_hides_warnings_and_counts_what_is_told() {
+    let scratch = Scratch::new();
+    scratch.put("two.scene", "#warning \"careful\"\nboxx { }\nspere { }\n");
+    let (_, err) = scratch.exits(1, "check two.scene");
+    assert!(err.contains("careful") && err.contains("2 errors, "), "{err}");
+    assert!(err.find("boxx") < err.find("careful"), "errors come first: {err}");
+    let (_, err) = scratch.exits(1, "check -q two.scene");
+    assert!(!err.contains("careful") && err.ends_with("2 errors\n"), "{err}");
+}
+
+#[test]
+fn many_frames_are_numbered() {
+    let scratch = Scratch::new();
+    scratch.exits(0, "render ball.scene --size 4x3 --frames 8-10 --stats s.json");
+    assert_eq!(scratch.names(), ["ball.scene", "ball08.png", "ball09.png", "ball10.png", "s.json"]);
+    assert_eq!(String::from_utf8(scratch.read("s.json")).unwrap().lines().count(), 3);
+}
+
+#[test]
+fn stats_are_one_object() {
+    let (out, _) = Scratch::new().exits(0, "render ball.scene --size 4x3 --stats json --threads 1");
+    let stats: serde_json::Value = serde_json::from_str(&out).unwrap();
+    for time in ["parse", "build", "trace", "encode", "total"] {
+        assert!(stats["times"][time].is_f64(), "{out}");
+    }
+    assert_eq!((&stats["width"], &stats["height"], &stats["threads"]), (&4.into(), &3.into(), &1.into()));
+    assert!(stats["rays"]["camera"].is_u64(), "{out}");
+}
+
+#[test]
+fn dumps_are_json_and_draw_nothing() {
+    let scratch = Scratch::new();
+    for stage in ["scene", "world"] {
+        let (out, _) = scratch.exits(0, &format!("render ball.scene --dump {stage}"));
+        assert!(serde_json::from_str::<serde_json::Value>(&out).is_ok(), "{out}");
+    }
+    assert_eq!(scratch.names(), ["ball.scene"]);
+}
+
+#[test]
+fn pov_rays_command_line() {
+    let scratch = Scratch::new();
+    scratch.exits(0, "+Iball.scene +W8 +H6 -D -P +Ofoo.ppm +FP -GA");
+    assert!(scratch.read("foo.ppm").starts_with(b"P6\n8 6\n"));
+    let (_, err) = scratch.exits(0, "ball.scene +W8 +H6 +UF");
+    assert!(err.contains("W0012"), "{err}");
+    let (_, err) = scratch.exits(2, "ball.scene Widht=8");
+    assert!(err.contains("did you mean `Width=8`?"), "{err}");
+    assert_eq!(scratch.names(), ["ball.png", "ball.scene", "foo.ppm"]);
+}
+
+#[test]
+fn the_version_of_the_language_is_taken_from_options() {
+    let scratch = Scratch::new();
+    scratch
+        .put("v.pov", "#debug str(version, 0, 2)\n#version 3.6;\n#debug str(version, 0, 2)\ncamera { location -z }\n");
+    scratch.put("v.ini", "Input_File_Name=v.pov\nVersion=3.1\nHeight=4.0412871\nWidth=4\nDisplay_Gamma=2.2\n");
+    for (line, version) in [
+        ("+Iv.pov +W4 +H4 -F", "3.70"),
+        ("+Iv.pov +W4 +H4 -F +MV3.1", "3.10"),
+        ("v.ini -F", "3.10"),
+        ("v.ini -F +MV3.5", "3.50"),
+        ("render v.ini --no-output", "3.10"),
+        ("render v.ini --no-output --language 2", "2.00"),
+        ("check v.ini", "3.10"),
+        ("check v.pov --language 3.5", "3.50"),
+    ] {
+        let (_, err) = scratch.exits(0, line);
+        assert!(err.contains(&format!("{version}3.60")), "{line}\n{err}");
+        assert!(!err.contains("W0012"), "{line}\n{err}");
+    }
+    scratch.exits(2, "check v.pov --language 0.5");
+    for line in ["v.ini -F --warn options", "render v.ini --no-output --warn options", "check v.ini --warn options"] {
+        assert!(scratch.exits(0, line).1.contains("`Display_Gamma=2.2` has no effect"), "{line}");
+    }
+}
+
+/// Measured on POV-Ray 3.7: a half of the largest number is rounded up.
+#[test]
+fn halves_are_rounded_up() {
+    let scratch = Scratch::new();
+    for (red, code) in [("0.1", 26), ("0.5", 128), ("0.7", 179), ("0.9", 230)] {
+        scratch.put("b.pov", format!("camera {{ location -z }} background {{ rgb {red} }}"));
+        scratch.exits(0, "+Ib.pov +W1 +H1 +FP +Ob.ppm");
+        assert_eq!(scratch.read("b.ppm").last(), Some(&code), "{red}");
+    }
+}
+
+#[test]
+fn explanations_and_completions() {
+    let scratch = Scratch::new();
+    let (out, err) = scratch.exits(0, "explain e0004");
+    assert!(out.starts_with("E0004: ") && err.is_empty());
+    let (out, _) = scratch.exits(0, "explain");
+    assert_eq!(out.lines().count(), durer::diagnostic::codes::ALL.len());
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let (out, _) = scratch.exits(0, &format!("completions {shell}"));
+        assert!(out.contains("max-steps"), "{shell}");
+    }
+}
+
+#[test]
+fn snapshots_are_made_kept_and_compared() {
+    let scratch = Scratch::new();
+    scratch.put("ball.scene", format!("//! test: --size 8x6 --aa off\n{SCENE}"));
+    let (out, _) = scratch.exits(3, "test ball.scene");
+    assert!(out.starts_with("new   ball.scene"), "{out}");
+    scratch.exits(2, "test .");
+    let (out, _) = scratch.exits(0, "test --accept ball.scene");
+    assert!(out.contains("accepted") && scratch.names() == ["ball.scene", "ball.snapshot.png"], "{out}");
+    let accepted = scratch.read("ball.snapshot.png");
+    // Drawing the scene leaves it alone.
+    scratch.exits(0, "render ball.scene --size 8x6 --aa off --declare Size=2");
+    scratch.exits(2, "render ball.scene --size 8x6 -o ball.snapshot.png");
+    scratch.exits(2, "+Iball.scene +W8 +H6 +Oball.snapshot.png");
+    assert_eq!(scratch.read("ball.snapshot.png"), accepted);
+    std::fs::remove_file(scratch.path().join("ball.png")).unwrap();
+    assert_eq!(scratch.exits(0, "test").0, "ok    ball.scene\n1 ok\n");
+
+    std::fs::create_dir(scratch.path().join("other")).unwrap();
+    scratch.put("other/white.ppm", [b"P6\n8 6\n255\n".as_slice(), &[255; 8 * 6 * 3]].concat());
+    let white =
+        durer::image_io::decode_file(&durer::source::Disk, &scratch.path().join("other/white.ppm")).unwrap().to_frame();
+    let png = durer::image_io::Encoding::new(durer::image_io::Format::Png);
+    scratch.put("ball.snapshot.png", durer::image_io::encode(&white, &png).unwrap());
+    let (out, err) = scratch.exits(3, "test --report report");
+    assert!(out.starts_with("FAIL  ball.scene") && out.ends_with("1 FAIL\n"), "{out}");
+    assert!(out.contains("durer test --accept ball.scene\n") && err.contains("report/index.html"), "{out}{err}");
+    let (out, _) = scratch.exits(3, "test --format json");
+    let json: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(json["result"], "fail");
+    assert_eq!((json["pixels"].as_u64(), json["exit"].as_u64()), (Some(48), Some(3)));
+    assert_eq!(
+        (&json["snapshot"], &json["accept"]),
+        (&"ball.snapshot.png".into(), &"durer test --accept ball.scene".into())
+    );
+    let page = String::from_utf8(scratch.read("report/index.html")).unwrap();
+    assert!(
+        page.contains("ball.scene.difference.png") && scratch.path().join("report/ball.scene.difference.png").exists()
+    );
+    scratch.exits(0, "test --accept");
+    assert_eq!(scratch.read("ball.snapshot.png"), accepted);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn devices_are_written_to_and_full_disks_are_told() {
+    let scratch = Scratch::new();
+    scratch.exits(0, "render ball.scene --size 4x3 -o /dev/null --format png");
+    assert!(!Path::new("/dev/null").is_file());
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = scratch.command("explain").stdout(full).output().unwrap();
+    assert_eq!(output.status.code(), Some(5));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("E0004"));
+}
+
+#[test]
+fn fonts_of_the_system_are_found_by_their_families() {
+    let scratch = Scratch::new();
+    std::fs::create_dir_all(scratch.path().join("fonts/deep")).unwrap();
+    // A font that calls itself otherwise: durer brings Roboto along.
+    let mut font = std::fs::read("scenes/gallery/Roboto-Regular.ttf").unwrap();
+    let [from, to] =
+        ["Roboto", "Durero"].map(|name| name.encode_utf16().flat_map(u16::to_be_bytes).collect::<Vec<_>>());
+    for at in 0..font.len() - from.len() {
+        if font[at..].starts_with(&from) {
+            font[at..at + to.len()].copy_from_slice(&to);
+        }
+    }
+    std::fs::write(scratch.path().join("fonts/deep/some.ttf"), font).unwrap();
+    for (name, is_told) in
+        [("durero", false), ("Durero Medium Italic", false), ("Durero Slab", true), ("Roboto", false)]
+    {
+        let text = format!("text {{ ttf \"{name}\" \"a\" 1, 0 pigment {{ rgb 1 }} }}");
+        std::fs::write(scratch.path().join("text.scene"), text).unwrap();
+        let output = scratch.command("check text.scene").env("DURER_FONTS", "fonts").output().unwrap();
+        assert_eq!(output.status.code(), Some(0));
+        assert_eq!(String::from_utf8_lossy(&output.stderr).contains("W0211"), is_told, "{name}");
+    }
+}

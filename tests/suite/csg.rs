@@ -1,0 +1,191 @@
+//! What CSG makes of shapes, against closed forms and against what POV-Ray was seen to do.
+
+use durer::math::{DVec2, DVec3, Range, Ray, Transform};
+use durer::shape::*;
+use durer::world::{Geometry, Intersections, Leaf, SolidNode};
+
+fn leaf(shape: Shape, id: u32) -> SolidNode {
+    SolidNode::leaf(Leaf::new(shape, &Transform::IDENTITY, id), id)
+}
+
+fn sphere(x: f64, radius: f64, id: u32) -> SolidNode {
+    leaf(Shape::from(Sphere { center: DVec3::X * x, radius }), id)
+}
+
+fn half_space(normal: DVec3) -> SolidNode {
+    leaf(Shape::from(Plane::new(normal, 0.0).unwrap()), 9)
+}
+
+/// All hits, t and leaf, in order.
+fn ids(node: &SolidNode, ray: &Ray) -> Vec<(f64, u32)> {
+    let mut all = Intersections::new();
+    node.hits(ray, Range::ALL, &mut all);
+    all.sort_by(|a, b| a.t().total_cmp(&b.t()));
+    all.iter().map(|f| (f.t(), f.leaf.id)).collect()
+}
+
+/// Along x through two unit balls around 0 and 1.
+const ALONG: Ray = Ray { origin: DVec3 { x: -5.0, y: 0.0, z: 0.0 }, dir: DVec3::X };
+
+#[test]
+fn the_right_surfaces_are_kept() {
+    let two = || vec![sphere(0.0, 1.0, 1), sphere(1.0, 1.0, 2)];
+    assert_eq!(ids(&SolidNode::union(two(), 0), &ALONG), [(4.0, 1), (5.0, 2), (6.0, 1), (7.0, 2)]);
+    assert_eq!(ids(&SolidNode::merge(two(), 0), &ALONG), [(4.0, 1), (7.0, 2)]);
+    assert_eq!(ids(&SolidNode::intersection(two(), 0), &ALONG), [(5.0, 2), (6.0, 1)]);
+    assert_eq!(ids(&SolidNode::difference(two(), 0), &ALONG), [(4.0, 1), (5.0, 2)]);
+    let empty = SolidNode::intersection(vec![sphere(0.0, 1.0, 1), sphere(9.0, 1.0, 2)], 0);
+    assert!(empty.bounds().is_empty() && ids(&empty, &ALONG).is_empty());
+}
+
+#[test]
+fn infinite_and_open_shapes_take_part() {
+    let half = SolidNode::intersection(vec![sphere(0.0, 1.0, 1), half_space(DVec3::X)], 0);
+    assert_eq!(ids(&half, &ALONG), [(4.0, 1), (5.0, 9)]);
+    assert!(half.bounds().is_finite());
+    let tube = leaf(Shape::from(Cylinder::new(-DVec3::Y, DVec3::Y, 0.5, true)), 3);
+    let drilled = SolidNode::difference(vec![sphere(0.0, 1.0, 1), tube], 0);
+    assert_eq!(ids(&drilled, &ALONG), [(4.0, 1), (4.5, 3), (5.5, 3), (6.0, 1)]);
+}
+
+#[test]
+fn cut_surfaces_face_into_what_was_cut_away() {
+    let shell = SolidNode::difference(vec![sphere(0.0, 1.0, 1), sphere(0.0, 0.5, 2)], 7);
+    let ray = Ray::new(DVec3::ZERO, DVec3::Z);
+    let found = shell.closest(&ray, Range::FORWARD).unwrap();
+    assert_eq!((found.t(), found.leaf.id, found.object, found.inverted()), (0.5, 2, 7, true));
+    assert_eq!(found.surface(&ray).normal, -DVec3::Z, "as POV-Ray's trace() has it");
+}
+
+#[test]
+fn inverse_goes_down_to_the_leaves() {
+    let ball = || sphere(0.0, 10.0, 3);
+    let two = || vec![sphere(0.0, 1.0, 1), sphere(1.0, 1.0, 2)];
+    // Seen in POV-Ray: what is cut away by a union has no surfaces within the union …
+    let cut = SolidNode::difference(vec![ball(), SolidNode::union(two(), 0)], 0);
+    assert_eq!(ids(&cut, &ALONG), [(-5.0, 3), (4.0, 1), (7.0, 2), (15.0, 3)]);
+    // … and what is left of an intersection has none outside it.
+    let cut = SolidNode::difference(vec![ball(), SolidNode::intersection(two(), 0)], 0);
+    assert_eq!(ids(&cut, &ALONG), [(-5.0, 3), (5.0, 2), (6.0, 1), (15.0, 3)]);
+}
+
+#[test]
+fn clipping_survives_inverse() {
+    // Each row was asked of POV-Ray's inside(): kept half, cut half, outside below, outside above.
+    let at = |node: &SolidNode| [-0.5, 0.5, -5.0, 5.0].map(|y| node.inside(DVec3::Y * y));
+    let clipped = || sphere(0.0, 1.0, 1).clipped(vec![half_space(DVec3::Y)]);
+    assert_eq!(at(&clipped()), [true, false, false, false]);
+    assert_eq!(at(&clipped().inverted()), [false, false, true, false]);
+    assert_eq!(at(&sphere(0.0, 1.0, 1).inverted().clipped(vec![half_space(DVec3::Y)])), [false, false, true, false]);
+    let both = sphere(0.0, 1.0, 1).clipped(vec![half_space(DVec3::Y)]).clipped(vec![half_space(DVec3::X)]);
+    let corners = [(-0.1, -0.1), (0.1, -0.1), (-0.1, 0.1)].map(|(x, y)| both.inside(DVec3::new(x, y, 0.0)));
+    assert_eq!(corners, [true, false, false]);
+    // An open half ball without a lid.
+    assert_eq!(ids(&clipped(), &Ray::new(DVec3::Y * 5.0, -DVec3::Y)), [(6.0, 1)]);
+}
+
+#[test]
+fn patches_have_no_inside_even_inverted() {
+    // Seen in POV-Ray: a triangle that is subtracted stays as a surface, and the solid's own surface goes.
+    let t = Triangle::new(DVec3::new(0.2, -2.0, -2.0), DVec3::new(0.2, 2.0, -2.0), DVec3::new(0.2, 0.0, 4.0));
+    let pair = || vec![sphere(0.0, 1.0, 1), leaf(Shape::from(t), 5)];
+    assert_eq!(ids(&SolidNode::difference(pair(), 0), &ALONG), [(5.2, 5)]);
+    assert_eq!(ids(&SolidNode::intersection(pair(), 0), &ALONG), [(5.2, 5)]);
+    assert_eq!(ids(&SolidNode::merge(pair(), 0), &ALONG), [(4.0, 1), (6.0, 1)]);
+}
+
+#[test]
+fn a_disc_cuts_to_a_half_space() {
+    // (Rays that miss its box see nothing in POV-Ray: tests/light_cases/csg_disc_halves.)
+    let disc = |inverse: bool| {
+        let disc = leaf(Shape::from(Disc::new(DVec3::ZERO, DVec3::new(0.0, 1.0, -1.0), 0.5, 0.0)), 5);
+        SolidNode::intersection(vec![sphere(0.0, 1.0, 1), if inverse { disc.inverted() } else { disc }], 0)
+    };
+    let seen = |node: &SolidNode, x: f64, y: f64| {
+        let ray = Ray::new(DVec3::new(x, y, -5.0), DVec3::Z);
+        node.closest(&ray, Range::FORWARD).map(|f| f.leaf.id)
+    };
+    assert_eq!(seen(&disc(false), 0.0, 0.1), Some(5));
+    assert_eq!(seen(&disc(false), 0.8, -0.1), Some(1));
+    assert_eq!(seen(&disc(true), 0.8, -0.1), Some(1));
+    assert_eq!(seen(&disc(true), 0.0, -0.9), None);
+}
+
+#[test]
+fn transformed_object() {
+    // A unit ball stretched three times along x, then moved: its tip is at x = 3 + 1.
+    let m = Transform::scale(DVec3::new(3.0, 1.0, 1.0)).unwrap().then(&Transform::translate(DVec3::X));
+    let shape = Shape::from(Sphere { center: DVec3::ZERO, radius: 1.0 });
+    let node = SolidNode::leaf(Leaf::new(shape, &m, 1), 1);
+    let found = node.closest(&Ray::new(DVec3::X * 10.0, -DVec3::X), Range::FORWARD).unwrap();
+    assert!((found.t() - 6.0).abs() < 1e-14, "the distance is one of world space");
+    // Half way up: x²/9 + y² = 1 at y = 1/2; the normal is the gradient (x/9, y), not M·n.
+    let ray = Ray::new(DVec3::new(20.0, 0.5, 0.0), -DVec3::X);
+    let found = node.closest(&ray, Range::FORWARD).unwrap();
+    let x = 3.0 * 0.75_f64.sqrt();
+    let surface = found.surface(&ray);
+    assert!((found.t() - (19.0 - x)).abs() < 1e-13);
+    assert!(surface.point.distance(DVec3::new(1.0 + x, 0.5, 0.0)) < 1e-14);
+    assert!(surface.object_point.distance(DVec3::new(x / 3.0, 0.5, 0.0)) < 1e-14);
+    assert!(surface.normal.distance(DVec3::new(x / 9.0, 0.5, 0.0).normalize()) < 1e-14);
+    assert!(
+        found.uv(surface.object_point).distance(DVec2::new(0.0, 0.5 + 0.5_f64.asin() / std::f64::consts::PI)) < 1e-14
+    );
+    assert!((node.bounds().max.x - 4.0).abs() < 1e-7 && node.bounds().max.x >= 4.0);
+}
+
+#[test]
+fn a_point_knows_what_it_is_in() {
+    let geometry = Geometry::new(vec![
+        SolidNode::union(vec![sphere(0.0, 1.0, 1), sphere(0.5, 1.0, 2), sphere(5.0, 1.0, 3)], 0),
+        half_space(DVec3::Y),
+        sphere(40.0, 1.0, 4).inverted(),
+    ]);
+    let at = |p: DVec3| {
+        let mut found = vec![];
+        geometry.containing(p, &mut |item| found.push(item.object()));
+        found.sort();
+        found
+    };
+    assert_eq!(at(DVec3::new(0.3, -0.1, 0.0)), [1, 2, 4, 9]);
+    assert_eq!(at(DVec3::new(5.0, 0.1, 0.0)), [3, 4]);
+    assert!(at(DVec3::new(40.0, 0.1, 0.0)).is_empty());
+}
+
+#[test]
+fn bounds_hide_what_rays_miss() {
+    let seen = |node: &SolidNode, from: DVec3, to: DVec3| ids(node, &Ray::new(from, to)).len();
+    let two = || SolidNode::union(vec![sphere(0.0, 1.0, 1), sphere(3.0, 1.0, 2)], 0);
+    let half = leaf(Shape::from(Cuboid::new(DVec3::new(-2.0, 0.0, -2.0), DVec3::new(0.0, 2.0, 2.0))), 9);
+    let bounded = two().bounded([half.clone()]);
+    // Met, missed, begun in, met but on the way back only (as POV-Ray's trace() has it).
+    assert_eq!(seen(&bounded, DVec3::new(-5.0, 0.1, 0.0), DVec3::X), 4);
+    assert_eq!(seen(&bounded, DVec3::new(-5.0, -0.1, 0.0), DVec3::X), 0);
+    assert_eq!(seen(&bounded, DVec3::new(-0.1, 0.1, 0.0), -DVec3::Y), 2);
+    assert_eq!(seen(&bounded, DVec3::new(9.0, 0.1, 0.0), DVec3::X), 0);
+    assert!(bounded.inside(DVec3::Y * -0.5), "a point asks for no bounds");
+    // Taken apart, each part keeps them; what holds all of it shows nowhere.
+    let apart = Geometry::new(vec![bounded]);
+    let meets = |geometry: &Geometry, y: f64| {
+        geometry.closest(&Ray::new(DVec3::new(-5.0, y, 0.0), DVec3::X), Range::FORWARD, |_| true).is_some()
+    };
+    assert!(meets(&apart, 0.1) && !meets(&apart, -0.1));
+    let around = Geometry::new(vec![two().bounded([sphere(0.0, 9.0, 9)])]);
+    assert!(meets(&around, -0.1));
+    // A part of a difference that is bounded loses its own surface only.
+    let part = SolidNode::intersection(vec![sphere(0.0, 1.0, 1).bounded([half]), half_space(DVec3::X)], 0);
+    assert_eq!(ids(&part, &Ray::new(DVec3::new(-5.0, -0.1, 0.0), DVec3::X)), [(5.0, 9)]);
+}
+
+#[test]
+fn cut_quadrics_end_on_all_sides() {
+    let neck = Quadric::new(DVec3::new(1.0, -1.0, 1.0), DVec3::ZERO, DVec3::ZERO, -1.0);
+    let turned = Leaf::new(Shape::from(neck), &Transform::rotate(DVec3::Y * 33.0), 1);
+    let cut = |side: f64| leaf(Shape::from(Plane::new(DVec3::Y * side, 2.0).unwrap()), 2);
+    let whole = SolidNode::intersection(vec![SolidNode::leaf(turned.clone(), 1), cut(1.0), cut(-1.0)], 0);
+    let clipped = SolidNode::leaf(turned, 1).clipped(vec![cut(1.0), cut(-1.0)]);
+    let reach = DVec3::new(5f64.sqrt(), 2.0, 5f64.sqrt());
+    for node in [whole, clipped] {
+        assert!(node.bounds().max.distance(reach) < 1e-6 && node.bounds().min.distance(-reach) < 1e-6);
+    }
+}

@@ -1,0 +1,79 @@
+//! What editors colour are the words that durer reads: the grammars in `editors/` are those that durer's tables give.
+//! `UPDATE_EDITORS=1 cargo test --test suite editors::` writes them anew. `tests/editor/` tries them in the editors themselves.
+
+mod emacs;
+mod neovim;
+mod tree_sitter;
+mod vscode;
+
+use durer::reference::sorts;
+use durer::syntax::word::KEYWORDS;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Below `editors/`: a file's name and its text.
+type File = (&'static str, String);
+
+const GENERATED: &str = "Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test suite editors::`: change those.";
+
+fn files() -> Vec<File> {
+    let (sorts, options) = (sorts(), options());
+    [
+        vscode::files(&sorts, &options),
+        neovim::files(&sorts, &options),
+        emacs::files(&sorts, &options),
+        tree_sitter::files(&sorts),
+    ]
+    .concat()
+}
+
+/// The INI names of POV-Ray's options, in the order of the alphabet.
+fn options() -> Vec<&'static str> {
+    durer::cli::ini_names().collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+/// Several lines of words, none much longer than 100 characters.
+fn lines(words: &[&str], separator: &str) -> Vec<String> {
+    let mut out = vec![String::new()];
+    for word in words {
+        if out.last().is_some_and(|line| line.len() + word.len() > 100) {
+            out.push(String::new());
+        }
+        if let Some(line) = out.last_mut() {
+            *line += if line.is_empty() { "" } else { separator };
+            *line += word;
+        }
+    }
+    out
+}
+
+#[test]
+fn grammars_are_what_the_tables_give() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("editors");
+    for (name, text) in files() {
+        let path = folder.join(name);
+        if std::env::var_os("UPDATE_EDITORS").is_some() {
+            std::fs::write(&path, &text).ok();
+        }
+        let stored = std::fs::read_to_string(&path).unwrap_or_default().replace("\r\n", "\n");
+        let first = stored.lines().zip(text.lines()).find(|(a, b)| a != b);
+        assert!(stored == text, "editors/{name}: {first:?} (UPDATE_EDITORS=1 takes it)");
+    }
+}
+
+/// Each word is of one sort, and none is left out.
+#[test]
+fn every_word_is_of_one_sort() {
+    let sorts = sorts();
+    let all = [&sorts.objects, &sorts.blocks, &sorts.functions, &sorts.constants, &sorts.words];
+    let known: BTreeSet<_> = all.iter().flat_map(|words| words.iter()).collect();
+    assert_eq!(known.len(), all.iter().map(|words| words.len()).sum::<usize>());
+    assert_eq!(KEYWORDS.iter().find(|word| !known.contains(word)), None);
+    for word in ["sphere", "union", "blob"] {
+        assert!(sorts.objects.contains(&word), "{word}");
+    }
+    for word in ["pigment", "camera", "light_source", "finish", "global_settings", "color_map", "media", "warp"] {
+        assert!(sorts.blocks.contains(&word), "{word}: {:?}", sorts.blocks);
+    }
+    assert!(sorts.openers.contains(&"macro") && !sorts.openers.contains(&"else"));
+}

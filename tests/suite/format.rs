@@ -1,0 +1,120 @@
+//! `durer fmt`: tokens and comments stay, twice is once, and what it makes is looked at in `tests/format`.
+
+use crate::mutate;
+use durer::format::{WIDTH, decode, format};
+use durer::syntax::{Names, Piece, Wholes, parse_text};
+use std::path::{Path, PathBuf};
+
+fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
+    for path in std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path()) {
+        if path.is_dir() && !path.is_symlink() {
+            gather(&path, out);
+        } else if path.extension().is_some_and(|e| e == "scene" || e == "pov" || e == "inc") {
+            out.push(path);
+        }
+    }
+}
+
+/// Those of the repository, in an order that is the same everywhere.
+fn own_texts() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = vec![];
+    for folder in ["scenes", "tests", "src/library", "docs"] {
+        gather(&root.join(folder), &mut files);
+    }
+    assert!(files.len() > 200);
+    files.sort();
+    files
+}
+
+/// They, and POV-Ray's where they are installed.
+fn texts() -> Vec<PathBuf> {
+    let mut files = own_texts();
+    gather(Path::new("/usr/share/povray-3.7"), &mut files);
+    gather(Path::new("/usr/share/doc/povray"), &mut files);
+    gather(Path::new("/usr/share/doc/povray-examples"), &mut files);
+    files
+}
+
+/// Every number and sign a token of its own; blanks behind comments are nothing.
+fn pieces(text: &str) -> Vec<String> {
+    let (ast, _) = parse_text(text, 0, &Names::default(), Wholes::TakenApart);
+    let read = |piece: Piece| {
+        text[piece.span().lo as usize..piece.span().hi as usize].trim_end_matches(|c| c <= ' ').to_string()
+    };
+    // Blanks between `#` and its word are none of ours.
+    ast.tokens.pieces().map(read).collect()
+}
+
+fn check(text: &str, width: usize) -> Result<(), String> {
+    // A text with faults is left alone.
+    let Ok(once) = format(text, 0, width) else { return Ok(()) };
+    let (old, new) = (pieces(text), pieces(&once));
+    if let Some(i) = (0..old.len().max(new.len())).find(|i| old.get(*i) != new.get(*i)) {
+        return Err(format!("{:?} became {:?}", old.get(i), new.get(i)));
+    }
+    let twice = format(&once, 0, width).map_err(|faults| format!("{faults:?}"))?;
+    match once.lines().zip(twice.lines()).enumerate().find(|(_, (a, b))| a != b) {
+        Some((line, (a, b))) => Err(format!("width {width}, line {}:\n{a}\n{b}", line + 1)),
+        None if once != twice => Err("the second time another length".into()),
+        None => Ok(()),
+    }
+}
+
+fn hold(texts: impl IntoIterator<Item = (String, String)> + Send, widths: &[usize]) {
+    let mut wrong = vec![];
+    durer::on_big_stack(|| {
+        for (name, text) in texts {
+            let found = widths.iter().find_map(|width| check(&text, *width).err());
+            wrong.extend(found.map(|why| format!("{name}: {why}")));
+        }
+    });
+    assert!(wrong.is_empty(), "{} texts:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn tokens_stay_and_twice_is_once() {
+    let read = |path: PathBuf| {
+        let text = decode(std::fs::read(&path).ok()?).ok()?.text;
+        // Half a megabyte of numbers is like another.
+        (text.len() < 500_000).then(|| (path.display().to_string(), text))
+    };
+    hold(texts().into_iter().filter_map(read), &[WIDTH, 40]);
+}
+
+/// `DURER_FUZZ=100000 cargo test --test suite format::mutants` takes more, `DURER_SEED=N DURER_FUZZ=1` keeps one as a file.
+#[test]
+fn mutants_are_formatted_too() {
+    let read = |path: &PathBuf| decode(std::fs::read(path).ok()?).ok().map(|text| text.text);
+    let texts: Vec<String> = own_texts().iter().filter_map(read).filter(|text| text.len() < 20_000).collect();
+    let number = |name, or| std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(or);
+    let (first, count) = (number("DURER_SEED", 0), number("DURER_FUZZ", 600));
+    let mutants = (first..first + count).map(move |seed| {
+        let mut rng = mutate::Rng::new(seed);
+        let [one, other] = [(); 2].map(|()| &texts[rng.below(texts.len())]);
+        let mutant = mutate::mutate(one, other, &mut rng);
+        if std::env::var("DURER_SEED").is_ok() {
+            std::fs::write(Path::new(env!("CARGO_TARGET_TMPDIR")).join("mutant.scene"), &mutant).ok();
+        }
+        (format!("seed {seed}"), mutant)
+    });
+    // (With a NUL it is binary data, which is refused.)
+    let mutants = mutants.filter(|(_, mutant)| !mutant.contains('\0'));
+    hold(mutants, &[WIDTH]);
+}
+
+#[test]
+fn the_pairs_look_as_they_should() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/format");
+    let mut count = 0;
+    for path in std::fs::read_dir(&folder).unwrap().map(|e| e.unwrap().path()) {
+        if path.extension().is_some_and(|e| e == "before") {
+            let read = |path: &Path| decode(std::fs::read(path).unwrap()).unwrap();
+            let (before, after) = (read(&path), read(&path.with_extension("after")));
+            let new = durer::on_big_stack(|| before.formatted(0, WIDTH)).unwrap();
+            assert_eq!(new, after.text, "{}", path.display());
+            count += 1;
+        }
+    }
+    assert!(count >= 10);
+}

@@ -1,0 +1,35 @@
+//! Tests of the program and its library: one module a subject, one binary for all of them, since each binary links the whole
+//! program. `cargo test --test suite cli::` runs those of one module.
+//!
+//! Tests that are rows of tables or files of folders are in `tests/cases`.
+
+#![allow(clippy::disallowed_methods, clippy::unwrap_used)]
+
+mod animation;
+mod architecture;
+mod cameras;
+mod cli;
+mod commands;
+mod csg;
+mod deps_query_new;
+mod editors;
+mod every_shape;
+mod format;
+mod function_internals;
+mod geometry;
+mod light;
+mod light_cases;
+mod lossless_syntax_tree;
+mod lowering;
+mod lsp;
+mod memory;
+#[path = "../support/mutate.rs"]
+mod mutate;
+mod noise;
+mod pick;
+mod resume;
+mod scene_builder;
+mod scratch;
+mod token_granularity;
+mod unsupported_features;
+mod watch;

@@ -1,0 +1,178 @@
+//! A render is never lost: killed at any moment, `--resume` goes on and gives the same bytes. (`DURER_KILLS=20` tries more moments.)
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// It takes a second or two.
+const SCENE: &str = "#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 }
+light_source { <-5, 8, -6>, 1 area_light x * 3, z * 3, 3, 3 jitter }
+plane { y, -1 pigment { checker rgb 1, rgb <0.2, 0.4, 0.6> } finish { reflection 0.2 } }
+#for (I, 0, 25) sphere { <sin(I), cos(I * 2), cos(I + clock)>, 0.3 pigment { rgbt <1, 0.8, 0.5, 0.3> } finish { phong 1 } } #end";
+
+struct Scratch(tempfile::TempDir);
+
+impl Scratch {
+    fn new() -> Self {
+        let scratch = Self(tempfile::tempdir().unwrap());
+        std::fs::write(scratch.at("a.scene"), SCENE).unwrap();
+        scratch
+    }
+
+    fn at(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn durer(&self, words: &str) -> Command {
+        let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
+        durer.args(["render", "a.scene", "--keep-after", "0"]).args(words.split_whitespace());
+        durer.current_dir(&self.0).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        durer
+    }
+
+    fn run(&self, words: &str) -> Output {
+        self.durer(words).output().unwrap()
+    }
+
+    /// What is in the folder beside the scene, with contents.
+    fn pictures(&self) -> Vec<(String, Vec<u8>)> {
+        let entries = std::fs::read_dir(&self.0).unwrap().map(|entry| entry.unwrap().path());
+        let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
+        let mut all: Vec<_> = entries.map(|path| (name(&path), std::fs::read(&path).unwrap())).collect();
+        all.sort();
+        all
+    }
+
+    fn is_unfinished(&self) -> bool {
+        let mut entries = std::fs::read_dir(&self.0).unwrap();
+        entries.any(|entry| entry.unwrap().path().extension().is_some_and(|ending| ending == "unfinished"))
+    }
+}
+
+fn err(out: &Output) -> String {
+    String::from_utf8_lossy(&out.stderr).into_owned()
+}
+
+/// Kills it at moments that are spread over the time it takes, goes on until it is done, and compares everything.
+fn kill_and_resume(words: &str, short: usize) {
+    let whole = Scratch::new();
+    let start = Instant::now();
+    let out = whole.run(words);
+    assert!(out.status.success(), "{}", err(&out));
+    let (time, expected) = (start.elapsed(), whole.pictures());
+    let moments = std::env::var("DURER_KILLS").ok().and_then(|n| n.parse().ok()).unwrap_or(short);
+    let mut went_on = 0;
+    for moment in 0..moments {
+        let scratch = Scratch::new();
+        for threads in [1, 2, 7].iter().cycle().skip(moment).take(2) {
+            let mut durer = scratch.durer(&format!("{words} --resume --threads {threads}")).spawn().unwrap();
+            std::thread::sleep(time.mul_f64((moment as f64 + 0.5) / moments as f64 * 0.8));
+            // On a machine that has become busier since the whole one was drawn, the last moment waits for something to go on with.
+            while moment + 1 == moments && !scratch.is_unfinished() && durer.try_wait().unwrap().is_none() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            durer.kill().unwrap();
+            durer.wait().unwrap();
+            went_on += usize::from(scratch.is_unfinished());
+        }
+        let out = scratch.run(&format!("{words} --resume"));
+        assert!(out.status.success() && err(&out).is_empty(), "{}", err(&out));
+        assert!(scratch.pictures() == expected, "{words}, moment {moment}");
+    }
+    assert!(went_on > 0 || moments == 0, "it never got so far");
+}
+
+#[test]
+fn a_still() {
+    kill_and_resume("--size 140x105 --aa 0.1 -o a.png", 4);
+}
+
+#[test]
+fn a_region_by_povrays_second_method() {
+    kill_and_resume("--size 160x120 --aa 0.1 --aa-method corners --region 30,20,100,80 -o a.exr", 2);
+}
+
+#[test]
+fn an_animation() {
+    kill_and_resume("--size 70x52 --aa 0.1 --frames 1-4 -o a.png", 3);
+}
+
+#[test]
+fn what_is_stale_or_damaged_is_told_and_not_used() {
+    let scratch = Scratch::new();
+    let words = "--size 200x150 --aa 0.1 -o a.png";
+    let stopped = scratch.run(&format!("{words} --max-time 0.3"));
+    assert!(err(&stopped).contains("`a.png.unfinished`; with `--resume`"), "{}", err(&stopped));
+    let journal = std::fs::read(scratch.at("a.png.unfinished")).unwrap();
+    let other = scratch.run("--size 20x15 --aa 0.1 -o a.png --resume");
+    assert!(other.status.success() && err(&other).contains("drawn with other options"), "{}", err(&other));
+    std::fs::write(scratch.at("a.png.unfinished"), &journal).unwrap();
+    std::fs::write(scratch.at("a.scene"), SCENE.replace("<-5, 8, -6>", "<5, 8, -6>")).unwrap();
+    let changed = scratch.run(&format!("{words} --resume --max-time 0.2"));
+    assert!(err(&changed).contains("a.scene` has changed"), "{}", err(&changed));
+    std::fs::write(scratch.at("a.scene"), SCENE).unwrap();
+    let mut damaged = journal.clone();
+    damaged[journal.len() / 2] ^= 1;
+    std::fs::write(scratch.at("a.png.unfinished"), &damaged).unwrap();
+    let told = scratch.run(&format!("{words} --resume --max-time 0.2"));
+    assert!(err(&told).contains("it is damaged"), "{}", err(&told));
+    std::fs::write(scratch.at("a.png.unfinished"), &journal).unwrap();
+    let anew = scratch.run(&format!("{words} --max-time 0.2"));
+    assert!(err(&anew).contains("`--resume` would go on with it"), "{}", err(&anew));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
+    let scratch = Scratch::new();
+    std::fs::create_dir(scratch.at("out")).unwrap();
+    let mut durer = scratch.durer("--size 600x450 --aa 0.1 -o out/a.png").spawn().unwrap();
+    std::thread::sleep(Duration::from_millis(300));
+    std::fs::rename(scratch.at("out"), scratch.at("away")).unwrap();
+    let out = {
+        durer.wait().unwrap();
+        durer.wait_with_output().unwrap()
+    };
+    assert_eq!(out.status.code(), Some(5), "{}", err(&out));
+    assert!(err(&out).contains("out/a.png` can't be written") && err(&out).contains("what was drawn is kept"));
+    std::fs::rename(scratch.at("away"), scratch.at("out")).unwrap();
+    let again = scratch.run("--size 600x450 --aa 0.1 -o out/a.png --resume --stats json");
+    assert!(again.status.success(), "{}", err(&again));
+    let stats: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
+    assert_eq!(stats["rays"]["camera"], 0);
+}
+
+/// A disk with room for half of the picture: no file may grow longer, which is an error like any other where the signal for it is not heard.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_was_drawn_is_kept_when_the_disk_is_full() {
+    let (scratch, whole) = (Scratch::new(), Scratch::new());
+    // 44 KB as a bmp; the journal ends in the middle of a tile
+    let words = "--size 140x105 --aa off -o a.bmp";
+    let mut small = Command::new("sh");
+    // (Blocks of 512 bytes)
+    small.args([
+        "-c",
+        "trap '' XFSZ; ulimit -f 64; exec \"$0\" render a.scene --keep-after 0 \"$@\"",
+        env!("CARGO_BIN_EXE_durer"),
+    ]);
+    let out = small.args(words.split_whitespace()).current_dir(&scratch.0).stdin(Stdio::null()).output().unwrap();
+    let told = err(&out);
+    assert_eq!(out.status.code(), Some(5), "{told}");
+    assert!(told.contains("`a.bmp` can't be written: file too large"), "{told}");
+    assert!(
+        told.contains("a part of what was drawn is kept in `a.bmp.unfinished` (no more could be written: "),
+        "{told}"
+    );
+    assert!(!told.contains("could not be kept"), "{told}");
+    assert!(!scratch.at("a.bmp").exists() && scratch.at("a.bmp.unfinished").exists());
+    let again = scratch.run(&format!("{words} --resume --stats json"));
+    assert!(again.status.success(), "{}", err(&again));
+    let stats: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
+    let rays = stats["rays"]["camera"].as_u64().unwrap();
+    assert!(rays > 0 && rays < 140 * 105, "{rays} rays");
+    assert!(whole.run(words).status.success());
+    assert!(scratch.pictures() == whole.pictures());
+}

@@ -1,0 +1,84 @@
+//! What is not drawn yet is kept in the Scene, and its dump shows it.
+
+use durer::interpreter::{Options, Outcome, interpret};
+use durer::source::{Sandbox, SearchPath, Sources};
+use std::path::PathBuf;
+
+fn outcome(text: &str, fonts: Vec<PathBuf>) -> Outcome {
+    let options = Options {
+        sandbox: Sandbox { read: fonts.clone(), write: vec![] },
+        search: SearchPath { folders: vec![], fonts },
+        size: (4, 3),
+        ..Options::default()
+    };
+    durer::on_big_stack(|| {
+        let sources = Sources::default();
+        let file = sources.add("scene", None, text.to_string()).unwrap();
+        interpret(&sources, file, &options, &mut |_| {})
+    })
+}
+
+fn dump(text: &str) -> String {
+    serde_json::to_string(&outcome(text, vec![]).scene.expect("a scene")).unwrap()
+}
+
+#[track_caller]
+fn holds(dump: &str, part: &str) {
+    assert!(dump.contains(part), "{part} is not in\n{dump}");
+}
+
+#[test]
+fn the_dump_shows_what_is_not_drawn() {
+    let dump = dump(
+        r#"
+        #version 3.7;
+        global_settings { assumed_gamma 1 max_intersections 7 radiosity { count 17 recursion_limit 1+1 } }
+        #declare Red = rgb <1, 0, 0>;
+        media { emission Red density { gradient y color_map { [0 rgb 0.25] [1 rgbt <0, 0, 1, 0.5>] } } }
+        camera { location <0, 0, -5> look_at 0 }
+        light_source { 5*y, rgb 1 photons { target 0.5 } }
+        #declare Dust = media { scattering { 3, rgb 0.125 } };
+        sphere {
+          0, 1 hollow photons { target 0.75 }
+          finish { subsurface { translucency 0.25 } }
+          interior { media { Dust } }
+        }
+        "#,
+    );
+    holds(&dump, r#"{"max_intersections":[7.0]}"#);
+    holds(&dump, r#"{"radiosity":["count",17.0,"recursion_limit",2.0]}"#);
+    holds(&dump, r#"{"media":["emission",{"rgb":[1.0,0.0,0.0]},{"density":["#);
+    holds(&dump, r#"{"entry":[0.0,{"rgb":[0.25,0.25,0.25]}]},{"entry":[1.0,{"rgbft":[0.0,0.0,1.0,0.0,0.5]}]}"#);
+    holds(&dump, r#"{"photons":["target",0.5]}"#);
+    holds(&dump, r#"{"photons":["target",0.75]}"#);
+    holds(&dump, r#"{"subsurface":["translucency",0.25]}"#);
+    holds(&dump, r#"{"media":[{"media":[{"scattering":[3.0,{"rgb":[0.125,0.125,0.125]}]}]}]}"#);
+}
+
+#[test]
+fn a_scene_that_is_drawn_shows_nothing_of_it() {
+    let dump = dump("#version 3.7; camera { location -5*z } light_source { y, 1 } sphere { 0, 1 finish { phong 1 } }");
+    assert!(!dump.contains("undrawn") && !dump.contains("said"), "{dump}");
+}
+
+#[test]
+fn a_text_names_the_font_that_is_there() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["DejaVuSans.ttf", "DejaVuSerif-Bold.ttf"] {
+        std::fs::write(folder.path().join(name), include_bytes!("../../src/font/Roboto-Regular.ttf")).unwrap();
+    }
+    let text =
+        "#version 3.7; camera { location -5*z } text { ttf \"timesbd\" \"Dürer\" 0.25, <0, 0, 0> pigment { rgb 1 } }";
+    let told = |outcome: &Outcome| {
+        let told = outcome.diagnostics.iter().find(|d| d.code == durer::diagnostic::codes::FONT_MISSING);
+        told.unwrap().message.clone()
+    };
+    let with = outcome(text, vec![folder.path().into()]);
+    assert_eq!(told(&with), "the font `timesbd` was not found: `DejaVuSerif-Bold.ttf` stands for it");
+    let json = serde_json::to_string(&with.scene.unwrap()).unwrap();
+    let file = folder.path().join("DejaVuSerif-Bold.ttf");
+    let file = serde_json::to_string(&file).unwrap();
+    holds(&json, &format!(r#""font":"timesbd","file":{file},"string":"Dürer","depth":0.25"#));
+    let without = outcome(text, vec![]);
+    assert_eq!(told(&without), "the font `timesbd` was not found: durer's own one, Roboto, stands for it");
+}

@@ -1,0 +1,300 @@
+//! `durer watch`: what goes over the wire, without a browser (`tests/preview/browser.py` has one).
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+use serde_json::Value;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStderr, Command, Stdio};
+use std::time::{Duration, Instant};
+
+const SCENE: &str = "#version 3.7;
+global_settings { assumed_gamma 1 }
+#include \"colour.inc\"
+camera { location <0, 1, -4> look_at 0 }
+light_source { <-4, 6, -5>, 1 }
+sphere { <clock, 0, 0>, 1 pigment { rgb Colour } }
+plane { y, -1 pigment { checker rgb 0.8 rgb 0.6 } }
+";
+
+/// One `durer watch`, killed at the end.
+struct Watch {
+    folder: tempfile::TempDir,
+    durer: Child,
+    told: BufReader<ChildStderr>,
+}
+
+impl Watch {
+    fn start(words: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("ball.scene"), SCENE).unwrap();
+        std::fs::write(folder.path().join("colour.inc"), "#declare Colour = <1, 0, 0>;\n").unwrap();
+        let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
+        durer.args(["watch", "ball.scene", "--size", "72x54"]).args(words.split_whitespace());
+        let mut durer = durer.current_dir(&folder).stderr(Stdio::piped()).spawn().unwrap();
+        let told = BufReader::new(durer.stderr.take().unwrap());
+        Self { folder, durer, told }
+    }
+
+    fn at(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        std::fs::write(self.at(name), text).unwrap();
+    }
+
+    /// Waits for a line on stderr that holds a word.
+    fn line(&mut self, word: &str) -> String {
+        let mut line = String::new();
+        while !line.contains(word) {
+            line.clear();
+            assert!(self.told.read_line(&mut line).unwrap() > 0, "no line with `{word}`");
+        }
+        line
+    }
+
+    /// What `durer render` makes of the scene now.
+    fn rendered(&self, words: &str) -> image::RgbaImage {
+        self.rendered_as("72x54", words)
+    }
+
+    fn rendered_as(&self, size: &str, words: &str) -> image::RgbaImage {
+        let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
+        durer.args(["-q", "render", "ball.scene", "--size", size, "-o", "drawn.png"]).args(words.split_whitespace());
+        assert!(durer.current_dir(&self.folder).status().unwrap().success());
+        image::open(self.at("drawn.png")).unwrap().to_rgba8()
+    }
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        let _ = self.durer.kill();
+        let _ = self.durer.wait();
+    }
+}
+
+/// The page's address.
+#[derive(Clone)]
+struct Page {
+    host: String,
+    path: String,
+}
+
+impl Page {
+    fn of(line: &str) -> Self {
+        let address = line.split_whitespace().next().unwrap().strip_prefix("http://").unwrap();
+        let (host, path) = address.split_once('/').unwrap();
+        Self { host: host.into(), path: format!("/{path}") }
+    }
+
+    fn send(&self, request: &str) -> TcpStream {
+        let mut stream = TcpStream::connect(&self.host).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        stream.write_all(request.as_bytes()).unwrap();
+        stream
+    }
+
+    /// Status and body.
+    fn ask(&self, request: &str) -> (u16, String) {
+        let mut answer = vec![];
+        self.send(request).read_to_end(&mut answer).unwrap();
+        let answer = String::from_utf8_lossy(&answer).into_owned();
+        let (head, body) = answer.split_once("\r\n\r\n").unwrap();
+        (head[9..12].parse().unwrap(), body.to_string())
+    }
+
+    fn get(&self, path: &str) -> (u16, String) {
+        self.ask(&format!("GET {}{path} HTTP/1.1\r\nHost: {}\r\n\r\n", self.path, self.host))
+    }
+
+    fn post(&self, path: &str, body: &str) -> (u16, String) {
+        let (length, host) = (body.len(), &self.host);
+        self.ask(&format!(
+            "POST {}{path} HTTP/1.1\r\nHost: {host}\r\nContent-Length: {length}\r\n\r\n{body}",
+            self.path
+        ))
+    }
+
+    fn events(&self) -> Events {
+        let request = format!("GET {}events HTTP/1.1\r\nHost: {}\r\n\r\n", self.path, self.host);
+        let (picture, told) = (image::RgbaImage::default(), Value::Null);
+        Events { lines: BufReader::new(self.send(&request)), picture, told, run: [0; 2], done: false }
+    }
+}
+
+/// What the page's script does.
+struct Events {
+    lines: BufReader<TcpStream>,
+    picture: image::RgbaImage,
+    told: Value,
+    /// Of the picture, and of what is told.
+    run: [u64; 2],
+    done: bool,
+}
+
+impl Events {
+    /// Takes events until something is so.
+    fn until(&mut self, so: impl Fn(&Self) -> bool) {
+        let start = Instant::now();
+        while !so(self) {
+            assert!(start.elapsed() < Duration::from_secs(60), "{}", self.told);
+            let mut line = String::new();
+            assert!(self.lines.read_line(&mut line).unwrap() > 0);
+            let Some(event) = line.trim().strip_prefix("event: ").map(str::to_string) else { continue };
+            let mut data = String::new();
+            self.lines.read_line(&mut data).unwrap();
+            let data: Value = serde_json::from_str(data.strip_prefix("data: ").unwrap()).unwrap();
+            match &event[..] {
+                "told" => (self.told, self.run[1]) = (data["told"].clone(), data["run"].as_u64().unwrap()),
+                "picture" => self.paint(&data),
+                other => panic!("{other}"),
+            }
+        }
+    }
+
+    fn paint(&mut self, data: &Value) {
+        (self.run[0], self.done) = (data["run"].as_u64().unwrap(), data["done"].as_bool().unwrap());
+        let number = |value: &Value| value.as_u64().unwrap() as u32;
+        if let Some([width, height]) = data["size"].as_array().map(|size| [number(&size[0]), number(&size[1])]) {
+            self.picture = image::RgbaImage::new(width, height);
+        }
+        for tile in data["tiles"].as_array().unwrap() {
+            let bytes = BASE64_STANDARD.decode(tile[4].as_str().unwrap()).unwrap();
+            let part = image::RgbaImage::from_raw(number(&tile[2]), number(&tile[3]), bytes).unwrap();
+            image::imageops::replace(&mut self.picture, &part, number(&tile[0]).into(), number(&tile[1]).into());
+        }
+    }
+
+    /// Until the last picture is whole.
+    fn settle(&mut self) {
+        self.until(|page| page.done && page.run[0] == page.run[1] && page.told["status"] == "done");
+    }
+
+    fn count(&self, severity: &str) -> usize {
+        self.told["messages"].as_array().map_or(0, |all| all.iter().filter(|m| m["severity"] == severity).count())
+    }
+}
+
+fn same(a: &image::RgbaImage, b: &image::RgbaImage) {
+    assert_eq!(a.dimensions(), b.dimensions());
+    let others = a.pixels().zip(b.pixels()).filter(|(a, b)| a != b).count();
+    assert_eq!(others, 0, "pixels differ");
+}
+
+#[test]
+fn the_page_shows_what_render_draws() {
+    let mut watch = Watch::start("");
+    let page = Page::of(&watch.line("http://"));
+    let mut events = page.events();
+    events.settle();
+    same(&events.picture, &watch.rendered(""));
+    // An included file is saved, in the way of careful editors.
+    watch.write("colour.new", "#declare Colour = <0, 0, 1>;\n");
+    std::fs::rename(watch.at("colour.new"), watch.at("colour.inc")).unwrap();
+    let run = events.run[0];
+    events.until(|page| page.run[0] > run);
+    events.settle();
+    let blue = watch.rendered("");
+    same(&events.picture, &blue);
+    // A page that comes later sees all of it, and what was there before.
+    let mut late = page.events();
+    late.settle();
+    same(&late.picture, &blue);
+    assert_eq!(page.get("before.png").0, 200);
+    // The clock, anti-aliasing and quality.
+    assert_eq!(page.post("change", r#"{"clock": 0.5, "antialias": false, "quality": 3}"#).0, 200);
+    events.until(|page| page.told["settings"]["quality"] == 3);
+    events.settle();
+    same(&events.picture, &watch.rendered("--clock 0.5 --aa off --quality 3"));
+    // A part of it, twice as large.
+    page.post("change", r#"{"zoom": [0.25, 0.25, 0.5, 0.5]}"#);
+    events.until(|page| page.told["settings"]["zoom"].is_array());
+    events.settle();
+    let whole = watch.rendered_as("144x108", "--clock 0.5 --aa off --quality 3");
+    same(&events.picture, &image::imageops::crop_imm(&whole, 36, 27, 72, 54).to_image());
+    let picked: Value = serde_json::from_str(&page.get("pick?x=36&y=30").1).unwrap();
+    assert!(picked["words"].as_str().unwrap().starts_with("sphere at ball.scene:6:1\n"), "{picked}");
+    assert_eq!(page.get("pick?x=99999999999&y=-1").0, 200);
+    assert!(page.get("pick?x=72&y=0").1.contains("false"));
+}
+
+#[test]
+fn broken_scenes_are_told_and_mended_ones_drawn() {
+    let mut watch = Watch::start("");
+    let page = Page::of(&watch.line("http://"));
+    let mut events = page.events();
+    events.settle();
+    let (first, run) = (events.picture.clone(), events.run[0]);
+    watch.write("ball.scene", &SCENE.replace("sphere", "spere"));
+    events.until(|page| page.told["status"] == "broken");
+    assert_eq!((events.count("error"), events.run[0]), (1, run));
+    let message = &events.told["messages"][0];
+    assert!(message["text"].as_str().unwrap().contains("did you mean `sphere`"), "{message}");
+    assert!(message["place"]["url"].as_str().unwrap().ends_with("/ball.scene:6:1"), "{message}");
+    // The file is gone; an included file is gone; both are back.
+    std::fs::remove_file(watch.at("ball.scene")).unwrap();
+    events.until(|page| page.told["messages"][0]["code"] == "E0002");
+    std::fs::remove_file(watch.at("colour.inc")).unwrap();
+    watch.write("ball.scene", SCENE);
+    events.until(|page| page.told.to_string().contains("colour.inc"));
+    watch.write("colour.inc", "#declare Colour = <1, 0, 0>;\n");
+    events.until(|page| page.count("error") == 0 && page.told["status"] == "done" && page.run[0] > run && page.done);
+    same(&events.picture, &first);
+    // What a scene would write is not written, nor anything else.
+    watch.write("ball.scene", &format!("{SCENE}#fopen F \"out.txt\" write\n"));
+    events.until(|page| page.told["status"] == "broken");
+    let mut names: Vec<_> = std::fs::read_dir(&watch.folder).unwrap().map(|e| e.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["ball.scene", "colour.inc"]);
+    // Unless its author says so.
+    watch.write("ball.scene", SCENE);
+    events.settle();
+    assert_eq!(page.post("save", "{}").1, r#"{"text":"ball.png"}"#);
+    same(&image::open(watch.at("ball.png")).unwrap().to_rgba8(), &first);
+}
+
+#[test]
+fn nobody_else_is_answered() {
+    let mut watch = Watch::start("");
+    let page = Page::of(&watch.line("http://"));
+    let (host, path) = (&page.host, &page.path);
+    assert_eq!(page.get("").0, 200);
+    for head in [
+        format!("GET / HTTP/1.1\r\nHost: {host}"),
+        format!("GET /{} HTTP/1.1\r\nHost: {host}", "0".repeat(32)),
+        format!("GET {path}events HTTP/1.1\r\nHost: evil.example"),
+        format!("GET {path}events HTTP/1.1\r\nHost: {host}\r\nOrigin: http://evil.example"),
+        format!("GET {path}events HTTP/1.1\r\nHost: {host}\r\nSec-Fetch-Site: cross-site"),
+        format!("POST {path}save HTTP/1.1\r\nHost: {host}\r\nOrigin: null"),
+    ] {
+        let (status, body) = page.ask(&format!("{head}\r\n\r\n"));
+        assert_eq!(status, 403, "{head}");
+        assert!(!body.contains(&page.path[1..33]), "{body}");
+    }
+    for outside in ["ball.scene", "../ball.scene", "%2e%2e/ball.scene", "/etc/passwd"] {
+        assert_eq!(page.get(outside).0, 404, "{outside}");
+    }
+    assert_eq!(page.post("change", "[").0, 400);
+    assert_eq!(page.post("change", r#"{"output": "/etc/passwd"}"#).0, 400);
+    assert_eq!(page.post("open", r#"{"file": "/etc/passwd", "line": 1, "column": 1}"#).0, 400);
+    // What is no HTTP ends without harm.
+    let mut stream = page.send("\0\u{1}\u{2} nonsense\r\n\r\n");
+    let _ = stream.read_to_end(&mut vec![]);
+    assert_eq!(page.get("page.js").0, 200);
+}
+
+#[test]
+fn without_a_page_the_file_is_written_again() {
+    let mut watch = Watch::start("--no-page -o out.png");
+    watch.line("waiting for the next change");
+    let red = image::open(watch.at("out.png")).unwrap().to_rgba8();
+    same(&red, &watch.rendered(""));
+    watch.write("colour.inc", "#declare Colour = oops;\n");
+    watch.line("oops");
+    watch.write("colour.inc", "#declare Colour = <0, 0, 1>;\n");
+    watch.line("waiting for the next change");
+    let blue = image::open(watch.at("out.png")).unwrap().to_rgba8();
+    assert!(blue != red && blue == watch.rendered(""));
+    assert!(!Path::new("out.png.unfinished").exists());
+}
