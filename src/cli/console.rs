@@ -112,7 +112,7 @@ impl Console {
     /// Diagnostics for editors, one a line, to stdout: `a.scene:3:7: error[E0204]: message`.
     pub fn report_short(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         let wanted = |d: &&Diagnostic| !self.quiet || d.severity == Severity::Error;
-        let lines: String = diagnostics.iter().filter(wanted).map(|d| as_line(sources, d)).collect();
+        let lines: String = diagnostics.iter().filter(wanted).map(|d| d.line(sources) + "\n").collect();
         self.data(lines)
     }
 
@@ -155,16 +155,6 @@ pub fn say(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
-fn severity(d: &Diagnostic) -> &'static str {
-    if d.severity == Severity::Error { "error" } else { "warning" }
-}
-
-/// What is wrong with no place of a text has none in front.
-fn as_line(sources: &Sources, d: &Diagnostic) -> String {
-    let place = sources.place(d.span()).map(|p| format!("{p}: ")).unwrap_or_default();
-    format!("{place}{}[{}]: {}\n", severity(d), d.code, d.message.replace('\n', " "))
-}
-
 /// `code severity message file line column end{line column} help labels trace`; the place is null where there is none.
 fn as_json(sources: &Sources, d: &Diagnostic) -> serde_json::Value {
     let place = sources.place(d.span());
@@ -177,7 +167,7 @@ fn as_json(sources: &Sources, d: &Diagnostic) -> serde_json::Value {
     };
     json!({
         "code": d.code.0,
-        "severity": severity(d),
+        "severity": d.severity.name(),
         "message": d.message,
         "file": place.map(|p| &p.file),
         "line": place.map(|p| p.line),

@@ -17,6 +17,7 @@ mod inputs;
 mod interrupt;
 mod journal;
 mod keeping;
+#[cfg(feature = "lsp")]
 mod lsp;
 pub mod manual;
 mod memory;
@@ -34,6 +35,7 @@ mod target;
 pub mod test;
 mod unknown;
 mod values;
+#[cfg(feature = "watch")]
 mod watch;
 mod watcher;
 
@@ -98,8 +100,10 @@ fn dispatch(console: &Console, command: &Command, ini_files: ReadFiles) -> Resul
         Command::Test(args) => test::run(console, args),
         Command::Fmt(args) => fmt::run(console, args),
         Command::New(args) => new::run(console, args),
+        #[cfg(feature = "watch")]
         Command::Watch(args) => watch::run(console, args),
         Command::Query(args) => query::run(console, args),
+        #[cfg(feature = "lsp")]
         Command::Lsp(args) => lsp::run(args),
         Command::Explain(args) => explain::run(console, args),
         Command::Completions(args) => completions::run(console, args),

@@ -54,7 +54,7 @@ const RESERVED: &[(&str, &[&str])] = &[
     ("TcpStream", &["preview/"]),
     ("base64", &["preview/stream.rs", "mesh_io/gltf/"]),
     ("getrandom", &["preview/guard.rs"]),
-    ("image::", &["image_io/"]),
+    ("image::", &["image_io/", "quirks/"]),
     ("exr::", &["image_io/"]),
     ("ttf_parser", &["font/"]),
     // What is read, written or timed is given by the caller: see DESIGN, law 5.
