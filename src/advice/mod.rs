@@ -38,7 +38,7 @@ pub fn keep_own(told: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
 /// Is the place in the scene's own file, or in one beside it or below?
 fn is_own(sources: &Sources, scene: FileId, at: Span) -> bool {
     let Some((file, _)) = sources.locate(at) else { return true };
-    let folder = |file: FileId| sources.path(file)?.canonicalize().ok()?.parent().map(Path::to_path_buf);
+    let folder = |file: FileId| sources.files().canonicalize(sources.path(file)?).ok()?.parent().map(Path::to_path_buf);
     file == scene || folder(file).zip(folder(scene)).is_some_and(|(of_file, of_scene)| of_file.starts_with(of_scene))
 }
 

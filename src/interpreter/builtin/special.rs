@@ -116,7 +116,8 @@ impl<'a> Interpreter<'a> {
     /// A file that may not be read is not there.
     fn file_exists(&mut self, path: &Argument<'a>) -> Result<Value> {
         let name = self.argument_text(path)?;
-        let found = self.inputs.options.search.find(&name).filter(|path| self.inputs.options.sandbox.may_read(path));
+        let found =
+            self.inputs.options.search.find(self.inputs.files, &name).filter(|path| self.inputs.files.may_read(path));
         Ok(Value::Float(f64::from(found.is_some())))
     }
 
