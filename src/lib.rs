@@ -43,6 +43,7 @@ pub mod math;
 pub mod mesh_io;
 pub mod pattern;
 pub mod preview;
+pub mod quirks;
 pub mod reference;
 pub mod render;
 pub mod scene;

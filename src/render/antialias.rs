@@ -42,11 +42,6 @@ impl Method {
         Self { kind, sampling, difference, width: options.width, height: options.height }
     }
 
-    /// Columns and rows of the whole picture.
-    pub fn size(&self) -> [usize; 2] {
-        [self.width, self.height]
-    }
-
     /// What the first pass goes over, if there is one: also the pixels around a region, whose differences count too. So a region
     /// looks as it does in the whole picture.
     pub fn first_area(&self, region: Region) -> Option<Region> {

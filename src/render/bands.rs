@@ -2,9 +2,7 @@
 //! few bands. While the second pass goes over one band, the first goes over the next one already.
 
 use super::antialias::Method;
-use super::blocks::BLOCK;
 use super::grid::{Grid, Pixel};
-use super::memory::{self, Memory};
 use super::trace::{Setup, Tracer};
 use super::workers::Workers;
 use super::{Cancelled, Rays, Region, Stopped, Tile};
@@ -53,7 +51,7 @@ impl Drawing<'_> {
         while drawn < region.y + region.height {
             let first = area.map_or(0..0, |area| seen.bottom()..(seen.bottom() + rows).min(area.y + area.height));
             let second = drawn..self.ready_until(&seen, drawn, rows);
-            let jobs: Vec<Tile> = tiles(&seen.area, first.clone(), self.first_edge())
+            let jobs: Vec<Tile> = tiles(&seen.area, first.clone(), TILE)
                 .map(|area| Tile { second: false, area })
                 .chain(tiles(&region, second.clone(), self.edge()).map(|area| Tile { second: true, area }))
                 .collect();
@@ -101,55 +99,27 @@ impl Drawing<'_> {
     }
 
     fn trace(&self, tile: &Tile, seen: &Grid) -> Result<(Vec<Pixel>, Rays), Cancelled> {
-        let (whole, world) = (self.whole(tile), self.setup.world);
-        let memory = match world.remembers {
-            true => Memory::at(whole, self.picture(), world.lights.len()),
-            false => Memory::of_nothing(0),
-        };
-        let mut tracer = Tracer::new(self.setup, Some(self.workers.watch), memory);
+        let mut tracer = Tracer::new(self.setup, Some(self.workers.watch));
         let pixels = match tile.second {
-            true => self.method.tile(&mut tracer, seen, whole),
-            false => self.first_tile(&mut tracer, &whole),
+            true => self.method.tile(&mut tracer, seen, tile.area),
+            false => self.first_tile(&mut tracer, &tile.area),
         };
-        if tracer.stopped() {
-            return Err(Cancelled);
-        }
-        Ok((if whole == tile.area { pixels } else { Grid::of(whole, pixels).cut(tile.area) }, tracer.rays))
-    }
-
-    /// What has to be drawn for a tile: whole blocks, where pixels depend on those before.
-    fn whole(&self, &Tile { second, area }: &Tile) -> Region {
-        if !self.setup.world.remembers {
-            return area;
-        }
-        let all = self.picture();
-        memory::blocks_around(area, if second { all } else { self.method.first_area(all).unwrap_or(all) })
-    }
-
-    /// All of the picture that the region is a part of.
-    fn picture(&self) -> Region {
-        let [width, height] = self.method.size();
-        Region { x: 0, y: 0, width, height }
+        if tracer.stopped() { Err(Cancelled) } else { Ok((pixels, tracer.rays)) }
     }
 
     /// What the first pass goes over, if there is one.
     fn first_area(&self) -> Option<Region> {
-        self.method.first_area(self.whole(&Tile { second: true, area: self.region }))
+        self.method.first_area(self.region)
     }
 
     /// What the second pass asks for begins and ends at multiples of this, and one row before and behind them.
     fn reach(&self) -> usize {
-        if self.setup.world.remembers { BLOCK } else { self.method.tile_edge().unwrap_or(1) }
+        self.method.tile_edge().unwrap_or(1)
     }
 
     /// Tiles of the second pass begin at multiples of this.
     fn edge(&self) -> usize {
-        self.method.tile_edge().unwrap_or(self.first_edge())
-    }
-
-    /// Tiles of the first pass begin at multiples of this.
-    fn first_edge(&self) -> usize {
-        if self.setup.world.remembers { BLOCK } else { TILE }
+        self.method.tile_edge().unwrap_or(TILE)
     }
 
     fn first_tile(&self, tracer: &mut Tracer, area: &Region) -> Vec<Pixel> {

@@ -19,11 +19,6 @@ impl Grid {
         Self { area: Region { height: 0, ..area }, pixels: vec![] }
     }
 
-    /// Of all pixels of an area, row by row.
-    pub fn of(area: Region, pixels: Vec<Pixel>) -> Self {
-        Self { area, pixels }
-    }
-
     /// The row below the last one.
     pub fn bottom(&self) -> usize {
         self.area.y + self.area.height
@@ -48,12 +43,6 @@ impl Grid {
             let start = self.index(tile.x, tile.y + row);
             self.pixels[start..start + tile.width].copy_from_slice(line);
         }
-    }
-
-    /// The pixels of a part of it, row by row.
-    pub fn cut(&self, part: Region) -> Vec<Pixel> {
-        let rows = (part.y..part.y + part.height).map(|y| self.index(part.x, y));
-        rows.flat_map(|start| &self.pixels[start..start + part.width]).copied().collect()
     }
 
     /// The pixel at a place of the picture.

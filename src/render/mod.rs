@@ -8,7 +8,6 @@ mod blur;
 mod corners;
 mod dispersion;
 mod grid;
-mod memory;
 mod mirror;
 mod net;
 mod output;

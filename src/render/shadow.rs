@@ -1,6 +1,6 @@
 //! What reaches a surface of a light.
 
-use super::refract::{Interface, Interiors, copied};
+use super::refract::{Interface, Interiors};
 use super::shading_point::{self, ShadingPoint};
 use super::trace::{Path, Tracer};
 use crate::color::Rgb;
@@ -44,15 +44,7 @@ impl Tracer<'_> {
         }
         self.rays.shadow += 1;
         let to_light = ToLight { light, ray, range, distance: arriving.distance };
-        if !self.setup.world.remembers || light.grouped {
-            return self.passing(&to_light, &path.inside);
-        }
-        let mut inside = copied(&path.inside);
-        let passed = self.past_remembered(&to_light, path.level, &mut inside);
-        if passed == Rgb::ZERO || self.remembers(&to_light, path.level) {
-            return Rgb::ZERO;
-        }
-        passed * self.passing(&to_light, &inside)
+        self.passing(&to_light, &path.inside)
     }
 
     /// What all objects let pass. Every surface on the way takes its share, so what passes a solid is taken from twice.
@@ -111,7 +103,7 @@ impl Tracer<'_> {
     }
 
     /// What comes through a surface, and of what the ray leaves there, since the surface before.
-    pub(super) fn crossing(&mut self, ray: &Ray, found: &Intersection, before: f64, inside: &mut Interiors) -> Rgb {
+    fn crossing(&mut self, ray: &Ray, found: &Intersection, before: f64, inside: &mut Interiors) -> Rgb {
         let world = self.setup.world;
         let mut light = shading_point::pass(world, ray, found, !self.setup.quality.real);
         if !self.setup.asks_inside {

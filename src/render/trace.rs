@@ -1,6 +1,5 @@
 //! From a ray to its light: what surfaces send back, what they mirror, what comes through them.
 
-use super::memory::Memory;
 use super::mirror::{self, Incoming, Mirror};
 use super::random::Random;
 use super::refract::{Interface, Interiors, copied, reflect};
@@ -172,27 +171,13 @@ pub(super) struct Tracer<'w> {
     crossings: u32,
     /// What was in the way of each light's last ray.
     pub blockers: Vec<Option<Blocker>>,
-    /// What kept lights away, as POV-Ray remembers it.
-    pub memory: Memory,
 }
 
 impl<'w> Tracer<'w> {
-    pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>, memory: Memory) -> Self {
+    pub fn new(setup: &'w Setup<'w>, watch: Option<&'w dyn Watch>) -> Self {
         let (rays, random) = (Rays::default(), Random::new(setup.frame));
         let blockers = vec![None; setup.world.lights.len()];
-        Self { setup, rays, random, watch, stopped: false, crossings: 0, blockers, memory }
-    }
-
-    /// What is remembered after some pixels of a row, from this.
-    pub fn after(&mut self, memory: Memory, columns: impl Iterator<Item = usize>, y: usize) -> Memory {
-        let mut tracer = Self::new(self.setup, self.watch, memory);
-        for x in columns {
-            tracer.begin((y as u64) << 32 | x as u64, 0);
-            tracer.see(x as f64 + 0.5, y as f64 + 0.5);
-        }
-        self.rays.add(&tracer.rays);
-        self.stopped |= tracer.stopped;
-        tracer.memory
+        Self { setup, rays, random, watch, stopped: false, crossings: 0, blockers }
     }
 
     /// Has the watcher asked to stop? What was traced since is worth nothing.

@@ -15,9 +15,6 @@ pub struct Material {
     pub layers: Box<[Layer]>,
     /// Does no light pass anywhere?
     pub opaque: bool,
-    /// [`is_remembered`].
-    #[serde(skip)]
-    pub remembered: bool,
     /// Is every layer the same everywhere? Then it needs no point.
     pub solid: bool,
     /// What passes it, where it is the same everywhere.
@@ -137,7 +134,6 @@ impl Material {
         Self {
             // One layer that lets nothing pass is enough.
             opaque: texture.layers.iter().any(seems_opaque),
-            remembered: is_remembered(texture),
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
@@ -150,13 +146,6 @@ impl Material {
             layers,
         }
     }
-}
-
-/// Is what has this texture remembered when it keeps light away? Not if it chooses among textures by a pattern, though all of them let
-/// nothing pass (measured on POV-Ray 3.7).
-pub fn is_remembered(texture: &Texture) -> bool {
-    let asks = |layer: &texture::Layer| layer.choice.as_ref().is_none_or(|choice| choice.is_material_map());
-    texture.layers.iter().any(|layer| asks(layer) && seems_opaque(layer))
 }
 
 /// As POV-Ray 3.7 tells it (measured): of pigments in a `pigment_map` it does not see all that light passes, but it asks each

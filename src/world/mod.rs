@@ -16,7 +16,7 @@ mod sky;
 pub use geometry::{Blocker, Geometry, Standing};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
-pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material, is_remembered};
+pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
 pub use nearness::Nearness;
 pub use node::{SolidKind, SolidNode};
 pub use probe::Probe;
@@ -82,9 +82,6 @@ pub struct World {
     pub opacity_by_color: bool,
     /// Does light pass through any object?
     pub see_through: bool,
-    /// Does light pass through any object that is remembered when it keeps light away?
-    #[serde(skip)]
-    pub remembers: bool,
     /// Is light bent anywhere?
     pub bends: bool,
     /// Does any interior split light into its colours?
@@ -166,9 +163,6 @@ pub struct ObjectInfo {
     pub reflection: bool,
     /// Does no light pass anywhere?
     pub opaque: bool,
-    /// Is it remembered when it keeps light away ([`is_remembered`])? By its own texture, whatever those of its parts let pass.
-    #[serde(skip)]
-    pub remembered: bool,
     /// Number of what fills it, or [`Self::VIEW`].
     pub interior: u32,
 }
@@ -186,9 +180,6 @@ pub struct LightSource {
     pub number: usize,
     /// How it shines.
     pub lamp: Lamp,
-    /// Does it shine on a `light_group` alone? Then nothing is remembered that keeps it away.
-    #[serde(skip)]
-    pub grouped: bool,
     /// Only what passes this shines, and nothing between the two is in the way (`projected_through`).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub through: Option<Box<Geometry>>,

@@ -7,7 +7,7 @@ Each row of the ledger is a run of the tool with fixed seeds: of its own generat
 another row, of which the ledger knows nothing.) Every scene is one of
 
 - same: at most 0.2 % of the pixels differ;
-- by order: POV-Ray's picture depends on the order of its pixels: most of those that differ, drawn alone, are as durer's;
+- unstable: POV-Ray's picture depends on the order of its pixels: most of those that differ, drawn alone, are as durer's;
 - by digits: POV-Ray's picture depends on the last digits of the camera: without the pixels that it draws otherwise when the camera moves
   by a billionth in one of eight ways, the scene is the same;
 - other, which is named, and what this fails on. What differs still, and why, stands in README.md.
@@ -28,7 +28,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 LEDGER = HERE / "ledger.json"
 
 
-CLASSES = ("same", "by order", "by digits", "other")
+CLASSES = ("same", "unstable", "by digits", "other")
 # As the tool has it.
 SAME = 0.002
 
@@ -37,13 +37,13 @@ def run(tool, durer, row):
     """How many scenes POV-Ray drew, and how many of them are of each class."""
     jobs = [(row["seed"] * 1000003 + i, durer, None, None) for i in range(row["count"])]
     with concurrent.futures.ThreadPoolExecutor(8) as pool:
-        rows = [r for r in pool.map(tool.one, jobs) if r[1] and r[1] != "unstable"]
+        rows = [r for r in pool.map(tool.one, jobs) if r[1]]
         others = sorted((r for r in rows if r[1] != "same"), key=lambda r: -r[2])
-        classes = list(pool.map(lambda r: "other" if r[1] == "refused" else class_of(tool, durer, r[0]), others))
+        classes = list(pool.map(lambda r: "other" if r[1] == "refused" else r[1] if r[1] == "unstable" else class_of(tool, durer, r[0]), others))
     found = {"drawn": len(rows), **{name: classes.count(name) for name in CLASSES}}
     found["same"] += len(rows) - len(others)
     told = ", ".join(f"{found[name]} {name}" for name in CLASSES)
-    judged = found["drawn"] - found["by order"] - found["by digits"]
+    judged = found["drawn"] - found["unstable"] - found["by digits"]
     print(f"{row.get('generator', 'the given generator')}, seed {row['seed']}: of {found['drawn']}, {told}; {found['same'] / judged:.2%} of those that POV-Ray knows itself")
     for (seed, verdict, share, said), name in zip(others, classes):
         if name == "other":
@@ -62,7 +62,7 @@ def class_of(tool, durer, seed):
         if ours is None or theirs is None:
             return "other"
         if judge.by_order(text, folder, theirs, ours):
-            return "by order"
+            return "unstable"
         differs = lambda a, b: abs(a - b).max(-1) > 2
         left = differs(ours, theirs)
         # (Of two pictures that the last digits make, chance makes half of the pixels alike.)

@@ -9,6 +9,7 @@ const LAYERS: &[(&str, u32)] = &[
     ("library", 0),
     ("diagnostic", 1),
     ("color", 1),
+    ("quirks", 1),
     ("font", 2),
     ("image_io", 2),
     ("mesh_io", 2),

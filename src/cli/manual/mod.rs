@@ -4,6 +4,7 @@
 mod command;
 mod functions;
 mod language;
+mod quirks;
 mod words;
 
 use crate::value::{Kind, Vocabulary, WordSpec};
@@ -37,6 +38,7 @@ pub fn pages() -> Vec<Page> {
         page("constants.md", "Constants", functions::constants()),
         page("options.md", "Commands and options", command::options()),
         page("codes.md", "Messages", command::codes()),
+        page("quirks.md", "What POV-Ray 3.7 really does", quirks::page()),
     ]
 }
 

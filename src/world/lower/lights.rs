@@ -29,10 +29,10 @@ impl Lowering {
             None => None,
         };
         let number = self.lights.len() as u32;
-        let (lamp, grouped) = (Lamp::new(&light), inherited.lights_here);
-        self.lights.push(world::LightSource { number: number as usize, lamp, grouped, through });
+        let lamp = Lamp::new(&light);
+        self.lights.push(world::LightSource { number: number as usize, lamp, through });
         // A light in a union within a group is one of all lights (measured on POV-Ray 3.7).
-        match grouped {
+        match inherited.lights_here {
             true => self.groups[inherited.lights as usize - 1].lights.push(number),
             false => self.global.push(number),
         }

@@ -11,7 +11,6 @@ use super::geometry::Heap;
 use super::leaf::place;
 use super::{
     Geometry, Leaf, LightSource, Material, Nearness, ObjectInfo, Part, PlacedMaterial, RarePart, Sky, SolidNode, World,
-    is_remembered,
 };
 use crate::color::Gamma;
 use crate::color::Rgb;
@@ -82,7 +81,6 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         camera_source: scene.cameras.last().copied().unwrap_or(Span::NONE),
         geometry,
         see_through: objects.iter().any(|o| !o.opaque),
-        remembers: objects.iter().any(|o| o.shadow && o.remembered && !o.opaque),
         bends: interiors.iter().any(|interior| interior.ior != 1.0 || interior.dispersion != 1.0),
         disperses: interiors.iter().any(|interior| interior.dispersion != 1.0),
         colors_light: interiors.iter().any(|interior| interior.colors_light()),
@@ -342,21 +340,14 @@ impl Lowering {
         let rare = is_rare.then(|| Box::new(RarePart { inside, carried, lights, cut }));
         self.parts.push(Part { outside, rare, interior, double_illuminate, uv, no_shadow, source: object.source });
         let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
-        // (One that carries textures which light passes is not remembered, as groups of such parts are: measured on POV-Ray 3.7.)
-        let number = self.add_object(own, Some(&look).filter(|_| opaque), opaque, interior);
+        let number = self.add_object(own, opaque, interior);
         Ok(Solid { node: SolidNode::leaf(leaf, number), opaque })
     }
 
-    fn add_object(&mut self, own: &Inherited, look: Option<&Look>, opaque: bool, interior: u32) -> u32 {
+    fn add_object(&mut self, own: &Inherited, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, .. } = own.flags;
         let (shadow, image, reflection) = (!no_shadow, !no_image, !no_reflection);
-        // (Most often its parts have it too, and it was asked before.)
-        let keeps = |look: &Look| match self.textures.get(&look.texture) {
-            Some(&material) => self.materials[material as usize].remembered,
-            None => is_remembered(&look.texture),
-        };
-        let remembered = look.is_some_and(keeps) && own.inside.as_ref().is_none_or(keeps);
-        self.add_info(ObjectInfo { shadow, image, through: image, reflection, opaque, remembered, interior })
+        self.add_info(ObjectInfo { shadow, image, through: image, reflection, opaque, interior })
     }
 
     fn add_info(&mut self, info: ObjectInfo) -> u32 {
@@ -448,8 +439,7 @@ impl Lowering {
             Some(interior) => interior,
             None => self.add_air(own.has_hollow_air()),
         };
-        // (A group without a texture is not remembered: measured on POV-Ray 3.7.)
-        let number = self.add_object(own, own.texture.as_ref(), opaque, interior);
+        let number = self.add_object(own, opaque, interior);
         let node = match op {
             CsgOp::Union => SolidNode::union(nodes, number),
             CsgOp::Intersection => SolidNode::intersection(nodes, number),

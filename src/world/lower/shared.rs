@@ -52,11 +52,6 @@ impl<T, U> Default for Lowered<T, U> {
 }
 
 impl<T, U> Lowered<T, U> {
-    /// What became of it, if it was lowered.
-    pub fn get(&self, thing: &Arc<T>) -> Option<&U> {
-        self.known.get(&Arc::as_ptr(thing)).map(|(_, lowered)| lowered)
-    }
-
     pub fn of(&mut self, thing: &Arc<T>, lower: impl FnOnce(&T) -> U) -> &U {
         let address = Arc::as_ptr(thing);
         let (_, lowered) = self.known.entry(address).or_insert_with(|| {

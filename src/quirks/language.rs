@@ -1,0 +1,5 @@
+//! Parsing, values, versions.
+
+use super::Quirk;
+
+pub(super) const QUIRKS: &[Quirk] = &[];

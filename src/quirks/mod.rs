@@ -1,0 +1,82 @@
+//! POV-Ray's quirks: behaviour that no clean model would have, but that POV-Ray 3.7 shows and scenes rely on.
+//!
+//! Each quirk is one row of a table below: an id, one sentence, and the evidence. Code that obeys a quirk cites its id in a comment
+//! (`quirk: shadow_min_distance`); the text of a comment needs no other reference to measurements. The manual's page "What POV-Ray 3.7
+//! really does" is generated from the tables.
+//!
+//! To add a quirk: add a row to the topic's file, in alphabetical order of ids, and cite the id where the code obeys it. `tests/quirks.rs`
+//! checks that ids are unique, that every emulated quirk is cited, that every cited id exists, and that all evidence exists.
+
+mod atmosphere;
+mod camera;
+mod csg;
+mod image;
+mod language;
+mod light;
+mod pattern;
+mod shape;
+mod surface;
+mod texture;
+
+/// One behaviour of POV-Ray 3.7.
+#[derive(Clone, Copy, Debug)]
+pub struct Quirk {
+    /// Name by which code and tests cite the quirk, in snake case.
+    pub id: &'static str,
+    /// What POV-Ray 3.7 does: one sentence (or two) in Markdown for users, with a full stop.
+    pub summary: &'static str,
+    /// Where POV-Ray's own numbers prove it, see [`Evidence`].
+    pub evidence: Evidence,
+    /// Whether durer does the same.
+    pub status: Status,
+}
+
+/// Places that hold POV-Ray's numbers for a quirk, each in one of these forms:
+///
+/// - `light_cases/NAME`: the pixels of `tests/light_cases/NAME.pov`;
+/// - `tests/PATH`: any other file with POV-Ray's output, such as `tests/patterns/brick.txt` or `tests/lang/rules.scene`;
+/// - `src/PATH.rs::FUNCTION`: a unit test that holds POV-Ray's numbers;
+/// - `conformance/SCENE`: one of POV-Ray's own scenes, whose verdict in `tests/conformance.json` is `same` or `close`.
+pub type Evidence = &'static [&'static str];
+
+/// What durer does about a quirk.
+#[derive(Clone, Copy, Debug)]
+pub enum Status {
+    /// durer does the same as POV-Ray.
+    Emulated,
+    /// durer differs on purpose: what it does instead, and why, in one sentence.
+    Differs(&'static str),
+}
+
+/// The quirks of one topic.
+#[derive(Clone, Copy, Debug)]
+pub struct Topic {
+    /// Heading in the manual.
+    pub title: &'static str,
+    /// In alphabetical order of ids.
+    pub quirks: &'static [Quirk],
+}
+
+/// All topics, in the order of the manual.
+pub const TOPICS: &[Topic] = &[
+    Topic { title: "Language", quirks: language::QUIRKS },
+    Topic { title: "Shapes", quirks: shape::QUIRKS },
+    Topic { title: "CSG, clipping, bounding", quirks: csg::QUIRKS },
+    Topic { title: "Patterns", quirks: pattern::QUIRKS },
+    Topic { title: "Pigments, normals, textures", quirks: texture::QUIRKS },
+    Topic { title: "Surfaces: finish, reflection, refraction", quirks: surface::QUIRKS },
+    Topic { title: "Lights and shadows", quirks: light::QUIRKS },
+    Topic { title: "Sky, fog, rainbows", quirks: atmosphere::QUIRKS },
+    Topic { title: "Cameras and sampling", quirks: camera::QUIRKS },
+    Topic { title: "Pictures in and out", quirks: image::QUIRKS },
+];
+
+/// A quirk that durer emulates.
+const fn emulated(id: &'static str, summary: &'static str, evidence: Evidence) -> Quirk {
+    Quirk { id, summary, evidence, status: Status::Emulated }
+}
+
+/// A quirk that durer does not emulate; `instead` is what durer does, and why.
+const fn differs(id: &'static str, summary: &'static str, instead: &'static str, evidence: Evidence) -> Quirk {
+    Quirk { id, summary, evidence, status: Status::Differs(instead) }
+}

@@ -1,0 +1,5 @@
+//! Patterns, warps, waves.
+
+use super::Quirk;
+
+pub(super) const QUIRKS: &[Quirk] = &[];

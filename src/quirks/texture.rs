@@ -1,0 +1,5 @@
+//! Pigments, normals, maps, texture blocks.
+
+use super::Quirk;
+
+pub(super) const QUIRKS: &[Quirk] = &[];
