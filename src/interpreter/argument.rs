@@ -1,11 +1,9 @@
 //! What the built-in functions are given that look at more than values: names, elements of arrays, objects.
 
 use super::Interpreter;
-use super::eval::{as_float, as_vector};
-use super::pieces::is_callable;
-use super::scope::{Place, Slot};
+use super::evaluator::{Place, Slot, as_float, as_vector, is_callable, not_text};
 use super::stream::Token;
-use crate::diagnostic::{Diagnostic, Result};
+use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -44,21 +42,24 @@ impl<'a> Interpreter<'a> {
     /// The argument that comes next.
     pub(super) fn argument_here(&mut self) -> Result<Argument<'a>> {
         let token = self.peek()?;
-        let span = self.here();
+        let span = self.stream.here();
         match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 // (Looking at what follows may end the macro whose name it is.)
-                let (slot, depth) = (self.scopes.get(*symbol).cloned(), self.depth);
-                let level = self.scopes.resolve(*symbol).map(|place| self.scopes.level_of(&place));
-                self.advance();
+                let (slot, depth) = (self.evaluator.scopes().get(*symbol).cloned(), self.stream.call_depth());
+                let level =
+                    self.evaluator.scopes().resolve(*symbol).map(|place| self.evaluator.scopes().level_of(&place));
+                self.stream.advance();
                 let called = matches!(&slot, Some(Slot::Value(value)) if is_callable(value)) && self.call_follows()?;
                 let ends = !called && self.value_ends()?;
-                let lasting = level.is_some_and(|level| level <= self.scopes.level());
+                let lasting = level.is_some_and(|level| level <= self.evaluator.scopes().level());
                 if !ends {
                     self.first_use(*symbol, span);
                 }
                 match slot {
-                    _ if ends && depth == self.depth => Ok(Argument { given: Given::Name(*symbol), span }),
+                    _ if ends && depth == self.stream.call_depth() => {
+                        Ok(Argument { given: Given::Name(*symbol), span })
+                    }
                     Some(_) if ends && lasting => Ok(Argument { given: Given::Name(*symbol), span }),
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
                     Some(slot) => self.argument_from(slot, span),
@@ -69,15 +70,19 @@ impl<'a> Interpreter<'a> {
                 }
             }
             Token::Element(_) => {
-                let Some(place) = self.element.clone() else { return Err(self.unexpected_token("a value").into()) };
-                let (slot, depth) = (self.scopes.at(&place).cloned(), self.depth);
-                self.advance();
+                let Some(place) = self.stream.element().cloned() else {
+                    return Err(self.unexpected_token("a value").into());
+                };
+                let (slot, depth) = (self.evaluator.scopes().at(&place).cloned(), self.stream.call_depth());
+                self.stream.advance();
                 let ends = self.value_ends()?;
                 match slot {
-                    _ if ends && depth == self.depth => Ok(Argument { given: Given::Place(place), span }),
+                    _ if ends && depth == self.stream.call_depth() => Ok(Argument { given: Given::Place(place), span }),
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
                     Some(slot) => self.argument_from(slot, span),
-                    None => self.slot_at(&place, span).map(|slot| Argument { given: Given::Slot(slot), span }),
+                    None => {
+                        self.evaluator.slot_at(&place, span).map(|slot| Argument { given: Given::Slot(slot), span })
+                    }
                 }
             }
             Token::Block(_) | Token::Function(_) => {
@@ -112,11 +117,11 @@ impl<'a> Interpreter<'a> {
     /// What a name, an element or anything else holds.
     pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
         match &argument.given {
-            Given::Name(symbol) => match self.scopes.get(*symbol) {
+            Given::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
                 Some(slot) => Ok(slot.clone()),
                 None => self.name_value(*symbol, argument.span).map(Slot::Value),
             },
-            Given::Place(place) => self.slot_at(place, argument.span),
+            Given::Place(place) => self.evaluator.slot_at(place, argument.span),
             Given::Slot(slot) => Ok(slot.clone()),
         }
     }
@@ -145,23 +150,16 @@ impl<'a> Interpreter<'a> {
     pub(super) fn argument_text(&mut self, argument: &Argument<'a>) -> Result<String> {
         match self.argument_value(argument)? {
             Value::Text(text) => Ok(text.to_string()),
-            other => self.not_text(&other, argument.span),
+            other => not_text(&other, argument.span),
         }
     }
 
     /// Is there something under this name, or in this place?
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
-            Given::Name(symbol) => self.scopes.get(*symbol).is_some(),
-            Given::Place(place) => self.scopes.at(place).is_some(),
+            Given::Name(symbol) => self.evaluator.is_declared(*symbol),
+            Given::Place(place) => self.evaluator.scopes().at(place).is_some(),
             Given::Slot(_) => false,
         }
-    }
-
-    pub(super) fn not_text<T>(&self, found: &Value, span: Span) -> Result<T> {
-        let message = format!("expected a string, found {}", found.describe());
-        Diagnostic::new(crate::diagnostic::codes::WRONG_TYPE, span, message)
-            .help("`str(A, 0, 3)` makes text of a number")
-            .into()
     }
 }

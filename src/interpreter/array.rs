@@ -2,11 +2,11 @@
 
 use super::Interpreter;
 use super::argument::Argument;
-use super::eval::as_float;
-use super::pieces::joined;
-use super::scope::{Array, Place, Slot};
+use super::evaluator::as_float;
+use super::evaluator::{Array, Place, Slot};
 use super::stream::{StackFrame, Token};
-use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
+use super::token_expr::joined;
+use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, ElementKind, Expr, ExprKind, Sign, Symbol};
 use crate::value::{Reader, Value};
@@ -21,19 +21,19 @@ const MAX_DIMENSIONS: usize = 5;
 impl<'a> Interpreter<'a> {
     /// `array[2][3] { {1, 2, 3}, {4, 5, 6} }`; the word comes next. Without sizes they are those of the braces (3.8).
     pub(super) fn array(&mut self) -> Result<Slot<'a>> {
-        let span = self.here();
-        self.advance();
+        let span = self.stream.here();
+        self.stream.advance();
         // 3.8 asks for the word `mixed` where kinds are mixed; nobody needs it here.
-        if let Some(ElementKind::Expr(e)) = self.raw().map(|e| &e.kind) {
-            if matches!(&e.kind, ExprKind::Index(word, _) if self.sources.snippet(word.span) == "mixed") {
-                self.take_apart();
+        if let Some(ElementKind::Expr(e)) = self.stream.raw().map(|e| &e.kind) {
+            if matches!(&e.kind, ExprKind::Index(word, _) if self.inputs.sources.snippet(word.span) == "mixed") {
+                self.stream.split_next();
             }
-            if self.raw().is_some_and(|e| self.sources.snippet(e.span) == "mixed") {
-                self.advance();
+            if self.stream.raw().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
+                self.stream.advance();
             }
         }
         let mut sizes = vec![];
-        while let Token::Open(Bracket::Square, _) = self.peek_on()? {
+        while let Token::Open(Bracket::Square, _) = self.peek_continuation()? {
             sizes.push(self.array_size()?);
         }
         if sizes.len() > MAX_DIMENSIONS {
@@ -47,10 +47,10 @@ impl<'a> Interpreter<'a> {
         let count = sizes.iter().try_fold(1_usize, |n, &size| n.checked_mul(size)).filter(|n| *n <= MAX_ELEMENTS);
         let Some(count) = count else {
             let message = format!("an array has at most {} million elements", MAX_ELEMENTS / 1_000_000);
-            return self.limit(codes::MEMORY_LIMIT, span, message, "is a size right?");
+            return self.reporter.limit(codes::MEMORY_LIMIT, span, message, "is a size right?");
         };
         let mut array = Array { sizes, items: vec![None; count], keys: None };
-        if let Token::Open(Bracket::Brace, _) = self.peek_on()? {
+        if let Token::Open(Bracket::Brace, _) = self.peek_continuation()? {
             let rows = array.sizes.clone();
             self.fill(&rows, &mut array.items)?;
         }
@@ -98,7 +98,11 @@ impl<'a> Interpreter<'a> {
             }
         }
         if !self.peek()?.ends() {
-            return Diagnostic::err(codes::WRONG_COUNT, self.here(), format!("there is room for {rows} elements only"));
+            return Diagnostic::err(
+                codes::WRONG_COUNT,
+                self.stream.here(),
+                format!("there is room for {rows} elements only"),
+            );
         }
         self.close("`}`")
     }
@@ -106,14 +110,14 @@ impl<'a> Interpreter<'a> {
     /// An element; without sizes, braces in braces make arrays of arrays.
     fn array_item(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
-            Token::Open(Bracket::Brace, _) => self.array_of_braces(self.here()),
+            Token::Open(Bracket::Brace, _) => self.array_of_braces(self.stream.here()),
             _ => self.rvalue(),
         }
     }
 
     /// `array { 1, 2, 3 }` (3.8): as many elements as there are.
     pub(super) fn array_of_braces(&mut self, span: Span) -> Result<Slot<'a>> {
-        match self.peek_on()? {
+        match self.peek_continuation()? {
             Token::Open(Bracket::Brace, _) => {}
             Token::Block(block) if block.word == Some("array") => {}
             _ => {
@@ -137,7 +141,7 @@ impl<'a> Interpreter<'a> {
         while !self.peek()?.ends() {
             let key: Rc<str> = self.dictionary_key()?;
             match self.peek()? {
-                Token::Sign(Sign::Colon) => self.advance(),
+                Token::Sign(Sign::Colon) => self.stream.advance(),
                 _ => return Err(self.unexpected_token("`:` and a value").into()),
             }
             let value = self.rvalue()?;
@@ -157,9 +161,9 @@ impl<'a> Interpreter<'a> {
     fn dictionary_key(&mut self) -> Result<Rc<str>> {
         match self.peek()? {
             Token::Sign(Sign::Dot) => {
-                self.advance();
+                self.stream.advance();
                 let name = self.component_name()?;
-                Ok(self.sources.snippet(name.span).into())
+                Ok(self.inputs.sources.snippet(name.span).into())
             }
             Token::Open(Bracket::Square, _) => {
                 self.open()?;
@@ -172,21 +176,21 @@ impl<'a> Interpreter<'a> {
     }
 
     /// An array's name has been seen, perhaps with an index behind it: where that element is kept, or the array itself.
-    pub(super) fn element_in_pieces(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
+    pub(super) fn element_by_tokens(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
-        let before = self.comma;
-        // (It is the name of the array that stands first.)
-        if let Some(frame) = self.frames.last_mut() {
-            self.comma = frame.elements.get(frame.at).is_some_and(|e| e.comma);
-            frame.at += 1;
-        }
+        let before = self.stream.has_comma();
+        // The comma between the name and its indices, if there is one, ends the value.
+        let comma = self.stream.innermost().and_then(StackFrame::next).is_some_and(|e| e.comma);
+        self.stream.set_comma(comma);
+        self.stream.skip_element();
         let indices = self.indices_of(symbol)?;
         if indices.is_empty() {
-            return Ok(self.hold(Token::Expr(name), span, before));
+            return Ok(self.stream.push_back(Token::Expr(name), span, before));
         }
         let whole = indices.last().map_or(span, |(_, at)| joined(span, Span { hi: at.hi + 1, ..*at }));
-        self.element = Some(self.place_of_values(symbol, span, &indices, false)?);
-        Ok(self.hold(Token::Element(whole), whole, before))
+        let place = self.place_of_values(symbol, span, &indices, false)?;
+        self.stream.set_element(place);
+        Ok(self.stream.push_back(Token::Element(whole), whole, before))
     }
 
     /// The indices and keys that come next, behind an array's name.
@@ -199,10 +203,10 @@ impl<'a> Interpreter<'a> {
                     indices.push(self.value_here()?);
                     self.close("`]`")?;
                 }
-                Some(Token::Sign(Sign::Dot)) if self.is_dictionary(symbol, &indices)? => {
-                    self.advance();
+                Some(Token::Sign(Sign::Dot)) if self.evaluator.is_dictionary(symbol, &indices) => {
+                    self.stream.advance();
                     let name = self.component_name()?;
-                    indices.push((Value::Text(self.sources.snippet(name.span).into()), name.span));
+                    indices.push((Value::Text(self.inputs.sources.snippet(name.span).into()), name.span));
                 }
                 _ => return Ok(indices),
             }
@@ -212,14 +216,16 @@ impl<'a> Interpreter<'a> {
     /// What comes directly behind an array's name: no directive and no macro runs in between, and none ends, as in POV-Ray.
     fn index_ahead(&mut self) -> Result<Option<Token<'a>>> {
         loop {
-            if self.comma {
+            if self.stream.has_comma() {
                 return Ok(None);
             }
-            return match self.raw().map(|e| &e.kind) {
+            return match self.stream.raw().map(|e| &e.kind) {
                 Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot)) => {
                     self.peek().map(Some)
                 }
-                None if self.held.is_empty() && self.frames.last().is_some_and(StackFrame::is_spent_piece) => {
+                None if !self.stream.has_pushed_back()
+                    && self.stream.innermost().is_some_and(StackFrame::is_spent_piece) =>
+                {
                     self.pop_frame();
                     continue;
                 }
@@ -228,22 +234,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn is_dictionary(&self, symbol: Symbol, indices: &[(Value, Span)]) -> Result<bool> {
-        let Some(mut place) = self.scopes.resolve(symbol) else { return Ok(false) };
-        for (index, _) in indices {
-            let Some(dictionary) = self.scopes.dictionary(&place) else { return Ok(false) };
-            let Value::Text(key) = index else { return Ok(false) };
-            let Some(i) = dictionary.key_index(key) else { return Ok(false) };
-            place = place.element(&[i]);
-        }
-        Ok(self.scopes.dictionary(&place).is_some())
-    }
-
     /// The place that `D.Key`, `D["key"].Key` and the like name, if D is a dictionary.
     pub(super) fn dictionary_place(&mut self, e: &'a Expr) -> Result<Option<Place>> {
         let base = match &e.kind {
-            ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Slot::Array(array)) if array.keys.is_some() => return Ok(self.scopes.resolve(*symbol)),
+            ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
+                Some(Slot::Array(array)) if array.keys.is_some() => {
+                    return Ok(self.evaluator.scopes().resolve(*symbol));
+                }
                 _ => return Ok(None),
             },
             ExprKind::Dot(base, ..) => base,
@@ -254,49 +251,24 @@ impl<'a> Interpreter<'a> {
             _ => return Ok(None),
         };
         let Some(place) = self.dictionary_place(base)? else { return Ok(None) };
-        let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
-        let Some(dictionary) = self.scopes.dictionary(&place) else { return Ok(None) };
-        let key = self.names.text(*symbol);
-        match dictionary.key_index(key) {
-            Some(i) => Ok(Some(place.element(&[i]))),
-            None => Err(self.missing_key(dictionary, key, name.span)),
-        }
-    }
-
-    fn missing_key(&self, dictionary: &Array, key: &str, span: Span) -> crate::diagnostic::Fault {
-        let d = Diagnostic::new(codes::UNDECLARED, span, format!("the dictionary has no `{key}`"));
-        let keys = dictionary.keys.iter().flatten().map(|k| &**k);
-        Box::new(d.maybe_help(did_you_mean(key, keys)))
+        self.evaluator.dictionary_element(&place, e)
     }
 
     /// What `A[i][j]` is.
     pub(super) fn indexed(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
         let place = self.element_place(base, indices)?;
-        self.slot_at(&place, span)
+        self.evaluator.slot_at(&place, span)
     }
 
     /// What [`Token::Element`] announced, which is consumed.
     pub(super) fn take_element(&mut self) -> Result<Slot<'a>> {
-        let span = self.here();
-        let place = self.element.take();
-        self.advance();
+        let span = self.stream.here();
+        let place = self.stream.take_element();
+        self.stream.advance();
         match place {
-            Some(place) => self.slot_at(&place, span),
-            None => self.no_value(span),
+            Some(place) => self.evaluator.slot_at(&place, span),
+            None => self.evaluator.no_value(span),
         }
-    }
-
-    pub(super) fn slot_at(&self, place: &Place, span: Span) -> Result<Slot<'a>> {
-        match self.scopes.at(place) {
-            Some(slot) => Ok(slot.clone()),
-            None => self.no_value(span),
-        }
-    }
-
-    fn no_value<T>(&self, span: Span) -> Result<T> {
-        let text = self.sources.snippet(span);
-        let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{text}` has no value yet"));
-        d.help(format!("`#declare {text} = …;` gives it one")).into()
     }
 
     /// Where `A[i][j]` is kept; that element need not have a value yet.
@@ -330,12 +302,12 @@ impl<'a> Interpreter<'a> {
         indices: &[(Value, Span)],
         adds: bool,
     ) -> Result<Place> {
-        let Some(place) = self.scopes.resolve(symbol) else {
+        let Some(place) = self.evaluator.scopes().resolve(symbol) else {
             self.name_value(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
-        if self.scopes.dictionary(&place).is_some() {
-            return self.key_place(place, indices, adds);
+        if self.evaluator.scopes().dictionary(&place).is_some() {
+            return self.evaluator.key_place(place, indices, adds);
         }
         let numbers: SmallVec<[f64; 4]> =
             indices.iter().map(|(value, at)| as_float(value, *at)).collect::<Result<_>>()?;
@@ -343,14 +315,14 @@ impl<'a> Interpreter<'a> {
         let mut rest = &numbers[..];
         while !rest.is_empty() {
             let at = indices[numbers.len() - rest.len()].1;
-            let slot = self.scopes.at(&place).and_then(|slot| slot.element(&path));
+            let slot = self.evaluator.scopes().at(&place).and_then(|slot| slot.element(&path));
             if let Some(slot @ Slot::Faulty(_)) = slot {
                 let slot = slot.clone();
                 self.slot_value(slot, span)?;
                 return Diagnostic::err(codes::FOLLOWS, span, "");
             }
             let Some(Slot::Array(array)) = slot else {
-                let name = self.sources.snippet(Span { lo: span.lo, hi: at.lo.saturating_sub(1) });
+                let name = self.inputs.sources.snippet(Span { lo: span.lo, hi: at.lo.saturating_sub(1) });
                 return Diagnostic::err(codes::WRONG_TYPE, at, format!("`{name}` is no array: it takes no `[…]`"));
             };
             let n = array.sizes.len();
@@ -372,34 +344,16 @@ impl<'a> Interpreter<'a> {
         Ok(place.element(&path))
     }
 
-    /// An element of a dictionary by its keys, of which the last is added if it is new and `adds` says so.
-    fn key_place(&mut self, place: Place, indices: &[(Value, Span)], adds: bool) -> Result<Place> {
-        let mut place = place;
-        for (i, (value, span)) in indices.iter().enumerate() {
-            let Value::Text(key) = value else { return self.not_text(value, *span) };
-            let Some(dictionary) = self.scopes.dictionary(&place) else {
-                return Diagnostic::err(codes::WRONG_TYPE, *span, "this is no dictionary: it has no keys");
-            };
-            let index = match dictionary.key_index(key) {
-                Some(index) => index,
-                None if adds && i + 1 == indices.len() => self.scopes.add_key(&place, key),
-                None => return Err(self.missing_key(dictionary, key, *span)),
-            };
-            place = place.element(&[index]);
-        }
-        Ok(place)
-    }
-
     /// Has the dictionary that is kept here a value under these keys?
     pub(super) fn has_keys(&mut self, mut place: Place, indices: &'a [Expr]) -> Result<bool> {
         for e in indices {
             let key = self.text_value(e)?;
-            match self.scopes.dictionary(&place).and_then(|d| d.key_index(&key)) {
+            match self.evaluator.scopes().dictionary(&place).and_then(|d| d.key_index(&key)) {
                 Some(index) => place = place.element(&[index]),
                 None => return Ok(false),
             }
         }
-        Ok(self.scopes.at(&place).is_some())
+        Ok(self.evaluator.scopes().at(&place).is_some())
     }
 
     /// How many elements a dimension has; the first is 1.

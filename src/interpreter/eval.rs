@@ -2,20 +2,19 @@
 //! read token by token, in [`super::pieces`].
 
 use super::Interpreter;
-use super::operators::{SMALL, apply, apply_prefix, component};
-use super::quick::Quick;
-use super::scope::Slot;
+use super::evaluator::{SMALL, apply_prefix, as_float, combine, component, divides_by_zero, not_text, vector_value};
+
+use super::evaluator::{Quick, Slot};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::DVec3;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::value::{Value, VecN};
+use crate::value::Value;
 use smallvec::SmallVec;
 
 impl<'a> Interpreter<'a> {
     /// The value of an expression.
     pub(super) fn eval(&mut self, e: &'a Expr) -> Result<Value> {
-        match self.quick(e) {
+        match self.evaluator.quick(e) {
             Some(Quick::Float(x)) => return Ok(Value::Float(x)),
             Some(Quick::Vector(v)) => return Ok(Value::Vector(v)),
             None => {}
@@ -56,7 +55,7 @@ impl<'a> Interpreter<'a> {
     /// `A.x`; a component of a component is no recursion, however many there are.
     fn components(&mut self, e: &'a Expr) -> Result<Value> {
         if let Some(place) = self.dictionary_place(e)? {
-            let slot = self.slot_at(&place, e.span)?;
+            let slot = self.evaluator.slot_at(&place, e.span)?;
             return self.slot_value(slot, e.span);
         }
         let (mut base, mut names) = (e, vec![]);
@@ -75,7 +74,7 @@ impl<'a> Interpreter<'a> {
 
     /// A number.
     pub(super) fn number(&mut self, e: &'a Expr) -> Result<f64> {
-        if let Some(x) = self.simple(e) {
+        if let Some(x) = self.evaluator.quick_number(e) {
             return Ok(x);
         }
         let value = self.eval(e)?;
@@ -86,13 +85,13 @@ impl<'a> Interpreter<'a> {
     pub(super) fn text_value(&mut self, e: &'a Expr) -> Result<String> {
         match self.eval(e)? {
             Value::Text(text) => Ok(text.to_string()),
-            other => self.not_text(&other, e.span),
+            other => not_text(&other, e.span),
         }
     }
 
     /// What a name stands for, as a value.
     pub(super) fn name_value(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
-        match self.scopes.get(symbol) {
+        match self.evaluator.scopes().get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => {
                 let thing = thing.clone();
                 self.first_use(symbol, span);
@@ -100,7 +99,7 @@ impl<'a> Interpreter<'a> {
             }
             Some(Slot::Value(value)) => {
                 let value = value.clone();
-                if !self.deprecated.is_empty() {
+                if self.evaluator.has_deprecations() {
                     self.first_use(symbol, span);
                 }
                 Ok(value)
@@ -109,7 +108,10 @@ impl<'a> Interpreter<'a> {
                 let slot = slot.clone();
                 self.slot_value(slot, span)
             }
-            Some(Slot::Alias(_)) | None => self.constant(symbol, span),
+            Some(Slot::Alias(_)) | None => match self.evaluator.constant(symbol) {
+                Some(value) => Ok(value),
+                None => self.undeclared(symbol, span).into(),
+            },
         }
     }
 
@@ -119,22 +121,22 @@ impl<'a> Interpreter<'a> {
             Slot::Value(value) => Ok(value),
             Slot::Faulty(faults) => {
                 for fault in faults.iter() {
-                    self.report_fault(fault.clone());
+                    self.reporter.report(fault.clone());
                 }
                 Diagnostic::err(codes::FOLLOWS, span, "")
             }
             Slot::Macro(definition) => {
-                let name = self.names.text(definition.name);
+                let name = self.inputs.names.text(definition.name);
                 Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"))
                     .help(format!("a call needs parentheses: `{name}()`"))
                     .into()
             }
             Slot::File(_) => {
-                let name = self.sources.snippet(span);
+                let name = self.inputs.sources.snippet(span);
                 Diagnostic::err(codes::EXPECTED_VALUE, span, format!("`{name}` is a file"))
             }
             Slot::Array(_) | Slot::Alias(_) => {
-                let name = self.sources.snippet(span);
+                let name = self.inputs.sources.snippet(span);
                 Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is an array"))
                     .help(format!("`{name}[0]` is its first element"))
                     .into()
@@ -144,27 +146,23 @@ impl<'a> Interpreter<'a> {
 
     /// Tells the warnings that waited for the use of a declared thing.
     pub(super) fn first_use(&mut self, symbol: Symbol, span: Span) {
-        for warning in self.scopes.pending(symbol).iter().flat_map(|p| p.iter()) {
-            self.report_fault(warning.clone());
+        for warning in self.evaluator.scopes().pending(symbol).iter().flat_map(|p| p.iter()) {
+            self.reporter.report(warning.clone());
         }
-        if let Some(why) = self.deprecated.remove(&symbol) {
-            let message = format!("`{}` is deprecated: {}", self.names.text(symbol), why.trim());
-            self.report_fault(Diagnostic::new(codes::DEPRECATED, span, message));
+        if let Some(why) = self.evaluator.take_deprecation(symbol) {
+            let message = format!("`{}` is deprecated: {}", self.inputs.names.text(symbol), why.trim());
+            self.reporter.report(Diagnostic::new(codes::DEPRECATED, span, message));
         }
     }
 
-    fn constant(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
-        if let Some(Some(value)) = self.constants.get(symbol.0 as usize) {
-            return Ok(value.clone());
-        }
-        if let Some(value) = self.constant_value(self.names.text(symbol)) {
+    /// Applies a binary operator; a division by zero is reported.
+    pub(super) fn combine(&mut self, op: Operator, left: (Value, Span), right: (Value, Span)) -> Result<Value> {
+        if divides_by_zero(op, &right.0) {
+            let value = combine(op, left.0, right.0, left.1, right.1)?;
+            self.division_by_zero(right.1);
             return Ok(value);
         }
-        self.undeclared(symbol, span).into()
-    }
-
-    pub(super) fn is_constant(&self, symbol: Symbol) -> bool {
-        self.constant_value(self.names.text(symbol)).is_some()
+        combine(op, left.0, right.0, left.1, right.1)
     }
 
     /// Operands of one precedence from left to right.
@@ -173,7 +171,7 @@ impl<'a> Interpreter<'a> {
         let mut left = self.eval(&chain.first)?;
         for (op, operand) in &chain.rest {
             let right = self.eval(operand)?;
-            left = apply(*op, left, right, span, operand.span, self)?;
+            left = self.combine(*op, (left, span), (right, operand.span))?;
             span = span.to(operand.span);
         }
         Ok(left)
@@ -201,40 +199,5 @@ impl<'a> Interpreter<'a> {
             }
         }
         Ok(all)
-    }
-}
-
-/// Two to five numbers.
-pub(super) fn vector_value(data: &[f64], span: Span) -> Result<Value> {
-    match data.len() {
-        2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
-        n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a vector has two to five numbers, this has {n}")),
-    }
-}
-
-/// Three numbers; one stands for all, and shorter vectors are filled with zeros.
-pub(super) fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
-    match value {
-        Value::Float(x) => Ok(DVec3::splat(*x)),
-        Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
-        other => {
-            let message = format!("expected a vector of three numbers, found {}", other.describe());
-            Diagnostic::err(codes::WRONG_TYPE, span, message)
-        }
-    }
-}
-
-/// The number in a value.
-pub(super) fn as_float(value: &Value, span: Span) -> Result<f64> {
-    match value {
-        Value::Float(x) => Ok(*x),
-        other => {
-            let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("expected a number, found {}", other.describe()));
-            match other {
-                Value::Vector(_) => d.help("`.x`, `.y` or `.z` takes one of its numbers").into(),
-                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` takes one number of it").into(),
-                _ => d.into(),
-            }
-        }
     }
 }

@@ -3,49 +3,37 @@
 mod argument;
 mod array;
 mod builtin;
-mod compat;
 mod directive;
 mod eval;
+mod evaluator;
 mod function;
-mod hints;
-mod limits;
-mod mistake;
-mod operators;
 mod parsed;
-mod pieces;
-mod quick;
+mod pull;
 mod reader;
+mod reporter;
 mod rvalue;
-mod scope;
+mod scene_builder;
+mod statement;
 mod stream;
-mod timing;
-mod top;
+mod token_expr;
 
-use crate::diagnostic::{Diagnostic, Label, Severity, codes};
-use crate::font::{self, Font};
-use crate::image_io::Picture;
-use crate::scene::{Defaults, Scene};
-use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
+use crate::diagnostic::{Diagnostic, Label, codes};
+use crate::scene::Scene;
+use crate::source::{FileId, Files, Host, LocalHost, Sandbox, Sandboxed, SearchPath, Sources, Span};
 use crate::syntax::ast::Symbol;
-use crate::syntax::{ListPlaces, Names, Wholes};
-use crate::value::{Language, Thing, Value};
-use crate::world::Probe;
+use crate::syntax::{Names, Wholes};
 pub use directive::table as directives;
+use evaluator::Evaluator;
+pub use evaluator::Timing;
 pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
-use rustc_hash::{FxHashMap, FxHashSet};
+use reporter::Reporter;
 pub use rvalue::LATER;
-use scope::{Place, Scopes, Slot};
-use std::cell::RefCell;
-use std::collections::BTreeMap;
-use std::path::PathBuf;
-use std::rc::Rc;
+use scene_builder::{SceneBuilder, compat};
+pub use statement::STATEMENTS;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
-use std::time::Instant;
-use stream::{FrameKind, Held, Opened, StackFrame, Token};
-pub use timing::Timing;
-pub use top::STATEMENTS;
+use std::sync::atomic::AtomicBool;
+use stream::{FrameKind, Mode, TokenStream};
 
 /// Every function of scripts that `function { }` does not have: name, arguments, one line.
 pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
@@ -75,6 +63,8 @@ pub struct Options {
     pub max_time: Option<f64>,
     /// `--max-memory` in bytes.
     pub max_memory: Option<u64>,
+    /// Clock and memory meter, for the limits and the built-in variable `now`.
+    pub host: Arc<dyn Host>,
     /// Ends the run as a limit does when somebody sets it.
     pub stop: Option<Arc<AtomicBool>>,
     /// How much of the text the parser keeps whole; tests have it taken apart.
@@ -99,6 +89,7 @@ impl Default for Options {
             max_steps: 1_000_000,
             max_time: None,
             max_memory: None,
+            host: Arc::new(LocalHost::default()),
             stop: None,
             wholes: Wholes::Kept,
             origins: false,
@@ -122,9 +113,6 @@ pub struct Outcome {
     pub idle: Vec<Span>,
 }
 
-/// A run ends after so many faults, though they be the same again and again.
-const MAX_FAULTS: usize = 200;
-
 /// Runs a file that [`Sources`] already holds. `debug` receives what `#debug`, `#render` and `#statistics` print.
 ///
 /// It recurses as deeply as the text nests and macros call each other: give it a stack of some 500 MB.
@@ -140,265 +128,131 @@ pub fn interpret_with(
     options: &Options,
     debug: &mut dyn FnMut(&str),
 ) -> Outcome {
-    let mut interpreter = Interpreter::new(sources, parsed, options, debug);
+    let files = Sandboxed::new(sources.files(), &options.sandbox);
+    let inputs = Inputs { sources, files: &files, names: &parsed.names, parsed, options };
+    let mut interpreter = Interpreter::new(inputs, debug);
     interpreter.run(file);
     interpreter.outcome()
 }
 
-/// Everything of one run.
-pub(crate) struct Interpreter<'a> {
+/// Inputs of a run, shared by all its parts.
+#[derive(Clone, Copy)]
+struct Inputs<'a> {
     sources: &'a Sources,
+    /// The storage, restricted by the sandbox.
+    files: &'a dyn Files,
     names: &'a Names,
     parsed: &'a ParsedFiles,
     options: &'a Options,
-    debug: &'a mut dyn FnMut(&str),
-    including: Vec<PathBuf>,
-    /// An empty list for the arguments of the next call.
-    call_slots: Vec<Option<Slot<'a>>>,
-    scopes: Scopes<'a>,
-    deprecated: FxHashMap<Symbol, &'a str>,
-    /// What constants stand for that never change, by symbol.
-    constants: Vec<Option<Value>>,
-    /// States of the streams that `seed()` opened.
-    random: Vec<u32>,
-    /// Declared objects that were asked by rays, by their addresses.
-    probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
-    /// Decoded picture files.
-    pictures: FxHashMap<PathBuf, Arc<Picture>>,
-    /// What files of meshes became.
-    meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
-    /// Fonts that were read.
-    fonts: FxHashMap<font::Place, Arc<Font>>,
-    /// What was found of families of fonts.
-    families: FxHashMap<String, Option<font::Place>>,
-    /// Files by the numbers in [`Slot::File`].
-    files: Vec<directive::OpenFile>,
+}
+
+/// One run: the four parts, which know each other only through their interfaces.
+pub(crate) struct Interpreter<'a> {
+    inputs: Inputs<'a>,
+    stream: TokenStream<'a>,
+    evaluator: Evaluator<'a>,
+    builder: SceneBuilder,
+    reporter: Reporter<'a>,
+    /// Files by the numbers in [`evaluator::Slot::File`].
+    open_files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
     written: u64,
-    /// Where the last place in a list of numbers was found.
-    list_places: RefCell<ListPlaces>,
-    frames: Vec<StackFrame<'a>>,
-    peeked: Option<Token<'a>>,
-    /// Tokens that come before those of the frames, the next one last.
-    held: Vec<Held<'a>>,
-    /// Does a comma stand between what was read last and what comes next?
-    comma: bool,
-    /// Do directives and macros behind a value wait until it has been used? So it is with what a name gets, with what
-    /// an array holds and a macro is given, and with conditions.
-    closed: bool,
-    /// Is a value read that nobody wants?
-    skipping: bool,
-    /// Values that are being read inside each other.
-    nested: usize,
-    /// The element of an array that [`Token::Element`] announces.
-    element: Option<Place>,
-    /// How many frames there were when the declaration that is being read began.
-    floor: usize,
-    /// The brackets around here, innermost last.
-    opened: Vec<Opened>,
-    /// Faults of the text, told behind those of the run.
-    late: Vec<Diagnostic>,
-    /// Where brackets stand that nothing in the rest of their file closes.
-    unclosed: FxHashSet<u32>,
-    depth: usize,
-    steps: u64,
-    /// Bytes of strings made since memory was looked at.
-    text_made: usize,
-    started: Instant,
-    language: Language,
-    /// The number of the scene's noise generator, which functions ask for when they run.
-    noise_generator: Arc<AtomicU8>,
-    version_stated: bool,
-    defaults: Defaults,
-    scene: Scene,
-    diagnostics: Vec<Diagnostic>,
-    limit_reached: bool,
-    /// Did a branch run? By its place; noted where [`Options::branches`] asks for it.
-    branches: BTreeMap<Span, bool>,
-    /// Kept where [`Options::origins`] asks for it.
-    origins: Vec<Vec<Label>>,
-    /// Faults met, also those that were told before.
-    faults: usize,
-    /// What earlier faults have left undone.
-    mistakes: mistake::Mistakes,
 }
 
 impl<'a> Interpreter<'a> {
-    fn new(
-        sources: &'a Sources,
-        parsed: &'a ParsedFiles,
-        options: &'a Options,
-        debug: &'a mut dyn FnMut(&str),
-    ) -> Self {
+    fn new(inputs: Inputs<'a>, debug: &'a mut dyn FnMut(&str)) -> Self {
         Self {
-            sources,
-            names: &parsed.names,
-            parsed,
-            options,
-            debug,
-            including: vec![],
-            call_slots: vec![],
-            scopes: Scopes::default(),
-            deprecated: FxHashMap::default(),
-            constants: vec![],
-            random: vec![],
-            probes: FxHashMap::default(),
-            pictures: FxHashMap::default(),
-            meshes: FxHashMap::default(),
-            list_places: RefCell::default(),
-            fonts: FxHashMap::default(),
-            families: FxHashMap::default(),
-            files: vec![],
+            inputs,
+            stream: TokenStream::new(inputs),
+            evaluator: Evaluator::new(inputs),
+            builder: SceneBuilder::new(),
+            reporter: Reporter::new(inputs, debug),
+            open_files: vec![],
             written: 0,
-            frames: vec![],
-            peeked: None,
-            held: vec![],
-            comma: false,
-            closed: false,
-            skipping: false,
-            nested: 0,
-            element: None,
-            floor: 0,
-            opened: vec![],
-            late: vec![],
-            unclosed: FxHashSet::default(),
-            depth: 0,
-            steps: 0,
-            text_made: 0,
-            started: Instant::now(),
-            language: Language {
-                version: compat::DEFAULT_VERSION,
-                bare_textures: false,
-                assumed_gamma: None,
-                other_gamma: compat::gamma_without_setting(None),
-                srgb_files: false,
-            },
-            noise_generator: Arc::new(AtomicU8::new(compat::noise_generator(compat::DEFAULT_VERSION))),
-            version_stated: false,
-            defaults: Defaults::default(),
-            scene: Scene::default(),
-            diagnostics: vec![],
-            limit_reached: false,
-            branches: BTreeMap::new(),
-            origins: vec![],
-            faults: 0,
-            mistakes: mistake::Mistakes::default(),
         }
     }
 
     fn run(&mut self, file: FileId) {
-        self.keep_constants();
-        if let Some(version) = self.options.version {
+        self.evaluator.set_version(compat::DEFAULT_VERSION);
+        if let Some(version) = self.inputs.options.version {
             self.set_version(compat::version_number(version));
         }
-        self.declare_options();
         let Ok(ast) = self.parse_file(file) else { return };
-        // What is missing at the end of the text is told there.
-        let end = self.sources.base(file) + self.sources.text(file).len();
-        self.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
-        loop {
-            // Directives and macros run while the next statement is looked for: their faults are met here.
-            (self.closed, self.nested) = (false, 0);
-            let mut mark = self.mark();
-            let failed = match self.peek() {
-                Err(fault) => Some((fault, false)),
-                Ok(_) => {
-                    mark = self.mark();
-                    match self.statement() {
-                        Ok(true) => None,
-                        Ok(false) => break,
-                        Err(fault) => Some((fault, true)),
-                    }
-                }
-            };
-            if let Some((fault, in_statement)) = failed {
-                let ends = self.limit_reached || fault.code == codes::ENDS_RUN;
-                let fault = self.with_trace(*fault);
-                // What follows a bracket that is not closed makes no sense.
-                let told = if ends { None } else { self.unclosed_bracket().or_else(|| self.closed_early(&fault)) };
-                if let Some(d) = told {
-                    self.report_fault(d);
-                    return;
-                }
-                // A directive that failed has been passed.
-                if in_statement {
-                    self.skip_statement(mark)
-                } else {
-                    self.forget_ahead(mark)
-                }
-                self.report_fault(fault);
-                self.faults += 1;
-                // A fault in a loop's body is told once, but met in every pass.
-                if ends || self.faults >= MAX_FAULTS {
-                    return;
-                }
-            }
+        // Faults at the end of the text are reported at its last offset.
+        let end = self.inputs.sources.base(file) + self.inputs.sources.text(file).len();
+        self.stream.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
+        while self.next_statement() {}
+    }
+
+    /// Reads one statement; false at the end of the scene, and after a fault that ends the run.
+    fn next_statement(&mut self) -> bool {
+        self.stream.set_mode(Mode::default());
+        // Directives and macros run while the next statement is peeked: a fault in them was skipped where it was found.
+        let checkpoint = self.stream.checkpoint();
+        if let Err(fault) = self.peek() {
+            return self.recover(*fault, |me| me.stream.forget_look_ahead(checkpoint));
         }
-        self.finish_scene();
+        let checkpoint = self.stream.checkpoint();
+        match self.statement() {
+            Ok(true) => true,
+            Ok(false) => {
+                self.finish_scene();
+                false
+            }
+            Err(fault) => self.recover(*fault, |me| me.skip_statement(checkpoint)),
+        }
+    }
+
+    /// Reports a fault, or the bracket that causes it, and skips what `skip` does; false if the run ends.
+    fn recover(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
+        let ends = self.reporter.limit_reached() || fault.code == codes::ENDS_RUN;
+        let fault = self.stream.with_trace(fault);
+        // What follows an unclosed bracket makes no sense.
+        let bracket = match ends {
+            true => None,
+            false => self.stream.unclosed_bracket().or_else(|| self.reporter.closed_early(&fault)),
+        };
+        if let Some(d) = bracket {
+            self.reporter.report(d);
+            return false;
+        }
+        skip(self);
+        self.reporter.report(fault);
+        // A fault in a loop's body is reported once, but found in each pass.
+        let too_many = self.reporter.count_fault();
+        !ends && !too_many
     }
 
     fn outcome(mut self) -> Outcome {
-        for d in std::mem::take(&mut self.late) {
-            self.report_fault(d);
-        }
-        let unused: Vec<Diagnostic> = self.scopes.unused_faults().cloned().collect();
-        for mut fault in unused.into_iter().filter(|fault| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS)) {
-            fault.severity = Severity::Warning;
-            self.report_fault(fault);
-        }
-        self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
-        self.settle_messages();
-        let failed = self.error_count() > 0;
-        Outcome {
-            scene: (!failed).then_some(self.scene),
-            diagnostics: self.diagnostics,
-            limit_reached: self.limit_reached,
-            origins: self.origins,
-            idle: self.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect(),
-        }
+        let unused = self.evaluator.scopes().unused_faults().cloned().collect();
+        self.reporter.finish(unused);
+        let failed = self.reporter.error_count() > 0;
+        let limit_reached = self.reporter.limit_reached();
+        let (scene, origins) = self.builder.into_scene();
+        let (diagnostics, idle) = self.reporter.into_diagnostics();
+        Outcome { scene: (!failed).then_some(scene), diagnostics, limit_reached, origins, idle }
     }
 
-    fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {
-        if d.trace.is_empty() {
-            d.trace = self.trace().into();
-        }
-        d
-    }
-
-    /// The macro calls and includes around here, innermost first; of a deep recursion both ends.
-    fn trace(&self) -> Vec<Label> {
-        let label = |frame: &StackFrame| match frame.kind {
-            FrameKind::Macro(name) => {
-                Some(Label { span: frame.span, text: format!("in macro `{}`, called", self.names.text(name)) })
-            }
-            FrameKind::Include => Some(Label { span: frame.span, text: "included".into() }),
-            _ => None,
-        };
-        let all: Vec<Label> = self.frames.iter().rev().filter_map(label).collect();
-        if all.len() <= 12 {
-            return all;
-        }
-        all[..6].iter().chain(&all[all.len() - 4..]).cloned().collect()
-    }
-
-    /// What follows is of this version of the language.
+    /// Sets the language version of the text that follows.
     fn set_version(&mut self, version: u32) {
-        self.language.version = version;
-        self.language.bare_textures = compat::has_bare_textures(version);
-        if self.scene.settings.noise_generator.is_none() {
-            self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
-        }
-        self.version_stated = true;
+        self.builder.set_version(version);
+        self.evaluator.set_version(version);
     }
 
-    /// The version in force, if the scene has said one.
-    fn stated_version(&self) -> Option<u32> {
-        self.version_stated.then_some(self.language.version)
+    /// Reports a diagnostic with the present call trace.
+    fn report_here(&mut self, d: Diagnostic) {
+        self.reporter.report(self.stream.with_trace(d));
     }
 
+    /// Reports a division by zero.
     fn division_by_zero(&mut self, span: Span) {
         let d = Diagnostic::new(codes::DIVISION_BY_ZERO, span, "division by zero gives infinity");
-        let d = self.with_trace(d.label("this is 0"));
-        self.report_fault(d);
+        self.report_here(d.label("this is 0"));
+    }
+
+    /// The error for a name that is not declared.
+    fn undeclared(&self, symbol: Symbol, span: Span) -> Diagnostic {
+        let declared = self.evaluator.scopes().names().map(|s| self.inputs.names.text(s));
+        self.reporter.undeclared(self.inputs.names.text(symbol), span, declared)
     }
 }

@@ -1,18 +1,17 @@
 //! What may stand behind `#declare X =` and as a macro's argument: anything that can have a name.
 
 use super::Interpreter;
-use super::pieces::is_callable;
+use super::evaluator::Slot;
+use super::evaluator::is_callable;
 use super::reader::TransformThing;
-use super::scope::Slot;
 use super::stream::{BlockName, Token};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::Result;
 use crate::scene::{Object, is_object, read_camera, read_layers, read_material};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Sign};
-use crate::syntax::word;
 use crate::texture::{ColorMap, Finish, Interior, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
-use crate::value::{Next, Reader, Thing, Value, given};
+use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
 
 /// Blocks that may be declared, and whose kind is not read yet.
@@ -22,23 +21,20 @@ pub const LATER: &[&str] =
 impl<'a> Interpreter<'a> {
     /// The next complete value. No directive and no macro behind it runs.
     pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
-        let closed = std::mem::replace(&mut self.closed, true);
-        let slot = self.rvalue_closed();
-        self.closed = closed;
-        slot
+        self.in_mode(|mode| mode.defers = true, Self::deferring_rvalue)
     }
 
-    fn rvalue_closed(&mut self) -> Result<Slot<'a>> {
+    fn deferring_rvalue(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
-                if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.scopes.get(*symbol) {
+                if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.evaluator.scopes().get(*symbol) {
                     let slot = slot.clone();
-                    self.advance();
+                    self.stream.advance();
                     return Ok(slot);
                 }
                 let value = self.name_value(*symbol, *span)?;
                 let whole = self.is_whole(false);
-                self.advance();
+                self.stream.advance();
                 match is_callable(&value) {
                     true => self.call_or_value(value, *span),
                     false if whole => Ok(Slot::Value(value)),
@@ -58,8 +54,8 @@ impl<'a> Interpreter<'a> {
                 }
             }
             Token::Word("array") => self.array(),
-            Token::Block(BlockName { word: Some("array"), .. }) => self.array_of_braces(self.here()),
-            Token::Block(BlockName { word: None, span, .. }) if self.sources.snippet(span) == "dictionary" => {
+            Token::Block(BlockName { word: Some("array"), .. }) => self.array_of_braces(self.stream.here()),
+            Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
                 self.dictionary()
             }
             Token::Word(_) if self.at_color()? => self.plain_value(),
@@ -89,7 +85,7 @@ impl<'a> Interpreter<'a> {
 
     /// A block that has a kind of value.
     fn thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
-        let defaults = self.defaults.clone();
+        let defaults = self.builder.defaults().clone();
         if word == "spline" {
             return Ok(self.spline()?);
         }
@@ -138,77 +134,27 @@ impl<'a> Interpreter<'a> {
             match next {
                 Next::End => return Ok(()),
                 Next::Block("texture") | Next::Thing("texture") => {
-                    let defaults = self.defaults.clone();
-                    self.defaults.texture = Arc::new(read_layers(self, &defaults)?);
+                    let defaults = self.builder.defaults().clone();
+                    let texture = read_layers(self, &defaults)?;
+                    self.builder.set_default_texture(Arc::new(texture));
                 }
                 Next::Block("camera") => {
                     let at = self.take()?;
-                    let defaults = self.defaults.clone();
-                    self.scene.camera = read_camera(self, at, &defaults)?;
+                    let defaults = self.builder.defaults().clone();
+                    let camera = read_camera(self, at, &defaults)?;
+                    self.builder.set_default_camera(camera);
                     self.leave()?;
                 }
                 _ => {
-                    let base = self.defaults.texture.clone();
+                    let base = self.builder.defaults().texture.clone();
                     let mut texture = (*base).clone();
                     if !texture.read_part(self, next, &base)? {
                         let words = ["texture", "pigment", "normal", "finish", "camera"];
                         return Err(self.unknown_word("default", &words).into());
                     }
-                    self.defaults.texture = Arc::new(texture);
+                    self.builder.set_default_texture(Arc::new(texture));
                 }
             }
         }
     }
-
-    /// Looks up the constants that stay as they are once for all.
-    pub(super) fn keep_constants(&mut self) {
-        let changing = ["version", "now", "input_file_name"];
-        for (name, _) in word::CONSTANTS.iter().filter(|(name, _)| !changing.contains(name)) {
-            let i = self.names.intern(name).0 as usize;
-            if i >= self.constants.len() {
-                self.constants.resize(i + 1, None);
-            }
-            self.constants[i] = self.constant_value(name);
-        }
-    }
-
-    /// Names that the program sets.
-    pub(super) fn constant_value(&self, name: &str) -> Option<Value> {
-        use crate::math::DVec3;
-        use crate::value::VecN;
-        let flag = |b: bool| Some(Value::Float(f64::from(b)));
-        let float = |x: f64| Some(Value::Float(x));
-        match name {
-            "x" => Some(Value::Vector(DVec3::X.into())),
-            "y" => Some(Value::Vector(DVec3::Y.into())),
-            "z" => Some(Value::Vector(DVec3::Z.into())),
-            "u" => Some(Value::Vector(VecN::from_slice(&[1.0, 0.0]))),
-            "v" => Some(Value::Vector(VecN::from_slice(&[0.0, 1.0]))),
-            "t" => Some(Value::Vector(VecN::from_slice(&[0.0, 0.0, 0.0, 1.0]))),
-            "pi" => float(std::f64::consts::PI),
-            "true" | "on" | "yes" => flag(true),
-            "false" | "off" | "no" => flag(false),
-            "image_width" => float(self.options.size.0 as f64),
-            "image_height" => float(self.options.size.1 as f64),
-            "version" => float(f64::from(self.language.version) / 100.0),
-            "now" => float(days_since_2000()),
-            "input_file_name" => Some(Value::Text(self.options.input_name.as_str().into())),
-            _ => self.options.timing.constant(name).map(Value::Float),
-        }
-    }
-
-    /// `--declare NAME=VALUE`: a number, vector or colour, or else text.
-    pub(super) fn declare_options(&mut self) {
-        for (name, value) in &self.options.declares {
-            let value = given(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
-            let symbol = self.names.intern(name);
-            self.scopes.set_global(symbol, Slot::Value(value), vec![]);
-        }
-    }
-}
-
-/// Days since the beginning of the year 2000 (manual, "now").
-fn days_since_2000() -> f64 {
-    let since_1970 = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    since_1970.map_or(0.0, |d| d.as_secs_f64() / 86_400.0 - 10_957.0)
 }

@@ -8,7 +8,6 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
-mod extent;
 mod formula;
 mod frustum;
 mod height_field;
@@ -21,8 +20,10 @@ mod ovus;
 mod parametric;
 mod plane;
 mod polygon;
+mod pov_bounds;
 mod prism;
 mod quadric;
+mod quirks;
 mod smooth_triangle;
 mod sor;
 mod sphere;
@@ -43,22 +44,23 @@ pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
-pub use extent::{HUGE, moved_box};
 pub use formula::{Container, Formula};
 pub use frustum::Frustum;
 pub use height_field::HeightField;
 pub use isosurface::Isosurface;
 pub use julia_fractal::{Algebra, Function, JuliaFractal};
 use kernel::nearest;
-pub use kernel::{Crossing, End, HalfSpace, HalfSpaces, Hit, Hits, Kernel, Move, Slots};
+pub use kernel::{Crossing, End, HalfSpace, HalfSpaces, Hit, Hits, Kernel, TextureWeights};
 pub use lathe::Lathe;
 pub use mesh::{Face, Mesh, Mesh2, TriangleMesh};
 pub use ovus::Ovus;
 pub use parametric::Parametric;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
+pub use pov_bounds::{HUGE, moved_box};
 pub use prism::Prism;
 pub use quadric::Quadric;
+pub use quirks::{Bounding, Quirks};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
@@ -117,15 +119,15 @@ macro_rules! shapes {
             fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => Kernel::bounds(&**s)),* } }
             fn bounds_under(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.bounds_under(m)),* } }
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
-            fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits_as_part(ray, range, out)),* } }
+            fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits_in_csg(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn any(&self, ray: &Ray, range: Range) -> bool { match self { $(Shape::$name(s) => s.any(ray, range)),* } }
-            fn extent(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.extent(m)),* } }
+            fn pov_bounds(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.pov_bounds(m)),* } }
             fn as_half_space(&self) -> Option<HalfSpace> { match self { $(Shape::$name(s) => s.as_half_space()),* } }
             fn half_spaces(&self) -> HalfSpaces { match self { $(Shape::$name(s) => s.half_spaces()),* } }
             fn quadratic(&self) -> Option<Quadratic> { match self { $(Shape::$name(s) => s.quadratic()),* } }
             fn solid_bounds(&self) -> Option<Aabb> { match self { $(Shape::$name(s) => s.solid_bounds()),* } }
-            fn reaches_beyond(&self) -> bool { match self { $(Shape::$name(s) => s.reaches_beyond()),* } }
+            fn is_solid_unbounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_solid_unbounded()),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
             fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
             fn knows_crossings(&self) -> bool { match self { $(Shape::$name(s) => s.knows_crossings()),* } }
@@ -133,25 +135,18 @@ macro_rules! shapes {
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
             fn faces(&self) -> Vec<Face> { match self { $(Shape::$name(s) => s.faces()),* } }
-            fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
-            fn hides_interior_texture(&self) -> bool { match self { $(Shape::$name(s) => s.hides_interior_texture()),* } }
-            fn darkens_by_outside(&self) -> bool { match self { $(Shape::$name(s) => s.darkens_by_outside()),* } }
-            fn keeps_sides(&self) -> bool { match self { $(Shape::$name(s) => s.keeps_sides()),* } }
-            fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
-            fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }
-            fn least_distance(&self) -> f64 { match self { $(Shape::$name(s) => s.least_distance()),* } }
-            fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
-            fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
-            fn is_never_bounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_bounded()),* } }
-            fn keeps_bound(&self) -> bool { match self { $(Shape::$name(s) => s.keeps_bound()),* } }
-            fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
-            fn learns(&self) -> bool { match self { $(Shape::$name(s) => s.learns()),* } }
+            fn texture_weights(&self, p: DVec3, hit: &Hit) -> TextureWeights { match self { $(Shape::$name(s) => s.texture_weights(p, hit)),* } }
+            fn has_uv_mapping(&self) -> bool { match self { $(Shape::$name(s) => s.has_uv_mapping()),* } }
+            fn is_open(&self) -> bool { match self { $(Shape::$name(s) => s.is_open()),* } }
+            fn caches_lazily(&self) -> bool { match self { $(Shape::$name(s) => s.caches_lazily()),* } }
         }
 
         impl Shape {
-            /// The shape that M is about to place; `moves` are the steps of M, where [`Kernel::remembers_moves`].
-            pub fn under(&self, m: &Transform, moves: &[Move]) -> Cow<'_, Self> {
-                match self { $(Shape::$name(s) => s.changed_under(m, moves).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
+            /// The quirks of the shape's kind.
+            pub fn quirks(&self) -> &'static Quirks { match self { $(Shape::$name(_) => &$name::QUIRKS),* } }
+            /// The shape to place by M: see [`Kernel::changed_under`].
+            pub fn under(&self, m: &Transform) -> Cow<'_, Self> {
+                match self { $(Shape::$name(s) => s.changed_under(m).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
             /// Do both share all they are?
             pub fn is_one_with(&self, other: &Self) -> bool {

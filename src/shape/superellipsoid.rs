@@ -336,7 +336,7 @@ impl Kernel for Superellipsoid {
     }
 
     /// A trifle larger than it is.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         moved_box(m, &CUBE.grown(1e-4))
     }
 
@@ -371,7 +371,7 @@ impl Kernel for Superellipsoid {
     }
 
     /// POV-Ray has no mapping for it.
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

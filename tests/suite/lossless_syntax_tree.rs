@@ -35,7 +35,7 @@ fn texts() -> Vec<(PathBuf, String)> {
     let step = if std::env::var_os("DURER_FUZZ").is_some() { 1 } else { 3 };
     files.extend(povrays.into_iter().step_by(step));
     files.sort();
-    let read = |path: PathBuf| durer::source::read_text(&path).ok().map(|text| (path, text));
+    let read = |path: PathBuf| durer::source::read_text(&durer::source::Disk, &path).ok().map(|text| (path, text));
     // Half a megabyte of numbers is like another.
     files.into_iter().filter_map(read).filter(|(_, text)| text.len() < 500_000).collect()
 }

@@ -3,16 +3,13 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::{Argument, Given};
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::Slot;
 use crate::math::DVec3;
 use crate::scene::Object;
-use crate::value::{Thing, Value, downcast};
+use crate::value::{Value, downcast};
 use crate::world::Probe;
 use std::rc::Rc;
 use std::sync::Arc;
-
-/// Objects that are kept ready for rays at a time.
-const MAX_PROBES: usize = 256;
 
 impl<'a> Interpreter<'a> {
     /// `trace(Object, From, Direction [, Normal])`: where the ray meets the object, or the origin; the last argument is
@@ -42,20 +39,20 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `min_extent(Object)`, `max_extent(Object)`
-    pub(super) fn extent(&mut self, object: &Argument<'a>, max: bool) -> Result<Value> {
-        let extent = self.object_argument(object)?.extent();
-        Ok(Value::Vector(if max { extent.max } else { extent.min }.into()))
+    pub(super) fn pov_bounds(&mut self, object: &Argument<'a>, max: bool) -> Result<Value> {
+        let pov_bounds = self.object_argument(object)?.pov_bounds();
+        Ok(Value::Vector(if max { pov_bounds.max } else { pov_bounds.min }.into()))
     }
 
     /// Gives a name or an array's element a value.
     fn set_result(&mut self, target: &Argument<'a>, value: Value) -> Result<()> {
         match &target.given {
-            Given::Name(symbol) if self.scopes.get(*symbol).is_some() => {
-                self.scopes.set_global(*symbol, Slot::Value(value), vec![]);
+            Given::Name(symbol) if self.evaluator.is_declared(*symbol) => {
+                self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]);
                 Ok(())
             }
             Given::Place(place) => {
-                self.scopes.set_element(place, Some(Slot::Value(value)));
+                self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value)));
                 Ok(())
             }
             Given::Name(symbol) => self.name_value(*symbol, target.span).map(drop),
@@ -82,15 +79,11 @@ impl<'a> Interpreter<'a> {
     fn probe(&mut self, argument: &Argument<'a>) -> Result<Rc<Probe>> {
         let object = self.object_argument(argument)?;
         let key = Arc::as_ptr(&object).cast::<()>();
-        if let Some((_, probe)) = self.probes.get(&key) {
-            return Ok(probe.clone());
-        }
-        if self.probes.len() >= MAX_PROBES {
-            self.probes.clear();
+        if let Some(probe) = self.evaluator.assets().probe(key) {
+            return Ok(probe);
         }
         let probe = Rc::new(Probe::new(&object)?);
-        // The object is kept, so that no other one gets its address.
-        self.probes.insert(key, (object as Arc<dyn Thing>, probe.clone()));
+        self.evaluator.assets().add_probe(object, probe.clone());
         Ok(probe)
     }
 }

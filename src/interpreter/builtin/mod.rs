@@ -11,7 +11,7 @@ pub(super) use text::leading_number;
 
 use super::Interpreter;
 use super::argument::Argument;
-use super::eval::{as_float, as_vector};
+use super::evaluator::{as_float, as_vector};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::numeric::{self as numeric_table, Domain, Numeric};
 use crate::math::DVec3;
@@ -172,9 +172,9 @@ impl<'a> Interpreter<'a> {
         match value {
             Value::Text(text) if text.len() > MAX_TEXT => {
                 let message = format!("this string is longer than {} million bytes", MAX_TEXT / 1_000_000);
-                self.limit(codes::MEMORY_LIMIT, span, message, "does a loop make it longer and longer?")
+                self.reporter.limit(codes::MEMORY_LIMIT, span, message, "does a loop make it longer and longer?")
             }
-            Value::Text(text) => self.made(text.len(), span),
+            Value::Text(text) => self.reporter.count_text(text.len(), span),
             _ => Ok(()),
         }
     }

@@ -12,15 +12,15 @@ impl<'a> Interpreter<'a> {
         let start = self.argument_number(start)?;
         // What 32 bits can't hold was seen to count as their smallest number.
         let holds = start > -2_147_483_649.0 && start < 2_147_483_648.0;
-        self.random.push(if holds { start as i32 as u32 } else { 1 << 31 });
-        Ok(Value::Float((self.random.len() - 1) as f64))
+        let stream = self.evaluator.open_random_stream(if holds { start as i32 as u32 } else { 1 << 31 });
+        Ok(Value::Float(stream as f64))
     }
 
     /// The next number of a stream, from 0 to 1: a linear congruence, found from the numbers that POV-Ray prints. The
     /// stream of seed 0 begins with the increment, that of seed 1 differs from it by the factor.
     pub(super) fn rand(&mut self, stream: &Argument<'a>) -> Result<Value> {
         let number = self.argument_number(stream)?;
-        match self.random.get_mut(number as usize).filter(|_| number >= 0.0) {
+        match self.evaluator.random_stream(number) {
             Some(state) => {
                 *state = state.wrapping_mul(1_812_433_253).wrapping_add(12_345);
                 Ok(Value::Float(f64::from(*state) / f64::from(u32::MAX)))

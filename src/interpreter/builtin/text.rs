@@ -2,7 +2,7 @@
 
 use super::{Arguments, Builtin, float};
 use crate::diagnostic::Result;
-use crate::interpreter::operators::numbers_of;
+use crate::interpreter::evaluator::numbers_of;
 use crate::value::{Value, VecN};
 use std::fmt::Write;
 

@@ -3,13 +3,12 @@
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::eval::as_float;
-use crate::interpreter::operators::SMALL;
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::SMALL;
+use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::{as_float, is_in_loop};
 use crate::interpreter::stream::FrameKind;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::fault;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
@@ -20,13 +19,13 @@ impl<'a> Interpreter<'a> {
     /// The number in the parentheses behind a directive's word.
     fn head_number(&mut self, head: &'a Head, span: Span) -> Result<f64> {
         match head {
-            Head::Whole(e) if !self.splits(e) => self.number(e),
+            Head::Whole(e) if !self.evaluator.splits(e) => self.number(e),
             Head::Whole(e) => {
-                let elements = self.as_elements(e);
+                let elements = self.inputs.as_elements(e);
                 self.number_within(elements, e.span)
             }
             Head::Pieces(Some(elements)) => self.number_within(elements, span),
-            Head::Pieces(None) => Err(self.no_parentheses(span)),
+            Head::Pieces(None) => Err(self.misplaced(span).into()),
         }
     }
 
@@ -41,18 +40,10 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// `#if A = 1` instead of `#if (A = 1)`.
-    fn no_parentheses(&self, span: Span) -> Fault {
-        let Some((file, range)) = self.sources.locate(span) else {
-            return Box::new(Diagnostic::new(codes::SYNTAX, span, "expected `(`"));
-        };
-        Box::new(fault::explain(self.sources.text(file), range.start, self.sources.base(file)))
-    }
-
     pub(in crate::interpreter) fn branch(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
         for (i, branch) in branches.iter().enumerate() {
             if let Condition::True(Head::Pieces(None)) = &branch.condition {
-                let mark = self.mark();
+                let mark = self.stream.checkpoint();
                 if self.head_in_body(&branch.body, branch.span)?.abs() > SMALL {
                     break;
                 }
@@ -65,41 +56,34 @@ impl<'a> Interpreter<'a> {
                 Condition::NotDeclared(head) => !self.head_is_declared(head, branch.span)?,
                 Condition::Always => true,
             };
-            self.note_branch(&branch.body, taken);
+            self.reporter.record_branch(&branch.body, taken);
             if taken {
-                branches[i + 1..].iter().for_each(|other| self.note_branch(&other.body, false));
+                branches[i + 1..].iter().for_each(|other| self.reporter.record_branch(&other.body, false));
                 if let (Condition::Always, Some(next)) = (&branch.condition, branches.get(i + 1)) {
-                    return Err(continues_nothing(next.span, self.sources.snippet(next.span)));
+                    return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
                 }
-                self.push_frame(&branch.body, FrameKind::Branch, span);
+                self.stream.push_frame(&branch.body, FrameKind::Branch, span);
                 break;
             }
         }
         Ok(())
     }
 
-    /// For those who show what did not run.
-    fn note_branch(&mut self, body: &[Element], runs: bool) {
-        if let (true, [first, ..], Some(last)) = (self.options.branches, body, body.last()) {
-            *self.branches.entry(first.span.to(last.span)).or_default() |= runs;
-        }
-    }
-
     /// A condition that a body begins with: its `(` is closed by what a macro or a branch gives. What follows it there comes
     /// next.
     fn head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
         if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
-            return Err(self.no_parentheses(span));
+            return Err(self.misplaced(span).into());
         }
-        let mark = self.mark();
-        self.push_frame(body, FrameKind::Branch, span);
+        let mark = self.stream.checkpoint();
+        self.stream.push_frame(body, FrameKind::Branch, span);
         let read = self.open().and_then(|_| {
             let (value, at) = self.value_in(true)?;
             let number = as_float(&value, at)?;
             self.close("`)`").map(|()| number)
         });
         read.map_err(|fault| {
-            let fault = self.with_trace(*fault);
+            let fault = self.stream.with_trace(*fault);
             self.unwind(mark);
             Box::new(fault)
         })
@@ -110,8 +94,8 @@ impl<'a> Interpreter<'a> {
             Head::Whole(e) => self.is_declared(e),
             Head::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| {
                 // (The name may be a macro's, which is not called here.)
-                match me.bare_name() {
-                    Some((symbol, _)) => Ok(me.scopes.get(symbol).is_some()),
+                match me.stream.bare_name() {
+                    Some((symbol, _)) => Ok(me.evaluator.is_declared(symbol)),
                     None => {
                         let argument = match me.argument_here() {
                             Err(fault) if fault.code == codes::UNDECLARED => return me.skip_to_end().map(|()| false),
@@ -126,14 +110,14 @@ impl<'a> Interpreter<'a> {
                     }
                 }
             }),
-            Head::Pieces(None) => Err(self.no_parentheses(span)),
+            Head::Pieces(None) => Err(self.misplaced(span).into()),
         }
     }
 
     /// Over what is left between the brackets.
     fn skip_to_end(&mut self) -> Result<()> {
         while !self.peek()?.ends() {
-            self.advance();
+            self.stream.advance();
         }
         Ok(())
     }
@@ -141,7 +125,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
         match &e.kind {
             // The language's own constants are not declared.
-            ExprKind::Name(symbol) => Ok(self.scopes.get(*symbol).is_some()),
+            ExprKind::Name(symbol) => Ok(self.evaluator.is_declared(*symbol)),
             ExprKind::Index(array, indices) => {
                 if !self.is_declared(array)? {
                     return Ok(false);
@@ -150,12 +134,14 @@ impl<'a> Interpreter<'a> {
                     return self.has_keys(place, indices);
                 }
                 let place = self.element_place(array, indices)?;
-                Ok(self.scopes.at(&place).is_some())
+                Ok(self.evaluator.scopes().at(&place).is_some())
             }
             ExprKind::Dot(base, _, symbol) => {
                 let place = self.dictionary_place(base)?;
-                let key = self.names.text(*symbol);
-                Ok(matches!(place.and_then(|p| self.scopes.at(&p)), Some(Slot::Array(array)) if array.has_key(key)))
+                let key = self.inputs.names.text(*symbol);
+                Ok(
+                    matches!(place.and_then(|p| self.evaluator.scopes().at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
+                )
             }
             ExprKind::Paren(inner) => self.is_declared(inner),
             _ => Diagnostic::err(codes::WRONG_TYPE, e.span, "`#ifdef` takes a name"),
@@ -169,7 +155,7 @@ impl<'a> Interpreter<'a> {
         span: Span,
     ) -> Result<()> {
         if self.condition(condition, span)? {
-            self.push_frame(body, FrameKind::While(condition), span);
+            self.stream.push_frame(body, FrameKind::While(condition), span);
         }
         Ok(())
     }
@@ -177,7 +163,7 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn for_loop(&mut self, f: &'a For, span: Span) -> Result<()> {
         let (counter, [first, last, step], at) = match &f.head {
             ForHead::Whole(counter, range) => {
-                let [first, last, rest @ ..] = &**range else { return Err(self.no_parentheses(span)) };
+                let [first, last, rest @ ..] = &**range else { return Err(self.misplaced(span).into()) };
                 let (first, last) = (self.number(first)?, self.number(last)?);
                 let (step, at) = match rest {
                     [step, ..] => (self.number(step)?, step.span),
@@ -186,14 +172,14 @@ impl<'a> Interpreter<'a> {
                 (*counter, [first, last, step], at)
             }
             ForHead::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| me.for_head(span))?,
-            ForHead::Pieces(None) => return Err(self.no_parentheses(span)),
+            ForHead::Pieces(None) => return Err(self.misplaced(span).into()),
         };
         if step.is_nan() || step.abs() < SMALL {
             return Diagnostic::err(codes::ZERO_STEP, at, format!("a step of {step} would never reach the last value"));
         }
-        self.scopes.set_local(counter, Slot::Value(Value::Float(first)), vec![]);
-        if within(first, last, step) {
-            self.push_frame(&f.body, FrameKind::For { counter, last, step }, span);
+        self.evaluator.scopes_mut().set_local(counter, Slot::Value(Value::Float(first)), vec![]);
+        if is_in_loop(first, last, step) {
+            self.stream.push_frame(&f.body, FrameKind::For { counter, last, step }, span);
         }
         Ok(())
     }
@@ -201,10 +187,11 @@ impl<'a> Interpreter<'a> {
     /// `I, 0, 10, 2`; the commas may be left out.
     fn for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
         // `J -1, 1`, `J (0), 1`: the comma behind the name may be left out.
-        if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_))) {
-            self.take_apart();
+        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
+        {
+            self.stream.split_next();
         }
-        let Some((counter, _)) = self.raw_name() else { return Err(self.unexpected_token("a name").into()) };
+        let Some((counter, _)) = self.stream.raw_name() else { return Err(self.unexpected_token("a name").into()) };
         let (mut numbers, mut at) = ([0.0, 0.0, 1.0], span);
         let mut count = 0;
         while count < 3 && !self.peek()?.ends() {
@@ -218,28 +205,11 @@ impl<'a> Interpreter<'a> {
         Ok((counter, numbers, at))
     }
 
-    /// Adds the step to the counter, which the body may have changed; is there another pass?
-    pub(in crate::interpreter) fn advance_counter(
-        &mut self,
-        counter: Symbol,
-        last: f64,
-        step: f64,
-        span: Span,
-    ) -> Result<bool> {
-        let Some(Slot::Value(Value::Float(value))) = self.scopes.get(counter) else {
-            let name = self.names.text(counter);
-            return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
-        };
-        let next = value + step;
-        self.scopes.set_global(counter, Slot::Value(Value::Float(next)), vec![]);
-        Ok(within(next, last, step))
-    }
-
     /// Runs the first arm that fits and all after it until a `#break`.
     pub(in crate::interpreter) fn switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
         let value = self.head_number(value, span)?;
         for (i, arm) in arms.iter().enumerate() {
-            let mark = self.mark();
+            let mark = self.stream.checkpoint();
             let fits = match &arm.when {
                 When::Case(Head::Pieces(None)) => (self.head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
                 When::Case(head) => (self.head_number(head, arm.span)? - value).abs() < SMALL,
@@ -247,24 +217,24 @@ impl<'a> Interpreter<'a> {
                     let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.two_numbers())?;
                     value >= low - SMALL && value <= high + SMALL
                 }
-                When::Range(None) => return Err(self.no_parentheses(arm.span)),
+                When::Range(None) => return Err(self.misplaced(arm.span).into()),
                 When::Otherwise => true,
             };
             // What a head in pieces has left of its body.
-            let begun = self.frames.split_off(mark.frames);
+            let begun = self.stream.split_off_frames(mark.frame_count());
             if let (true, When::Otherwise, Some(next)) = (fits, &arm.when, arms.get(i + 1)) {
-                return Err(continues_nothing(next.span, self.sources.snippet(next.span)));
+                return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
             }
             // (Where an arm ends is known when it runs: those behind it are not called idle.)
-            self.note_branch(&arm.body, fits);
-            arms[i + 1..].iter().filter(|_| fits).for_each(|other| self.note_branch(&other.body, true));
+            self.reporter.record_branch(&arm.body, fits);
+            arms[i + 1..].iter().filter(|_| fits).for_each(|other| self.reporter.record_branch(&other.body, true));
             if fits {
                 // Fall-through, also into `#else`: later arms lie below on the stack.
-                self.push_frame(&[], FrameKind::Switch, span);
+                self.stream.push_frame(&[], FrameKind::Switch, span);
                 for arm in arms[i + usize::from(!begun.is_empty())..].iter().rev() {
-                    self.push_frame(&arm.body, FrameKind::Branch, span);
+                    self.stream.push_frame(&arm.body, FrameKind::Branch, span);
                 }
-                self.frames.extend(begun);
+                self.stream.push_frames(begun);
                 break;
             }
         }
@@ -294,8 +264,4 @@ fn continues_nothing(span: Span, text: &str) -> Fault {
     let at = Span { hi: span.lo + word.len() as u32, ..span };
     let d = Diagnostic::new(codes::UNMATCHED_CLOSER, at, format!("`{word}` continues nothing"));
     Box::new(d.help("it stands behind an `#else`, which is the last part"))
-}
-
-fn within(value: f64, last: f64, step: f64) -> bool {
-    if step > 0.0 { value <= last + SMALL } else { value >= last - SMALL }
 }

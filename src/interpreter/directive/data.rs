@@ -1,7 +1,7 @@
 //! What stands in data files: values as `#read` takes them, and as `#write` puts them, as text or bytes.
 
 use crate::interpreter::builtin::leading_number;
-use crate::interpreter::operators::numbers_of;
+use crate::interpreter::evaluator::numbers_of;
 use crate::value::{Value, VecN, decimal, without_zeros};
 
 /// Over blanks, commas and comments.

@@ -3,8 +3,8 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::scope::{Place, Slot};
-use crate::interpreter::stream::Token;
+use crate::interpreter::evaluator::{Place, Slot};
+use crate::interpreter::stream::{StackFrame, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::word::{self, Category};
@@ -32,12 +32,12 @@ impl<'a> Interpreter<'a> {
         if declare.others.is_empty()
             && target.indices.is_empty()
             && declare.deprecated.is_none()
-            && let Some(x) = self.simple_statement()
+            && let Some(x) = self.number_statement()
         {
             let slot = Slot::Value(Value::Float(x));
             match declare.local {
-                true => self.scopes.set_local(target.symbol, slot, vec![]),
-                false => self.scopes.set_global(target.symbol, slot, vec![]),
+                true => self.evaluator.scopes_mut().set_local(target.symbol, slot, vec![]),
+                false => self.evaluator.scopes_mut().set_global(target.symbol, slot, vec![]),
             }
             return Ok(());
         }
@@ -65,9 +65,9 @@ impl<'a> Interpreter<'a> {
     }
 
     fn expect_value_of(&self, symbol: Symbol) -> Result<()> {
-        match self.at_semicolon() {
+        match self.stream.at_semicolon() {
             Some(at) => {
-                let message = format!("expected a value for `{}`, found `;`", self.names.text(symbol));
+                let message = format!("expected a value for `{}`, found `;`", self.inputs.names.text(symbol));
                 Diagnostic::err(codes::EXPECTED, at, message)
             }
             None => Ok(()),
@@ -76,21 +76,22 @@ impl<'a> Interpreter<'a> {
 
     /// `#declare` where what stands before the `=` comes in pieces.
     pub(in crate::interpreter) fn declare_pieces(&mut self, local: bool, span: Span) -> Result<()> {
-        let mark = self.mark();
-        self.declare_tokens(local, span).map_err(|fault| self.past_fault(mark, *fault))
+        let mark = self.stream.checkpoint();
+        self.declare_tokens(local, span).map_err(|fault| self.skip_fault(mark, *fault))
     }
 
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         self.pop_spent();
         let deprecated = self.deprecated_tokens()?;
-        if let Some(ElementKind::Expr(_) | ElementKind::Sign(Sign::Open(Bracket::Paren))) = self.raw().map(|e| &e.kind)
+        if let Some(ElementKind::Expr(_) | ElementKind::Sign(Sign::Open(Bracket::Paren))) =
+            self.stream.raw().map(|e| &e.kind)
             && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis()?
         {
             self.open()?;
             let mut targets = vec![];
-            while !matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Sign(_)) | None) {
-                if self.raw().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
-                    self.advance();
+            while !matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Sign(_)) | None) {
+                if self.stream.raw().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
+                    self.stream.advance();
                     continue;
                 }
                 targets.push(self.declared_tokens(span)?);
@@ -103,8 +104,8 @@ impl<'a> Interpreter<'a> {
             }
             return Ok(());
         }
-        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.raw() {
-            self.advance();
+        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.raw() {
+            self.stream.advance();
             self.expect_equal()?;
             return self.reserved_name(word.name, *span);
         }
@@ -116,8 +117,8 @@ impl<'a> Interpreter<'a> {
 
     /// `(` as a token, if it comes next.
     fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
-        match self.raw().map(|e| &e.kind) {
-            Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.take_apart(),
+        match self.stream.raw().map(|e| &e.kind) {
+            Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next(),
             Some(ElementKind::Sign(_)) => {}
             _ => return Ok(Token::End),
         }
@@ -126,19 +127,18 @@ impl<'a> Interpreter<'a> {
 
     /// `deprecated once "why"`
     fn deprecated_tokens(&mut self) -> Result<Deprecated<'a>> {
-        let word =
-            |me: &Self, name: &str| matches!(me.raw().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
+        let word = |me: &Self, name: &str| matches!(me.stream.raw().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
         if !word(self, "deprecated") {
             return Ok(None);
         }
-        self.advance();
+        self.stream.advance();
         let once = word(self, "once");
         if once {
-            self.advance();
+            self.stream.advance();
         }
-        match self.raw().map(|e| &e.kind) {
+        match self.stream.raw().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if let ExprKind::Text(why) = &e.kind => {
-                self.advance();
+                self.stream.advance();
                 Ok(Some((once, why)))
             }
             _ => Ok(Some((once, ""))),
@@ -149,11 +149,11 @@ impl<'a> Interpreter<'a> {
     fn declared_tokens(&mut self, directive: Span) -> Result<Declared> {
         self.pop_spent();
         // `declare A = 3` without `#` reads as a comparison.
-        if matches!(self.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
-            self.take_apart();
+        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+            self.stream.split_next();
         }
-        let Some((symbol, span)) = self.raw_name() else { return Err(self.no_name(directive)) };
-        let text = self.names.text(symbol);
+        let Some((symbol, span)) = self.stream.raw_name() else { return Err(self.no_name(directive)) };
+        let text = self.inputs.names.text(symbol);
         if let Some((word, _)) = word::lookup(text).filter(|(_, category)| *category != Category::Contextual) {
             self.expect_equal()?;
             self.reserved_name(word, span)?;
@@ -167,67 +167,61 @@ impl<'a> Interpreter<'a> {
     }
 
     fn no_name(&self, directive: Span) -> crate::diagnostic::Fault {
-        let at = self.raw().map_or(directive.end(), |e| e.span);
-        self.explained(at)
-    }
-
-    /// What can't stand where it does, told from the text.
-    fn explained(&self, at: Span) -> crate::diagnostic::Fault {
-        let Some((file, range)) = self.sources.locate(at) else {
-            return Box::new(Diagnostic::new(codes::SYNTAX, at, "this can't stand here"));
-        };
-        Box::new(crate::syntax::fault::explain(self.sources.text(file), range.start, self.sources.base(file)))
+        let at = self.stream.raw().map_or(directive.end(), |e| e.span);
+        self.misplaced(at).into()
     }
 
     fn expect_equal(&mut self) -> Result<()> {
-        match self.raw().map(|e| &e.kind) {
+        match self.stream.raw().map(|e| &e.kind) {
             Some(ElementKind::Sign(Sign::Operator(Operator::Equal))) => {
-                self.advance();
+                self.stream.advance();
                 Ok(())
             }
             _ => {
-                let at = self.raw().map_or(Span::NONE, |e| e.span);
-                Err(if at == Span::NONE { self.unexpected_token("`=`").into() } else { self.explained(at) })
+                let at = self.stream.raw().map_or(Span::NONE, |e| e.span);
+                Err(if at == Span::NONE { self.unexpected_token("`=`").into() } else { self.misplaced(at).into() })
             }
         }
     }
 
     fn declare_one(&mut self, local: bool, deprecated: Deprecated<'a>, declared: Declared) -> Result<()> {
-        let first = self.diagnostics.len();
-        let mark = self.mark();
-        let outer = std::mem::replace(&mut self.floor, mark.frames);
-        let value = self.rvalue().and_then(|slot| self.drain(mark.frames).map(|()| slot));
-        self.floor = outer;
-        if value.is_ok() && self.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
-            self.advance();
+        let first = self.reporter.position();
+        let mark = self.stream.checkpoint();
+        let floor = mark.frame_count();
+        let read = |me: &mut Self| me.rvalue().and_then(|slot| me.drain(floor).map(|()| slot));
+        let value = self.in_mode(|mode| mode.frame_floor = floor, read);
+        if value.is_ok() && self.stream.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
+            self.stream.advance();
         }
         let slot = match value {
             Ok(slot) => slot,
-            Err(fault) if self.limit_reached || fault.code == codes::ENDS_RUN || self.unclosed_bracket().is_some() => {
+            Err(fault)
+                if self.reporter.limit_reached()
+                    || fault.code == codes::ENDS_RUN
+                    || self.stream.unclosed_bracket().is_some() =>
+            {
                 return Err(fault);
             }
             Err(fault) => {
-                let fault = self.with_trace(*fault);
+                let fault = self.stream.with_trace(*fault);
                 self.skip_statement(mark);
-                if let Some(frame) = self.frames.last_mut() {
-                    frame.skip_layers(mark.at);
-                }
+                self.stream.skip_layers(mark);
                 // What POV-Ray could not even read is an error at once.
                 if matches!(fault.code, codes::SYNTAX | codes::UNCLOSED | codes::UNMATCHED_CLOSER) {
                     self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);
                     return fault.into();
                 }
-                let mut faults = self.diagnostics.split_off(first);
+                let mut faults = self.reporter.take_since(first);
                 faults.push(fault);
                 Slot::Faulty(Rc::new(faults))
             }
         };
         // Warnings about a thing wait until it is used; those about a number are told here.
         let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
-        let pending = if waits { self.diagnostics.split_off(first.min(self.diagnostics.len())) } else { vec![] };
+        let pending = if waits { self.reporter.take_since(first) } else { vec![] };
         self.bind(local, &declared, slot, pending);
         if let Some((_, why)) = deprecated {
-            self.deprecated.insert(declared.symbol, why);
+            self.evaluator.deprecate(declared.symbol, why);
         }
         Ok(())
     }
@@ -244,11 +238,11 @@ impl<'a> Interpreter<'a> {
     fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match &declared.place {
             Some(place) => {
-                self.scopes.set_element(place, Some(slot));
-                pending.into_iter().for_each(|d| self.report_fault(d));
+                self.evaluator.scopes_mut().set_element(place, Some(slot));
+                pending.into_iter().for_each(|d| self.reporter.report(d));
             }
-            None if local => self.scopes.set_local(declared.symbol, slot, pending),
-            None => self.scopes.set_global(declared.symbol, slot, pending),
+            None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, pending),
+            None => self.evaluator.scopes_mut().set_global(declared.symbol, slot, pending),
         }
     }
 
@@ -264,7 +258,7 @@ impl<'a> Interpreter<'a> {
         while !self.peek()?.ends() {
             values.push(self.rvalue()?);
         }
-        let end = self.here();
+        let end = self.stream.here();
         self.close("`)`")?;
         if values.len() == wanted {
             return Ok(values);
@@ -275,21 +269,21 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn undef(&mut self, span: Span) -> Result<()> {
         self.pop_spent();
         // (Nothing behind the name runs before it is forgotten, and a macro's is not called.)
-        let next = self.frames.last().and_then(|f| f.elements.get(f.at + 1)).map(|e| &e.kind);
+        let next = self.stream.innermost().and_then(StackFrame::following).map(|e| &e.kind);
         if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Sign(_)))
-            && let Some((symbol, _)) = self.raw_name()
+            && let Some((symbol, _)) = self.stream.raw_name()
         {
-            self.scopes.remove(symbol);
+            self.evaluator.scopes_mut().remove(symbol);
             return Ok(());
         }
-        if self.raw().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
+        if self.stream.raw().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
             return Err(self.no_name(span));
         }
-        if let Some(ElementKind::Expr(e)) = self.raw().map(|e| &e.kind)
+        if let Some(ElementKind::Expr(e)) = self.stream.raw().map(|e| &e.kind)
             && matches!(e.kind, ExprKind::Index(..) | ExprKind::Dot(..))
             && !self.is_declared(e)?
         {
-            self.advance();
+            self.stream.advance();
             return Ok(());
         }
         let argument = match self.argument_here() {
@@ -298,8 +292,8 @@ impl<'a> Interpreter<'a> {
             argument => argument?,
         };
         match argument.given {
-            Given::Name(symbol) => drop(self.scopes.remove(symbol)),
-            Given::Place(place) => self.scopes.set_element(&place, None),
+            Given::Name(symbol) => drop(self.evaluator.scopes_mut().remove(symbol)),
+            Given::Place(place) => self.evaluator.scopes_mut().set_element(&place, None),
             Given::Slot(_) => {}
         }
         Ok(())
@@ -311,9 +305,7 @@ impl<'a> Interpreter<'a> {
             return d.help("`#default { finish { ambient 0 } }`").into();
         }
         self.open()?;
-        if let Some(opened) = self.opened.last_mut() {
-            (opened.word, opened.span) = (Some("default"), span);
-        }
+        self.stream.name_bracket("default", span);
         self.read_defaults()?;
         self.close("the end of this block")
     }

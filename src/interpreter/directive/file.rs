@@ -4,12 +4,12 @@ use super::data::{Binary, data_bytes, data_value, skip_blanks};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::scope::Slot;
+use crate::interpreter::evaluator::Slot;
 use crate::interpreter::stream::Token;
-use crate::source::{FileId, Span};
+use crate::source::{FileId, Files, Span, WriteMode};
 use crate::syntax::ast::{ElementKind, Expr, ExprKind, Symbol};
 use crate::value::Value;
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -17,7 +17,6 @@ use std::rc::Rc;
 const MAX_WRITTEN: u64 = 4 << 30;
 
 /// A file between its `#fopen` and its `#fclose`.
-#[derive(Debug)]
 pub(in crate::interpreter) struct OpenFile {
     /// As the scene calls it.
     name: String,
@@ -27,14 +26,13 @@ pub(in crate::interpreter) struct OpenFile {
     span: Span,
 }
 
-#[derive(Debug)]
 enum Access {
     /// How far its text has been read.
     Read {
         file: FileId,
         at: usize,
     },
-    Write(std::io::BufWriter<std::fs::File>),
+    Write(BufWriter<Box<dyn Write + Send>>),
     Closed,
 }
 
@@ -56,13 +54,14 @@ impl<'a> Interpreter<'a> {
                     at.end(),
                     "expected `read`, `write` or `append` behind the file's name",
                 );
-                return d.help(format!("`#fopen {} \"{name}\" read`", self.names.text(symbol))).into();
+                return d.help(format!("`#fopen {} \"{name}\" read`", self.inputs.names.text(symbol))).into();
             }
         };
         // What is done with a file that could not be opened is no fault of its own.
-        let file = file.inspect_err(|_| self.scopes.set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
-        self.files.push(file);
-        self.scopes.set_global(symbol, Slot::File(self.files.len() - 1), vec![]);
+        let file =
+            file.inspect_err(|_| self.evaluator.scopes_mut().set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
+        self.open_files.push(file);
+        self.evaluator.scopes_mut().set_global(symbol, Slot::File(self.open_files.len() - 1), vec![]);
         Ok(())
     }
 
@@ -70,7 +69,7 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn name_here(&mut self) -> Result<Option<(Symbol, Span)>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
-                self.advance();
+                self.stream.advance();
                 Ok(Some((*symbol, *span)))
             }
             _ => Ok(None),
@@ -79,18 +78,18 @@ impl<'a> Interpreter<'a> {
 
     /// The word behind the file's name, or nothing. It is the last one: no directive behind it may run before the file is open.
     fn last_word(&mut self) -> &'static str {
-        while let Some(ElementKind::Comma) = self.raw().map(|e| &e.kind) {
-            self.advance();
+        while let Some(ElementKind::Comma) = self.stream.raw().map(|e| &e.kind) {
+            self.stream.advance();
         }
-        let word = match self.raw().map(|e| &e.kind) {
+        let word = match self.stream.raw().map(|e| &e.kind) {
             Some(ElementKind::Word(word)) => word.name,
             Some(ElementKind::Expr(e)) if let ExprKind::Name(symbol) = e.kind => {
-                crate::syntax::word::lookup(self.names.text(symbol)).map_or("", |(word, _)| word)
+                crate::syntax::word::lookup(self.inputs.names.text(symbol)).map_or("", |(word, _)| word)
             }
             _ => "",
         };
         if !word.is_empty() {
-            self.advance();
+            self.stream.advance();
         }
         word
     }
@@ -107,7 +106,7 @@ impl<'a> Interpreter<'a> {
         let Some(path) = self.find_read_file(name, span)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
             let folders: Vec<String> =
-                self.options.search.folders.iter().map(|f| format!("`{}`", f.display())).collect();
+                self.inputs.options.search.folders.iter().map(|f| format!("`{}`", f.display())).collect();
             return d
                 .help(format!("looked in {}; `#if (file_exists(\"{name}\"))` asks for it", folders.join(", ")))
                 .into();
@@ -118,55 +117,55 @@ impl<'a> Interpreter<'a> {
 
     fn open_to_write(&mut self, name: &str, append: bool, span: Span) -> Result<OpenFile> {
         let path = PathBuf::from(name);
-        if !self.options.sandbox.may_write(&path) {
+        if !self.inputs.files.may_write(&path) {
             let message = format!("the scene may not write `{name}`");
             return Diagnostic::new(codes::FORBIDDEN_FILE, span, message)
                 .help("scenes write below the current folder only; --allow-write DIR allows another one")
                 .into();
         }
-        let file = std::fs::OpenOptions::new().create(true).write(true).append(append).truncate(!append).open(&path);
-        match file {
+        let mode = if append { WriteMode::Append } else { WriteMode::Truncate };
+        match self.inputs.files.open_writer(&path, mode) {
             Ok(file) => {
-                self.parsed.forget(&path);
-                let access = Access::Write(std::io::BufWriter::new(file));
+                self.inputs.parsed.forget(self.inputs.files, &path);
+                let access = Access::Write(BufWriter::new(file));
                 Ok(OpenFile { name: name.into(), path, access, span })
             }
-            Err(error) => Err(unwritable(&path, &error, span).into()),
+            Err(error) => Err(unwritable(self.inputs.files, &path, &error, span).into()),
         }
     }
 
     fn close_file(&mut self, symbol: Symbol, span: Span) {
-        if let Some(Slot::File(index)) = self.scopes.get(symbol) {
+        if let Some(Slot::File(index)) = self.evaluator.scopes().get(symbol) {
             self.flush(*index, span);
-            if let Some(place) = self.scopes.resolve(symbol) {
-                self.scopes.unbind(&place);
+            if let Some(place) = self.evaluator.scopes().resolve(symbol) {
+                self.evaluator.scopes_mut().unbind(&place);
             }
         }
     }
 
     /// Closes a file; what was written last reaches it only now, or not.
     fn flush(&mut self, index: usize, span: Span) {
-        let file = &mut self.files[index];
+        let file = &mut self.open_files[index];
         let written = match std::mem::replace(&mut file.access, Access::Closed) {
             Access::Write(mut out) => out.flush(),
             _ => Ok(()),
         };
-        let fault = written.err().map(|error| unwritable(&file.path, &error, span));
-        self.parsed.forget(&file.path);
-        fault.into_iter().for_each(|fault| self.report_fault(fault));
+        let fault = written.err().map(|error| unwritable(self.inputs.files, &file.path, &error, span));
+        self.inputs.parsed.forget(self.inputs.files, &file.path);
+        fault.into_iter().for_each(|fault| self.reporter.report(fault));
     }
 
     /// Closes what the scene has left open.
     pub(in crate::interpreter) fn close_files(&mut self) {
-        (0..self.files.len()).for_each(|index| self.flush(index, self.files[index].span));
+        (0..self.open_files.len()).for_each(|index| self.flush(index, self.open_files[index].span));
     }
 
     fn file_number(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
-        match self.scopes.get(symbol) {
+        match self.evaluator.scopes().get(symbol) {
             Some(Slot::File(index)) => Ok(*index),
             Some(Slot::Faulty(_)) => Diagnostic::err(codes::FOLLOWS, span, ""),
             _ => {
-                let name = self.names.text(symbol);
+                let name = self.inputs.names.text(symbol);
                 let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("`{name}` is no open file"));
                 d.help(format!("`#fopen {name} \"file.txt\" read` opens one")).into()
             }
@@ -189,15 +188,15 @@ impl<'a> Interpreter<'a> {
             }
             let value = self.next_value(index, span);
             if let (Err(_), Given::Name(symbol)) = (&value, &target.given) {
-                self.scopes.set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
+                self.evaluator.scopes_mut().set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
             }
             let Some((value, follows)) = value? else {
                 more = false;
                 continue;
             };
             match &target.given {
-                Given::Name(symbol) => self.scopes.set_global(*symbol, Slot::Value(value), vec![]),
-                Given::Place(place) => self.scopes.set_element(place, Some(Slot::Value(value))),
+                Given::Name(symbol) => self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]),
+                Given::Place(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
                 Given::Slot(_) => {
                     return Diagnostic::err(codes::EXPECTED, target.span, "expected a name for what is read");
                 }
@@ -213,12 +212,12 @@ impl<'a> Interpreter<'a> {
 
     /// The next number, vector or string of a file, and whether anything follows it.
     fn next_value(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
-        let file = &mut self.files[index];
+        let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {
             let message = format!("`{}` is open for writing: it can't be read", file.name);
             return Diagnostic::err(codes::WRONG_TYPE, span, message);
         };
-        let text = self.sources.text(*file);
+        let text = self.inputs.sources.text(*file);
         *at = skip_blanks(text, *at);
         if *at == text.len() {
             return Ok(None);
@@ -229,7 +228,7 @@ impl<'a> Interpreter<'a> {
                 Ok(Some((value, *at < text.len())))
             }
             None => {
-                let place = self.sources.base(*file) + *at;
+                let place = self.inputs.sources.base(*file) + *at;
                 let message = "a data file holds numbers, vectors and strings, not this";
                 let d = Diagnostic::new(codes::BAD_DATA, Span::new(place, place + 1), message);
                 d.also(span, "read here").into()
@@ -248,13 +247,13 @@ impl<'a> Interpreter<'a> {
         let mut form = None;
         loop {
             let token = self.peek()?;
-            if self.comma {
+            if self.stream.has_comma() {
                 form = None;
             }
             match token {
                 token if token.ends() => return self.close("`)`"),
                 Token::Word(word) if Binary::of(word).is_some() => {
-                    self.advance();
+                    self.stream.advance();
                     form = Binary::of(word);
                 }
                 _ => {
@@ -274,9 +273,9 @@ impl<'a> Interpreter<'a> {
         self.written += bytes.len() as u64;
         if self.written > MAX_WRITTEN {
             let message = format!("the scene writes more than {} GB", MAX_WRITTEN >> 30);
-            return self.limit(codes::MEMORY_LIMIT, span, message, "does a loop write without end?");
+            return self.reporter.limit(codes::MEMORY_LIMIT, span, message, "does a loop write without end?");
         }
-        let file = &mut self.files[index];
+        let file = &mut self.open_files[index];
         let written = match &mut file.access {
             Access::Write(out) => out.write_all(bytes),
             _ => {
@@ -284,11 +283,11 @@ impl<'a> Interpreter<'a> {
                 return Diagnostic::err(codes::WRONG_TYPE, span, message);
             }
         };
-        written.map_err(|error| Box::new(unwritable(&file.path, &error, span)))
+        written.map_err(|error| Box::new(unwritable(self.inputs.files, &file.path, &error, span)))
     }
 }
 
-fn unwritable(path: &Path, error: &std::io::Error, span: Span) -> Diagnostic {
-    let d = crate::diagnostic::file::unwritable(path, error);
+fn unwritable(files: &dyn Files, path: &Path, error: &std::io::Error, span: Span) -> Diagnostic {
+    let d = crate::diagnostic::file::unwritable(files, path, error);
     Diagnostic::new(d.code, span, d.message).maybe_help(d.help)
 }

@@ -2,9 +2,8 @@
 
 use crate::diagnostic::{Diagnostic, Result, Severity, codes, file, nearest};
 use crate::interpreter::Interpreter;
-use crate::interpreter::limits::MAX_INCLUDES;
-use crate::interpreter::pieces::joined;
-use crate::interpreter::stream::FrameKind;
+use crate::interpreter::reporter::MAX_INCLUDES;
+use crate::interpreter::token_expr::joined;
 use crate::library;
 use crate::source::{FileId, Found, Span, read_text};
 use crate::syntax::ast::Ast;
@@ -15,9 +14,9 @@ impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn include(&mut self, span: Span) -> Result<()> {
         let (text, name) = self.text_here()?;
         let span = joined(span, name);
-        if self.including.len() >= MAX_INCLUDES {
+        if self.stream.include_paths().len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
-            return self.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
+            return self.reporter.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
         let (path, ast) = match self.find_read_file(&text, name)? {
             Some(path) => (path.clone(), self.load(&path, &text, name)?),
@@ -26,33 +25,28 @@ impl<'a> Interpreter<'a> {
                 None => return Err(self.missing_include(&text, name).into()),
             },
         };
-        self.scopes.enter();
-        self.including.push(path);
-        let comma = std::mem::take(&mut self.comma);
-        self.push_frame(&ast.elements, FrameKind::Include, span);
-        if let Some(frame) = self.frames.last_mut() {
-            frame.comma = comma;
-        }
+        self.evaluator.scopes_mut().enter();
+        self.stream.push_include(path, &ast.elements, span);
         Ok(())
     }
 
     /// A file that the scene names, if it is there and may be read.
     pub(in crate::interpreter) fn find_read_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
-        let including = self.including.last().map(PathBuf::as_path);
+        let including = self.stream.include_paths().last().map(PathBuf::as_path);
         // `"C:\new\shapes.inc"` as it is typed, where `\n` is no line's end.
-        let typed = self.sources.snippet(span);
+        let typed = self.inputs.sources.snippet(span);
         let typed = typed.strip_prefix('"').and_then(|t| t.strip_suffix('"')).filter(|t| t.contains('\\'));
-        let search = &self.options.search;
-        let found = search.resolve(name, including).or_else(|| search.resolve(typed?, including));
+        let search = &self.inputs.options.search;
+        let found = search.resolve(self.inputs.files, name, including);
+        let found = found.or_else(|| search.resolve(self.inputs.files, typed?, including));
         let name = typed.unwrap_or(name);
         if let Some(Found { portable: Some(portable), .. }) = &found {
             let message = format!("there is no file `{name}`; `{portable}` is read instead");
             let d = Diagnostic::new(codes::OTHER_SPELLING, span, message);
-            let d = self.with_trace(d.help(format!("write \"{portable}\", which every system finds")));
-            self.report_fault(d);
+            self.report_here(d.help(format!("write \"{portable}\", which every system finds")));
         }
         match found.map(|found| found.path) {
-            Some(path) if !self.options.sandbox.may_read(&path) => {
+            Some(path) if !self.inputs.files.may_read(&path) => {
                 let folder = path.parent().unwrap_or(Path::new(".")).display().to_string();
                 Diagnostic::new(codes::FORBIDDEN_FILE, span, format!("the scene may not read `{name}`"))
                     .help(format!("scenes read below their own folder and the include paths; `--allow-read {folder}` allows this one"))
@@ -60,10 +54,6 @@ impl<'a> Interpreter<'a> {
             }
             found => Ok(found),
         }
-    }
-
-    pub(in crate::interpreter) fn leave_include(&mut self) {
-        self.including.pop();
     }
 
     /// A file's tree: read and parsed once, however often it is included.
@@ -74,62 +64,75 @@ impl<'a> Interpreter<'a> {
 
     /// A file's text: read once, as long as nobody changes it.
     pub(in crate::interpreter) fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
-        if let Some(file) = self.parsed.file(path) {
+        if let Some(file) = self.inputs.parsed.file(self.inputs.files, path) {
             return Ok(file);
         }
-        let text = read_text(path).map_err(|e| {
-            let message = file::unreadable(path, &e).message;
+        let text = read_text(self.inputs.files, path).map_err(|e| {
+            let message = file::unreadable(self.inputs.files, path, &e).message;
             Box::new(Diagnostic::new(codes::UNREADABLE_INCLUDE, span, message))
         })?;
-        let Some(file) = self.sources.add(name, Some(path), text) else {
-            return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
+        let Some(file) = self.inputs.sources.add(name, Some(path), text) else {
+            return self.reporter.limit(
+                codes::MEMORY_LIMIT,
+                span,
+                "the scene's text is larger than 4 GB".into(),
+                "split it",
+            );
         };
-        self.parsed.keep_file(path, file);
+        self.inputs.parsed.keep_file(self.inputs.files, path, file);
         Ok(file)
     }
 
     /// The same for a file of the program's own library, under a path that no file has.
     fn load_built_in(&mut self, name: &str, text: &str, span: Span) -> Result<(PathBuf, &'a Ast)> {
         let path = Path::new(library::FOLDER).join(name);
-        if let Some(ast) = self.parsed.file(&path).and_then(|file| self.parsed.tree(file)) {
+        if let Some(ast) =
+            self.inputs.parsed.file(self.inputs.files, &path).and_then(|file| self.inputs.parsed.tree(file))
+        {
             return Ok((path, ast));
         }
-        let Some(file) = self.sources.add(&path.to_string_lossy(), None, text.to_string()) else {
-            return self.limit(codes::MEMORY_LIMIT, span, "the scene's text is larger than 4 GB".into(), "split it");
+        let Some(file) = self.inputs.sources.add(&path.to_string_lossy(), None, text.to_string()) else {
+            return self.reporter.limit(
+                codes::MEMORY_LIMIT,
+                span,
+                "the scene's text is larger than 4 GB".into(),
+                "split it",
+            );
         };
         let ast = self.parse_file(file)?;
-        self.parsed.keep_file(&path, file);
+        self.inputs.parsed.keep_file(self.inputs.files, &path, file);
         Ok((path, ast))
     }
 
     /// Parses a text that [`crate::source::Sources`] holds.
     pub(in crate::interpreter) fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
-        if let Some(ast) = self.parsed.tree(file) {
-            self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
+        if let Some(ast) = self.inputs.parsed.tree(file) {
+            self.stream.add_unclosed(ast);
             return Ok(ast);
         }
-        let (ast, mut faults) = parse(self.sources, file, self.names, self.options.wholes);
-        self.late.extend(faults.extract_if(.., |fault| fault.severity == Severity::Warning));
+        let (ast, mut faults) = parse(self.inputs.sources, file, self.inputs.names, self.inputs.options.wholes);
+        self.reporter.defer(faults.extract_if(.., |fault| fault.severity == Severity::Warning));
         // An `#end` too many spoils nothing of what stands around it.
         if faults.iter().all(|fault| fault.code == codes::UNMATCHED_CLOSER) {
-            self.late.append(&mut faults);
+            self.reporter.defer(std::mem::take(&mut faults));
         }
         let Some(mut last) = faults.pop() else {
-            self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
-            return Ok(self.parsed.keep(file, ast));
+            self.stream.add_unclosed(&ast);
+            return Ok(self.inputs.parsed.keep(file, ast));
         };
         for fault in faults {
-            self.report_fault(fault);
+            self.reporter.report(fault);
         }
-        last.trace = self.trace().into();
-        self.report_fault(last);
+        last.trace = self.stream.trace().into();
+        self.reporter.report(last);
         Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
     }
 
     fn missing_include(&self, name: &str, span: Span) -> Diagnostic {
-        let folders = &self.options.search.folders;
+        let folders = &self.inputs.options.search.folders;
         let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
-        let there: Vec<String> = folders.iter().flat_map(files_in).collect();
+        let there = folders.iter().flat_map(|folder| self.inputs.files.list(folder).unwrap_or_default());
+        let there: Vec<String> = there.filter_map(|entry| entry.name.into_string().ok()).collect();
         if let Some(found) = similar_file(name, &there) {
             return d.help(format!("did you mean `{found}`?"));
         }
@@ -151,9 +154,4 @@ fn similar_file<'a>(name: &str, there: &'a [String]) -> Option<&'a str> {
     let meant = stems().find(|known| *known == typed).or_else(|| nearest(typed, stems()))?;
     let files = there.iter().map(String::as_str).filter(|file| stem(file) == meant);
     files.min_by_key(|file| !file.ends_with(".inc"))
-}
-
-fn files_in(folder: &PathBuf) -> Vec<String> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    entries.filter_map(|e| e.file_name().into_string().ok()).collect()
 }

@@ -3,27 +3,23 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::limits::MAX_CALLS;
-use crate::interpreter::pieces::joined;
-use crate::interpreter::scope::Slot;
-use crate::interpreter::stream::{FrameKind, Token};
+use crate::interpreter::evaluator::Slot;
+use crate::interpreter::reporter::MAX_CALLS;
+use crate::interpreter::stream::Token;
+use crate::interpreter::token_expr::joined;
 use crate::source::Span;
 use crate::syntax::ast::*;
 
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn define_macro(&mut self, definition: &'a Macro) -> Result<()> {
         if let Some(at) = definition.fault {
-            let found = self.sources.snippet(at);
+            let found = self.inputs.sources.snippet(at);
             let found = if found.is_empty() { "nothing".into() } else { format!("`{found}`") };
             let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name behind `#macro`, found {found}"));
             return d.help("`#macro Name(A, B) … #end`").into();
         }
-        self.scopes.set_global(definition.name, Slot::Macro(definition), vec![]);
+        self.evaluator.scopes_mut().set_global(definition.name, Slot::Macro(definition), vec![]);
         Ok(())
-    }
-
-    pub(in crate::interpreter) fn is_macro(&self, name: Symbol) -> bool {
-        matches!(self.scopes.get(name), Some(Slot::Macro(_)))
     }
 
     /// Evaluates the arguments, opens a scope and puts the body next in the stream, then perhaps a comma.
@@ -34,7 +30,7 @@ impl<'a> Interpreter<'a> {
         span: Span,
         comma: bool,
     ) -> Result<()> {
-        let Some(&Slot::Macro(definition)) = self.scopes.get(name) else { return Ok(()) };
+        let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
         let slots = match self.plain_arguments(definition, arguments)? {
             Some(slots) => slots,
@@ -45,58 +41,47 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The same for a name that has been consumed, whose `(` comes next.
-    pub(in crate::interpreter) fn call_macro_in_pieces(&mut self, name: Symbol, span: Span) -> Result<()> {
-        let Some(&Slot::Macro(definition)) = self.scopes.get(name) else { return Ok(()) };
+    pub(in crate::interpreter) fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
+        let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
-        self.comma = false;
         self.expose_parenthesis()?;
         if !matches!(self.peek()?, Token::Open(Bracket::Paren, _)) {
-            let name = self.names.text(name);
+            let name = self.inputs.names.text(name);
             let d = Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"));
             return d.help(format!("a call needs parentheses: `{name}()`")).into();
         }
-        let mark = self.mark();
+        let mark = self.stream.checkpoint();
         let read = self.open().and_then(|_| self.arguments(definition, span));
         let read = read.and_then(|slots| {
-            let end = self.here();
+            let end = self.stream.here();
             self.close("`)`").map(|()| (slots, end))
         });
         let (slots, end) = match read {
             Ok(read) => read,
             Err(fault) => {
-                if self.unclosed_bracket().is_none() {
+                if self.stream.unclosed_bracket().is_none() {
                     self.skip_brackets(mark);
                 }
                 return Err(fault);
             }
         };
-        let comma = std::mem::take(&mut self.comma);
+        let comma = self.stream.take_comma();
         self.enter_macro(definition, slots, joined(span, end), comma);
         Ok(())
     }
 
     fn check_depth(&mut self, name: Symbol, span: Span) -> Result<()> {
-        self.step(span)?;
-        if self.depth < MAX_CALLS {
+        self.reporter.step(span)?;
+        if self.stream.call_depth() < MAX_CALLS {
             return Ok(());
         }
-        let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.names.text(name));
-        self.limit(codes::CALL_DEPTH, span, message, "does this recursion ever end?")
+        let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.inputs.names.text(name));
+        self.reporter.limit(codes::CALL_DEPTH, span, message, "does this recursion ever end?")
     }
 
-    fn enter_macro(&mut self, definition: &'a Macro, mut slots: Vec<Option<Slot<'a>>>, span: Span, comma: bool) {
-        self.scopes.enter();
-        for ((parameter, _), slot) in definition.parameters.iter().zip(slots.drain(..)) {
-            if let Some(slot) = slot {
-                self.scopes.bind_parameter(*parameter, slot);
-            }
-        }
-        self.call_slots = slots;
-        self.depth += 1;
-        self.push_frame(&definition.body, FrameKind::Macro(definition.name), span);
-        if let Some(frame) = self.frames.last_mut() {
-            frame.comma = comma;
-        }
+    fn enter_macro(&mut self, definition: &'a Macro, arguments: Vec<Option<Slot<'a>>>, span: Span, comma: bool) {
+        self.evaluator.enter_call(&definition.parameters, arguments);
+        self.stream.push_call(definition, span, comma);
     }
 
     /// The common case, without a frame: as many expressions as parameters, none of them a macro's or of several values.
@@ -105,26 +90,18 @@ impl<'a> Interpreter<'a> {
         definition: &'a Macro,
         arguments: &'a [Element],
     ) -> Result<Option<Vec<Option<Slot<'a>>>>> {
-        let is_plain = |element: &Element| match &element.kind {
-            ElementKind::Expr(e) => match &e.kind {
-                ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
-                ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
-                ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => !e.compares() && !self.splits(e),
-                ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.splits(e),
-                _ => false,
-            },
-            _ => false,
-        };
-        if arguments.len() != definition.parameters.len() || !arguments.iter().all(is_plain) {
+        if arguments.len() != definition.parameters.len()
+            || !arguments.iter().all(|e| self.evaluator.is_plain_argument(e))
+        {
             return Ok(None);
         }
         // (A list that was used before: calls are many, and evaluating expressions makes none.)
-        let mut slots = std::mem::take(&mut self.call_slots);
+        let mut slots = self.evaluator.argument_list();
         slots.clear();
         for element in arguments {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
             slots.push(Some(match e.kind {
-                ExprKind::Name(symbol) => match self.scopes.resolve(symbol) {
+                ExprKind::Name(symbol) => match self.evaluator.scopes().resolve(symbol) {
                     Some(place) => Slot::Alias(place),
                     None => return Ok(None),
                 },
@@ -135,8 +112,8 @@ impl<'a> Interpreter<'a> {
     }
 
     fn arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
-        let name = self.names.text(definition.name);
-        let (level, wanted) = (self.scopes.level(), definition.parameters.len());
+        let name = self.inputs.names.text(definition.name);
+        let (level, wanted) = (self.evaluator.scopes().level(), definition.parameters.len());
         let mut slots = Vec::with_capacity(wanted);
         for &(parameter, optional) in &definition.parameters {
             if self.peek()?.ends() {
@@ -144,7 +121,7 @@ impl<'a> Interpreter<'a> {
                     slots.push(None);
                     continue;
                 }
-                let parameter = self.names.text(parameter);
+                let parameter = self.inputs.names.text(parameter);
                 return Diagnostic::new(
                     codes::WRONG_COUNT,
                     span,
@@ -165,7 +142,7 @@ impl<'a> Interpreter<'a> {
         }
         if !next.ends() {
             let message = format!("macro `{name}` takes {}, but more are given", counted(wanted));
-            return Diagnostic::new(codes::WRONG_COUNT, self.here(), message)
+            return Diagnostic::new(codes::WRONG_COUNT, self.stream.here(), message)
                 .also(definition.span, "defined here")
                 .into();
         }
@@ -178,17 +155,14 @@ impl<'a> Interpreter<'a> {
             return self.rvalue();
         }
         let place = match self.peek()? {
-            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.scopes.resolve(*symbol),
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.scopes().resolve(*symbol),
             _ => None,
         };
-        let lasting = place.filter(|place| self.scopes.level_of(place) <= level);
-        let closed = std::mem::replace(&mut self.closed, true);
-        let argument = self.argument_here();
-        self.closed = closed;
-        let argument = argument?;
+        let lasting = place.filter(|place| self.evaluator.scopes().level_of(place) <= level);
+        let argument = self.in_mode(|mode| mode.defers = true, Self::argument_here)?;
         match argument.given {
             Given::Name(_) if let Some(place) = lasting => Ok(Slot::Alias(place)),
-            Given::Place(place) => self.slot_at(&place, argument.span).map(|_| Slot::Alias(place)),
+            Given::Place(place) => self.evaluator.slot_at(&place, argument.span).map(|_| Slot::Alias(place)),
             Given::Slot(slot) => Ok(slot),
             Given::Name(_) => self.argument_slot(&argument),
         }

@@ -8,15 +8,15 @@ impl Interpreter<'_> {
         let (message, span) = self.text_here()?;
         match kind {
             "error" => {
-                self.report_fault(Diagnostic::new(codes::USER_ERROR, span, message));
+                self.reporter.report(Diagnostic::new(codes::USER_ERROR, span, message));
                 Diagnostic::err(codes::ENDS_RUN, span, "")
             }
             "warning" => {
-                self.report_fault(Diagnostic::new(codes::USER_WARNING, span, message.trim_end()));
+                self.reporter.report(Diagnostic::new(codes::USER_WARNING, span, message.trim_end()));
                 Ok(())
             }
             _ => {
-                (self.debug)(&message);
+                self.reporter.print(&message);
                 Ok(())
             }
         }

@@ -34,18 +34,18 @@ impl<'a> Interpreter<'a> {
 
     /// A directive without a body; or a `#` that stands before something else, as in `#Ball(1)`.
     fn plain_directive(&mut self, directive: &'a Directive, word: Symbol, span: Span) -> Result<()> {
-        let name = self.names.text(word);
+        let name = self.inputs.names.text(word);
         if let Some((name, run)) = table::find(name) {
             return self.run_plain(name, run, span);
         }
-        let declared = self.scopes.get(word).is_some();
+        let declared = self.evaluator.is_declared(word);
         if declared || crate::syntax::word::lookup(name).is_some() {
             let text = Span { lo: span.hi - name.len() as u32, hi: span.hi };
-            let parts = self.parsed.parts_of(directive, || self.tokens_of(text));
-            self.push_piece(parts, None, text, false);
+            let parts = self.inputs.parsed.parts_of(directive, || self.inputs.tokens_of(text));
+            self.stream.push_piece(parts, None, text, false);
             return Ok(());
         }
-        self.skip_statement(self.mark());
+        self.skip_statement(self.stream.checkpoint());
         let help = did_you_mean(name, table::names()).map(|s| s.replacen('`', "`#", 1));
         let message = format!("there is no directive `#{name}`");
         Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).maybe_help(help).into()
@@ -54,11 +54,13 @@ impl<'a> Interpreter<'a> {
     /// Runs a directive without a body, whose word has been consumed.
     pub(super) fn run_plain(&mut self, name: &'static str, run: table::Run, span: Span) -> Result<()> {
         // No other directive runs before this one has got what it takes.
-        let closed = std::mem::replace(&mut self.closed, true);
-        let floor = std::mem::replace(&mut self.floor, self.frames.len());
-        let mark = self.mark();
-        let result = run(self, name, span).map_err(|fault| self.past_fault(mark, *fault));
-        (self.closed, self.floor) = (closed, floor);
-        result
+        let frame_floor = self.stream.frames().len();
+        self.in_mode(
+            |mode| (mode.defers, mode.frame_floor) = (true, frame_floor),
+            |me| {
+                let checkpoint = me.stream.checkpoint();
+                run(me, name, span).map_err(|fault| me.skip_fault(checkpoint, *fault))
+            },
+        )
     }
 }

@@ -2,23 +2,22 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::stream::Token;
-use crate::interpreter::{Interpreter, compat};
+use crate::interpreter::{Interpreter, scene_builder::compat};
 use crate::syntax::ast::{Expr, ExprKind};
 
 impl Interpreter<'_> {
     pub(in crate::interpreter) fn version(&mut self) -> Result<()> {
         // `#version unofficial patch 3.7;`: the names of MegaPOV and its kin say nothing here.
         while let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
-            && self.scopes.get(*symbol).is_none()
-            && !self.is_constant(*symbol)
+            && self.evaluator.is_unknown(*symbol)
         {
-            self.advance();
+            self.stream.advance();
         }
         let (number, value_span) = self.float_after()?;
         let version = compat::version_number(number);
         if version > compat::NEWEST_VERSION {
             let message = format!("this scene asks for version {number} of the language; durer knows up to 3.8");
-            self.report_fault(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
+            self.reporter.report(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
         }
         self.set_version(version);
         Ok(())

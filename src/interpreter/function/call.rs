@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Gives, Spline, SplineKind};
 use crate::interpreter::Interpreter;
-use crate::interpreter::eval::as_float;
+use crate::interpreter::evaluator::as_float;
 use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -17,16 +17,16 @@ impl<'a> Interpreter<'a> {
         arguments: &'a [Element],
         span: Span,
     ) -> Result<Value> {
-        if let Some(spline) = self.thing_of::<Spline>(name) {
+        if let Some(spline) = self.evaluator.thing_of::<Spline>(name) {
             return self.call_spline(&spline, arguments, span);
         }
-        let Some(function) = self.thing_of::<Function>(name) else {
+        let Some(function) = self.evaluator.thing_of::<Function>(name) else {
             self.name_value(name, span)?;
-            let text = self.names.text(name);
+            let text = self.inputs.names.text(name);
             return Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"));
         };
         let numbers = self.whole_numbers(arguments)?;
-        let name = Span { hi: span.lo + self.names.text(name).len() as u32, ..span };
+        let name = Span { hi: span.lo + self.inputs.names.text(name).len() as u32, ..span };
         self.check_arity(name, numbers.len(), function.arity())?;
         Ok(answer(&function, &numbers))
     }
@@ -63,7 +63,7 @@ impl<'a> Interpreter<'a> {
         let t = self.float()?;
         let kind = match self.peek()? {
             Token::Word(word) if SplineKind::of(word).is_some() => {
-                self.advance();
+                self.stream.advance();
                 SplineKind::of(word).unwrap_or(spline.kind)
             }
             _ => spline.kind,

@@ -1,13 +1,12 @@
 //! `function { … }` and its calls: names are looked up where the function is declared, and what is left is arithmetic.
 
 mod call;
-mod pieces;
 mod read;
 mod sampler;
+mod token_function;
 
 use super::Interpreter;
-use super::operators::component_index;
-use super::scope::Slot;
+use super::evaluator::component_index;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{
     self, Body, Callee, Function, Gives, Graph, Id, Operation, Program, Sampler, Spline, SplineKind, internal, numeric,
@@ -41,17 +40,17 @@ impl<'a> Interpreter<'a> {
         let sampler: Arc<dyn Sampler> = match word {
             "pigment" => {
                 self.take()?;
-                let defaults = self.defaults.texture.clone();
+                let defaults = self.builder.defaults().texture.clone();
                 let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
                 self.leave()?;
-                Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.noise_generator.clone()))
+                Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.builder.noise_generator().clone()))
             }
             "pattern" => {
                 self.take()?;
-                let defaults = self.defaults.texture.clone();
+                let defaults = self.builder.defaults().texture.clone();
                 let pattern = Pigment::read(self, &Pigment::default(), &defaults)?;
                 self.leave()?;
-                Arc::new(PatternSampler(PigmentProgram::new(&pattern), self.noise_generator.clone()))
+                Arc::new(PatternSampler(PigmentProgram::new(&pattern), self.builder.noise_generator().clone()))
             }
             "transform" => {
                 self.take()?;
@@ -75,7 +74,7 @@ impl<'a> Interpreter<'a> {
     /// What stands between the braces of a pigment, as the pattern of its brightness. (Those of functions and `pigment_pattern` do not
     /// begin with the default pigment, as was measured on POV-Ray 3.7.)
     pub(super) fn brightness(&mut self) -> Result<Arc<dyn Thing>> {
-        let defaults = self.defaults.texture.clone();
+        let defaults = self.builder.defaults().texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
         Ok(Arc::new(PigmentPattern::new(Arc::new(Brightness::new(&pigment)))))
     }
@@ -92,7 +91,7 @@ impl<'a> Interpreter<'a> {
         if let Next::Word(word) = Reader::next(self)?
             && let Some(named) = SplineKind::of(word)
         {
-            self.advance();
+            self.stream.advance();
             kind = named;
         }
         while Reader::next(self)? != Next::End {
@@ -174,12 +173,12 @@ impl<'a> Interpreter<'a> {
             return Ok(c.graph.add(Operation::Parameter(i as u16)));
         }
         // u and v are other names of x and y.
-        let other = match self.names.text(symbol) {
+        let other = match self.inputs.names.text(symbol) {
             "u" => "x",
             "v" => "y",
             _ => return self.constant_number(c, e),
         };
-        match c.parameters.iter().position(|p| self.names.text(*p) == other) {
+        match c.parameters.iter().position(|p| self.inputs.names.text(*p) == other) {
             Some(i) => Ok(c.graph.add(Operation::Parameter(i as u16))),
             None => self.constant_number(c, e),
         }
@@ -328,15 +327,8 @@ impl<'a> Interpreter<'a> {
 
     /// The name that a call begins with.
     fn called_text(&self, span: Span) -> &'a str {
-        let text = self.sources.snippet(span);
+        let text = self.inputs.sources.snippet(span);
         text.split('(').next().unwrap_or(text).trim_end()
-    }
-
-    fn thing_of<T: Thing>(&self, name: Symbol) -> Option<Arc<T>> {
-        match self.scopes.get(name) {
-            Some(Slot::Value(Value::Thing(thing))) => downcast(thing),
-            _ => None,
-        }
     }
 
     fn check_arity(&self, called: Span, found: usize, wanted: usize) -> Result<()> {
@@ -368,12 +360,12 @@ impl<'a> Interpreter<'a> {
         if let Some(i) = component_index(component) {
             return Ok(Component::Of(i as u8));
         }
-        match (self.sources.snippet(component.span), gives) {
+        match (self.inputs.sources.snippet(component.span), gives) {
             ("gray" | "grey", Gives::Color) => Ok(Component::Weighted(weights)),
             // A height field's 16 bits: red is the upper byte, green the lower one (weights as measured).
             ("hf", Gives::Color) => Ok(Component::Weighted([0.996093, 0.003906, 0.0])),
             _ => {
-                let message = format!("`.{}` is no component of this", self.sources.snippet(component.span));
+                let message = format!("`.{}` is no component of this", self.inputs.sources.snippet(component.span));
                 Diagnostic::err(codes::NO_COMPONENT, component.span, message)
             }
         }
@@ -389,7 +381,7 @@ enum Component {
 impl Compiler {
     fn new(me: &Interpreter, parameters: &[Symbol]) -> Self {
         let parameters = match parameters {
-            [] => ["x", "y", "z"].map(|name| me.names.intern(name)).to_vec(),
+            [] => ["x", "y", "z"].map(|name| me.inputs.names.intern(name)).to_vec(),
             some => some.to_vec(),
         };
         Self { graph: Graph::default(), parameters }
@@ -427,7 +419,7 @@ impl Compiler {
     }
 
     fn finish(self, me: &Interpreter, span: Span) -> Result<Arc<dyn Thing>> {
-        let parameters: Box<[Box<str>]> = self.parameters.iter().map(|p| me.names.text(*p).into()).collect();
+        let parameters: Box<[Box<str>]> = self.parameters.iter().map(|p| me.inputs.names.text(*p).into()).collect();
         match Program::new(self.graph, parameters.len()) {
             Some(program) => Ok(Arc::new(Function { parameters, body: Body::Numeric(program) })),
             None => too_large(span),

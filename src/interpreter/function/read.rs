@@ -1,12 +1,12 @@
 //! `function (…) { … }`, as a whole or in pieces.
 
-use super::pieces::Compiled;
+use super::token_function::Compiled;
 use super::{Compiler, internal_function};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::eval::as_float;
-use crate::interpreter::pieces::joined;
+use crate::interpreter::evaluator::as_float;
 use crate::interpreter::stream::Token;
+use crate::interpreter::token_expr::joined;
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Symbol};
 use crate::value::{SizedFunction, Thing};
@@ -26,7 +26,7 @@ impl<'a> Interpreter<'a> {
         if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
             return Ok(None);
         }
-        let span = self.here();
+        let span = self.stream.here();
         match self.sized_or_plain_function()? {
             (Some(size), function) => Ok(Some((size, function))),
             (None, _) => {
@@ -37,8 +37,8 @@ impl<'a> Interpreter<'a> {
 
     fn sized_or_plain_function(&mut self) -> Result<PerhapsSized> {
         let token = self.peek()?;
-        let span = self.here();
-        self.advance();
+        let span = self.stream.here();
+        self.stream.advance();
         let Token::Function(Some(f)) = token else { return self.function_in_pieces(span) };
         let size = f.size.iter().map(|e| self.number(e).map(|n| (n, e.span))).collect::<Result<Vec<_>>>()?;
         let size = self.picture_size(&size, span)?;
@@ -87,7 +87,7 @@ impl<'a> Interpreter<'a> {
             };
         };
         let size = [self.picture_side(width, at)?, self.picture_side(height, end)?];
-        self.check_picture(size, joined(at, end))?;
+        self.reporter.check_picture(size, joined(at, end))?;
         Ok(Some(size))
     }
 
@@ -105,7 +105,7 @@ impl<'a> Interpreter<'a> {
         }
         let result = match self.peek()? {
             Token::Expr(e) if self.is_whole(true) => {
-                self.advance();
+                self.stream.advance();
                 self.compile(&mut compiler, e)?
             }
             _ => self.climb(&mut Compiled(&mut compiler), true)?.0,
@@ -120,26 +120,26 @@ impl<'a> Interpreter<'a> {
     /// `internal(61)` alone: one of the functions behind functions.inc.
     fn internal_call(&mut self) -> Result<Option<Arc<dyn Thing>>> {
         let token = self.peek()?;
-        let mut span = self.here();
+        let mut span = self.stream.here();
         let number = match token {
             Token::Expr(Expr { kind: ExprKind::Builtin(word, arguments), .. }) if word.name == "internal" => {
                 let [number] = &**arguments else {
                     return Diagnostic::err(codes::WRONG_COUNT, span, "`internal` takes one number");
                 };
-                self.advance();
+                self.stream.advance();
                 self.number(number)?
             }
             Token::Callee("internal") => {
-                self.advance();
+                self.stream.advance();
                 self.expect_paren("internal")?;
                 let (value, at) = self.value_here()?;
-                span = joined(span, self.here());
+                span = joined(span, self.stream.here());
                 self.close("`)`")?;
                 as_float(&value, at)?
             }
             _ => return Ok(None),
         };
-        match internal_function(number, &self.noise_generator) {
+        match internal_function(number, self.builder.noise_generator()) {
             Some(function) if self.peek()?.ends() => Ok(Some(Arc::new(function))),
             Some(_) => Err(self.unexpected_token("the end of the function").into()),
             None => Diagnostic::err(codes::NOT_YET, span, format!("`internal({number})` is not supported yet")),

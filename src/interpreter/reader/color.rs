@@ -77,10 +77,10 @@ impl Interpreter<'_> {
 
     /// `filter 0.5` and its kin after a colour.
     fn color_components(&mut self, color: &mut Color) -> Result<()> {
-        while let Token::Word(word) = self.peek_on()?
+        while let Token::Word(word) = self.peek_continuation()?
             && is_component(word)
         {
-            self.advance();
+            self.stream.advance();
             let x = self.float()?;
             set_component(color, word, x);
         }
@@ -117,7 +117,7 @@ impl Interpreter<'_> {
     /// An sRGB colour in the numbers that the scene computes with.
     fn linear_of_srgb(&self, c: Rgb) -> Rgb {
         let linear = transfer::srgb_decode_rgb(c);
-        match self.language.assumed_gamma {
+        match self.builder.language().assumed_gamma {
             Some(Gamma::Srgb) => c,
             Some(Gamma::Power(g)) if g != 1.0 => {
                 let power = |x: f64| fp::pow(x.max(0.0), 1.0 / g);
@@ -131,7 +131,7 @@ impl Interpreter<'_> {
     pub(super) fn read_color(&mut self) -> Result<Color> {
         let mut word = match self.peek()? {
             Token::Word(word) if begins_color(word) => {
-                self.advance();
+                self.stream.advance();
                 word
             }
             _ => "color",
@@ -140,7 +140,7 @@ impl Interpreter<'_> {
             && let Token::Word(next) = self.peek()?
             && begins_color(next)
         {
-            self.advance();
+            self.stream.advance();
             word = next;
         }
         let mut color = Color::BLACK;

@@ -18,11 +18,11 @@ impl Interpreter<'_> {
                 None => return Ok(Arc::new(Font::own())),
             },
         };
-        if let Some(font) = self.fonts.get(&place) {
+        if let Some(font) = self.evaluator.assets().fonts.get(&place) {
             return Ok(font.clone());
         }
-        let font = Arc::new(Font::read(&place).map_err(|fault| fault.at(at))?);
-        self.fonts.insert(place, font.clone());
+        let font = Arc::new(Font::read(self.inputs.files, &place).map_err(|fault| fault.at(at))?);
+        self.evaluator.assets().fonts.insert(place, font.clone());
         Ok(font)
     }
 
@@ -31,19 +31,19 @@ impl Interpreter<'_> {
         if fonts::is_file_name(Path::new(name)) {
             return None;
         }
-        if let Some(known) = self.families.get(name) {
+        if let Some(known) = self.evaluator.assets().families.get(name) {
             return known.clone();
         }
-        let files = fonts::files(&self.options.search.fonts);
-        let found = font::of_family(name, &files, |path| self.options.sandbox.may_read(path));
-        self.families.insert(name.to_string(), found.clone());
+        let files = fonts::font_files(self.inputs.files, &self.inputs.options.search.fonts);
+        let found = font::of_family(self.inputs.files, name, &files);
+        self.evaluator.assets().families.insert(name.to_string(), found.clone());
         found
     }
 
     /// A font of the system: the one of this name, or one that looks like it, which is told.
     fn stand_in(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
-        let search = &self.options.search.fonts;
-        let found = fonts::similar(name, search, |path| self.options.sandbox.may_read(path));
+        let search = &self.inputs.options.search.fonts;
+        let found = fonts::similar(self.inputs.files, name, search);
         let file = found.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
         if file.as_ref().is_some_and(|file| file.eq_ignore_ascii_case(full)) {
             return found;
@@ -53,8 +53,7 @@ impl Interpreter<'_> {
             None => ": durer's own one, Roboto, stands for it".into(),
         };
         let d = Diagnostic::new(codes::FONT_MISSING, at, format!("the font `{name}` was not found{what}"));
-        let d = self.with_trace(d.help("fonts are looked for where included files are; -I DIR adds a folder"));
-        self.report_fault(d);
+        self.report_here(d.help("fonts are looked for where included files are; -I DIR adds a folder"));
         found
     }
 }

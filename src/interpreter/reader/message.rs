@@ -1,8 +1,8 @@
 //! "expected …, found …", and which words a block takes.
 
-use super::super::scope::Slot;
-use super::super::stream::{BlockName, Opened, Token};
-use super::super::{Interpreter, hints};
+use super::super::evaluator::Slot;
+use super::super::stream::{BlockName, OpenBracket, Token};
+use super::super::{Interpreter, reporter::hints};
 use crate::camera::words::{LECTURE, POVRAY};
 use crate::diagnostic::{Diagnostic, Remedy, Result, codes, did_you_mean};
 use crate::light::words::LIGHT;
@@ -20,33 +20,34 @@ use crate::value::{Kind, Next, Reader};
 impl Interpreter<'_> {
     /// "expected …, found …" about what comes next.
     pub(in crate::interpreter) fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
-        let span = self.here();
+        let span = self.stream.here();
         let found = match self.peek() {
             Err(fault) => return *fault,
             Ok(Token::Word(word) | Token::Callee(word)) => format!("`{word}`"),
-            Ok(Token::Block(name)) => format!("`{} {{`", self.sources.snippet(name.span)),
+            Ok(Token::Block(name)) => format!("`{} {{`", self.inputs.sources.snippet(name.span)),
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. })) => {
-                let slot = self.scopes.get(*symbol);
-                if matches!(slot, Some(Slot::Faulty(_))) || slot.is_none() && !self.is_constant(*symbol) {
+                let slot = self.evaluator.scopes().get(*symbol);
+                if matches!(slot, Some(Slot::Faulty(_))) || slot.is_none() && !self.evaluator.is_constant(*symbol) {
                     let Err(fault) = self.name_value(*symbol, *span) else {
                         return self.expected(*span, expected, "a name");
                     };
                     return *fault;
                 }
-                format!("`{}`", self.names.text(*symbol))
+                format!("`{}`", self.inputs.names.text(*symbol))
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Call(symbol, _), span, .. }))
-                if self.scopes.get(*symbol).is_none() =>
+                if self.evaluator.scopes().get(*symbol).is_none() =>
             {
                 return self.undeclared(*symbol, *span);
             }
-            Ok(Token::Expr(Expr { span, .. })) if self.sources.snippet(*span).starts_with('(') => {
+            Ok(Token::Expr(Expr { span, .. })) if self.inputs.sources.snippet(*span).starts_with('(') => {
                 let paren = Span { hi: span.lo + 1, ..*span };
                 return self.expected_no_parenthesis(paren, expected);
             }
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Element(span))
-                if let Some(slot @ Slot::Faulty(_)) = self.element.as_ref().and_then(|place| self.scopes.at(place)) =>
+                if let Some(slot @ Slot::Faulty(_)) =
+                    self.stream.element().and_then(|place| self.evaluator.scopes().at(place)) =>
             {
                 let slot = slot.clone();
                 return match self.slot_value(slot, span) {
@@ -54,17 +55,17 @@ impl Interpreter<'_> {
                     Ok(_) => self.expected(span, expected, "an element"),
                 };
             }
-            Ok(Token::Element(span)) => format!("`{}`", self.sources.snippet(span)),
+            Ok(Token::Element(span)) => format!("`{}`", self.inputs.sources.snippet(span)),
             Ok(Token::Function(_)) => "a function".to_string(),
             Ok(Token::Open(Bracket::Paren, _)) => return self.expected_no_parenthesis(span, expected),
             Ok(Token::Open(bracket, _)) => format!("`{}`", bracket.text()[0]),
-            Ok(Token::Sign(Sign::Close(bracket))) => match self.opened.last() {
+            Ok(Token::Sign(Sign::Close(bracket))) => match self.stream.bracket() {
                 Some(opened) if opened.bracket != bracket => return self.not_closed(),
-                Some(Opened { word: Some(block), .. }) => format!("the end of `{block} {{…}}`"),
+                Some(OpenBracket { word: Some(block), .. }) => format!("the end of `{block} {{…}}`"),
                 _ => format!("`{}`", bracket.text()[1]),
             },
             Ok(Token::Sign(_)) => return self.misplaced(span),
-            Ok(Token::End) if self.opened.last().is_some() => return self.not_closed(),
+            Ok(Token::End) if self.stream.bracket().is_some() => return self.not_closed(),
             Ok(Token::End) => "the end".to_string(),
         };
         self.expected(span, expected, &found)
@@ -82,39 +83,39 @@ impl Interpreter<'_> {
             self.peek(),
             Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. }))
         );
-        if !opens || self.comma {
+        if !opens || self.stream.has_comma() {
             return None;
         }
-        let (file, range) = self.sources.locate(self.here())?;
-        let text = &self.sources.text(file)[..range.start];
+        let (file, range) = self.inputs.sources.locate(self.stream.here())?;
+        let text = &self.inputs.sources.text(file)[..range.start];
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let name = &text[text.trim_end_matches(is_word).len()..];
         if !name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') || lookup(name).is_some() {
             return None;
         }
-        let lo = self.sources.base(file) + range.start - name.len();
+        let lo = self.inputs.sources.base(file) + range.start - name.len();
         let message = format!("`{name}` is neither a macro nor a function");
         Some(Diagnostic::new(codes::NOT_CALLABLE, Span::new(lo, lo + name.len()), message))
     }
 
     /// A sign that can't stand where it does.
     pub(in crate::interpreter) fn misplaced(&self, span: Span) -> Diagnostic {
-        let Some((file, range)) = self.sources.locate(span) else {
+        let Some((file, range)) = self.inputs.sources.locate(span) else {
             return Diagnostic::new(codes::SYNTAX, span, "something can't stand here");
         };
-        fault::explain(self.sources.text(file), range.start, self.sources.base(file))
+        fault::explain(self.inputs.sources.text(file), range.start, self.inputs.sources.base(file))
     }
 
     /// What was opened last is not closed where something further out is, or where the text ends.
     pub(in crate::interpreter) fn not_closed(&mut self) -> Diagnostic {
         let token = self.peek();
-        let here = self.here();
-        let Some(opened) = self.opened.last() else {
+        let here = self.stream.here();
+        let Some(opened) = self.stream.bracket() else {
             return Diagnostic::new(codes::UNMATCHED_CLOSER, here, "this closes nothing");
         };
         let [open, close] = opened.bracket.text();
         let place = opened.alone.unwrap_or(opened.span);
-        let found = self.sources.snippet(here);
+        let found = self.inputs.sources.snippet(here);
         match (token, opened.bracket) {
             (Ok(Token::Sign(Sign::Close(_))), Bracket::Brace) => {
                 let d = Diagnostic::new(codes::UNMATCHED_CLOSER, here, format!("`{found}` closes nothing"));
@@ -125,49 +126,31 @@ impl Interpreter<'_> {
                 let d = Diagnostic::new(codes::UNCLOSED, place, message).label("opened here");
                 d.also(here, format!("`{found}` found here"))
             }
-            _ if self.unclosed.contains(&place.lo) || opened.word.is_none() => self.unclosed_at(place, open, close),
+            _ if self.stream.is_unclosed(place) || opened.word.is_none() => self.stream.unclosed_at(place, open, close),
             _ => {
                 let block = opened.word.unwrap_or("block");
                 let message = format!("this `{block} {{` has no end");
                 let help = "its `}` must come in the same file, or from the macro that opens it";
-                self.with_trace(Diagnostic::new(codes::UNCLOSED_BLOCK, opened.span, message).help(help))
+                self.stream.with_trace(Diagnostic::new(codes::UNCLOSED_BLOCK, opened.span, message).help(help))
             }
         }
     }
 
-    fn unclosed_at(&self, place: Span, open: &str, close: &str) -> Diagnostic {
-        if let Some(d) = self.blamed_brace(place).filter(|_| open == "{") {
-            return self.with_trace(d);
-        }
-        let message = format!("this `{open}` is not closed");
-        let d = Diagnostic::new(codes::UNCLOSED, place, message);
-        let d = d.help(format!("add `{close}` where it should end"));
-        self.with_trace(d)
-    }
-
-    /// The bracket around here that nothing in the rest of its file closes: what is found inside it is no fault of its own.
-    pub(in crate::interpreter) fn unclosed_bracket(&self) -> Option<Diagnostic> {
-        let unclosed = |o: &&Opened| o.alone.is_some_and(|span| self.unclosed.contains(&span.lo));
-        let opened = self.opened.iter().rev().find(unclosed)?;
-        let [open, close] = opened.bracket.text();
-        Some(self.unclosed_at(opened.alone?, open, close))
-    }
-
     /// The `<` at `start` opens a vector that something else than `>` ends, which comes next.
     pub(in crate::interpreter) fn open_vector(&mut self, start: Span) -> Diagnostic {
-        let here = self.here();
+        let here = self.stream.here();
         let found = match self.peek() {
             Err(fault) => return *fault,
             Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square)) | Token::Word(_) | Token::Block(_)) => {
-                let found = self.sources.snippet(here);
+                let found = self.inputs.sources.snippet(here);
                 let message = format!("this `<` is not closed: found `{found}` where `>` was expected");
                 let d =
                     Diagnostic::new(codes::UNCLOSED, Span { hi: start.lo + 1, ..start }, message).label("opened here");
                 let d = d.help(format!("add `>` before `{found}`"));
                 return d.also(here, format!("`{found}` found here"));
             }
-            Ok(Token::End) => return self.unclosed_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
-            Ok(_) => format!("`{}`", self.sources.snippet(here)),
+            Ok(Token::End) => return self.stream.unclosed_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
+            Ok(_) => format!("`{}`", self.inputs.sources.snippet(here)),
         };
         Diagnostic::new(codes::SYNTAX, here, format!("{found} can't stand here"))
             .also(Span { hi: start.lo + 1, ..start }, "the vector that begins here is not closed")
@@ -191,7 +174,7 @@ impl Interpreter<'_> {
 
     /// The word that comes next is none of those that `block` takes.
     pub(super) fn tell_unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
-        let span = self.here();
+        let span = self.stream.here();
         let word = match self.peek() {
             Err(fault) => return *fault,
             Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form(block, word, span, false),
@@ -199,15 +182,13 @@ impl Interpreter<'_> {
                 return self.wrong_form(block, word, span, true);
             }
             Ok(Token::Word(word)) => word.to_string(),
-            Ok(Token::Block(name)) => self.sources.snippet(name.span).to_string(),
+            Ok(Token::Block(name)) => self.inputs.sources.snippet(name.span).to_string(),
             Ok(Token::Sign(_)) => return self.unexpected_token(block),
-            Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
-                if self.scopes.get(*symbol).is_none() && !self.is_constant(*symbol) =>
-            {
+            Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. })) if self.evaluator.is_unknown(*symbol) => {
                 return self.unknown_name(*symbol, span, block, takes);
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
-                if matches!(self.scopes.get(*symbol), Some(Slot::Faulty(_))) =>
+                if matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Faulty(_))) =>
             {
                 return self.unexpected_token(block);
             }
@@ -236,14 +217,16 @@ impl Interpreter<'_> {
 
     /// A name of nothing where a word of the block could stand.
     fn unknown_name(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
-        let name = self.names.text(symbol);
+        let name = self.inputs.names.text(symbol);
         let near = did_you_mean(name, takes.iter().copied());
         // A name with a capital letter is the author's, or one of an include file.
-        if name.starts_with(char::is_uppercase) || hints::other_tools(name).is_none() && self.is_in_include(name) {
+        if name.starts_with(char::is_uppercase)
+            || hints::other_tools(name).is_none() && self.reporter.is_in_include(name)
+        {
             let d = self.undeclared(symbol, span);
             return if d.cause.as_ref().is_some_and(|c| c.remedy == Remedy::Declare) { d.maybe_help(near) } else { d };
         }
-        let declared = self.scopes.names().map(|s| self.names.text(s));
+        let declared = self.evaluator.scopes().names().map(|s| self.inputs.names.text(s));
         let near = did_you_mean(name, takes.iter().copied().chain(declared));
         let hint = hints::in_block(block, name).or_else(|| hints::other_tools(name)).map(String::from);
         refused(name, span, block, takes).maybe_help(near).maybe_help(hint)
@@ -251,7 +234,8 @@ impl Interpreter<'_> {
 
     /// A word that the block does take, with something else behind it than it needs.
     fn wrong_form(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
-        let rest = self.sources.locate(span).map_or("", |(file, range)| &self.sources.text(file)[range.end..]);
+        let rest =
+            self.inputs.sources.locate(span).map_or("", |(file, range)| &self.inputs.sources.text(file)[range.end..]);
         let found = match fault::token_at(rest.trim_start(), 0) {
             "" => "the end of the text".to_string(),
             token => format!("`{token}`"),

@@ -9,18 +9,16 @@ mod transform;
 
 pub(super) use transform::TransformThing;
 
-use super::eval::{as_float, as_vector};
-use super::operators::SMALL;
-use super::scope::Slot;
+use super::evaluator::{SMALL, Slot, as_float, as_vector, not_text};
 use super::stream::Token;
-use super::{Interpreter, compat, hints};
+use super::{Interpreter, reporter::hints};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::font::Font;
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
-use crate::source::Span;
+use crate::source::{Files, Span};
 use crate::syntax::ast::*;
 use crate::value::{BuildMesh, FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value};
 use crate::world::Probe;
@@ -36,7 +34,7 @@ impl<'a> Interpreter<'a> {
         let (value, span) = self.primary()?;
         match value {
             Value::Text(text) => Ok((text.to_string(), span)),
-            other => self.not_text(&other, span),
+            other => not_text(&other, span),
         }
     }
 
@@ -44,14 +42,6 @@ impl<'a> Interpreter<'a> {
     pub(super) fn float_after(&mut self) -> Result<(f64, Span)> {
         let (value, span) = self.value_here()?;
         Ok((as_float(&value, span)?, span))
-    }
-
-    /// What a name in word position is: a thing, a value, or nothing.
-    fn next_of_name(&mut self, symbol: Symbol) -> Next {
-        match self.scopes.get(symbol) {
-            Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
-            _ => Next::Value,
-        }
     }
 }
 
@@ -68,19 +58,19 @@ impl Reader for Interpreter<'_> {
             Token::Block(name) => match name.word {
                 Some(word) => Next::Block(word),
                 None => {
-                    let (text, span) = (self.sources.snippet(name.span), name.span);
+                    let (text, span) = (self.inputs.sources.snippet(name.span), name.span);
                     let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("there is no block `{text} {{…}}`"));
-                    let symbol = self.names.find(text);
-                    if let Some(Next::Thing(kind)) = symbol.map(|symbol| self.next_of_name(symbol)) {
+                    let symbol = self.inputs.names.find(text);
+                    if let Some(Next::Thing(kind)) = symbol.map(|symbol| self.evaluator.next_of_name(symbol)) {
                         return d.help(format!("write `{kind} {{ {text} … }}`")).into();
                     }
                     let near = did_you_mean(text, crate::syntax::word::KEYWORDS.iter().copied());
-                    let near = near.or_else(|| self.include_hint(text));
+                    let near = near.or_else(|| self.reporter.include_hint(text));
                     return d.maybe_help(near).maybe_help(hints::other_tools(text).map(String::from)).into();
                 }
             },
-            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.next_of_name(*symbol),
-            Token::Element(_) => match self.element.as_ref().and_then(|place| self.scopes.at(place)) {
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.next_of_name(*symbol),
+            Token::Element(_) => match self.stream.element().and_then(|place| self.evaluator.scopes().at(place)) {
                 Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
                 _ => Next::Value,
             },
@@ -100,10 +90,10 @@ impl Reader for Interpreter<'_> {
     fn span(&mut self) -> Span {
         // Whoever asks for a place can't fail: a fault in a directive on the way is told here, or nobody would tell it.
         if let Err(fault) = self.peek() {
-            let fault = self.with_trace(*fault);
-            self.report_fault(fault);
+            let fault = self.stream.with_trace(*fault);
+            self.reporter.report(fault);
         }
-        self.here()
+        self.stream.here()
     }
 
     fn take(&mut self) -> Result<Span> {
@@ -120,10 +110,10 @@ impl Reader for Interpreter<'_> {
 
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)> {
         let token = self.peek()?;
-        let span = self.here();
+        let span = self.stream.here();
         let value = match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
-                self.advance();
+                self.stream.advance();
                 Some(self.name_value(*symbol, span)?)
             }
             Token::Function(_) => match self.rvalue()? {
@@ -143,7 +133,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn solid(&mut self) -> Result<Arc<dyn Solid>> {
-        let defaults = self.defaults.clone();
+        let defaults = self.builder.defaults().clone();
         let object = Object::read(self, &defaults)?;
         Ok(Arc::new(Probe::new(&object)?))
     }
@@ -176,18 +166,18 @@ impl Reader for Interpreter<'_> {
 
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>> {
         let token = self.peek()?;
-        let span = self.here();
+        let span = self.stream.here();
         let data = match token {
             Token::Numbers(data) => {
-                self.advance();
+                self.stream.advance();
                 data.to_vec()
             }
             Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) => {
-                self.advance();
+                self.stream.advance();
                 data.to_vec()
             }
             Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) => {
-                self.advance();
+                self.stream.advance();
                 self.whole_numbers(parts)?
             }
             Token::Sign(Sign::Operator(Operator::Less)) => self.numbers_in_pieces()?.0,
@@ -213,11 +203,11 @@ impl Reader for Interpreter<'_> {
     }
 
     fn literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
-        self.inner_literals(width, most, take)
+        self.stream.inner_literals(width, most, take)
     }
 
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
-        let span = self.here();
+        let span = self.stream.here();
         self.expect_paren("the word")?;
         let mut numbers = vec![];
         while !self.peek()?.closes(Bracket::Paren) {
@@ -235,7 +225,7 @@ impl Reader for Interpreter<'_> {
         if !matches!(self.peek()?, Token::Sign(Sign::Colon)) {
             return Err(self.unexpected_token("`:`").into());
         }
-        self.advance();
+        self.stream.advance();
         Ok(())
     }
 
@@ -244,7 +234,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn continued(&mut self) -> Result<Next> {
-        match self.peek_on()? {
+        match self.peek_continuation()? {
             Token::End => Ok(Next::End),
             _ => Reader::next(self),
         }
@@ -258,11 +248,11 @@ impl Reader for Interpreter<'_> {
         Ok(match self.peek()? {
             Token::Word(word) => begins_color(word),
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
-                matches!(self.next_of_name(*symbol), Next::Value)
-                    && !matches!(self.scopes.get(*symbol), Some(Slot::Value(Value::Text(_))))
+                matches!(self.evaluator.next_of_name(*symbol), Next::Value)
+                    && !matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Value(Value::Text(_))))
             }
             Token::Element(_) => {
-                let slot = self.element.as_ref().and_then(|place| self.scopes.at(place));
+                let slot = self.stream.element().and_then(|place| self.evaluator.scopes().at(place));
                 matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,
@@ -284,9 +274,11 @@ impl Reader for Interpreter<'_> {
     }
 
     fn language(&self) -> Language {
-        let version = self.stated_version();
-        let srgb_files = version.is_some_and(compat::has_srgb_files);
-        Language { other_gamma: compat::gamma_without_setting(version), srgb_files, ..self.language }
+        self.builder.language()
+    }
+
+    fn files(&self) -> &dyn Files {
+        self.inputs.files
     }
 
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>> {
@@ -324,8 +316,8 @@ impl Reader for Interpreter<'_> {
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
-        let diagnostic = self.with_trace(diagnostic);
-        self.report_fault(diagnostic);
+        let diagnostic = self.stream.with_trace(diagnostic);
+        self.reporter.report(diagnostic);
     }
 
     fn unexpected(&mut self, expected: &str) -> Diagnostic {
@@ -344,11 +336,11 @@ impl Reader for Interpreter<'_> {
 impl Interpreter<'_> {
     /// A picture's file, decoded once.
     fn picture_at(&mut self, path: PathBuf, at: Span) -> Result<Arc<Picture>> {
-        if let Some(picture) = self.pictures.get(&path) {
+        if let Some(picture) = self.evaluator.assets().pictures.get(&path) {
             return Ok(picture.clone());
         }
-        let picture = Arc::new(Picture::read(&path).map_err(|fault| fault.at(at))?);
-        self.pictures.insert(path, picture.clone());
+        let picture = Arc::new(Picture::read(self.inputs.files, &path).map_err(|fault| fault.at(at))?);
+        self.evaluator.assets().pictures.insert(path, picture.clone());
         Ok(picture)
     }
 

@@ -1,8 +1,8 @@
 //! Passing over what is known and not drawn yet; what was said is kept.
 
 use super::super::Interpreter;
-use super::super::eval::vector_value;
-use super::super::scope::Slot;
+use super::super::evaluator::Slot;
+use super::super::evaluator::vector_value;
 use super::super::stream::Token;
 use super::color::{begins_color, is_component};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -15,8 +15,8 @@ impl Interpreter<'_> {
         let token = self.peek()?;
         let (word, span) = match token {
             Token::Block(name) => (name.word.unwrap_or(what), name.span),
-            Token::Word(word) => (word, self.here()),
-            _ => (what, self.here()),
+            Token::Word(word) => (word, self.stream.here()),
+            _ => (what, self.stream.here()),
         };
         self.report(Diagnostic::new(codes::UNSUPPORTED, span, format!("`{word}` is not drawn yet: it is left out")));
         match token {
@@ -27,7 +27,7 @@ impl Interpreter<'_> {
                 Ok(RawItem::Block(word, row.into()))
             }
             _ => {
-                self.advance();
+                self.stream.advance();
                 let row = self.arguments_said()?;
                 Ok(if row.is_empty() { RawItem::Word(word) } else { RawItem::Block(word, row.into()) })
             }
@@ -67,20 +67,20 @@ impl Interpreter<'_> {
             Token::Open(Bracket::Square, _) => row.push(self.enclosed_said("entry")?),
             Token::Open(Bracket::Brace, _) => row.push(self.enclosed_said("group")?),
             Token::Numbers(data) if data.len() > 5 || self.is_whole(false) => {
-                self.advance();
+                self.stream.advance();
                 RawItem::push_numbers(row, data);
                 // Most of a list of literals is no matter of what follows it.
-                while let Some(data) = self.inner_literal() {
+                while let Some(data) = self.stream.inner_literal() {
                     RawItem::push_numbers(row, data);
                 }
             }
             // `<a, b, … >` of a quartic has more numbers than a vector.
             Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 || self.is_whole(false) => {
-                self.advance();
+                self.stream.advance();
                 RawItem::push_numbers(row, data);
             }
             Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) if parts.len() > 5 || self.is_whole(false) => {
-                self.advance();
+                self.stream.advance();
                 let data = self.whole_numbers(parts)?;
                 RawItem::push_numbers(row, &data);
             }
@@ -112,7 +112,7 @@ impl Interpreter<'_> {
                 row.push(RawItem::Color(self.read_color()?))
             }
             Token::Word(word) => {
-                self.advance();
+                self.stream.advance();
                 row.push(RawItem::Word(word));
             }
             Token::Sign(_) | Token::End => {

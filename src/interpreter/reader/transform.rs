@@ -25,7 +25,7 @@ impl Interpreter<'_> {
     fn transform_step(&mut self, word: &str) -> Result<Box<Transform>> {
         let span = {
             self.peek()?;
-            self.here()
+            self.stream.here()
         };
         let singular = |_| {
             let d = Diagnostic::new(codes::SINGULAR, span, format!("this `{word}` flattens space"));
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
                 let mended = DVec3::select(factors.cmpeq(DVec3::ZERO), DVec3::ONE, factors);
                 if mended != factors {
                     let message = "a factor of 0 would flatten the object; 1 is used instead";
-                    self.report_fault(Diagnostic::new(codes::ZERO_SCALE, span, message));
+                    self.reporter.report(Diagnostic::new(codes::ZERO_SCALE, span, message));
                 }
                 Transform::scale(mended).map_err(singular)?
             }
@@ -62,24 +62,24 @@ impl Interpreter<'_> {
             return;
         }
         // A pattern is turned to look less regular, and then any axis will do.
-        let word = self.opened.last().and_then(|opened| opened.word);
+        let word = self.stream.bracket().and_then(|opened| opened.word);
         if !word.is_some_and(|word| is_object(word) || word == "camera") {
             return;
         }
-        let typed = self.sources.snippet(span);
+        let typed = self.inputs.sources.snippet(span);
         if typed.parse::<f64>().is_ok() && !self.goes_on_behind(span) {
             let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
             let help =
                 format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
             let d = Diagnostic::new(codes::ALL_AXES, span, message).help(help);
-            self.report_fault(self.with_trace(d));
+            self.report_here(d);
         }
     }
 
     /// Does an operator stand behind this number? (Taken apart, `360*rand(S)` begins with a token that is a number.)
     fn goes_on_behind(&self, span: Span) -> bool {
-        let Some((file, range)) = self.sources.locate(span) else { return false };
-        let rest = self.sources.text(file).get(range.end..).unwrap_or("");
+        let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
+        let rest = self.inputs.sources.text(file).get(range.end..).unwrap_or("");
         rest.trim_start().starts_with(['*', '/', '+', '-', '.'])
     }
 
@@ -90,7 +90,7 @@ impl Interpreter<'_> {
             match Reader::next(self)? {
                 Next::End => return Ok(all),
                 Next::Word("inverse") => {
-                    self.advance();
+                    self.stream.advance();
                     all = all.inverse();
                 }
                 _ => match self.transform()? {
@@ -108,12 +108,12 @@ impl Interpreter<'_> {
     pub(super) fn read_transform(&mut self) -> Result<Option<Box<Transform>>> {
         match Reader::next(self)? {
             Next::Word(word @ ("translate" | "rotate" | "scale" | "matrix")) => {
-                self.advance();
+                self.stream.advance();
                 self.transform_step(word).map(Some)
             }
             Next::Word("transform") => {
                 // `transform T`, as in old scenes
-                self.advance();
+                self.stream.advance();
                 let declared = ReaderExt::thing::<TransformThing>(self)?;
                 declared.map(|t| Some(Box::new(t.0))).ok_or_else(|| Box::new(self.unexpected_token("a transform")))
             }

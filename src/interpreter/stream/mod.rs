@@ -1,201 +1,175 @@
-//! The pull iterator over elements: it runs directives and splices macros on the way, so that whoever reads a
-//! block sees one flat row of tokens. What stands whole in the text is one of them, unless something may go on with it.
+//! The state of the token stream: call frames, look-ahead, pushed-back tokens, commas, open brackets, checkpoints.
+//!
+//! Nothing here runs a directive or evaluates an expression; [`super::pull`] does both while it fills the look-ahead.
 
-mod apart;
-mod behind;
-mod brackets;
-mod frames;
-mod recover;
+mod bracket;
+mod checkpoint;
+mod frame;
+mod split;
+mod token;
 
-use super::Interpreter;
-use super::scope::Slot;
-use crate::diagnostic::Result;
+use super::Inputs;
+use super::evaluator::Place;
+use crate::diagnostic::{Diagnostic, Label};
 use crate::source::Span;
+use crate::syntax::ListPlaces;
 use crate::syntax::ast::*;
-use crate::syntax::word::Category;
-use crate::value::Value;
-pub(super) use brackets::Opened;
-pub(super) use frames::{FrameKind, StackFrame};
+pub(super) use bracket::OpenBracket;
+pub(super) use checkpoint::Checkpoint;
+pub(super) use frame::{FrameKind, StackFrame};
+use rustc_hash::FxHashSet;
+use std::cell::RefCell;
+use std::path::PathBuf;
+use token::PushedBack;
+pub(super) use token::{BlockName, Token};
 
-/// What the iterator gives.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Token<'a> {
-    Word(&'static str),
-    /// The name of a built-in function that has arguments behind it.
-    Callee(&'static str),
-    /// A word and the `{` behind it.
-    Block(BlockName<'a>),
-    /// An expression without macros: its value is what it is wherever it stands.
-    Expr(&'a Expr),
-    /// An item of a literal list: one number, or a vector of several.
-    Numbers(&'a [f64]),
-    /// `{`, `[` or `(`, and what stands between it and its partner, if that is whole.
-    Open(Bracket, Option<&'a [Element]>),
-    /// `function { … }`; without its parts only the word.
-    Function(Option<&'a Function>),
-    /// An element of an array alone; its indices are evaluated, and where it is kept stands in `Interpreter::element`.
-    Element(Span),
-    /// A closing bracket, an operator.
-    Sign(Sign),
-    /// The end of the text.
-    End,
-}
-
-/// What stands before a `{`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct BlockName<'a> {
-    /// The keyword; `None` for a word that is none.
-    pub(super) word: Option<&'static str>,
-    pub(super) span: Span,
-    /// What stands between the braces; `None` where the tokens of the block come one by one.
-    pub(super) body: Option<&'a [Element]>,
-}
-
-impl Token<'_> {
-    /// Does it close a bracket, or is there no more text?
-    pub(super) fn ends(self) -> bool {
-        matches!(self, Token::End | Token::Sign(Sign::Close(_)))
-    }
-
-    pub(super) fn closes(self, bracket: Bracket) -> bool {
-        matches!(self, Token::Sign(Sign::Close(found)) if found == bracket)
-    }
-}
-
-/// A token whose text has been consumed.
-pub(super) struct Held<'a> {
-    token: Token<'a>,
-    span: Span,
-    /// Does a comma follow?
+/// The state of the token stream.
+pub(super) struct TokenStream<'a> {
+    inputs: Inputs<'a>,
+    /// Sources of elements, the innermost last.
+    frames: Vec<StackFrame<'a>>,
+    /// The next token, whose text is not consumed.
+    look_ahead: Option<Token<'a>>,
+    /// Tokens that precede `look_ahead`, the next one last; their text is consumed.
+    pushed_back: Vec<PushedBack<'a>>,
+    /// True if a comma separates the last token from the next one.
     comma: bool,
+    mode: Mode,
+    /// Location of the array element that [`Token::Element`] represents.
+    element: Option<Place>,
+    /// Brackets around the read position, the innermost last.
+    open_brackets: Vec<OpenBracket>,
+    /// Global offsets of brackets that the rest of their file does not close.
+    unclosed: FxHashSet<u32>,
+    /// Number of macro frames.
+    call_depth: usize,
+    /// Paths of the included files that are being read, the innermost last.
+    include_paths: Vec<PathBuf>,
+    /// Span of the last literal that was looked up in a list.
+    literal_spans: RefCell<ListPlaces>,
 }
 
-impl<'a> Interpreter<'a> {
-    /// What comes next; directives and macros before it have run. Nothing is consumed. Commas and semicolons are passed over:
-    /// `self.comma` tells of them.
-    pub(super) fn peek(&mut self) -> Result<Token<'a>> {
-        loop {
-            if let Some(held) = self.held.last() {
-                return Ok(held.token);
-            }
-            if let Some(token) = self.peeked {
-                return Ok(token);
-            }
-            let Some(frame) = self.frames.last_mut() else { return Ok(Token::End) };
-            let element = frame.elements.get(frame.at);
-            // The common case first.
-            if let Some(Element { span, kind: ElementKind::Directive(directive), .. }) = element {
-                frame.at += 1;
-                self.directive_here(directive, *span)?;
-                continue;
-            }
-            if element.is_none_or(may_settle) && self.settle_once()? {
-                continue;
-            }
-            let Some(frame) = self.frames.last_mut() else { return Ok(Token::End) };
-            let Some(element) = frame.elements.get(frame.at) else {
-                let token = frame.closer.map_or(Token::End, |bracket| Token::Sign(Sign::Close(bracket)));
-                return Ok(self.announce(token));
-            };
-            let token = match &element.kind {
-                ElementKind::Expr(expr) => match self.expr_token(expr, element)? {
-                    Some(token) => token,
-                    None => continue,
-                },
-                ElementKind::Numbers(list) => {
-                    let (i, start) = frame.item;
-                    Token::Numbers(&list.data[start..start + list.width(i)])
-                }
-                ElementKind::Word(word) => {
-                    return self.word_token(word.name, word.category == Category::Function, element);
-                }
-                ElementKind::Block(block) => {
-                    Token::Block(BlockName { word: block.name.word, span: block.name.span, body: Some(&block.body) })
-                }
-                ElementKind::Entry(group) => Token::Open(Bracket::Square, Some(&group.body)),
-                ElementKind::Group(group) => Token::Open(Bracket::Brace, Some(&group.body)),
-                ElementKind::Function(function) => Token::Function(Some(function)),
-                ElementKind::Sign(Sign::Open(bracket)) => Token::Open(*bracket, None),
-                ElementKind::Sign(sign) => Token::Sign(*sign),
-                ElementKind::Directive(_) | ElementKind::Semicolon | ElementKind::Comma => continue,
-            };
-            // (An element in pieces is held.)
-            return Ok(if self.held.is_empty() { self.announce(token) } else { token });
+/// How the text is being read. `Interpreter::in_mode` changes it and restores it as a whole.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Mode {
+    /// True if directives and macro calls after a value wait until the value has been used: in declarations, array
+    /// elements, macro arguments and conditions.
+    pub(super) defers: bool,
+    /// True while operands are skipped without being looked up.
+    pub(super) skips: bool,
+    /// Number of frames where the declaration or directive being read began; deferred reading leaves none of them.
+    pub(super) frame_floor: usize,
+    /// Number of values that are being read inside each other.
+    pub(super) nesting: usize,
+}
+
+impl<'a> TokenStream<'a> {
+    pub(super) fn new(inputs: Inputs<'a>) -> Self {
+        Self {
+            inputs,
+            frames: vec![],
+            look_ahead: None,
+            pushed_back: vec![],
+            comma: false,
+            mode: Mode::default(),
+            element: None,
+            open_brackets: vec![],
+            unclosed: FxHashSet::default(),
+            call_depth: 0,
+            include_paths: vec![],
+            literal_spans: RefCell::default(),
         }
     }
 
-    /// Runs directives and macro calls, and leaves what has come to its end, until something else comes next.
-    fn settle(&mut self) -> Result<()> {
-        while self.settle_once()? {}
-        Ok(())
-    }
-
-    /// One step of that; false if there is nothing to do.
-    fn settle_once(&mut self) -> Result<bool> {
-        if !self.held.is_empty() || self.peeked.is_some() {
-            return Ok(false);
-        }
-        let Some(frame) = self.frames.last_mut() else { return Ok(false) };
-        let Some(element) = frame.elements.get(frame.at) else {
-            if frame.closer.is_some() || matches!(frame.kind, FrameKind::File) {
-                return Ok(false);
-            }
-            // (A loop's condition is no matter of the row it stands in.)
-            let comma = self.comma;
-            self.end_of_frame()?;
-            self.comma |= comma;
-            return Ok(true);
-        };
-        match &element.kind {
-            ElementKind::Semicolon => frame.at += 1,
-            ElementKind::Comma => {
-                frame.at += 1;
-                self.comma = true;
-            }
-            ElementKind::Directive(directive) => {
-                frame.at += 1;
-                self.directive_here(directive, element.span)?;
-            }
-            ElementKind::Expr(expr) => match &expr.kind {
-                ExprKind::Call(name, arguments) if self.is_macro(*name) => {
-                    self.frames.last_mut().into_iter().for_each(|frame| frame.at += 1);
-                    // (What its arguments hold is no matter of the row it stands in.)
-                    let comma = self.comma;
-                    self.call_macro(*name, arguments, element.span, element.comma)?;
-                    self.comma = comma;
-                }
-                ExprKind::Name(name) if self.is_macro(*name) => {
-                    self.frames.last_mut().into_iter().for_each(|frame| frame.at += 1);
-                    let comma = self.comma;
-                    self.call_macro_in_pieces(*name, element.span)?;
-                    self.comma = comma;
-                }
-                _ if expr.calls && self.splits(expr) => self.take_apart(),
-                _ => return Ok(false),
-            },
-            _ => return Ok(false),
-        }
-        Ok(true)
-    }
-
-    /// Runs the directive that has just been passed.
     #[inline]
-    fn directive_here(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
-        self.step(span)?;
-        // A comma before it stands before what it gives.
-        let comma = std::mem::replace(&mut self.comma, false);
-        self.run_directive(directive, span)?;
+    pub(super) fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    #[inline]
+    pub(super) fn set_mode(&mut self, mode: Mode) {
+        self.mode = mode;
+    }
+
+    /// True if a comma separates the last token from the next one.
+    #[inline]
+    pub(super) fn has_comma(&self) -> bool {
+        self.comma
+    }
+
+    /// Clears the comma, and returns it.
+    #[inline]
+    pub(super) fn take_comma(&mut self) -> bool {
+        std::mem::take(&mut self.comma)
+    }
+
+    #[inline]
+    pub(super) fn set_comma(&mut self, comma: bool) {
+        self.comma = comma;
+    }
+
+    /// Sets the comma if `comma` is set.
+    #[inline]
+    pub(super) fn add_comma(&mut self, comma: bool) {
         self.comma |= comma;
-        Ok(())
     }
 
-    /// The element that comes next in its frame, whatever it is; no directive and no macro runs.
+    /// The next token if it is known: pushed back, or the look-ahead.
+    #[inline]
+    pub(super) fn look_ahead(&self) -> Option<Token<'a>> {
+        match self.pushed_back.last() {
+            Some(pushed_back) => Some(pushed_back.token),
+            None => self.look_ahead,
+        }
+    }
+
+    #[inline]
+    pub(super) fn has_pushed_back(&self) -> bool {
+        !self.pushed_back.is_empty()
+    }
+
+    /// Drops the look-ahead unless it was pushed back.
+    pub(super) fn clear_look_ahead(&mut self) {
+        if self.pushed_back.is_empty() {
+            self.look_ahead = None;
+        }
+    }
+
+    /// Sets the next token, whose text is at the read position.
+    #[inline]
+    pub(super) fn announce(&mut self, token: Token<'a>) -> Token<'a> {
+        self.look_ahead = Some(token);
+        token
+    }
+
+    /// Makes a token the next one, although its text has been consumed. The present comma follows the token, `before`
+    /// precedes it.
+    pub(super) fn push_back(&mut self, token: Token<'a>, span: Span, before: bool) -> Token<'a> {
+        let comma = std::mem::replace(&mut self.comma, before);
+        self.pushed_back.push(PushedBack { token, span, comma });
+        token
+    }
+
+    /// Location of the array element that the next token, a [`Token::Element`], represents.
+    pub(super) fn element(&self) -> Option<&Place> {
+        self.element.as_ref()
+    }
+
+    pub(super) fn set_element(&mut self, element: Place) {
+        self.element = Some(element);
+    }
+
+    pub(super) fn take_element(&mut self) -> Option<Place> {
+        self.element.take()
+    }
+
+    /// The element at the read position, whatever it is; `None` if a token was pushed back. No directive runs.
     pub(super) fn raw(&self) -> Option<&'a Element> {
-        let held = !self.held.is_empty();
-        self.frames.last().filter(|_| !held).and_then(|frame| frame.elements.get(frame.at))
+        let held = !self.pushed_back.is_empty();
+        self.frames.last().filter(|_| !held).and_then(StackFrame::next)
     }
 
-    /// Consumes a name that comes next, though it may be a macro's.
+    /// Consumes a name that comes next, even if it is a macro's.
     pub(super) fn raw_name(&mut self) -> Option<(Symbol, Span)> {
         let element = self.raw()?;
         let ElementKind::Expr(e) = &element.kind else { return None };
@@ -204,10 +178,10 @@ impl<'a> Interpreter<'a> {
         Some((symbol, element.span))
     }
 
-    /// The same, if a closing bracket follows.
+    /// Consumes a name that comes next if a closing bracket follows it.
     pub(super) fn bare_name(&mut self) -> Option<(Symbol, Span)> {
         let frame = self.frames.last()?;
-        match frame.elements.get(frame.at + 1).map(|e| &e.kind) {
+        match frame.following().map(|e| &e.kind) {
             Some(ElementKind::Sign(Sign::Close(_))) => {}
             None if frame.closer.is_some() => {}
             _ => return None,
@@ -215,187 +189,51 @@ impl<'a> Interpreter<'a> {
         self.raw_name()
     }
 
-    /// What an expression is to the reader; `None` if it has been taken apart, or called.
-    fn expr_token(&mut self, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
-        match &expr.kind {
-            ExprKind::Name(symbol) => self.name_token(*symbol, expr, element),
-            // What is skipped is not looked up.
-            _ if self.skipping => Ok(Some(Token::Expr(expr))),
-            ExprKind::Index(base, indices) => match base.kind {
-                ExprKind::Name(symbol) if !self.takes_index(symbol) => {
-                    self.take_apart();
-                    Ok(None)
-                }
-                _ => {
-                    self.element = Some(self.element_place(base, indices)?);
-                    Ok(Some(Token::Element(expr.span)))
-                }
-            },
-            ExprKind::Dot(..) => match self.dictionary_place(expr)? {
-                Some(place) => {
-                    self.element = Some(place);
-                    Ok(Some(Token::Element(expr.span)))
-                }
-                None => Ok(Some(Token::Expr(expr))),
-            },
-            _ if self.begins_with_own_word(expr) => {
-                self.take_apart();
-                Ok(None)
-            }
-            _ => Ok(Some(Token::Expr(expr))),
-        }
-    }
-
-    /// Is what the name stands for, or the fault about it, a matter of its index? Else the `[` begins an entry.
-    fn takes_index(&self, symbol: Symbol) -> bool {
-        !matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
-    }
-
-    /// A name alone: a word of durer's own, the name of an unknown block, an array's element in pieces, or a value.
-    fn name_token(&mut self, symbol: Symbol, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
-        if let Some(word) = self.own_word(symbol) {
-            return self.word_token(word, false, element).map(Some);
-        }
-        if self.skipping {
-            return Ok(Some(Token::Expr(expr)));
-        }
-        let Some(frame) = self.frames.last() else { return Ok(None) };
-        let next = frame.elements.get(frame.at + 1).filter(|_| !element.comma);
-        match next.map(|e| &e.kind) {
-            Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace))) => {
-                Ok(Some(Token::Block(BlockName { word: None, span: expr.span, body: None })))
-            }
-            Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot))
-                if matches!(self.scopes.get(symbol), Some(Slot::Array(_))) =>
-            {
-                self.element_in_pieces(symbol, expr).map(Some)
-            }
-            // (The fault is that it has no elements.)
-            Some(ElementKind::Sign(Sign::Open(Bracket::Square))) if matches!(self.scopes.get(symbol), Some(Slot::Value(value)) if !matches!(value, Value::Thing(_))) => {
-                self.element_in_pieces(symbol, expr).map(Some)
-            }
-            None if !element.comma && matches!(self.scopes.get(symbol), Some(Slot::Array(_))) => {
-                self.element_in_pieces(symbol, expr).map(Some)
-            }
-            _ => Ok(Some(Token::Expr(expr))),
-        }
-    }
-
-    /// durer's own word in the block around here, if the name is one.
-    fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
-        let words = self.opened.last()?.own_words;
-        if words.is_empty() {
-            return None;
-        }
-        let name = self.names.text(symbol);
-        words.iter().copied().find(|word| *word == name)
-    }
-
-    /// Does an expression begin with such a word? `eye -5*z` reads as a name minus something.
-    fn begins_with_own_word(&self, e: &Expr) -> bool {
-        if self.opened.last().is_none_or(|o| o.own_words.is_empty()) {
-            return false;
-        }
-        let mut first = e;
-        loop {
-            first = match &first.kind {
-                ExprKind::Chain(chain) => &chain.first,
-                ExprKind::Choice(parts) => &parts[0],
-                ExprKind::Call(symbol, _) => return self.own_word(*symbol).is_some(),
-                ExprKind::Name(symbol) => return self.own_word(*symbol).is_some(),
-                _ => return false,
-            };
-        }
-    }
-
-    /// A word: does it open a block, or is it a function that is called? Where a directive, a macro or the end of a body follows, they tell.
-    fn word_token(&mut self, word: &'static str, callee: bool, element: &'a Element) -> Result<Token<'a>> {
-        let span = element.span;
-        let Some(frame) = self.frames.last_mut() else { return Ok(Token::End) };
-        let alone = if word == "function" { Token::Function(None) } else { Token::Word(word) };
-        let block = Token::Block(BlockName { word: Some(word), span, body: None });
-        let next = frame.elements.get(frame.at + 1).map(|e| &e.kind);
-        let callee = callee.then_some(Token::Callee(word));
-        let unknown = match next {
-            _ if element.comma || word == "function" => false,
-            Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace))) => {
-                return Ok(self.announce(block));
-            }
-            Some(ElementKind::Sign(Sign::Open(Bracket::Paren))) if let Some(callee) = callee => {
-                return Ok(self.announce(callee));
-            }
-            Some(ElementKind::Directive(_)) => true,
-            Some(ElementKind::Expr(e)) => e.calls || matches!(e.kind, ExprKind::Name(name) if self.is_macro(name)),
-            Some(_) => false,
-            None => frame.closer.is_none() && !matches!(frame.kind, FrameKind::File),
-        };
-        if !unknown {
-            return Ok(self.announce(alone));
-        }
-        if let Some(frame) = self.frames.last_mut() {
-            frame.at += 1;
-        }
-        let before = std::mem::replace(&mut self.comma, false);
-        self.settle()?;
-        let known = self.held.last().map(|held| held.token).or(self.peeked);
-        let (brace, paren) = match known {
-            Some(token) => {
-                (matches!(token, Token::Open(Bracket::Brace, _)), matches!(token, Token::Open(Bracket::Paren, _)))
-            }
-            None => match self.frames.last() {
-                Some(frame) => (frame.opens_brace(frame.at), frame.opens_paren(frame.at)),
-                None => (false, false),
-            },
-        };
-        let token = match callee {
-            _ if self.comma => alone,
-            Some(callee) if paren => callee,
-            _ if brace => block,
-            _ => alone,
-        };
-        Ok(self.hold(token, span, before))
-    }
-
-    /// A number and its `;`, if nothing else comes next: both are consumed.
-    pub(super) fn simple_statement(&mut self) -> Option<f64> {
-        let frame = self.frames.last()?;
-        let [Element { kind: ElementKind::Expr(e), .. }, Element { kind: ElementKind::Semicolon, .. }, ..] =
-            frame.elements.get(frame.at..)?
-        else {
-            return None;
-        };
-        let x = if e.compares() { None } else { self.simple(e) }?;
-        self.peeked = None;
-        self.frames.last_mut()?.at += 2;
-        Some(x)
-    }
-
-    /// The place of a `;` that comes next.
+    /// Span of a `;` that comes next.
     pub(super) fn at_semicolon(&self) -> Option<Span> {
         self.raw().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
     }
 
-    fn announce(&mut self, token: Token<'a>) -> Token<'a> {
-        self.peeked = Some(token);
-        token
+    /// The expression that comes next, if a `;` follows it.
+    #[inline]
+    pub(super) fn expression_statement(&self) -> Option<&'a Expr> {
+        match self.frames.last()?.rest() {
+            [Element { kind: ElementKind::Expr(e), .. }, Element { kind: ElementKind::Semicolon, .. }, ..] => Some(e),
+            _ => None,
+        }
     }
 
-    /// Tells that the next token is this one, whose text has been consumed; did a comma stand before it?
-    pub(super) fn hold(&mut self, token: Token<'a>, span: Span, before: bool) -> Token<'a> {
-        let comma = std::mem::replace(&mut self.comma, before);
-        self.held.push(Held { token, span, comma });
-        token
+    /// Consumes the two elements that [`Self::expression_statement`] found.
+    #[inline]
+    pub(super) fn skip_expression_statement(&mut self) {
+        self.look_ahead = None;
+        if let Some(frame) = self.frames.last_mut() {
+            frame.at += 2;
+        }
     }
 
-    /// Consumes what [`Self::peek`] announced.
+    /// True if a comma follows the element at the read position.
+    pub(super) fn comma_follows_element(&self) -> bool {
+        self.pushed_back.is_empty() && self.frames.last().and_then(StackFrame::next).is_some_and(|e| e.comma)
+    }
+
+    /// Moves the read position past one element.
+    #[inline]
+    pub(super) fn skip_element(&mut self) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.at += 1;
+        }
+    }
+
+    /// Consumes the next token.
     pub(super) fn advance(&mut self) {
-        if let Some(held) = self.held.pop() {
-            self.comma = held.comma;
+        if let Some(pushed_back) = self.pushed_back.pop() {
+            self.comma = pushed_back.comma;
             return;
         }
-        self.peeked = None;
+        self.look_ahead = None;
         let Some(frame) = self.frames.last_mut() else { return };
-        let Some(element) = frame.elements.get(frame.at) else {
+        let Some(element) = frame.next() else {
             if frame.closer.is_some() {
                 let comma = frame.comma;
                 self.pop_frame();
@@ -416,9 +254,9 @@ impl<'a> Interpreter<'a> {
         frame.at += 1;
     }
 
-    /// Consumes the next item of a list of literals that has been begun, unless it is the last.
+    /// Consumes the next item of a literal list whose first item is consumed, except the last item.
     pub(super) fn inner_literal(&mut self) -> Option<&'a [f64]> {
-        if self.peeked.is_some() || !self.held.is_empty() {
+        if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return None;
         }
         let frame = self.frames.last_mut()?;
@@ -432,9 +270,10 @@ impl<'a> Interpreter<'a> {
         Some(&list.data[start..end])
     }
 
-    /// The same while each has so many numbers and `take` accepts them, at most so many; returns how many.
+    /// Consumes up to `most` inner items of a literal list, while each has `width` numbers and `take` accepts them.
+    /// Returns the number of items consumed.
     pub(super) fn inner_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
-        if self.peeked.is_some() || !self.held.is_empty() {
+        if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return 0;
         }
         let Some(frame) = self.frames.last_mut() else { return 0 };
@@ -449,15 +288,16 @@ impl<'a> Interpreter<'a> {
         i - first
     }
 
-    /// The place of what comes next.
+    /// Span of the next token.
     pub(super) fn here(&self) -> Span {
-        if let Some(held) = self.held.last() {
-            return held.span;
+        if let Some(pushed_back) = self.pushed_back.last() {
+            return pushed_back.span;
         }
         let Some(frame) = self.frames.last() else { return Span::NONE };
-        match frame.elements.get(frame.at) {
+        match frame.next() {
             Some(Element { span, kind: ElementKind::Numbers(_), .. }) => {
-                let found = self.list_places.borrow_mut().find(self.sources.snippet(*span), *span, frame.item.0);
+                let text = self.inputs.sources.snippet(*span);
+                let found = self.literal_spans.borrow_mut().find(text, *span, frame.item.0);
                 found.unwrap_or(*span)
             }
             Some(Element { kind: ElementKind::Block(block), .. }) => block.name.span,
@@ -465,16 +305,36 @@ impl<'a> Interpreter<'a> {
                 Span { hi: span.lo + 1, ..*span }
             }
             Some(element) => element.span,
-            None => Span { lo: frame.span.hi.saturating_sub(1).max(frame.span.lo), hi: frame.span.hi },
+            None => {
+                let span = frame.span();
+                Span { lo: span.hi.saturating_sub(1).max(span.lo), hi: span.hi }
+            }
         }
     }
-}
 
-/// Can this be something else than a token? (It mostly is none.)
-fn may_settle(element: &Element) -> bool {
-    match &element.kind {
-        ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Sign(_) => false,
-        ElementKind::Expr(e) => e.calls || matches!(e.kind, ExprKind::Name(_)),
-        _ => true,
+    /// Adds the call trace to a diagnostic that has none.
+    pub(super) fn with_trace(&self, mut d: Diagnostic) -> Diagnostic {
+        if d.trace.is_empty() {
+            d.trace = self.trace().into();
+        }
+        d
+    }
+
+    /// Macro calls and includes around the read position, innermost first; of a deep recursion the first six and the
+    /// last four.
+    pub(super) fn trace(&self) -> Vec<Label> {
+        let label = |frame: &StackFrame| match frame.kind() {
+            FrameKind::Macro(name) => {
+                let text = format!("in macro `{}`, called", self.inputs.names.text(name));
+                Some(Label { span: frame.span(), text })
+            }
+            FrameKind::Include => Some(Label { span: frame.span(), text: "included".into() }),
+            _ => None,
+        };
+        let all: Vec<Label> = self.frames.iter().rev().filter_map(label).collect();
+        if all.len() <= 12 {
+            return all;
+        }
+        all[..6].iter().chain(&all[all.len() - 4..]).cloned().collect()
     }
 }

@@ -1,12 +1,12 @@
 //! Reads objects: the blocks that make them, and the modifiers that may stand in each (manual, "Object Modifiers").
 
-use super::carried::Carried;
-use super::{Bulk, CsgOp, Object, ObjectBody, ObjectKind};
+use super::embedded::Carried;
+use super::{CsgOp, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::scene::words::{FLAGS, MODIFIERS};
 use crate::scene::{Defaults, Painted, Weight, read_layers, read_material};
-use crate::shape::{self, Kernel, Move, Shape};
+use crate::shape::{self, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
 use crate::value::words::{is_row, read_row};
@@ -131,10 +131,10 @@ impl Object {
                 _ => break,
             }
         }
-        let extent = Self::parts_box(op, &parts);
+        let pov_bounds = Self::parts_box(op, &parts);
         let mut object = Box::new(Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults));
         object.weight().check(source)?;
-        object.bulk.get_or_insert_default().extent = Some(extent);
+        object.bulk.get_or_insert_default().pov_bounds = Some(pov_bounds);
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
     }
@@ -148,12 +148,12 @@ impl Object {
         defaults: &Defaults,
     ) -> Result<bool> {
         let mut is_somewhere = true;
-        let mut carried = Carried::new(defaults);
+        let mut embedded = Carried::new(defaults);
         loop {
             let next = r.next()?;
             if next == Next::End {
-                if let Some(painted) = carried.painted() {
-                    self.rare.carried = Some(painted);
+                if let Some(painted) = embedded.painted() {
+                    self.uncommon.embedded = Some(painted);
                 }
                 // (A copy that nothing was said of shares all it has.)
                 if let Some(ObjectBody { texture: Some(painted), .. }) = Arc::get_mut(&mut self.body) {
@@ -162,17 +162,11 @@ impl Object {
                 return Ok(is_somewhere);
             }
             if let Some(shape) = shape.as_deref_mut()
-                && shape.read_own(next, r, &mut carried)?
+                && shape.read_own(next, r, &mut embedded)?
             {
                 continue;
             }
-            let remembers = shape.as_deref().map_or_else(|| self.remembers_moves(), Kernel::remembers_moves);
-            let read = if next.moves() && remembers {
-                self.read_move(r, Some(next)).map(|()| true)
-            } else {
-                self.read_modifier(next, r, defaults)
-            };
-            let read = match read {
+            let read = match self.read_modifier(next, r, defaults) {
                 // (Its number has been read by then.)
                 Err(fault) if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.moves() => {
                     r.report(nothing_seen(self.word, *fault));
@@ -182,9 +176,6 @@ impl Object {
                 }
                 read => read?,
             };
-            if next.moves() && shape.as_deref().is_some_and(|shape| self.loses(shape)) {
-                is_somewhere = false;
-            }
             if !read {
                 let own = shape.as_deref().map(|s| s.spec().word_names().collect::<Vec<_>>()).unwrap_or_default();
                 let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
@@ -192,26 +183,6 @@ impl Object {
                 skip_color(next, fault, r)?;
             }
         }
-    }
-
-    /// Reads a transform and moves by it; what it was called is kept if it is told.
-    fn read_move(&mut self, r: &mut dyn Reader, called: Option<Next>) -> Result<()> {
-        let Some(step) = r.transform()? else { return Ok(()) };
-        self.transform_by(&step);
-        if let Some(called) = called {
-            let bulk = self.bulk.get_or_insert_with(|| Box::new(Bulk::SHAPE));
-            let last = Move { by: *step, scales: called == Next::Word("scale") };
-            bulk.moves = Some(Move::join(bulk.moves.as_deref().unwrap_or_default(), &[last]));
-        }
-        Ok(())
-    }
-
-    /// Have its transforms so far left nothing of the shape? What follows does not bring it back (measured on POV-Ray 3.7 with
-    /// smooth triangles, whose normals get to both sides).
-    fn loses(&self, shape: &Shape) -> bool {
-        let moves = self.bulk.as_ref().and_then(|bulk| bulk.moves.as_deref()).unwrap_or_default();
-        let left = || shape.under(&self.transform, moves).bounds_under(&self.transform);
-        shape.is_patch() && !shape.bounds().is_empty() && left().is_empty()
     }
 
     /// Reads one modifier; false if it is none.
@@ -222,11 +193,13 @@ impl Object {
         defaults: &Defaults,
     ) -> Result<bool> {
         if is_row(FLAGS, next) {
-            return read_row(FLAGS, &mut self.rare.flags, next, r);
+            return read_row(FLAGS, &mut self.uncommon.flags, next, r);
         }
         match next {
             next if next.moves() => {
-                self.read_move(r, None)?;
+                if let Some(step) = r.transform()? {
+                    self.transform_by(&step);
+                }
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
             Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.ignores(word) => {
@@ -235,13 +208,13 @@ impl Object {
             }
             Next::Block("interior") => {
                 r.take()?;
-                self.rare.interior = Some(Arc::new(Interior::read(r, self.rare.interior.as_deref())?));
+                self.uncommon.interior = Some(Arc::new(Interior::read(r, self.uncommon.interior.as_deref())?));
                 r.leave()?;
             }
-            Next::Thing("interior") => self.rare.interior = r.thing::<Interior>()?,
+            Next::Thing("interior") => self.uncommon.interior = r.thing::<Interior>()?,
             Next::Block("material") => {
                 r.take()?;
-                let material = read_material(r, defaults, self.rare.interior.clone())?;
+                let material = read_material(r, defaults, self.uncommon.interior.clone())?;
                 r.leave()?;
                 self.set_material(&material);
             }
@@ -251,7 +224,7 @@ impl Object {
                 }
             }
             Next::Word(word) | Next::Block(word) if MODIFIERS.leaves_out(word) => {
-                Arc::make_mut(self.rare.undrawn.get_or_insert_default()).push(r.keep_undrawn(word)?);
+                Arc::make_mut(self.uncommon.undrawn.get_or_insert_default()).push(r.keep_undrawn(word)?);
             }
             _ => return self.read_surface(next, r, defaults),
         }
@@ -269,7 +242,8 @@ impl Object {
                 r.take()?;
                 let texture = Texture::read(r, &defaults.texture)?;
                 r.leave()?;
-                self.rare.interior_texture = Some(self.layered(self.rare.interior_texture.as_ref(), Arc::new(texture)));
+                self.uncommon.interior_texture =
+                    Some(self.layered(self.uncommon.interior_texture.as_ref(), Arc::new(texture)));
             }
             _ => {
                 let mut texture = match &self.texture {
@@ -289,7 +263,7 @@ impl Object {
     fn taken_along(&self, painted: &Painted) -> Texture {
         let mut texture = (*painted.texture).clone();
         let place = painted.place(&self.transform);
-        if !self.rare.flags.uv_mapping && *place != Transform::IDENTITY {
+        if !self.uncommon.flags.uv_mapping && *place != Transform::IDENTITY {
             texture.transform(place);
         }
         texture
@@ -318,7 +292,8 @@ impl Object {
                 Next::Word(other @ ("clipped_by" | "bounded_by")) if other != word => {
                     r.take()?;
                     borrows = true;
-                    let other = if word == "clipped_by" { &self.rare.bounded_by } else { &self.rare.clipped_by };
+                    let other =
+                        if word == "clipped_by" { &self.uncommon.bounded_by } else { &self.uncommon.clipped_by };
                     parts.extend(other.iter().flat_map(|o| o.iter().cloned()));
                 }
                 _ => parts.push(*Self::read(r, defaults)?),
@@ -336,8 +311,8 @@ impl Object {
         let weight = self.weight().around(&parts);
         weight.check(at)?;
         self.bulk.get_or_insert_default().weight = weight;
-        let rare = &mut *self.rare;
-        let field = if word == "clipped_by" { &mut rare.clipped_by } else { &mut rare.bounded_by };
+        let uncommon = &mut *self.uncommon;
+        let field = if word == "clipped_by" { &mut uncommon.clipped_by } else { &mut uncommon.bounded_by };
         let before = field.take().into_iter().flat_map(|b| b.to_vec());
         *field = Some(before.chain(parts).collect());
         Ok(())
@@ -348,10 +323,11 @@ impl Object {
             self.texture = Some(self.layered(self.texture.as_ref(), texture.clone()));
         }
         if let Some(texture) = &material.interior_texture {
-            self.rare.interior_texture = Some(self.layered(self.rare.interior_texture.as_ref(), texture.clone()));
+            self.uncommon.interior_texture =
+                Some(self.layered(self.uncommon.interior_texture.as_ref(), texture.clone()));
         }
         if let Some(interior) = &material.interior {
-            self.rare.interior = Some(interior.clone());
+            self.uncommon.interior = Some(interior.clone());
         }
     }
 }

@@ -15,7 +15,7 @@ mod orbit;
 
 pub use function::Function;
 
-use super::{Hit, Hits, Kernel, Paints, Readable, finite, moved_box};
+use super::{Bounding, Hit, Hits, Kernel, Paints, Quirks, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, crossing};
 use crate::source::Span;
@@ -330,6 +330,8 @@ impl JuliaFractal {
 }
 
 impl Kernel for JuliaFractal {
+    const QUIRKS: Quirks = Quirks { bounding: Bounding::Ignored, ..Quirks::NONE };
+
     fn bounds(&self) -> Aabb {
         if self.rounds() == 0 {
             Aabb::EMPTY
@@ -338,7 +340,7 @@ impl Kernel for JuliaFractal {
         }
     }
 
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         moved_box(m, &Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.radius()))
     }
 
@@ -381,12 +383,8 @@ impl Kernel for JuliaFractal {
     }
 
     /// POV-Ray has no mapping for it.
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
-    }
-
-    fn is_never_bounded(&self) -> bool {
-        true
     }
 }
 
@@ -462,9 +460,9 @@ mod tests {
 
     #[test]
     fn extents_and_reading() {
-        let extent = |text: &str| read::<JuliaFractal>(text).0.unwrap().extent(&Transform::IDENTITY).max.x;
-        assert!((extent(C) - 1.834514).abs() < 1e-6 && extent(&format!("{C} hypercomplex exp")) == 4.0);
-        assert!((extent("0.1") - 1.2).abs() < 1e-12 && (extent("<0.3,0.4,0>") - 1.5).abs() < 1e-12);
+        let pov_bounds = |text: &str| read::<JuliaFractal>(text).0.unwrap().pov_bounds(&Transform::IDENTITY).max.x;
+        assert!((pov_bounds(C) - 1.834514).abs() < 1e-6 && pov_bounds(&format!("{C} hypercomplex exp")) == 4.0);
+        assert!((pov_bounds("0.1") - 1.2).abs() < 1e-12 && (pov_bounds("<0.3,0.4,0>") - 1.5).abs() < 1e-12);
         let code = |text: &str| read::<JuliaFractal>(text).0.unwrap_err().code;
         assert_eq!(code("0 slice <1,0,0,0> 0"), codes::BAD_ARGUMENT);
         assert_eq!(code("0 slice <0,0,0,0> 0"), codes::BAD_ARGUMENT);

@@ -1,0 +1,82 @@
+//! Elements of arrays and dictionaries.
+
+use super::{Array, Evaluator, Place, Slot};
+use crate::diagnostic::{Diagnostic, Fault, Result, codes, did_you_mean};
+use crate::source::Span;
+use crate::syntax::ast::{Expr, ExprKind, Symbol};
+use crate::value::Value;
+
+impl<'a> Evaluator<'a> {
+    /// True if the element of `symbol` at these keys is a dictionary; without keys, if `symbol` is one.
+    pub(in crate::interpreter) fn is_dictionary(&self, symbol: Symbol, keys: &[(Value, Span)]) -> bool {
+        let Some(mut place) = self.scopes.resolve(symbol) else { return false };
+        for (key, _) in keys {
+            let Some(dictionary) = self.scopes.dictionary(&place) else { return false };
+            let Value::Text(key) = key else { return false };
+            let Some(i) = dictionary.key_index(key) else { return false };
+            place = place.element(&[i]);
+        }
+        self.scopes.dictionary(&place).is_some()
+    }
+
+    /// The location that the expression `base.key` names, if `place` is the dictionary `base`.
+    pub(in crate::interpreter) fn dictionary_element(&self, place: &Place, e: &Expr) -> Result<Option<Place>> {
+        let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
+        let Some(dictionary) = self.scopes.dictionary(place) else { return Ok(None) };
+        let key = self.inputs.names.text(*symbol);
+        match dictionary.key_index(key) {
+            Some(i) => Ok(Some(place.element(&[i]))),
+            None => Err(missing_key(dictionary, key, name.span)),
+        }
+    }
+
+    /// The location of a dictionary's element by its keys. With `adds`, a new last key is added.
+    pub(in crate::interpreter) fn key_place(
+        &mut self,
+        place: Place,
+        keys: &[(Value, Span)],
+        adds: bool,
+    ) -> Result<Place> {
+        let mut place = place;
+        for (i, (value, span)) in keys.iter().enumerate() {
+            let Value::Text(key) = value else { return not_text(value, *span) };
+            let Some(dictionary) = self.scopes.dictionary(&place) else {
+                return Diagnostic::err(codes::WRONG_TYPE, *span, "this is no dictionary: it has no keys");
+            };
+            let index = match dictionary.key_index(key) {
+                Some(index) => index,
+                None if adds && i + 1 == keys.len() => self.scopes.add_key(&place, key),
+                None => return Err(missing_key(dictionary, key, *span)),
+            };
+            place = place.element(&[index]);
+        }
+        Ok(place)
+    }
+
+    /// The contents of a location; a fault if it has no value.
+    pub(in crate::interpreter) fn slot_at(&self, place: &Place, span: Span) -> Result<Slot<'a>> {
+        match self.scopes.at(place) {
+            Some(slot) => Ok(slot.clone()),
+            None => self.no_value(span),
+        }
+    }
+
+    /// The fault "… has no value yet".
+    pub(in crate::interpreter) fn no_value<T>(&self, span: Span) -> Result<T> {
+        let text = self.inputs.sources.snippet(span);
+        let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{text}` has no value yet"));
+        d.help(format!("`#declare {text} = …;` gives it one")).into()
+    }
+}
+
+fn missing_key(dictionary: &Array, key: &str, span: Span) -> Fault {
+    let d = Diagnostic::new(codes::UNDECLARED, span, format!("the dictionary has no `{key}`"));
+    let keys = dictionary.keys.iter().flatten().map(|k| &**k);
+    Box::new(d.maybe_help(did_you_mean(key, keys)))
+}
+
+/// The fault "expected a string".
+pub(in crate::interpreter) fn not_text<T>(found: &Value, span: Span) -> Result<T> {
+    let message = format!("expected a string, found {}", found.describe());
+    Diagnostic::new(codes::WRONG_TYPE, span, message).help("`str(A, 0, 3)` makes text of a number").into()
+}

@@ -1,0 +1,187 @@
+//! Values of a run: scopes, constants, the fast evaluation of expressions, random streams and cached assets.
+//!
+//! Nothing here reads the token stream; what needs it (calls of macros and splines, faults with a call trace) is in
+//! [`super::eval`].
+
+mod assets;
+mod constants;
+mod element;
+mod operators;
+mod quick;
+mod scope;
+mod timing;
+mod whole;
+
+use super::Inputs;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::source::Span;
+use crate::syntax::ast::Symbol;
+use crate::value::{Next, Thing, Value, downcast};
+pub(super) use assets::Assets;
+use constants::Constants;
+pub(super) use element::not_text;
+pub(super) use operators::{
+    SMALL, apply_prefix, as_float, as_vector, combine, component, component_index, divides_by_zero, numbers_of,
+    vector_value,
+};
+pub(super) use quick::Quick;
+use rustc_hash::FxHashMap;
+pub(super) use scope::{Array, Place, Scopes, Slot};
+use std::sync::Arc;
+pub use timing::Timing;
+pub(super) use whole::is_callable;
+
+/// Values of a run.
+pub(super) struct Evaluator<'a> {
+    inputs: Inputs<'a>,
+    scopes: Scopes<'a>,
+    constants: Constants,
+    /// Reasons of names declared `deprecated` that were not used yet.
+    deprecated: FxHashMap<Symbol, &'a str>,
+    /// States of the random streams that `seed()` opened, by their numbers.
+    random: Vec<u32>,
+    assets: Assets,
+    /// An empty list for the arguments of the next macro call, kept for its memory.
+    spare_arguments: Vec<Option<Slot<'a>>>,
+}
+
+impl<'a> Evaluator<'a> {
+    /// Without names but those of `--declare`.
+    pub(super) fn new(inputs: Inputs<'a>) -> Self {
+        let mut scopes = Scopes::default();
+        for (name, value) in &inputs.options.declares {
+            let value = crate::value::given(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
+            scopes.set_global(inputs.names.intern(name), Slot::Value(value), vec![]);
+        }
+        Self {
+            inputs,
+            scopes,
+            constants: Constants::new(inputs),
+            deprecated: FxHashMap::default(),
+            random: vec![],
+            assets: Assets::default(),
+            spare_arguments: vec![],
+        }
+    }
+
+    #[inline]
+    pub(super) fn scopes(&self) -> &Scopes<'a> {
+        &self.scopes
+    }
+
+    #[inline]
+    pub(super) fn scopes_mut(&mut self) -> &mut Scopes<'a> {
+        &mut self.scopes
+    }
+
+    pub(super) fn assets(&mut self) -> &mut Assets {
+        &mut self.assets
+    }
+
+    /// The built-in constant of this name.
+    pub(super) fn constant(&self, symbol: Symbol) -> Option<Value> {
+        self.constants.get(symbol, &*self.inputs.options.host)
+    }
+
+    pub(super) fn is_constant(&self, symbol: Symbol) -> bool {
+        self.constants.get(symbol, &*self.inputs.options.host).is_some()
+    }
+
+    /// Sets the constant `version`.
+    pub(super) fn set_version(&mut self, version: u32) {
+        self.constants.set_version(version);
+    }
+
+    #[inline]
+    pub(super) fn is_macro(&self, symbol: Symbol) -> bool {
+        matches!(self.scopes.get(symbol), Some(Slot::Macro(_)))
+    }
+
+    pub(super) fn is_array(&self, symbol: Symbol) -> bool {
+        matches!(self.scopes.get(symbol), Some(Slot::Array(_)))
+    }
+
+    pub(super) fn is_declared(&self, symbol: Symbol) -> bool {
+        self.scopes.get(symbol).is_some()
+    }
+
+    /// True for a name that is neither declared nor a built-in constant.
+    pub(super) fn is_unknown(&self, symbol: Symbol) -> bool {
+        !self.is_declared(symbol) && !self.is_constant(symbol)
+    }
+
+    /// The declared thing of this name, if it has type `T`.
+    pub(super) fn thing_of<T: Thing>(&self, symbol: Symbol) -> Option<Arc<T>> {
+        match self.scopes.get(symbol) {
+            Some(Slot::Value(Value::Thing(thing))) => downcast(thing),
+            _ => None,
+        }
+    }
+
+    /// A name as [`crate::value::Reader::next`] announces it: a declared thing, or a value.
+    pub(super) fn next_of_name(&self, symbol: Symbol) -> Next {
+        match self.scopes.get(symbol) {
+            Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
+            _ => Next::Value,
+        }
+    }
+
+    /// Adds the step to a loop's counter, which the body may have changed; true if another pass follows.
+    pub(super) fn advance_counter(&mut self, counter: Symbol, last: f64, step: f64, span: Span) -> Result<bool> {
+        let Some(Slot::Value(Value::Float(value))) = self.scopes.get(counter) else {
+            let name = self.inputs.names.text(counter);
+            return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
+        };
+        let next = value + step;
+        self.scopes.set_global(counter, Slot::Value(Value::Float(next)), vec![]);
+        Ok(is_in_loop(next, last, step))
+    }
+
+    /// Records that the use of a name gives a warning.
+    pub(super) fn deprecate(&mut self, symbol: Symbol, why: &'a str) {
+        self.deprecated.insert(symbol, why);
+    }
+
+    #[inline]
+    pub(super) fn has_deprecations(&self) -> bool {
+        !self.deprecated.is_empty()
+    }
+
+    /// The reason why a name is deprecated, at its first use only.
+    pub(super) fn take_deprecation(&mut self, symbol: Symbol) -> Option<&'a str> {
+        self.deprecated.remove(&symbol)
+    }
+
+    /// Opens a random stream in this state, and returns its number; the first is 0.
+    pub(super) fn open_random_stream(&mut self, state: u32) -> usize {
+        self.random.push(state);
+        self.random.len() - 1
+    }
+
+    /// The state of a random stream.
+    pub(super) fn random_stream(&mut self, number: f64) -> Option<&mut u32> {
+        self.random.get_mut(number as usize).filter(|_| number >= 0.0)
+    }
+
+    /// An empty list for the arguments of a macro call.
+    pub(super) fn argument_list(&mut self) -> Vec<Option<Slot<'a>>> {
+        std::mem::take(&mut self.spare_arguments)
+    }
+
+    /// Opens the scope of a macro call and binds the parameters to the arguments. `None` leaves an optional parameter
+    /// unbound.
+    pub(super) fn enter_call(&mut self, parameters: &[(Symbol, bool)], mut arguments: Vec<Option<Slot<'a>>>) {
+        self.scopes.enter();
+        for ((parameter, _), slot) in parameters.iter().zip(arguments.drain(..)) {
+            if let Some(slot) = slot {
+                self.scopes.bind_parameter(*parameter, slot);
+            }
+        }
+        self.spare_arguments = arguments;
+    }
+}
+
+/// True if a `#for` loop with this step makes a pass with the counter at `value`.
+pub(super) fn is_in_loop(value: f64, last: f64, step: f64) -> bool {
+    if step > 0.0 { value <= last + SMALL } else { value >= last - SMALL }
+}

@@ -1,0 +1,195 @@
+//! Operators, with POV-Ray's promotions, and the components of values.
+
+use crate::color::{Color, gray};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::DVec3;
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::value::{Value, VecN};
+
+/// Numbers nearer to each other than this are equal to `=`, and nearer to 0 are false (measured on POV-Ray 3.7).
+pub(in crate::interpreter) const SMALL: f64 = 1e-10;
+
+pub(in crate::interpreter) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
+    Ok(match (prefix, value) {
+        (Prefix::Not, value) => Value::Float(f64::from(as_float(&value, span)?.abs() <= SMALL)),
+        (Prefix::Minus, Value::Float(x)) => Value::Float(-x),
+        (_, Value::Float(x)) => Value::Float(x),
+        (sign, value) => {
+            let (mut v, color) = five_numbers(&value).ok_or_else(|| {
+                Box::new(Diagnostic::new(codes::WRONG_TYPE, span, format!("{} has no sign", value.describe())))
+            })?;
+            if sign == Prefix::Minus {
+                v.c.iter_mut().take(v.len as usize).for_each(|x| *x = -*x);
+            }
+            from_numbers(v, color)
+        }
+    })
+}
+
+/// The numbers of a vector or colour, and which of both it is.
+pub(in crate::interpreter) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
+    match value {
+        Value::Vector(v) => Some((*v, false)),
+        Value::Color(c) => Some((VecN { c: c.to_array(), len: 5 }, true)),
+        _ => None,
+    }
+}
+
+/// The numbers of a vector or colour; a number is a vector of one component.
+pub(in crate::interpreter) fn numbers_of(value: &Value) -> Option<VecN> {
+    match value {
+        Value::Float(x) => Some(VecN::splat(*x, 1)),
+        value => five_numbers(value).map(|(v, _)| v),
+    }
+}
+
+pub(in crate::interpreter) fn from_numbers(v: VecN, color: bool) -> Value {
+    if color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
+}
+
+/// One operator, with POV-Ray's promotions: a float becomes a vector of equal numbers, the shorter of two vectors is
+/// filled with zeros; only numbers compare with `<`, numbers and strings with `=`.
+pub(in crate::interpreter) fn combine(
+    op: Operator,
+    left: Value,
+    right: Value,
+    left_span: Span,
+    right_span: Span,
+) -> Result<Value> {
+    use Operator::*;
+    match (&left, &right) {
+        (Value::Float(a), Value::Float(b)) => Ok(Value::Float(on_floats(op, *a, *b))),
+        (Value::Text(a), Value::Text(b)) if op.compares() => {
+            Ok(Value::Float(on_floats(op, f64::from(a.cmp(b) as i8), 0.0)))
+        }
+        _ if matches!(op, Add | Sub | Mul | Div) => {
+            let wrong = |value: &Value, span| {
+                let message = format!("`{}` takes numbers, vectors and colours, not {}", op.text(), value.describe());
+                Diagnostic::err(codes::WRONG_TYPE, span, message)
+            };
+            let (l, r) = (five_numbers(&left), five_numbers(&right));
+            let (a, b, color) = match (l, r, &left, &right) {
+                (Some((a, ca)), Some((b, cb)), ..) => (a, b, ca || cb),
+                (Some((a, color)), _, _, Value::Float(x)) => (a, VecN::splat(*x, a.len), color),
+                (_, Some((b, color)), Value::Float(x), _) => (VecN::splat(*x, b.len), b, color),
+                (None, _, left, _) if !matches!(left, Value::Float(_)) => return wrong(left, left_span),
+                _ => return wrong(&right, right_span),
+            };
+            Ok(from_numbers(on_vectors(op, a, b), color))
+        }
+        (Value::Float(_), _) => wrong_comparison(op, &right, right_span),
+        _ => wrong_comparison(op, &left, left_span),
+    }
+}
+
+pub(in crate::interpreter) fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
+    let message = format!("`{}` compares numbers, not {}", op.text(), value.describe());
+    Diagnostic::err(codes::WRONG_TYPE, span, message)
+}
+
+pub(in crate::interpreter) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
+    use Operator::*;
+    let truth = |x: f64| x.abs() > SMALL;
+    match op {
+        Add => a + b,
+        Sub => a - b,
+        Mul => a * b,
+        // POV-Ray's infinity has no sign: -1/0 and 0/0 are the same.
+        Div if b == 0.0 => f64::INFINITY,
+        Div => a / b,
+        Less => f64::from(a < b),
+        LessEqual => f64::from(a <= b + SMALL),
+        Greater => f64::from(a > b),
+        GreaterEqual => f64::from(a + SMALL >= b),
+        Equal => f64::from((a - b).abs() < SMALL),
+        NotEqual => f64::from((a - b).abs() >= SMALL),
+        And => f64::from(truth(a) && truth(b)),
+        Or => f64::from(truth(a) || truth(b)),
+    }
+}
+
+/// One by one; the shorter vector is filled with zeros.
+pub(in crate::interpreter) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
+    let mut out = VecN { c: [0.0; 5], len: a.len.max(b.len) };
+    for i in 0..out.len as usize {
+        out.c[i] = on_floats(op, a.c[i], b.c[i]);
+    }
+    out
+}
+
+/// True for a division whose right side is or holds zero.
+pub(in crate::interpreter) fn divides_by_zero(op: Operator, right: &Value) -> bool {
+    op == Operator::Div && numbers_of(right).is_some_and(|v| holds_zero(&v))
+}
+
+/// Is one of its numbers zero, so that nothing can be divided by it?
+pub(in crate::interpreter) fn holds_zero(v: &VecN) -> bool {
+    v.c[..v.len as usize].contains(&0.0)
+}
+
+/// Which of five numbers a component is.
+pub(in crate::interpreter) fn component_index(name: &Name) -> Option<usize> {
+    Some(match name.word? {
+        "x" | "u" | "red" => 0,
+        "y" | "v" | "green" => 1,
+        "z" | "blue" => 2,
+        "t" | "filter" => 3,
+        "transmit" => 4,
+        _ => return None,
+    })
+}
+
+/// `.x`, `.red`, `.gray` and the like.
+pub(in crate::interpreter) fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
+    let Some(v) = numbers_of(value) else {
+        return Diagnostic::err(codes::WRONG_TYPE, span, format!("{} has no components", value.describe()));
+    };
+    if name.word == Some("gray") {
+        return Ok(Value::Float(gray(v.xyz())));
+    }
+    let Some(index) = component_index(name) else {
+        let d = Diagnostic::new(codes::NO_COMPONENT, name.span, "no vector has a component of this name");
+        return d.help("vectors have x y z u v t, colours red green blue filter transmit gray").into();
+    };
+    if index >= v.len as usize && !matches!(value, Value::Color(_)) {
+        let message = format!("{} has no `.{}`", value.describe(), name.word.unwrap_or(""));
+        return Diagnostic::err(codes::NO_COMPONENT, name.span, message);
+    }
+    Ok(Value::Float(v.c[index]))
+}
+
+/// Two to five numbers.
+pub(in crate::interpreter) fn vector_value(data: &[f64], span: Span) -> Result<Value> {
+    match data.len() {
+        2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
+        n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a vector has two to five numbers, this has {n}")),
+    }
+}
+
+/// Three numbers; one stands for all, and shorter vectors are filled with zeros.
+pub(in crate::interpreter) fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
+    match value {
+        Value::Float(x) => Ok(DVec3::splat(*x)),
+        Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
+        other => {
+            let message = format!("expected a vector of three numbers, found {}", other.describe());
+            Diagnostic::err(codes::WRONG_TYPE, span, message)
+        }
+    }
+}
+
+/// The number in a value.
+pub(in crate::interpreter) fn as_float(value: &Value, span: Span) -> Result<f64> {
+    match value {
+        Value::Float(x) => Ok(*x),
+        other => {
+            let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("expected a number, found {}", other.describe()));
+            match other {
+                Value::Vector(_) => d.help("`.x`, `.y` or `.z` takes one of its numbers").into(),
+                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` takes one number of it").into(),
+                _ => d.into(),
+            }
+        }
+    }
+}

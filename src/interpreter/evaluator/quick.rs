@@ -1,0 +1,186 @@
+//! The short way through expressions: numbers and vectors, and nothing that has an effect or needs a message. Most
+//! expressions of a script are no more than that.
+
+use super::operators::{SMALL, component_index, holds_zero, on_floats, on_vectors};
+use super::{Evaluator, Slot};
+use crate::function::numeric::{self, Domain, Kernel};
+use crate::syntax::ast::*;
+use crate::value::{Value, VecN};
+
+/// A value that needs no allocation.
+pub(in crate::interpreter) enum Quick {
+    Float(f64),
+    Vector(VecN),
+}
+
+/// What the short way gives: a number alone, which is fastest, or either.
+pub(in crate::interpreter) trait Short: Sized {
+    /// Can it be a vector? Else nobody shall compute one.
+    const VECTORS: bool;
+    fn float(x: f64) -> Self;
+    fn vector(v: VecN) -> Option<Self>;
+    /// Both with an operator between them; `None` where [`super::combine`] has something to say.
+    fn combined(self, op: Operator, right: Self) -> Option<Self>;
+    fn prefixed(self, prefix: Prefix) -> Option<Self>;
+
+    fn of(value: &Value) -> Option<Self> {
+        match value {
+            Value::Float(x) => Some(Self::float(*x)),
+            Value::Vector(v) => Self::vector(*v),
+            _ => None,
+        }
+    }
+}
+
+impl Short for f64 {
+    const VECTORS: bool = false;
+
+    fn float(x: f64) -> Self {
+        x
+    }
+
+    fn vector(_: VecN) -> Option<Self> {
+        None
+    }
+
+    fn combined(self, op: Operator, right: f64) -> Option<Self> {
+        let warns = op == Operator::Div && right == 0.0;
+        if warns { None } else { Some(on_floats(op, self, right)) }
+    }
+
+    fn prefixed(self, prefix: Prefix) -> Option<Self> {
+        Some(match prefix {
+            Prefix::Minus => -self,
+            Prefix::Plus => self,
+            Prefix::Not => f64::from(self.abs() <= SMALL),
+        })
+    }
+}
+
+impl Short for Quick {
+    const VECTORS: bool = true;
+
+    fn float(x: f64) -> Self {
+        Quick::Float(x)
+    }
+
+    fn vector(v: VecN) -> Option<Self> {
+        Some(Quick::Vector(v))
+    }
+
+    fn combined(self, op: Operator, right: Quick) -> Option<Self> {
+        let (a, b) = match (self, right) {
+            (Quick::Float(a), Quick::Float(b)) => return a.combined(op, b).map(Quick::Float),
+            _ if !op.multiplies() && !op.adds() => return None,
+            (Quick::Float(x), Quick::Vector(b)) => (VecN::splat(x, b.len), b),
+            (Quick::Vector(a), Quick::Float(x)) => (a, VecN::splat(x, a.len)),
+            (Quick::Vector(a), Quick::Vector(b)) => (a, b),
+        };
+        let warns = op == Operator::Div && holds_zero(&b);
+        if warns { None } else { Some(Quick::Vector(on_vectors(op, a, b))) }
+    }
+
+    fn prefixed(self, prefix: Prefix) -> Option<Self> {
+        match self {
+            Quick::Float(x) => x.prefixed(prefix).map(Quick::Float),
+            Quick::Vector(_) => None,
+        }
+    }
+}
+
+impl Evaluator<'_> {
+    /// The short way to a number.
+    pub(in crate::interpreter) fn quick_number(&self, e: &Expr) -> Option<f64> {
+        self.quick(e)
+    }
+
+    /// The short way for what most expressions are: numbers and vectors, and nothing that has an effect or needs a message.
+    /// `None` says that the long way has to be gone.
+    pub(in crate::interpreter) fn quick<T: Short>(&self, e: &Expr) -> Option<T> {
+        match &e.kind {
+            ExprKind::Number(x) => Some(T::float(*x)),
+            ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
+            ExprKind::Vector(parts) if T::VECTORS => self.quick_vector(parts),
+            ExprKind::Paren(inner) => self.quick(inner),
+            ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
+                Some(Slot::Value(value)) if self.deprecated.is_empty() => T::of(value),
+                None => T::of(self.constants.fixed(*symbol)?),
+                _ => None,
+            },
+            ExprKind::Prefix(prefix, inner) => self.quick::<T>(inner)?.prefixed(*prefix),
+            ExprKind::Chain(chain) => {
+                let first: T = self.quick(&chain.first)?;
+                chain.rest.iter().try_fold(first, |left, (op, operand)| left.combined(*op, self.quick(operand)?))
+            }
+            ExprKind::Choice(parts) => {
+                let [condition, yes, no] = &**parts;
+                self.quick(if self.quick_number(condition)?.abs() > SMALL { yes } else { no })
+            }
+            ExprKind::Builtin(name, arguments) => self.quick_call(name.name, arguments).map(T::float),
+            ExprKind::Index(array, indices) => match &**indices {
+                [index] => self.quick_element(array, index),
+                _ => None,
+            },
+            ExprKind::Dot(base, name, _) => self.quick_component(base, name).map(T::float),
+            _ => None,
+        }
+    }
+
+    fn quick_vector<T: Short>(&self, parts: &[Element]) -> Option<T> {
+        if !(2..=5).contains(&parts.len()) {
+            return None;
+        }
+        let mut out = VecN { c: [0.0; 5], len: parts.len() as u8 };
+        for (slot, part) in out.c.iter_mut().zip(parts) {
+            match &part.kind {
+                ElementKind::Expr(e) => *slot = self.quick_number(e)?,
+                _ => return None,
+            }
+        }
+        T::vector(out)
+    }
+
+    /// `V.x` of a name alone, which could be a dictionary.
+    fn quick_component(&self, base: &Expr, name: &Name) -> Option<f64> {
+        let ExprKind::Name(symbol) = base.kind else { return None };
+        match self.scopes.get(symbol)? {
+            Slot::Value(Value::Vector(v)) if self.deprecated.is_empty() => {
+                component_index(name).filter(|i| *i < usize::from(v.len)).map(|i| v.c[i])
+            }
+            _ => None,
+        }
+    }
+
+    fn quick_call(&self, name: &str, arguments: &[Expr]) -> Option<f64> {
+        let row = &numeric::TABLE[numeric::find(name)? as usize];
+        let first = row.clamped(self.quick_number(arguments.first()?)?);
+        let second = match arguments.get(1) {
+            Some(e) => self.quick_number(e)?,
+            None => first,
+        };
+        let divides = second == 0.0 && row.domain == Domain::Divides;
+        if divides || row.fault(first, second).is_some() {
+            return None;
+        }
+        match (row.kernel, arguments) {
+            (Kernel::One(f), [_]) => Some(f(first)),
+            (Kernel::Two(f), [_, _]) => Some(f(first, second)),
+            (Kernel::Many(f), [_, rest @ ..]) => {
+                rest.iter().try_fold(first, |out, e| self.quick_number(e).map(|next| f(out, next)))
+            }
+            _ => None,
+        }
+    }
+
+    fn quick_element<T: Short>(&self, array: &Expr, index: &Expr) -> Option<T> {
+        let ExprKind::Name(symbol) = array.kind else { return None };
+        let i = self.quick_number(index).filter(|i| *i >= 0.0)?;
+        match self.scopes.get(symbol)? {
+            Slot::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
+                Some(Slot::Value(value)) => T::of(value),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Which parsed expressions can be evaluated as they are, and which must be split into tokens.
+
+use super::{Evaluator, Slot};
+use crate::interpreter::reader::begins_color;
+use crate::interpreter::stream::Token;
+use crate::syntax::ast::*;
+use crate::value::Value;
+
+impl Evaluator<'_> {
+    /// True if an expression must be split: a macro in it gives tokens of its own, or its call is no call.
+    #[inline]
+    pub(in crate::interpreter) fn splits(&self, e: &Expr) -> bool {
+        e.calls && self.call_splits(e)
+    }
+
+    fn call_splits(&self, e: &Expr) -> bool {
+        let any = |elements: &[Element]| elements.iter().any(|element| self.element_splits(element));
+        match &e.kind {
+            ExprKind::Call(name, arguments) => match self.scopes.get(*name) {
+                Some(Slot::Value(value)) if is_callable(value) => any(arguments),
+                // A value before a parenthesis is no call: `plane { z (-6) }`.
+                Some(Slot::Value(_) | Slot::Macro(_)) => true,
+                Some(_) => false,
+                None => self.is_constant(*name),
+            },
+            ExprKind::Vector(parts) => any(parts),
+            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.splits(inner),
+            ExprKind::Chain(chain) => self.splits(&chain.first) || chain.rest.iter().any(|(_, e)| self.splits(e)),
+            ExprKind::Choice(parts) => parts.iter().any(|e| self.splits(e)),
+            ExprKind::Builtin(_, arguments) => arguments.iter().any(|e| self.splits(e)),
+            ExprKind::Index(base, indices) => self.splits(base) || indices.iter().any(|e| self.splits(e)),
+            ExprKind::Apply(base, arguments) => self.splits(base) || any(arguments),
+            ExprKind::Dot(base, _, symbol) => self.splits(base) || self.is_macro(*symbol),
+            ExprKind::Block(_) | ExprKind::Function(_) => true,
+            ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Literal(_) => false,
+        }
+    }
+
+    fn element_splits(&self, element: &Element) -> bool {
+        match &element.kind {
+            ElementKind::Expr(e) => match &e.kind {
+                ExprKind::Name(name) => self.is_macro(*name),
+                _ => e.compares() || self.splits(e),
+            },
+            ElementKind::Numbers(_) => false,
+            // `cubic_spline` in the call of a spline.
+            ElementKind::Word(_) => false,
+            _ => true,
+        }
+    }
+
+    /// True if a macro argument is one expression that neither calls a macro nor can stand for several values.
+    pub(in crate::interpreter) fn is_plain_argument(&self, element: &Element) -> bool {
+        let ElementKind::Expr(e) = &element.kind else { return false };
+        match &e.kind {
+            ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
+            ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
+            ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => !e.compares() && !self.splits(e),
+            ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.splits(e),
+            _ => false,
+        }
+    }
+
+    /// True if the expression is a macro's name or call.
+    pub(in crate::interpreter) fn is_macro_call(&self, e: &Expr) -> bool {
+        matches!(e.kind, ExprKind::Call(name, _) | ExprKind::Name(name) if self.is_macro(name))
+    }
+
+    /// False if the name is a declared thing, so that a `[` after it begins a map's entry and not an index.
+    pub(in crate::interpreter) fn takes_index(&self, symbol: Symbol) -> bool {
+        !matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
+    }
+
+    /// True if the last operand is the name of a function, spline or macro: its arguments may follow.
+    pub(in crate::interpreter) fn ends_with_callable(&self, token: Token) -> bool {
+        let Token::Expr(mut last) = token else { return false };
+        while let ExprKind::Chain(chain) = &last.kind {
+            let Some((_, operand)) = chain.rest.last() else { return false };
+            last = operand;
+        }
+        match last.kind {
+            ExprKind::Name(name) => match self.scopes.get(name) {
+                Some(Slot::Value(value)) => is_callable(value),
+                slot => matches!(slot, Some(Slot::Macro(_))),
+            },
+            _ => false,
+        }
+    }
+
+    /// True if no vector can continue with this word.
+    pub(in crate::interpreter) fn ends_vector(&self, word: &str) -> bool {
+        let declared = self.inputs.names.find(word).is_some_and(|symbol| self.is_declared(symbol));
+        !begins_color(word) && !declared
+    }
+}
+
+/// True for a function or a spline.
+pub(in crate::interpreter) fn is_callable(value: &Value) -> bool {
+    matches!(value, Value::Thing(thing) if matches!(thing.kind(), "function" | "spline"))
+}

@@ -1,0 +1,157 @@
+//! Functions whose tokens come one by one.
+
+use super::{Compiler, series};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::function::{Id, Operation};
+use crate::interpreter::Interpreter;
+use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::as_float;
+use crate::interpreter::evaluator::is_callable;
+use crate::interpreter::stream::Token;
+use crate::interpreter::token_expr::{Operands, expect_colon, joined, read_signs};
+use crate::source::Span;
+use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
+use crate::value::Value;
+
+/// Makes operations of operands and operators.
+pub(super) struct Compiled<'c>(pub(super) &'c mut Compiler);
+
+impl<'a> Operands<'a> for Compiled<'_> {
+    type Value = Id;
+
+    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Id, Span)> {
+        let signs = read_signs(me)?;
+        let (mut id, mut span) = me.compile_primary(self.0)?;
+        for (prefix, at) in signs {
+            id = self.0.prefixed(prefix, id);
+            span = joined(at, span);
+        }
+        Ok((id, span))
+    }
+
+    fn combine(&mut self, _: &mut Interpreter<'a>, op: Operator, left: (Id, Span), right: (Id, Span)) -> Result<Id> {
+        Ok(self.0.graph.add(Operation::Binary(op, left.0, right.0)))
+    }
+
+    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Id, Span)) -> Result<(Id, Span)> {
+        let (yes, _) = me.climb(self, true)?;
+        expect_colon(me)?;
+        let (no, span) = me.climb(self, true)?;
+        Ok((self.0.graph.add(Operation::Choice(condition.0, yes, no)), span))
+    }
+
+    fn precedence(&self, op: Operator) -> u8 {
+        op.precedence_in_functions()
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    /// A number, parameter, call … without signs.
+    fn compile_primary(&mut self, c: &mut Compiler) -> Result<(Id, Span)> {
+        loop {
+            let token = self.peek()?;
+            let span = self.stream.here();
+            return match token {
+                Token::Expr(e) => match &e.kind {
+                    // A component or more may follow.
+                    ExprKind::Call(..) | ExprKind::Apply(..) if !self.is_whole(true) => {
+                        self.stream.split_next();
+                        continue;
+                    }
+                    ExprKind::Name(symbol) => {
+                        self.stream.advance();
+                        let callee = match self.evaluator.scopes().get(*symbol) {
+                            Some(Slot::Value(value)) => is_callable(value),
+                            _ => false,
+                        };
+                        if callee && self.call_follows()? {
+                            let callee = self.name_value(*symbol, span)?;
+                            return self.compile_call_in_pieces(c, &callee, span);
+                        }
+                        Ok((self.compile_name(c, *symbol, e)?, span))
+                    }
+                    _ => {
+                        self.stream.advance();
+                        Ok((self.compile(c, e)?, span))
+                    }
+                },
+                Token::Numbers([x]) => {
+                    self.stream.advance();
+                    Ok((c.graph.constant(*x), span))
+                }
+                Token::Open(Bracket::Paren, _) => {
+                    self.open()?;
+                    let (id, _) = self.climb(&mut Compiled(c), true)?;
+                    let end = self.stream.here();
+                    self.close("`)`")?;
+                    Ok((id, joined(span, end)))
+                }
+                Token::Element(_) => {
+                    let slot = self.take_element()?;
+                    let value = self.slot_value(slot, span)?;
+                    if is_callable(&value) && self.call_follows()? {
+                        return self.compile_call_in_pieces(c, &value, span);
+                    }
+                    Ok((c.graph.constant(as_float(&value, span)?), span))
+                }
+                Token::Callee(word) => {
+                    self.stream.advance();
+                    self.expect_paren(word)?;
+                    let id = self.compile_builtin_in_pieces(c, word, span)?;
+                    let end = self.stream.here();
+                    self.close("`)`")?;
+                    Ok((id, joined(span, end)))
+                }
+                _ => Err(self.unexpected_token("a number, a parameter or a function").into()),
+            };
+        }
+    }
+
+    /// The arguments of a function or spline, whose `(` comes next, and perhaps a component behind them.
+    fn compile_call_in_pieces(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
+        self.open()?;
+        let mut ids = vec![];
+        while !self.peek()?.ends() {
+            ids.push(self.climb(&mut Compiled(c), true)?.0);
+        }
+        let mut whole = joined(span, self.stream.here());
+        self.close("`)`")?;
+        let mut component: Option<Name> = None;
+        if matches!(self.peek_after()?, Some(Token::Sign(Sign::Dot))) {
+            self.stream.advance();
+            let name = self.component_name()?;
+            whole = joined(whole, name.span);
+            component = Some(name);
+        }
+        Ok((self.compile_call_of(c, callee, ids, component.as_ref(), whole)?, whole))
+    }
+
+    /// What stands in the parentheses of a built-in function.
+    fn compile_builtin_in_pieces(&mut self, c: &mut Compiler, word: &str, span: Span) -> Result<Id> {
+        if word == "sum" || word == "prod" {
+            return self.compile_series_in_pieces(c, word == "prod", span);
+        }
+        let mut ids = vec![];
+        while !self.peek()?.ends() {
+            ids.push(self.climb(&mut Compiled(c), true)?.0);
+        }
+        self.compile_builtin_of(c, word, &ids, span)
+    }
+
+    /// `I, 1, 10, x/I`
+    fn compile_series_in_pieces(&mut self, c: &mut Compiler, product: bool, span: Span) -> Result<Id> {
+        let Token::Expr(Expr { kind: ExprKind::Name(counter), .. }) = self.peek()? else {
+            return Diagnostic::err(
+                codes::WRONG_COUNT,
+                span,
+                "expected a counter, a first and a last value, and a term",
+            );
+        };
+        self.stream.advance();
+        let first = self.climb(&mut Compiled(c), true)?.0;
+        let last = self.climb(&mut Compiled(c), true)?.0;
+        let mut inner = c.with_counter(*counter);
+        inner.graph.result = self.climb(&mut Compiled(&mut inner), true)?.0;
+        series(c, product, vec![first, last], inner, span)
+    }
+}

@@ -1,0 +1,106 @@
+//! Opening and closing of brackets.
+
+use crate::diagnostic::{Result, codes};
+use crate::interpreter::Interpreter;
+use crate::interpreter::stream::{BlockName, OpenBracket, Token};
+use crate::source::Span;
+use crate::syntax::ast::*;
+
+/// Maximum number of open brackets.
+const MAX_NESTING: usize = 5_000;
+
+impl<'a> Interpreter<'a> {
+    /// Consumes the opening bracket that comes next, with the word before it if it has one. Returns the span of the word
+    /// or the bracket.
+    pub(in crate::interpreter) fn open(&mut self) -> Result<Span> {
+        let token = self.peek()?;
+        let span = self.stream.here();
+        if self.stream.bracket_count() >= MAX_NESTING {
+            let message = format!("more than {MAX_NESTING} brackets are open here");
+            return self.reporter.limit(codes::TOO_DEEP, span, message, "does a macro open one without closing it?");
+        }
+        let (word, name, body, bracket) = match token {
+            Token::Block(BlockName { word, span: name, body }) => (word, name, body, Bracket::Brace),
+            Token::Open(bracket, body) => (None, span, body, bracket),
+            _ => {
+                self.stream.advance();
+                return Ok(span);
+            }
+        };
+        let comma = self.stream.comma_follows_element();
+        // A parsed group ends with the bracket that a message may speak of.
+        let whole = self.stream.raw().map_or(span, |element| element.span);
+        self.stream.advance();
+        let mode = self.stream.stop_deferring();
+        let own_words = word.map_or(&[][..], crate::syntax::word::contextual);
+        let frame_count = self.stream.frames().len();
+        let mut opened = OpenBracket { word, span: name, alone: None, bracket, own_words, frame_count, mode };
+        match body {
+            Some(body) => {
+                self.stream.push_piece(body, Some(bracket), whole, comma);
+                self.stream.set_comma(false);
+            }
+            // The bracket is a token by itself.
+            None if matches!(token, Token::Block(_)) => match self.peek()? {
+                Token::Open(Bracket::Brace, body) => {
+                    let (at, comma) = (self.stream.here(), self.stream.comma_follows_element());
+                    let whole = self.stream.raw().map_or(at, |element| element.span);
+                    self.stream.advance();
+                    opened.frame_count = self.stream.frames().len();
+                    match body {
+                        Some(body) => self.stream.push_piece(body, Some(Bracket::Brace), whole, comma),
+                        None => opened.alone = Some(at),
+                    }
+                }
+                _ => return Err(self.unexpected_token("`{`").into()),
+            },
+            None => opened.alone = Some(span),
+        }
+        self.stream.push_bracket(opened);
+        Ok(name)
+    }
+
+    /// Consumes the bracket that closes the innermost open one; any other token is a fault.
+    pub(in crate::interpreter) fn close(&mut self, expected: &str) -> Result<()> {
+        let token = self.peek()?;
+        let Some(opened) = self.stream.bracket() else { return Err(self.unexpected_token(expected).into()) };
+        if !token.closes(opened.bracket) {
+            return Err(match token {
+                Token::Sign(Sign::Close(_)) | Token::End => self.not_closed().into(),
+                _ => self.unexpected_token(expected).into(),
+            });
+        }
+        self.stream.pop_bracket();
+        self.stream.advance();
+        Ok(())
+    }
+
+    /// Reads `elements`, the inside of a bracket, to their end. After a fault the stream is as before.
+    pub(in crate::interpreter) fn within<T>(
+        &mut self,
+        elements: &'a [Element],
+        bracket: Bracket,
+        span: Span,
+        read: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<T> {
+        let checkpoint = self.stream.checkpoint();
+        self.stream.push_piece(elements, Some(bracket), span, false);
+        let mode = self.stream.stop_deferring();
+        let frame_count = self.stream.frames().len();
+        self.stream.push_bracket(OpenBracket {
+            word: None,
+            span,
+            alone: None,
+            bracket,
+            own_words: &[],
+            frame_count,
+            mode,
+        });
+        let result = read(self).and_then(|value| self.close(bracket.text()[1]).map(|()| value));
+        result.map_err(|fault| {
+            let fault = self.stream.with_trace(*fault);
+            self.unwind(checkpoint);
+            Box::new(fault)
+        })
+    }
+}

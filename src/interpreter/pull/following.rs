@@ -1,0 +1,106 @@
+//! What follows a value: whether it continues the value.
+
+use crate::diagnostic::Result;
+use crate::interpreter::Interpreter;
+use crate::interpreter::stream::{FrameKind, StackFrame, Token};
+use crate::syntax::ast::*;
+use crate::syntax::{begins_with_parenthesis, begins_with_sign};
+
+impl<'a> Interpreter<'a> {
+    /// True if nothing that follows can continue the expression or list that comes next. Nothing runs to find out. Where
+    /// comparisons are allowed (`compares`), a `>` continues a value.
+    pub(in crate::interpreter) fn is_whole(&self, compares: bool) -> bool {
+        let Some((frame, outer)) = self.stream.frames().split_last() else { return true };
+        let Some(element) = frame.next().filter(|_| !self.stream.has_pushed_back()) else { return false };
+        if let ElementKind::Numbers(list) = &element.kind
+            && frame.list_item() + 1 < list.len()
+        {
+            return true;
+        }
+        if element.comma {
+            return true;
+        }
+        match frame.following() {
+            Some(next) => self.separates(next, compares),
+            None => self.end_separates(frame, outer, compares),
+        }
+    }
+
+    /// True if a value at the end of `frame` ends there.
+    fn end_separates<'f>(
+        &self,
+        mut frame: &'f StackFrame<'a>,
+        mut outer: &'f [StackFrame<'a>],
+        compares: bool,
+    ) -> bool {
+        loop {
+            if frame.is_delimited() {
+                return true;
+            }
+            match frame.kind() {
+                FrameKind::File => return true,
+                FrameKind::Piece | FrameKind::Branch | FrameKind::Macro(_) | FrameKind::Include | FrameKind::Switch => {
+                }
+                FrameKind::While(_) | FrameKind::For { .. } => return self.stream.mode().defers,
+            }
+            let Some((last, rest)) = outer.split_last() else { return true };
+            match last.next() {
+                Some(next) => return self.separates(next, compares),
+                None => (frame, outer) = (last, rest),
+            }
+        }
+    }
+
+    /// True if a value ends before the element `next`.
+    fn separates(&self, next: &Element, compares: bool) -> bool {
+        match &next.kind {
+            ElementKind::Semicolon | ElementKind::Comma | ElementKind::Word(_) | ElementKind::Block(_) => true,
+            ElementKind::Group(_) | ElementKind::Entry(_) | ElementKind::Function(_) => true,
+            ElementKind::Sign(Sign::Operator(Operator::Greater)) => !compares,
+            ElementKind::Sign(sign) => matches!(sign, Sign::Close(_)),
+            ElementKind::Directive(_) => self.stream.mode().defers,
+            ElementKind::Numbers(list) => list.width(0) > 1 || !list.data[0].is_sign_negative(),
+            ElementKind::Expr(e) if self.evaluator.is_macro_call(e) => self.stream.mode().defers,
+            ElementKind::Expr(e) => !e.calls && !begins_with_sign(e) && !begins_with_parenthesis(e),
+        }
+    }
+
+    /// The token directly after the value that was just read. `None` after a comma, before a `;` or the end of the file,
+    /// and before a directive or macro call that must wait ([`super::Mode::defers`]).
+    pub(in crate::interpreter) fn peek_after(&mut self) -> Result<Option<Token<'a>>> {
+        loop {
+            if self.stream.look_ahead().is_some() {
+                return if self.stream.has_comma() { Ok(None) } else { self.peek().map(Some) };
+            }
+            if self.stream.has_comma() {
+                return Ok(None);
+            }
+            let Some(frame) = self.stream.innermost() else { return Ok(None) };
+            let mode = self.stream.mode();
+            match frame.next().map(|e| &e.kind) {
+                Some(ElementKind::Comma | ElementKind::Semicolon) => return Ok(None),
+                Some(ElementKind::Directive(_)) if mode.defers => return Ok(None),
+                Some(ElementKind::Expr(e)) if mode.defers && self.evaluator.is_macro_call(e) => return Ok(None),
+                None if frame.closer().is_none() && mode.defers => match frame.kind() {
+                    FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch | FrameKind::Include
+                        if self.stream.frames().len() > mode.frame_floor =>
+                    {
+                        self.pop_frame();
+                    }
+                    _ => return Ok(None),
+                },
+                None if matches!(frame.kind(), FrameKind::File) => return Ok(None),
+                _ => {
+                    if !self.settle_once()? {
+                        return self.peek().map(Some);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The token that may continue the value that was just read; [`Token::End`] if [`Self::peek_after`] finds none.
+    pub(in crate::interpreter) fn peek_continuation(&mut self) -> Result<Token<'a>> {
+        Ok(self.peek_after()?.unwrap_or(Token::End))
+    }
+}

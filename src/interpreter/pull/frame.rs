@@ -1,0 +1,103 @@
+//! Ends of frames: loops begin another pass, scopes end, macros that gave a value run to their end.
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::interpreter::Interpreter;
+use crate::interpreter::stream::{FrameKind, StackFrame};
+use crate::source::Span;
+use crate::syntax::ast::*;
+
+impl Interpreter<'_> {
+    /// Drops the innermost frame, and the scope that it opened.
+    pub(in crate::interpreter) fn pop_frame(&mut self) {
+        if self.stream.pop_frame().is_some_and(FrameKind::has_scope) {
+            self.evaluator.scopes_mut().leave();
+        }
+    }
+
+    /// Ends the innermost frame, whose elements are all consumed: a loop begins its next pass, any other frame is dropped.
+    pub(super) fn end_of_frame(&mut self) -> Result<()> {
+        let Some(frame) = self.stream.innermost() else { return Ok(()) };
+        let span = frame.span();
+        let again = match frame.kind() {
+            FrameKind::While(condition) => self.reporter.step(span).and_then(|()| self.condition(condition, span)),
+            FrameKind::For { counter, last, step } => {
+                self.reporter.step(span).and_then(|()| self.evaluator.advance_counter(counter, last, step, span))
+            }
+            _ => Ok(false),
+        };
+        let again = match again {
+            Ok(again) => again,
+            Err(fault) => {
+                // A loop whose condition fails ends.
+                let fault = self.stream.with_trace(*fault);
+                self.pop_frame();
+                return Err(Box::new(fault));
+            }
+        };
+        if again {
+            self.stream.restart_frame();
+        } else {
+            self.pop_frame();
+        }
+        Ok(())
+    }
+
+    /// Runs `#break`: leaves the innermost loop, `#switch` or macro.
+    pub(in crate::interpreter) fn break_out(&mut self, span: Span) -> Result<()> {
+        let is_breakable = |f: &StackFrame| {
+            matches!(f.kind(), FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch | FrameKind::Macro(_))
+        };
+        let is_inner = |f: &&StackFrame| matches!(f.kind(), FrameKind::Branch | FrameKind::Piece);
+        let frames = self.stream.frames();
+        let inner = frames.iter().rev().take_while(is_inner).count();
+        let target = frames.len().checked_sub(inner + 1);
+        match target {
+            Some(depth) if is_breakable(&frames[depth]) => {
+                while self.stream.frames().len() > depth {
+                    self.pop_frame();
+                }
+                Ok(())
+            }
+            _ => Diagnostic::new(codes::BREAK_OUTSIDE, span, "`#break` stands in no loop, no `#switch` and no macro")
+                .help("it leaves the innermost `#while`, `#for`, `#switch` or `#macro`")
+                .into(),
+        }
+    }
+
+    /// Runs the rest of the macros above the first `floor` frames, which gave a declared value.
+    pub(in crate::interpreter) fn drain(&mut self, floor: usize) -> Result<()> {
+        let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
+        self.stream.clear_look_ahead();
+        while self.stream.frames().iter().skip(floor).any(in_macro) {
+            let Some(frame) = self.stream.innermost() else { break };
+            match frame.next() {
+                None if frame.closer().is_some() => return Ok(()),
+                None => self.end_of_frame()?,
+                Some(element) => match &element.kind {
+                    ElementKind::Semicolon | ElementKind::Comma => self.stream.skip_element(),
+                    ElementKind::Directive(directive) => {
+                        self.stream.skip_element();
+                        self.run_directive(directive, element.span)?;
+                    }
+                    ElementKind::Expr(_) | ElementKind::Numbers(_) => {
+                        let message = "the macro gives more than the one value that is declared here";
+                        return Diagnostic::err(codes::WRONG_COUNT, element.span, message);
+                    }
+                    // It ends a block around the declaration, or begins another block.
+                    _ => return Ok(()),
+                },
+            }
+        }
+        Ok(())
+    }
+
+    /// Drops the innermost frames of macros, branches and split expressions that are spent.
+    pub(in crate::interpreter) fn pop_spent(&mut self) {
+        let is_spent = |f: &StackFrame| {
+            matches!(f.kind(), FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch) && f.is_spent()
+        };
+        while !self.stream.has_pushed_back() && self.stream.innermost().is_some_and(is_spent) {
+            self.pop_frame();
+        }
+    }
+}

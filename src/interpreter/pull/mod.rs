@@ -1,0 +1,151 @@
+//! Pulling tokens: directives run and macro calls expand on the way, so that the reader of a block receives one flat row
+//! of tokens. What the parser kept whole is a single token, unless something that follows may continue it.
+
+mod bracket;
+mod following;
+mod frame;
+mod name;
+mod recovery;
+
+use super::Interpreter;
+use super::stream::{BlockName, FrameKind, Mode, Token};
+use crate::diagnostic::Result;
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::word::Category;
+
+impl<'a> Interpreter<'a> {
+    /// Runs `read` in a changed mode, and restores the mode afterwards.
+    #[inline]
+    pub(super) fn in_mode<T>(
+        &mut self,
+        change: impl FnOnce(&mut Mode),
+        read: impl FnOnce(&mut Interpreter<'a>) -> T,
+    ) -> T {
+        let outer = self.stream.mode();
+        let mut inner = outer;
+        change(&mut inner);
+        self.stream.set_mode(inner);
+        let result = read(self);
+        self.stream.set_mode(outer);
+        result
+    }
+
+    /// The next token; directives and macro calls before it have run. Nothing is consumed. Commas and semicolons are
+    /// skipped; [`super::stream::TokenStream::has_comma`] reports the commas.
+    pub(super) fn peek(&mut self) -> Result<Token<'a>> {
+        loop {
+            if let Some(token) = self.stream.look_ahead() {
+                return Ok(token);
+            }
+            let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
+            let element = frame.next();
+            // Directives are the common case in loops.
+            if let Some(Element { span, kind: ElementKind::Directive(directive), .. }) = element {
+                self.stream.skip_element();
+                self.run_next_directive(directive, *span)?;
+                continue;
+            }
+            if element.is_none_or(may_settle) && self.settle_once()? {
+                continue;
+            }
+            let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
+            let Some(element) = frame.next() else {
+                let token = frame.closer().map_or(Token::End, |bracket| Token::Sign(Sign::Close(bracket)));
+                return Ok(self.stream.announce(token));
+            };
+            let token = match &element.kind {
+                ElementKind::Expr(expr) => match self.expr_token(expr, element)? {
+                    Some(token) => token,
+                    None => continue,
+                },
+                ElementKind::Numbers(list) => Token::Numbers(frame.list_numbers(list)),
+                ElementKind::Word(word) => {
+                    return self.word_token(word.name, word.category == Category::Function, element);
+                }
+                ElementKind::Block(block) => {
+                    Token::Block(BlockName { word: block.name.word, span: block.name.span, body: Some(&block.body) })
+                }
+                ElementKind::Entry(group) => Token::Open(Bracket::Square, Some(&group.body)),
+                ElementKind::Group(group) => Token::Open(Bracket::Brace, Some(&group.body)),
+                ElementKind::Function(function) => Token::Function(Some(function)),
+                ElementKind::Sign(Sign::Open(bracket)) => Token::Open(*bracket, None),
+                ElementKind::Sign(sign) => Token::Sign(*sign),
+                ElementKind::Directive(_) | ElementKind::Semicolon | ElementKind::Comma => continue,
+            };
+            // An array's element whose index was read token by token has been pushed back.
+            return Ok(if self.stream.has_pushed_back() { token } else { self.stream.announce(token) });
+        }
+    }
+
+    /// Runs directives and macro calls, and drops spent frames, until another token comes next.
+    fn settle(&mut self) -> Result<()> {
+        while self.settle_once()? {}
+        Ok(())
+    }
+
+    /// Runs one directive or macro call, or drops one spent frame; false if nothing of the kind comes next.
+    pub(super) fn settle_once(&mut self) -> Result<bool> {
+        if self.stream.look_ahead().is_some() {
+            return Ok(false);
+        }
+        let Some(frame) = self.stream.innermost() else { return Ok(false) };
+        let Some(element) = frame.next() else {
+            if frame.closer().is_some() || matches!(frame.kind(), FrameKind::File) {
+                return Ok(false);
+            }
+            self.between_tokens(Self::end_of_frame)?;
+            return Ok(true);
+        };
+        match &element.kind {
+            ElementKind::Semicolon => self.stream.skip_element(),
+            ElementKind::Comma => {
+                self.stream.skip_element();
+                self.stream.set_comma(true);
+            }
+            ElementKind::Directive(directive) => {
+                self.stream.skip_element();
+                self.run_next_directive(directive, element.span)?;
+            }
+            ElementKind::Expr(expr) => match &expr.kind {
+                ExprKind::Call(name, arguments) if self.evaluator.is_macro(*name) => {
+                    self.stream.skip_element();
+                    self.between_tokens(|me| me.call_macro(*name, arguments, element.span, element.comma))?;
+                }
+                ExprKind::Name(name) if self.evaluator.is_macro(*name) => {
+                    self.stream.skip_element();
+                    self.between_tokens(|me| me.call_macro_by_tokens(*name, element.span))?;
+                }
+                _ if expr.calls && self.evaluator.splits(expr) => self.stream.split_next(),
+                _ => return Ok(false),
+            },
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Runs the directive that has just been consumed.
+    #[inline]
+    fn run_next_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
+        self.reporter.step(span)?;
+        self.between_tokens(|me| me.run_directive(directive, span))
+    }
+
+    /// Runs a directive, a macro call or a loop's condition. A comma before it separates the tokens around it.
+    #[inline]
+    fn between_tokens(&mut self, run: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
+        let comma = self.stream.take_comma();
+        run(self)?;
+        self.stream.add_comma(comma);
+        Ok(())
+    }
+}
+
+/// False for elements that are always tokens, which are most.
+fn may_settle(element: &Element) -> bool {
+    match &element.kind {
+        ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Sign(_) => false,
+        ElementKind::Expr(e) => e.calls || matches!(e.kind, ExprKind::Name(_)),
+        _ => true,
+    }
+}

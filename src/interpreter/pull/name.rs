@@ -1,0 +1,128 @@
+//! Tokens of names, words and expressions, whose meaning depends on declarations and on what follows.
+
+use crate::diagnostic::Result;
+use crate::interpreter::Interpreter;
+use crate::interpreter::evaluator::Slot;
+use crate::interpreter::stream::{BlockName, FrameKind, Token};
+use crate::syntax::ast::*;
+use crate::value::Value;
+
+impl<'a> Interpreter<'a> {
+    /// The token of an expression; `None` if the expression was split or a macro was called, so that another token comes
+    /// next.
+    pub(super) fn expr_token(&mut self, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
+        match &expr.kind {
+            ExprKind::Name(symbol) => self.name_token(*symbol, expr, element),
+            _ if self.stream.mode().skips => Ok(Some(Token::Expr(expr))),
+            ExprKind::Index(base, indices) => match base.kind {
+                ExprKind::Name(symbol) if !self.evaluator.takes_index(symbol) => {
+                    self.stream.split_next();
+                    Ok(None)
+                }
+                _ => {
+                    let place = self.element_place(base, indices)?;
+                    self.stream.set_element(place);
+                    Ok(Some(Token::Element(expr.span)))
+                }
+            },
+            ExprKind::Dot(..) => match self.dictionary_place(expr)? {
+                Some(place) => {
+                    self.stream.set_element(place);
+                    Ok(Some(Token::Element(expr.span)))
+                }
+                None => Ok(Some(Token::Expr(expr))),
+            },
+            _ if self.stream.begins_with_own_word(expr) => {
+                self.stream.split_next();
+                Ok(None)
+            }
+            _ => Ok(Some(Token::Expr(expr))),
+        }
+    }
+
+    /// The token of a name alone: one of durer's own words, the name of an unknown block, an array's element, or a value.
+    fn name_token(&mut self, symbol: Symbol, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
+        if let Some(word) = self.stream.own_word(symbol) {
+            return self.word_token(word, false, element).map(Some);
+        }
+        if self.stream.mode().skips {
+            return Ok(Some(Token::Expr(expr)));
+        }
+        let Some(frame) = self.stream.innermost() else { return Ok(None) };
+        let next = frame.following().filter(|_| !element.comma);
+        let is_indexed = match next.map(|e| &e.kind) {
+            Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace))) => {
+                return Ok(Some(Token::Block(BlockName { word: None, span: expr.span, body: None })));
+            }
+            Some(ElementKind::Sign(Sign::Open(Bracket::Square))) => match self.evaluator.scopes().get(symbol) {
+                Some(Slot::Array(_)) => true,
+                // The fault is that this value has no elements.
+                Some(Slot::Value(value)) => !matches!(value, Value::Thing(_)),
+                _ => false,
+            },
+            Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Dot)) => self.evaluator.is_array(symbol),
+            None if !element.comma => self.evaluator.is_array(symbol),
+            _ => false,
+        };
+        match is_indexed {
+            true => self.element_by_tokens(symbol, expr).map(Some),
+            false => Ok(Some(Token::Expr(expr))),
+        }
+    }
+
+    /// The token of a word: the start of a block, the name of a called function, or the word alone. Where a directive, a
+    /// macro or the end of a body follows, it runs first, because what it gives decides.
+    pub(super) fn word_token(&mut self, word: &'static str, callee: bool, element: &'a Element) -> Result<Token<'a>> {
+        let span = element.span;
+        let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
+        let alone = if word == "function" { Token::Function(None) } else { Token::Word(word) };
+        let block = Token::Block(BlockName { word: Some(word), span, body: None });
+        let next = frame.following().map(|e| &e.kind);
+        let callee = callee.then_some(Token::Callee(word));
+        let is_open = match next {
+            _ if element.comma || word == "function" => false,
+            Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace))) => {
+                return Ok(self.stream.announce(block));
+            }
+            Some(ElementKind::Sign(Sign::Open(Bracket::Paren))) if let Some(callee) = callee => {
+                return Ok(self.stream.announce(callee));
+            }
+            Some(ElementKind::Directive(_)) => true,
+            Some(ElementKind::Expr(e)) => {
+                e.calls || matches!(e.kind, ExprKind::Name(name) if self.evaluator.is_macro(name))
+            }
+            Some(_) => false,
+            None => frame.closer().is_none() && !matches!(frame.kind(), FrameKind::File),
+        };
+        if !is_open {
+            return Ok(self.stream.announce(alone));
+        }
+        self.stream.skip_element();
+        let before = self.stream.take_comma();
+        self.settle()?;
+        let (brace, paren) = match self.stream.look_ahead() {
+            Some(token) => {
+                (matches!(token, Token::Open(Bracket::Brace, _)), matches!(token, Token::Open(Bracket::Paren, _)))
+            }
+            None => match self.stream.innermost() {
+                Some(frame) => (frame.is_at_brace(), frame.is_at_parenthesis()),
+                None => (false, false),
+            },
+        };
+        let token = match callee {
+            _ if self.stream.has_comma() => alone,
+            Some(callee) if paren => callee,
+            _ if brace => block,
+            _ => alone,
+        };
+        Ok(self.stream.push_back(token, span, before))
+    }
+
+    /// Consumes a number and its `;`, if they come next and need no general evaluation.
+    pub(in crate::interpreter) fn number_statement(&mut self) -> Option<f64> {
+        let e = self.stream.expression_statement().filter(|e| !e.compares())?;
+        let x = self.evaluator.quick_number(e)?;
+        self.stream.skip_expression_statement();
+        Some(x)
+    }
+}

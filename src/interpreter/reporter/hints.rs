@@ -1,0 +1,63 @@
+//! Words that people bring along from other tools.
+
+/// What to say about a word that is unknown here and known elsewhere.
+pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
+    Some(match word.to_lowercase().as_str() {
+        "cube" | "cuboid" => "a box is `box { <corner>, <opposite corner> }`",
+        "vec3" | "vec2" | "vector" | "point3" => "a vector is `<x, y, z>`",
+        "fov" => "POV-Ray's camera has `angle`; the lecture's has `fov_x` and `fov_y`",
+        "ellipsoid" => "a `sphere` with a `scale` is an ellipsoid",
+        "material_color" | "diffusecolor" | "albedo_color" => "colours are given by `pigment { color rgb <r, g, b> }`",
+        "hsv" | "hsl" => "`CHSV2RGB` and `CHSL2RGB` of colors.inc convert such colours",
+        "import" | "require" | "use" => "other files are read by `#include \"name.inc\"`",
+        "let" | "var" | "const" | "def" | "set" => "names get values by `#declare Name = value;` or `#local`",
+        "blend_mode" | "blend_gamma" => {
+            "this is of POV-Ray 3.8; durer blends the numbers of colours as they are, as 3.7 does"
+        }
+        "func" | "fn" | "proc" => "`#macro Name(A, B) … #end` defines a macro",
+        "rotation" | "rotatex" | "rotatey" | "rotatez" => "`rotate <x, y, z>` takes degrees",
+        "and" => "the logical and is `&`",
+        "or" => "the logical or is `|`",
+        "not" => "the logical not is `!`",
+        "position" | "pos" | "move" => "`translate <x, y, z>` moves an object",
+        "size" | "resize" => "`scale` changes an object's size",
+        "light" | "pointlight" | "point_light" => "a light is `light_source { <location>, color }`",
+        "group" | "compound" | "object_group" => "`union { … }` puts objects together",
+        "subtract" | "minus" => "`difference { A B }` takes B away from A",
+        "intersect" => "`intersection { A B }` keeps what both share",
+        "colour_rgb" | "rgba" => "`rgbt <r, g, b, t>` has a fourth number for how much passes",
+        "diffuse_color" | "kd" | "ks" => "`finish { diffuse … specular … }` says how a surface answers to light",
+        "if" | "while" | "for" | "else" | "end" | "macro" | "include" | "declare" | "local" | "version" | "debug" => {
+            "directives begin with `#`"
+        }
+        _ => return None,
+    })
+}
+
+/// What to say about a word that another block takes, or that this one calls otherwise.
+pub(in crate::interpreter) fn in_block(block: &str, word: &str) -> Option<&'static str> {
+    Some(match (block, word.to_lowercase().as_str()) {
+        ("camera", "position" | "pos" | "from" | "origin" | "place") => {
+            "`location <x, y, z>` says where a camera stands"
+        }
+        ("camera", "target" | "lookat" | "at" | "to" | "direction_to") => {
+            "`look_at <x, y, z>` says what a camera looks at"
+        }
+        ("camera", "zoom" | "focal_length") => "`angle` says how wide a camera sees, in degrees",
+        ("light_source", "position" | "location" | "pos") => {
+            "a light's place comes first: `light_source { <x, y, z>, color }`"
+        }
+        ("light_source", "intensity" | "power" | "brightness") => "a light is as bright as its colour: `rgb 2`",
+        ("finish", "shininess" | "gloss" | "glossiness") => "`phong_size` or `roughness` says how small a highlight is",
+        ("finish", "reflective" | "reflectivity" | "mirror") => "`reflection { 0.5 }` says how much a surface mirrors",
+        ("finish", "color" | "colour" | "rgb") => "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`",
+        ("pigment", "transparency" | "alpha" | "opacity") => {
+            "`rgbt <r, g, b, t>` has a fourth number for how much passes"
+        }
+        ("pigment", "texture" | "image" | "map") => "a picture is put on by `image_map { png \"name.png\" }`",
+        ("texture" | "interior" | "material", "color" | "colour" | "rgb") => {
+            "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`"
+        }
+        _ => return None,
+    })
+}

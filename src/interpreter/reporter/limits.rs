@@ -1,0 +1,109 @@
+//! Limits on steps, time, memory and depth, so that a scene that runs away ends in a message.
+
+use super::Reporter;
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::source::{Host, Span};
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+/// Macro calls inside each other.
+pub(in crate::interpreter) const MAX_CALLS: usize = 5_000;
+/// Includes inside each other.
+pub(in crate::interpreter) const MAX_INCLUDES: usize = 100;
+/// Bytes that a point of a picture takes which a function makes: four numbers.
+const PER_POINT: u64 = 16;
+/// The most points of such a picture where memory has no limit.
+const MAX_POINTS: u64 = 1 << 26;
+/// Looking at the clock costs more than a step: once in so many.
+const CLOCK_EVERY: u64 = 4096;
+/// And once in so many bytes of text.
+const TEXT_EVERY: usize = 64 << 20;
+
+/// Work done so far.
+pub(super) struct Usage {
+    /// Directives, loop passes and macro calls.
+    steps: u64,
+    /// Bytes of strings made since the limits were last checked.
+    text_made: usize,
+    /// Time on the host's clock when the run began.
+    started: Duration,
+}
+
+impl Usage {
+    pub fn new(host: &dyn Host) -> Self {
+        Self { steps: 0, text_made: 0, started: host.elapsed() }
+    }
+}
+
+impl Reporter<'_> {
+    /// Counts one step (a directive, a loop's pass, a macro call).
+    pub(in crate::interpreter) fn step(&mut self, span: Span) -> Result<()> {
+        self.usage.steps += 1;
+        if self.usage.steps > self.inputs.options.max_steps {
+            let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);
+            return self.limit(codes::STEP_LIMIT, span, message, "is this loop endless? --max-steps N allows more");
+        }
+        if self.usage.steps.is_multiple_of(CLOCK_EVERY) {
+            return self.look_at_clock(span);
+        }
+        Ok(())
+    }
+
+    /// Counts bytes of text that were made: a few large strings take as much as many steps.
+    pub(in crate::interpreter) fn count_text(&mut self, bytes: usize, span: Span) -> Result<()> {
+        self.usage.text_made += bytes;
+        if self.usage.text_made < TEXT_EVERY {
+            return Ok(());
+        }
+        self.usage.text_made = 0;
+        self.look_at_clock(span)
+    }
+
+    fn look_at_clock(&mut self, span: Span) -> Result<()> {
+        if self.inputs.options.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+            return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "it is of no use any more");
+        }
+        if let Some(seconds) = self.inputs.options.max_time
+            && self.inputs.options.host.elapsed().saturating_sub(self.usage.started).as_secs_f64() > seconds
+        {
+            let message = format!("the scene took more than {seconds} seconds");
+            return self.limit(codes::TIME_LIMIT, span, message, "--max-time SECONDS allows more");
+        }
+        if let Some(bytes) = self.inputs.options.max_memory
+            && self.inputs.options.host.resident_bytes().is_some_and(|used| used > bytes)
+        {
+            let message = format!("the scene needs more than {} MiB of memory", bytes >> 20);
+            return self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more");
+        }
+        Ok(())
+    }
+
+    /// E0242 if a picture that a function makes has no room in what is left of the memory that is allowed.
+    pub(in crate::interpreter) fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
+        let points = (width as u64).saturating_mul(height as u64);
+        let fits = match self.inputs.options.max_memory {
+            Some(bytes) => {
+                let needed = points.saturating_mul(PER_POINT);
+                self.inputs.options.host.resident_bytes().unwrap_or(0).saturating_add(needed) <= bytes
+            }
+            None => points <= MAX_POINTS,
+        };
+        if fits {
+            return Ok(());
+        }
+        let message = format!("there is no memory for a picture of {width} by {height} points");
+        self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more")
+    }
+
+    /// A limit ends the run: nothing after it is read.
+    pub(in crate::interpreter) fn limit<T>(
+        &mut self,
+        code: crate::diagnostic::Code,
+        span: Span,
+        message: String,
+        help: &str,
+    ) -> Result<T> {
+        self.limit_reached = true;
+        Diagnostic::new(code, span, message).help(help).into()
+    }
+}

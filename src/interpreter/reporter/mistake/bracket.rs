@@ -1,0 +1,17 @@
+//! Which bracket is to blame, where a text does not close what it opens.
+
+use crate::diagnostic::Diagnostic;
+use crate::interpreter::reporter::Reporter;
+use crate::syntax::blame;
+
+impl Reporter<'_> {
+    /// A `}` before the fault that ends a block too early, where another further down closes nothing.
+    pub(in crate::interpreter) fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
+        let sources = self.inputs.sources;
+        let (file, range) = sources.locate(fault.span())?;
+        let look = || blame::early_brace(sources.text(file), sources.base(file)).map(Box::new);
+        let d = self.mistakes.early.entry(file).or_insert_with(look).as_deref()?.clone();
+        let (_, early) = self.inputs.sources.locate(d.span())?;
+        (early.start <= range.start).then_some(d)
+    }
+}

@@ -1,0 +1,139 @@
+//! Names of an include file that is missing: one message for all of them, in the author's own file.
+
+use crate::diagnostic::{Cause, Diagnostic, Label, Remedy};
+use crate::interpreter::reporter::Reporter;
+use crate::library;
+use crate::source::Span;
+use std::path::Path;
+
+/// So many further places are shown.
+const MAX_PLACES: usize = 4;
+
+impl Reporter<'_> {
+    /// Adds a fault to one of the same cause that is told already, or gives it back.
+    pub(super) fn joined_with_others(&mut self, d: Diagnostic) -> Option<Diagnostic> {
+        let Some(cause) = d.cause.as_deref() else { return Some(d) };
+        // (What nobody uses only warns, and joins whatever there is.)
+        let same =
+            |k: &&mut Diagnostic| k.severity >= d.severity && k.cause.as_ref().is_some_and(|known| known.is(cause));
+        match self.diagnostics.iter_mut().find(same).and_then(|known| known.cause.as_mut()) {
+            Some(known) => {
+                known.join(cause);
+                None
+            }
+            None => Some(d),
+        }
+    }
+
+    /// A message with all places of its cause, the author's own first.
+    pub(super) fn settled(&self, mut d: Diagnostic) -> Diagnostic {
+        let Some(mut cause) = d.cause.take() else { return d };
+        cause.uses.sort_by_key(|(_, span)| (self.in_standard_file(*span), span.lo));
+        let Some((name, first)) = cause.uses.first().cloned() else { return d };
+        if let Remedy::Include(file) = cause.remedy {
+            if self.in_standard_file(first) {
+                return self.told_of_include(d, &cause, file);
+            }
+            d.message = include_message(&name, file);
+            d.help = Some(include_help(file));
+            if self.include_missing_for(&name).is_none() {
+                d.message = format!("`{name}` is declared in `{file}`, which is included only further down");
+                d.help = Some(format!("put `#include \"{file}\"` before this line"));
+            }
+        }
+        // (The way to another place is not known any more.)
+        if first != d.span() {
+            d.trace = Box::default();
+        }
+        d.labels = vec![Label { span: first, text: String::new() }];
+        self.add_places(&mut d, &cause, &name);
+        d
+    }
+
+    /// The further places, and how many there are beyond them.
+    fn add_places(&self, d: &mut Diagnostic, cause: &Cause, name: &str) {
+        let file = |span: Span| self.inputs.sources.locate(span).map(|(file, _)| file);
+        let mut more = 0;
+        for (other, span) in &cause.uses[1..] {
+            if d.labels.len() > MAX_PLACES || file(*span) != file(cause.uses[0].1) {
+                more += 1;
+                continue;
+            }
+            let text = if other == name { "and here".into() } else { format!("`{other}` is declared there too") };
+            d.labels.push(Label { span: *span, text });
+        }
+        if let (true, Some(help)) = (more > 0, d.help.as_mut()) {
+            let places =
+                if more == 1 { "one more place needs it".into() } else { format!("{more} more places need it") };
+            help.push_str(&format!(" ({places})"));
+        }
+    }
+
+    /// A standard include needs another: told where the author's own text includes it, or calls its macro.
+    fn told_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
+        let Some((name, first)) = cause.uses.first() else { return d };
+        let inner = self.inputs.sources.locate(*first).map_or("", |(id, _)| self.inputs.sources.name(id));
+        let inner = Path::new(inner).file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let outer = d.trace.iter().find(|step| !self.in_standard_file(step.span)).cloned();
+        let Some(place) = outer.filter(|step| !step.span.is_none()) else { return d };
+        let mut names: Vec<&str> = cause.uses.iter().map(|(name, _)| name.as_str()).collect();
+        names.sort_unstable();
+        names.dedup();
+        let others = match names.len() - 1 {
+            0 => String::new(),
+            1 => " and one more name of it".into(),
+            n => format!(" and {n} more names of it"),
+        };
+        d.message = format!("`{inner}` needs `{missing}`: it uses `{name}`{others}");
+        d.help = Some(match place.text.as_str() {
+            "included" => format!("add `#include \"{missing}\"` before this line"),
+            _ => format!("add `#include \"{missing}\"` at the start of the scene"),
+        });
+        d.labels = vec![Label { span: place.span, text: String::new() }];
+        d.trace = Box::new([Label { span: *first, text: format!("`{name}` is used") }]);
+        d
+    }
+
+    /// Does a place lie in a standard include file, installed or built in?
+    pub(super) fn in_standard_file(&self, span: Span) -> bool {
+        let Some((id, _)) = self.inputs.sources.locate(span) else { return false };
+        match self.inputs.sources.path(id) {
+            Some(path) => {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                let own = self.inputs.options.search.folders.first().map(|folder| folder.as_path());
+                library::is_standard(&name) && path.parent() != own
+            }
+            None => self.inputs.sources.name(id).starts_with(library::FOLDER),
+        }
+    }
+
+    /// Would an include give the name, perhaps in other letters?
+    pub(in crate::interpreter) fn is_in_include(&self, name: &str) -> bool {
+        self.include_missing_for(name).is_some()
+            || name.len() > 4 && library::index_names().any(|n| n.eq_ignore_ascii_case(name))
+    }
+
+    /// The help for the name of an include where no name can stand.
+    pub(in crate::interpreter) fn include_hint(&self, name: &str) -> Option<String> {
+        self.include_missing_for(name).map(|file| {
+            format!("`{name}` is declared in `{file}`; it goes inside a block, behind `#include \"{file}\"`")
+        })
+    }
+
+    /// The standard include file that declares a name, unless it was read and does not.
+    pub(super) fn include_missing_for(&self, name: &str) -> Option<&'static str> {
+        let file = library::declared_in(name)?;
+        let read = |(id, _): (crate::source::FileId, &_)| {
+            Path::new(self.inputs.sources.name(id)).file_name() == Some(file.as_ref())
+        };
+        (!self.inputs.parsed.all().into_iter().any(read)).then_some(file)
+    }
+}
+
+pub(super) fn include_message(name: &str, file: &str) -> String {
+    format!("`{name}` is declared in `{file}`, which is not included")
+}
+
+pub(super) fn include_help(file: &str) -> String {
+    format!("add `#include \"{file}\"`")
+}

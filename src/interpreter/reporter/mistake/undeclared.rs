@@ -1,0 +1,73 @@
+//! Names that nothing was declared for.
+
+use super::missing::{include_help, include_message};
+use crate::diagnostic::{Cause, Diagnostic, Remedy, codes, nearest};
+use crate::interpreter::reporter::{Reporter, hints};
+use crate::library;
+use crate::source::Span;
+use crate::syntax::word;
+
+impl Reporter<'_> {
+    /// The error for a name that is not declared: names the include file that declares it, or the name that was meant.
+    /// `declared` are the names that are declared now.
+    pub(in crate::interpreter) fn undeclared<'n>(
+        &self,
+        name: &str,
+        span: Span,
+        declared: impl Iterator<Item = &'n str>,
+    ) -> Diagnostic {
+        // (Of a call, the name alone is the fault.)
+        let named = self.inputs.sources.snippet(span).starts_with(name);
+        let span = if named { Span { hi: span.lo + name.len() as u32, ..span } } else { span };
+        let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{name}` is not declared"));
+        if let Some(file) = self.include_missing_for(name) {
+            let d = Diagnostic::new(codes::UNDECLARED, span, include_message(name, file)).help(include_help(file));
+            return d.because(Cause::new(Remedy::Include(file), name, span));
+        }
+        let d = d.because(Cause::new(Remedy::Declare, name, span));
+        let help = meant_name(name, declared)
+            .or_else(|| hints::other_tools(name).map(String::from))
+            .or_else(|| meant_word(name));
+        let help = help.or_else(|| meant_include(name));
+        d.help(help.unwrap_or_else(|| self.declaration_of(name, span)))
+    }
+
+    fn declaration_of(&self, name: &str, span: Span) -> String {
+        let called = self.inputs.sources.locate(span).is_some_and(|(file, range)| {
+            self.inputs.sources.text(file).get(range.end..).unwrap_or_default().trim_start().starts_with('(')
+        });
+        match called {
+            true => format!(
+                "`#macro {name}(…) … #end` or `#declare {name} = function(…) {{…}};` declares it; is an `#include` missing?"
+            ),
+            false => format!("`#declare {name} = …;` gives it a value; is an `#include` missing?"),
+        }
+    }
+}
+
+/// A declared name with nearly the same spelling.
+fn meant_name<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> Option<String> {
+    // A lower-case word of another tool is no misspelling.
+    if hints::other_tools(name).is_some() && !name.starts_with(char::is_uppercase) {
+        return None;
+    }
+    nearest(name, declared).map(|found| format!("did you mean `{found}`?"))
+}
+
+/// A word of the language that is nearly the same.
+fn meant_word(name: &str) -> Option<String> {
+    let words = word::KEYWORDS.iter().chain(word::FUNCTIONS).copied().chain(word::CONSTANTS.iter().map(|c| c.0));
+    // Words of the language are in small letters: a name with a capital is a slip of one only if nothing else differs.
+    let capital = name.starts_with(char::is_uppercase);
+    nearest(name, words.filter(|w| !capital || w.eq_ignore_ascii_case(name)))
+        .map(|found| format!("did you mean `{found}`?"))
+}
+
+/// A name of the standard includes that is nearly the same.
+fn meant_include(name: &str) -> Option<String> {
+    // (Short names are near to something always.)
+    let near =
+        nearest(name, library::index_names()).filter(|found| name.len() > 4 || found.eq_ignore_ascii_case(name))?;
+    let file = library::declared_in(near)?;
+    Some(format!("did you mean `{near}`? `#include \"{file}\"` declares it"))
+}

@@ -1,0 +1,141 @@
+//! Diagnostics of a run: collection, recovery of their causes, limits.
+
+pub(super) mod hints;
+mod limits;
+mod mistake;
+
+use super::Inputs;
+use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::source::Span;
+use crate::syntax::ast::Element;
+use limits::Usage;
+pub(super) use limits::{MAX_CALLS, MAX_INCLUDES};
+use mistake::Mistakes;
+use std::collections::BTreeMap;
+
+/// Maximum number of errors that are reported; the others are counted.
+const MAX_ERRORS: usize = 20;
+/// Number of diagnostics above which warnings are dropped.
+const MAX_WARNINGS: usize = 500;
+/// Number of faults that end a run, even if all are the same.
+const MAX_FAULTS: usize = 200;
+
+/// Diagnostics and limits of a run.
+pub(super) struct Reporter<'a> {
+    inputs: Inputs<'a>,
+    /// Receives the output of `#debug`, `#render` and `#statistics`.
+    output: &'a mut dyn FnMut(&str),
+    diagnostics: Vec<Diagnostic>,
+    /// Faults of the parser, reported after those of the run.
+    deferred: Vec<Diagnostic>,
+    /// Number of faults, including repeated ones.
+    fault_count: usize,
+    mistakes: Mistakes,
+    usage: Usage,
+    limit_reached: bool,
+    /// True for each branch that ran at least once; filled if [`super::Options::branches`] is set.
+    branches: BTreeMap<Span, bool>,
+}
+
+impl<'a> Reporter<'a> {
+    pub(super) fn new(inputs: Inputs<'a>, output: &'a mut dyn FnMut(&str)) -> Self {
+        Self {
+            inputs,
+            output,
+            diagnostics: vec![],
+            deferred: vec![],
+            fault_count: 0,
+            mistakes: Mistakes::default(),
+            usage: Usage::new(&*inputs.options.host),
+            limit_reached: false,
+            branches: BTreeMap::new(),
+        }
+    }
+
+    /// Prints the text of a `#debug`.
+    pub(super) fn print(&mut self, text: &str) {
+        (self.output)(text);
+    }
+
+    /// True if a limit has ended the run.
+    pub(super) fn limit_reached(&self) -> bool {
+        self.limit_reached
+    }
+
+    pub(super) fn error_count(&self) -> usize {
+        self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
+    }
+
+    /// Adds a diagnostic, unless it follows from an earlier one or was reported at the same place.
+    pub(super) fn report(&mut self, d: Diagnostic) {
+        let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
+        // A warning about an unused declaration has the code of its error: the cause decides, not the severity.
+        let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.understood(d) };
+        let Some(d) = d.filter(|_| !silent) else { return };
+        // An error at the same place replaces a warning.
+        let is_same = |k: &Diagnostic| k.message == d.message || k.severity > d.severity;
+        let known = |k: &Diagnostic| k.code == d.code && k.span() == d.span() && is_same(k);
+        if self.diagnostics.iter().rev().take(100).any(known) {
+            return;
+        }
+        if d.severity == Severity::Error && self.error_count() >= MAX_ERRORS && !self.limit_reached {
+            self.mistakes.count_unreported(d.span());
+            return;
+        }
+        if d.severity == Severity::Warning && self.diagnostics.len() >= MAX_WARNINGS {
+            // A loop that warns in each pass would fill the memory.
+            if let Some(last) = self.diagnostics.last_mut() {
+                last.help = Some("there are more warnings, which are not told".into());
+            }
+            return;
+        }
+        self.diagnostics.push(d);
+    }
+
+    /// Adds a fault to be reported at the end of the run.
+    pub(super) fn defer(&mut self, faults: impl IntoIterator<Item = Diagnostic>) {
+        self.deferred.extend(faults);
+    }
+
+    /// Counts a fault, even one that was reported before; true if there are too many to continue.
+    pub(super) fn count_fault(&mut self) -> bool {
+        self.fault_count += 1;
+        self.fault_count >= MAX_FAULTS
+    }
+
+    /// Number of diagnostics so far, for [`Self::take_since`].
+    pub(super) fn position(&self) -> usize {
+        self.diagnostics.len()
+    }
+
+    /// Removes and returns the diagnostics reported since `position`.
+    pub(super) fn take_since(&mut self, position: usize) -> Vec<Diagnostic> {
+        self.diagnostics.split_off(position.min(self.diagnostics.len()))
+    }
+
+    /// Records whether a branch runs, if [`super::Options::branches`] is set.
+    pub(super) fn record_branch(&mut self, body: &[Element], runs: bool) {
+        if let (true, [first, ..], Some(last)) = (self.inputs.options.branches, body, body.last()) {
+            *self.branches.entry(first.span.to(last.span)).or_default() |= runs;
+        }
+    }
+
+    /// Reports all deferred faults, and errors in declarations that nothing used as warnings.
+    pub(super) fn finish(&mut self, unused: Vec<Diagnostic>) {
+        for d in std::mem::take(&mut self.deferred) {
+            self.report(d);
+        }
+        for mut fault in unused.into_iter().filter(|fault| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS)) {
+            fault.severity = Severity::Warning;
+            self.report(fault);
+        }
+        self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
+        self.settle_messages();
+    }
+
+    /// All diagnostics, and the branches that never ran.
+    pub(super) fn into_diagnostics(self) -> (Vec<Diagnostic>, Vec<Span>) {
+        let idle = self.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect();
+        (self.diagnostics, idle)
+    }
+}

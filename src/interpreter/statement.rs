@@ -1,0 +1,256 @@
+//! Statements at the outermost level: objects, lights, cameras, settings.
+
+use super::stream::Token;
+use super::{Interpreter, reporter::hints};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::scene::{Object, is_object, read_camera};
+use crate::source::Span;
+use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
+use crate::texture::tell_bytes;
+use crate::value::words::word;
+use crate::value::{Kind, Next, Reader, Vocabulary};
+
+/// Everything that can stand at the outermost level, beside shapes.
+pub const STATEMENTS: Vocabulary = Vocabulary {
+    block: "scene",
+    summary: "what stands in a scene outside of all braces",
+    words: &[
+        word("camera", Kind::Block, "at the origin, along z", "where the picture is taken from; the last one counts"),
+        word("light_source", Kind::Block, "", "a light"),
+        word("union", Kind::Block, "", "several objects as one"),
+        word("composite", Kind::Block, "", "of old scenes: `union`"),
+        word("merge", Kind::Block, "", "the same without the surfaces inside, for glass"),
+        word("intersection", Kind::Block, "", "what all of several objects share"),
+        word("difference", Kind::Block, "", "the first object without the others"),
+        word("object", Kind::Block, "", "a declared object, or another one, with more words behind it"),
+        word("background", Kind::Color, "black", "what rays see that hit nothing"),
+        word("sky_sphere", Kind::Block, "", "the sky: pigments in all directions; the last one counts"),
+        word("fog", Kind::Block, "", "colour that covers what is far; of several, all are seen"),
+        word("rainbow", Kind::Block, "", "an arc of colours; of several, all are seen"),
+        word("light_group", Kind::Block, "", "lights that shine on some objects alone"),
+        word("global_settings", Kind::Block, "", "what holds for the whole scene"),
+        word("default", Kind::Block, "", "behind `#`: what all that follows looks like where it doesn't say"),
+        word("declare", Kind::Nothing, "", "`#declare`, where an old scene leaves the `#` out"),
+        word("include", Kind::Nothing, "", "`#include`, likewise"),
+        word("max_trace_level", Kind::Float, "", "of old scenes: as in `global_settings`"),
+    ],
+    moves: false,
+    idle: &["max_intersections"],
+    not_drawn: &["media", "radiosity", "photons"],
+};
+
+impl Interpreter<'_> {
+    /// Reads one statement, which [`Self::peek`] has announced; false at the end of the file.
+    pub(super) fn statement(&mut self) -> Result<bool> {
+        match Reader::next(self)? {
+            Next::End if !matches!(self.peek()?, Token::End) => {
+                let span = self.stream.here();
+                self.stream.advance();
+                let message = format!("`{}` closes nothing", self.inputs.sources.snippet(span));
+                let d = Diagnostic::new(codes::UNMATCHED_CLOSER, span, message);
+                return d.help("remove it, or look for its opener above").into();
+            }
+            Next::End => return Ok(false),
+            Next::Block(word) => self.top_block(word)?,
+            Next::Word("max_trace_level") => self.stray_trace_level()?,
+            Next::Word(word @ ("declare" | "include")) => self.bare_directive(word)?,
+            Next::Value if self.at_bare_version() => self.bare_directive("version")?,
+            Next::Word(word) if STATEMENTS.ignores(word) => {
+                self.take()?;
+                self.float()?;
+            }
+            Next::Thing("object" | "light_source") => {
+                self.top_object()?;
+            }
+            Next::Thing(kind) => {
+                let span = self.stream.here();
+                let d = Diagnostic::new(
+                    codes::EXPECTED,
+                    span,
+                    format!("a {kind} can't stand alone at the outermost level"),
+                );
+                return d.help("only objects do; a `texture` or `pigment` belongs inside one").into();
+            }
+            Next::Value => return Err(self.stray_value().into()),
+            _ => return Err(self.unknown_word("scene", &statement_names()).into()),
+        }
+        Ok(true)
+    }
+
+    fn top_block(&mut self, word: &'static str) -> Result<()> {
+        if is_object(word) {
+            return self.top_object();
+        }
+        if STATEMENTS.leaves_out(word) {
+            let said = self.keep_undrawn(word)?;
+            self.builder.add_unsupported(said);
+            return Ok(());
+        }
+        const OTHERS: [&str; 7] =
+            ["camera", "background", "sky_sphere", "fog", "rainbow", "global_settings", "default"];
+        if !OTHERS.contains(&word) {
+            return Err(self.stray_block(word).into());
+        }
+        let at = self.take()?;
+        match word {
+            "camera" => {
+                let defaults = self.builder.defaults().clone();
+                let camera = read_camera(self, at, &defaults)?;
+                self.builder.set_camera(camera, at);
+            }
+            "background" => {
+                let at = self.span();
+                let color = self.color()?;
+                tell_bytes(self, at, &color);
+                self.builder.set_background(color);
+            }
+            "sky_sphere" => {
+                let defaults = self.builder.defaults().clone();
+                let sky = SkySphere::read(self, &defaults.texture, at)?;
+                self.builder.set_sky_sphere(sky);
+            }
+            "fog" => {
+                let fog = Fog::read(self)?;
+                self.builder.add_fog(fog);
+            }
+            "rainbow" => {
+                let rainbow = Rainbow::read(self, at)?;
+                self.builder.add_rainbow(rainbow);
+            }
+            "default" => self.read_defaults()?,
+            _ => {
+                let mut settings = self.builder.settings().clone();
+                settings.read(self)?;
+                self.builder.set_settings(settings);
+            }
+        }
+        self.leave()
+    }
+
+    fn top_object(&mut self) -> Result<()> {
+        let defaults = self.builder.defaults().clone();
+        let object = Object::read(self, &defaults)?;
+        self.builder.add_object(*object);
+        if self.inputs.options.origins {
+            self.builder.add_origin(self.stream.trace());
+        }
+        Ok(())
+    }
+
+    /// A directive whose `#` is left out, as POV-Ray takes some of them between statements.
+    fn bare_directive(&mut self, word: &'static str) -> Result<()> {
+        let span = self.stream.here();
+        self.stream.advance();
+        let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` stands without its `#`"));
+        self.report_here(d.help(format!("write `#{word}`")));
+        match crate::interpreter::directives::find(word) {
+            Some((name, run)) => self.run_plain(name, run, span),
+            None => self.declare_pieces(false, span),
+        }
+    }
+
+    fn at_bare_version(&self) -> bool {
+        self.stream.raw().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
+    }
+
+    /// A setting that POV-Ray takes outside of `global_settings` too.
+    fn stray_trace_level(&mut self) -> Result<()> {
+        let at = self.stream.here();
+        let mut settings = self.builder.settings().clone();
+        self.take()?;
+        let read = settings.read_max_trace_level(self);
+        self.builder.set_settings(settings);
+        read?;
+        let d = Diagnostic::new(codes::MISPLACED, at, "`max_trace_level` stands outside of `global_settings`");
+        self.report_here(d.help("write `global_settings { max_trace_level … }`"));
+        Ok(())
+    }
+
+    /// A block that does not stand by itself.
+    fn stray_block(&mut self, word: &'static str) -> Diagnostic {
+        let span = match self.peek() {
+            Ok(Token::Block(name)) => name.span,
+            _ => self.stream.here(),
+        };
+        let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` can't stand by itself"));
+        match hints::other_tools(word) {
+            Some(hint) => d.help(hint),
+            None => d.help(format!("it belongs inside another block, or behind `#declare Name = {word} {{…}}`")),
+        }
+    }
+
+    /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.
+    fn stray_value(&mut self) -> Diagnostic {
+        if let Ok(Token::Expr(e)) = self.peek() {
+            if let Some(at) = self.comparison_ahead() {
+                return self.misplaced(at);
+            }
+            if let Err(fault) = self.eval(e) {
+                return *fault;
+            }
+        }
+        let (at, is_value) = match self.peek() {
+            Ok(Token::Expr(e)) => (e.span, !self.inputs.sources.snippet(e.span).starts_with('(')),
+            Ok(Token::Numbers(_)) => (self.stream.here(), true),
+            Ok(Token::Sign(sign)) => (self.stream.here(), self.begins_value(sign, self.stream.here())),
+            _ => (Span::NONE, false),
+        };
+        if !is_value {
+            return self.unexpected_token("an object or a directive");
+        }
+        Diagnostic::new(codes::EXPECTED, at, "expected an object or a directive, found a value")
+            .help("to give it a name, write `#declare Name = …;`")
+    }
+
+    /// Does a value begin with this sign, which comes in pieces? (Behind an operand, `<` compares.)
+    fn begins_value(&self, sign: Sign, span: Span) -> bool {
+        let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
+        let (before, behind) = self.inputs.sources.text(file).split_at(range.start);
+        let begins = match sign {
+            Sign::Not => true,
+            Sign::Operator(Operator::Less) => {
+                !before.trim_end().ends_with(|c: char| c.is_alphanumeric() || "_.)]\"".contains(c))
+            }
+            Sign::Operator(op) => op.adds(),
+            _ => false,
+        };
+        let rest = &behind[range.len()..];
+        // (A `<` that nothing closes compares too.)
+        let line = rest.split(['\n', '\r', ';']).next().unwrap_or_default();
+        let compares = sign == Sign::Operator(Operator::Less) && !line.contains('>');
+        let operand = rest.trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
+        begins && !compares && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
+    }
+
+    /// `Size = 3`: a sign that compares, in the row of operands that comes next.
+    fn comparison_ahead(&mut self) -> Option<Span> {
+        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+            self.stream.split_next();
+        }
+        let row = self.stream.innermost()?.rest().iter();
+        let in_row = |e: &&Element| matches!(e.kind, ElementKind::Expr(_) | ElementKind::Sign(Sign::Operator(_)));
+        let compares = |e: &Element| match e.kind {
+            ElementKind::Sign(Sign::Operator(op)) => !op.adds() && !op.multiplies(),
+            _ => false,
+        };
+        row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)
+    }
+
+    /// What is settled only when the whole text has run.
+    pub(super) fn finish_scene(&mut self) {
+        self.close_files();
+        self.builder.finish();
+        if !self.builder.has_camera() && self.reporter.error_count() == 0 {
+            let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
+            self.reporter.report(
+                Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)
+                    .help("`camera { location <0, 2, -5> look_at 0 }`"),
+            );
+        }
+    }
+}
+
+fn statement_names() -> Vec<&'static str> {
+    STATEMENTS.names().into_iter().chain(crate::shape::SPECS.iter().map(|s| s.name)).collect()
+}

@@ -1,0 +1,132 @@
+//! Open brackets around the read position.
+
+use super::{Mode, TokenStream};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::blame;
+
+/// A bracket that is open.
+pub(in crate::interpreter) struct OpenBracket {
+    /// The word before the bracket.
+    pub(in crate::interpreter) word: Option<&'static str>,
+    /// Span of the word, or of the bracket if it has none.
+    pub(in crate::interpreter) span: Span,
+    /// Span of the bracket alone; `None` if the parser found the matching bracket.
+    pub(in crate::interpreter) alone: Option<Span>,
+    pub(in crate::interpreter) bracket: Bracket,
+    /// durer's own words inside the block.
+    pub(in crate::interpreter) own_words: &'static [&'static str],
+    /// Number of frames where the bracket was opened.
+    pub(in crate::interpreter) frame_count: usize,
+    /// Mode outside of the bracket.
+    pub(in crate::interpreter) mode: Mode,
+}
+
+/// Brackets that were open where a fault was found.
+#[derive(Clone, Copy)]
+pub(super) struct Unclosed {
+    pub(super) count: usize,
+    /// True if only braces are counted; other brackets inside them are ignored.
+    pub(super) braces: bool,
+}
+
+/// Brackets.
+impl<'a> TokenStream<'a> {
+    /// The innermost open bracket.
+    pub(in crate::interpreter) fn bracket(&self) -> Option<&OpenBracket> {
+        self.open_brackets.last()
+    }
+
+    pub(in crate::interpreter) fn bracket_count(&self) -> usize {
+        self.open_brackets.len()
+    }
+
+    /// Enters the mode inside of brackets, where nothing is deferred, and returns the mode outside.
+    pub(in crate::interpreter) fn stop_deferring(&mut self) -> Mode {
+        let outer = self.mode;
+        self.mode.defers = false;
+        outer
+    }
+
+    pub(in crate::interpreter) fn push_bracket(&mut self, bracket: OpenBracket) {
+        self.open_brackets.push(bracket);
+    }
+
+    /// Closes the innermost bracket, and restores the mode outside of it.
+    pub(in crate::interpreter) fn pop_bracket(&mut self) {
+        if let Some(bracket) = self.open_brackets.pop() {
+            self.mode = bracket.mode;
+        }
+    }
+
+    /// Names the innermost bracket after a directive, for messages.
+    pub(in crate::interpreter) fn name_bracket(&mut self, word: &'static str, span: Span) {
+        if let Some(bracket) = self.open_brackets.last_mut() {
+            (bracket.word, bracket.span) = (Some(word), span);
+        }
+    }
+
+    /// The name `symbol` as one of durer's own words that the innermost block takes.
+    pub(in crate::interpreter) fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
+        let words = self.open_brackets.last()?.own_words;
+        if words.is_empty() {
+            return None;
+        }
+        let name = self.inputs.names.text(symbol);
+        words.iter().copied().find(|word| *word == name)
+    }
+
+    /// True if an expression begins with one of durer's own words: `eye -5*z` parses as a difference.
+    pub(in crate::interpreter) fn begins_with_own_word(&self, e: &Expr) -> bool {
+        if self.open_brackets.last().is_none_or(|o| o.own_words.is_empty()) {
+            return false;
+        }
+        let mut first = e;
+        loop {
+            first = match &first.kind {
+                ExprKind::Chain(chain) => &chain.first,
+                ExprKind::Choice(parts) => &parts[0],
+                ExprKind::Call(symbol, _) => return self.own_word(*symbol).is_some(),
+                ExprKind::Name(symbol) => return self.own_word(*symbol).is_some(),
+                _ => return false,
+            };
+        }
+    }
+
+    /// Records the brackets of a file that the rest of the file does not close.
+    pub(in crate::interpreter) fn add_unclosed(&mut self, ast: &Ast) {
+        self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
+    }
+
+    /// E-message for the innermost bracket that the rest of its file does not close. Faults inside it follow from it.
+    pub(in crate::interpreter) fn unclosed_bracket(&self) -> Option<Diagnostic> {
+        let unclosed = |o: &&OpenBracket| o.alone.is_some_and(|span| self.is_unclosed(span));
+        let opened = self.open_brackets.iter().rev().find(unclosed)?;
+        let [open, close] = opened.bracket.text();
+        Some(self.unclosed_at(opened.alone?, open, close))
+    }
+
+    /// True if the rest of the file does not close the bracket at `span`.
+    pub(in crate::interpreter) fn is_unclosed(&self, span: Span) -> bool {
+        self.unclosed.contains(&span.lo)
+    }
+
+    /// The message "this `{` is not closed" for the bracket at `span`, or for the brace that was meant.
+    pub(in crate::interpreter) fn unclosed_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
+        if let Some(d) = self.blamed_brace(span).filter(|_| open == "{") {
+            return self.with_trace(d);
+        }
+        let message = format!("this `{open}` is not closed");
+        let d = Diagnostic::new(codes::UNCLOSED, span, message);
+        let d = d.help(format!("add `{close}` where it should end"));
+        self.with_trace(d)
+    }
+
+    /// The brace that was left open, judged by the words of its block and the indentation of the lines. `span` is that of
+    /// a brace which is open where its file ends.
+    fn blamed_brace(&self, span: Span) -> Option<Diagnostic> {
+        let (file, _) = self.inputs.sources.locate(span)?;
+        blame::open_brace(self.inputs.sources.text(file), self.inputs.sources.base(file))
+    }
+}

@@ -1,0 +1,164 @@
+//! Checkpoints: where reading resumes after a fault, so that one mistake gives one message.
+
+use super::bracket::Unclosed;
+use super::{Mode, OpenBracket, StackFrame, TokenStream};
+use crate::syntax::ast::*;
+
+/// A state of the stream to return to.
+#[derive(Clone, Copy)]
+pub(in crate::interpreter) struct Checkpoint {
+    frame_count: usize,
+    bracket_count: usize,
+    /// Read position in the innermost frame.
+    at: usize,
+    mode: Mode,
+}
+
+impl Checkpoint {
+    /// Number of frames at the checkpoint.
+    pub(in crate::interpreter) fn frame_count(self) -> usize {
+        self.frame_count
+    }
+}
+
+impl StackFrame<'_> {
+    /// Moves to the end of the statement that began at index `from`, in which `open` brackets are open.
+    fn skip_statement(&mut self, from: usize, open: Unclosed) {
+        self.item = (0, 0);
+        self.closer = None;
+        if open.count > 0 {
+            return self.skip_brackets(open);
+        }
+        if self.at == from {
+            self.skip_one();
+        }
+        // A block or a function ends a statement. At the start of a loop's next pass there is no last element.
+        let last = self.at.checked_sub(1).and_then(|last| self.elements.get(last)).map(|e| &e.kind);
+        let ends = matches!(
+            last,
+            Some(
+                ElementKind::Block(_)
+                    | ElementKind::Function(_)
+                    | ElementKind::Group(_)
+                    | ElementKind::Sign(Sign::Close(Bracket::Brace))
+            )
+        );
+        if ends {
+            return;
+        }
+        while let Some(element) = self.elements.get(self.at) {
+            match element.kind {
+                ElementKind::Block(_) | ElementKind::Directive(_) => return,
+                ElementKind::Word(_) if self.opens_brace(self.at + 1) => return,
+                ElementKind::Semicolon => {
+                    self.at += 1;
+                    return;
+                }
+                _ => self.skip_one(),
+            }
+        }
+    }
+
+    /// Skips one element, or a bracket with its contents.
+    fn skip_one(&mut self) {
+        let opens = matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(_))));
+        self.at += 1;
+        if opens {
+            self.skip_brackets(Unclosed { count: 1, braces: false });
+        }
+    }
+
+    fn skip_brackets(&mut self, Unclosed { mut count, braces }: Unclosed) {
+        while let Some(element) = self.elements.get(self.at) {
+            self.at += 1;
+            match element.kind {
+                ElementKind::Sign(Sign::Open(bracket)) if !braces || bracket == Bracket::Brace => count += 1,
+                ElementKind::Sign(Sign::Close(bracket)) if !braces || bracket == Bracket::Brace => count -= 1,
+                _ => {}
+            }
+            if count == 0 {
+                return;
+            }
+        }
+    }
+
+    /// Skips the further layers of a texture that began at index `from`.
+    fn skip_layers(&mut self, from: usize) {
+        let is_texture = |frame: &Self, at: usize| match frame.elements.get(at).map(|e| &e.kind) {
+            Some(ElementKind::Block(b)) => b.name.word == Some("texture"),
+            Some(ElementKind::Word(word)) => word.name == "texture" && frame.opens_brace(at + 1),
+            _ => false,
+        };
+        if is_texture(self, from) {
+            while is_texture(self, self.at) {
+                let alone = matches!(self.elements[self.at].kind, ElementKind::Word(_));
+                self.at += usize::from(alone);
+                self.skip_one();
+            }
+        }
+    }
+}
+
+/// Checkpoints. Frames above a checkpoint are dropped by `Interpreter::unwind`, because scopes end with them.
+impl TokenStream<'_> {
+    /// The present state, to return to after a fault.
+    pub(in crate::interpreter) fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            frame_count: self.frames.len(),
+            bracket_count: self.open_brackets.len(),
+            at: self.frames.last().map_or(0, |f| f.at),
+            mode: self.mode,
+        }
+    }
+
+    /// True if frames were pushed since the checkpoint.
+    pub(in crate::interpreter) fn is_above(&self, checkpoint: Checkpoint) -> bool {
+        self.frames.len() > checkpoint.frame_count
+    }
+
+    /// Restores brackets and mode of the checkpoint, and drops all tokens that were read ahead.
+    pub(in crate::interpreter) fn restore(&mut self, checkpoint: Checkpoint) {
+        self.forget_look_ahead(checkpoint);
+        self.mode = checkpoint.mode;
+    }
+
+    /// Restores the brackets of the checkpoint, and drops all tokens that were read ahead.
+    pub(in crate::interpreter) fn forget_look_ahead(&mut self, checkpoint: Checkpoint) {
+        self.open_brackets.truncate(checkpoint.bracket_count);
+        self.pushed_back.clear();
+        (self.look_ahead, self.comma, self.mode.skips) = (None, false, false);
+    }
+
+    /// Skips the statement that began at the checkpoint, whose frames are restored; `open` is the state before that.
+    pub(in crate::interpreter) fn skip_statement(&mut self, checkpoint: Checkpoint, open: Open) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.skip_statement(checkpoint.at, open.0);
+        }
+    }
+
+    /// Skips to the end of the brackets that were opened since the checkpoint.
+    pub(in crate::interpreter) fn skip_brackets(&mut self, open: Open) {
+        if let Some(frame) = self.frames.last_mut().filter(|_| open.0.count > 0) {
+            frame.skip_brackets(open.0);
+        }
+    }
+
+    /// Skips the further layers of a declared texture that began at the checkpoint.
+    pub(in crate::interpreter) fn skip_layers(&mut self, checkpoint: Checkpoint) {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.skip_layers(checkpoint.at);
+        }
+    }
+
+    /// Brackets opened since the checkpoint that are tokens of the frame which was the innermost there.
+    pub(in crate::interpreter) fn opened_since(&self, checkpoint: Checkpoint) -> Open {
+        let own = |o: &&OpenBracket| o.alone.is_some() && o.frame_count == checkpoint.frame_count;
+        let all = self.open_brackets.iter().skip(checkpoint.bracket_count).filter(own);
+        let braces = all.clone().filter(|o| o.bracket == Bracket::Brace).count();
+        Open(Unclosed { count: if braces > 0 { braces } else { all.count() }, braces: braces > 0 })
+    }
+}
+
+/// See [`TokenStream::opened_since`].
+#[derive(Clone, Copy)]
+pub(in crate::interpreter) struct Open(Unclosed);

@@ -1,0 +1,66 @@
+//! Splitting of parsed expressions and literal lists into single tokens.
+
+use super::TokenStream;
+use crate::interpreter::Inputs;
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::{Wholes, pieces};
+
+impl<'a> TokenStream<'a> {
+    /// Replaces the expression or literal list that comes next by its parts.
+    pub(in crate::interpreter) fn split_next(&mut self) {
+        self.look_ahead = None;
+        let inputs = self.inputs;
+        let Some(frame) = self.frames.last_mut() else { return };
+        let Some(element) = frame.next() else { return };
+        let item = frame.item;
+        frame.at += 1;
+        frame.item = (0, 0);
+        let parts = inputs.parsed.parts_of(element, || match &element.kind {
+            ElementKind::Expr(e) => inputs.with_exact_signs(pieces(e, inputs.names)),
+            ElementKind::Numbers(_) => inputs.tokens_of(element.span),
+            _ => vec![element.clone()],
+        });
+        self.push_piece(parts, None, element.span, element.comma);
+        if let (ElementKind::Numbers(list), Some(frame)) = (&element.kind, self.frames.last_mut()) {
+            // Skip the items consumed before: each item ends with a comma.
+            let behind = parts.iter().enumerate().filter(|(_, e)| e.comma && item_ends(parts, e)).map(|(i, _)| i + 1);
+            frame.at = if item.0 == 0 { 0 } else { behind.take(list.len()).nth(item.0 - 1).unwrap_or(0) };
+        }
+    }
+}
+
+impl<'a> Inputs<'a> {
+    /// Shrinks the spans of operators split from an expression, which reach from operand to operand, to the signs.
+    fn with_exact_signs(&self, mut parts: Vec<Element>) -> Vec<Element> {
+        for part in parts.iter_mut().filter(|part| matches!(part.kind, ElementKind::Sign(_))) {
+            let text = self.sources.snippet(part.span);
+            let lo = part.span.lo + (text.len() - text.trim_start().len()) as u32;
+            part.span = Span { lo, hi: lo + text.trim().len() as u32 };
+        }
+        parts
+    }
+
+    /// An expression as a row of one element, which can be split if needed.
+    pub(in crate::interpreter) fn as_elements(&self, e: &'a Expr) -> &'a [Element] {
+        self.parsed.parts_of(e, || vec![Element::new(e.span, ElementKind::Expr(Box::new(e.clone())))])
+    }
+
+    /// The text at `span` as single tokens.
+    pub(in crate::interpreter) fn tokens_of(&self, span: Span) -> Vec<Element> {
+        let text = self.sources.snippet(span);
+        crate::syntax::parse_text(text, span.lo as usize, self.names, Wholes::TakenApart).0.elements
+    }
+}
+
+/// True if an item of a literal list ends with `element`, and not only a number of a vector.
+fn item_ends(parts: &[Element], element: &Element) -> bool {
+    let before = parts.iter().take_while(|e| !std::ptr::eq(*e, element));
+    let depth = before.fold(0_i32, |depth, e| match e.kind {
+        ElementKind::Sign(Sign::Operator(Operator::Less)) => depth + 1,
+        ElementKind::Sign(Sign::Operator(Operator::Greater)) => depth - 1,
+        _ => depth,
+    });
+    let closes = matches!(element.kind, ElementKind::Sign(Sign::Operator(Operator::Greater)));
+    depth == i32::from(closes)
+}

@@ -1,0 +1,60 @@
+//! Tokens, as the readers of blocks and expressions receive them.
+
+use crate::source::Span;
+use crate::syntax::ast::*;
+
+/// One token of the stream; an expression or a body that needs no splitting is a single token.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::interpreter) enum Token<'a> {
+    /// A keyword without a `{` after it.
+    Word(&'static str),
+    /// The name of a built-in function whose arguments follow.
+    Callee(&'static str),
+    /// A word and the `{` after it.
+    Block(BlockName<'a>),
+    /// An expression without macro calls; nothing that follows continues it.
+    Expr(&'a Expr),
+    /// An item of a literal list: one number, or a vector of several.
+    Numbers(&'a [f64]),
+    /// `{`, `[` or `(`, with the elements up to the matching bracket if the parser found it.
+    Open(Bracket, Option<&'a [Element]>),
+    /// `function { … }`; `None` for the word `function` alone.
+    Function(Option<&'a Function>),
+    /// An array's element; its indices are evaluated, and [`super::TokenStream::element`] returns the location.
+    Element(Span),
+    /// A closing bracket or an operator.
+    Sign(Sign),
+    /// The end of the text.
+    End,
+}
+
+/// The word before a `{`.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::interpreter) struct BlockName<'a> {
+    /// The keyword; `None` for an unknown word.
+    pub(in crate::interpreter) word: Option<&'static str>,
+    /// Span of the word.
+    pub(in crate::interpreter) span: Span,
+    /// The elements between the braces; `None` where the block's tokens come one by one.
+    pub(in crate::interpreter) body: Option<&'a [Element]>,
+}
+
+impl Token<'_> {
+    /// True for a closing bracket and for the end of the text.
+    pub(in crate::interpreter) fn ends(self) -> bool {
+        matches!(self, Token::End | Token::Sign(Sign::Close(_)))
+    }
+
+    /// True for the closing bracket of this kind.
+    pub(in crate::interpreter) fn closes(self, bracket: Bracket) -> bool {
+        matches!(self, Token::Sign(Sign::Close(found)) if found == bracket)
+    }
+}
+
+/// A token that precedes those of the frames; its text is consumed.
+pub(super) struct PushedBack<'a> {
+    pub(super) token: Token<'a>,
+    pub(super) span: Span,
+    /// True if a comma follows the token.
+    pub(super) comma: bool,
+}

@@ -1,0 +1,360 @@
+//! Values in pieces: expressions of which macros, branches, loops or files give the tokens one by one. The rules and the table
+//! of precedences are those of the expressions that stand whole.
+
+mod call;
+mod skipped;
+
+use super::Interpreter;
+use super::evaluator::{SMALL, apply_prefix, as_float, component, is_callable, vector_value};
+use super::stream::{BlockName, Token};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::source::Span;
+use crate::syntax::ast::*;
+use crate::syntax::word;
+use crate::syntax::{SignRow, begins_with_sign};
+use crate::value::{Reader, Value, VecN};
+use skipped::Skipped;
+
+/// What is done with operands and operators as they come: values are computed, functions compiled, or nothing is done.
+pub(super) trait Operands<'a> {
+    /// What an operand is.
+    type Value;
+
+    /// The next operand with its signs, components and indices.
+    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Self::Value, Span)>;
+
+    /// Two operands and what stands between them.
+    fn combine(
+        &mut self,
+        me: &mut Interpreter<'a>,
+        op: Operator,
+        left: (Self::Value, Span),
+        right: (Self::Value, Span),
+    ) -> Result<Self::Value>;
+
+    /// What follows a `?`: both branches with the `:` between them.
+    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Self::Value, Span)) -> Result<(Self::Value, Span)>;
+
+    /// How strongly an operator binds.
+    fn precedence(&self, op: Operator) -> u8 {
+        op.precedence()
+    }
+}
+
+/// Operators that bind at least so strongly are read: all of them.
+const LOOSEST: u8 = 0;
+
+impl<'a> Interpreter<'a> {
+    /// Operands and operators in a row (precedence climbing). Where it `compares`, `<`, `&`, `?` and their kin are operators.
+    pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
+        if self.stream.mode().nesting >= MAX_NESTED {
+            let message = format!("more than {MAX_NESTED} values are read inside each other here");
+            let at = self.stream.here();
+            return self.reporter.limit(codes::TOO_DEEP, at, message, "does a macro give one without end?");
+        }
+        self.in_mode(|mode| mode.nesting += 1, |me| me.climb_from(operands, compares, LOOSEST))
+    }
+
+    fn climb_from<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool, least: u8) -> Result<(O::Value, Span)> {
+        let (mut left, mut span) = operands.operand(self)?;
+        while let Some(op) = self.operator_ahead(compares)? {
+            let strength = operands.precedence(op);
+            if strength < least {
+                break;
+            }
+            self.stream.advance();
+            if let Token::Word(word) | Token::Block(BlockName { word: Some(word), .. }) = self.peek()?
+                && !super::reader::begins_color(word)
+            {
+                let message = format!("expected a value, found the word `{word}`");
+                let at = self.stream.here();
+                return Diagnostic::err(codes::EXPECTED_VALUE, at, message);
+            }
+            let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
+            left = operands.combine(self, op, (left, span), (right, right_span))?;
+            span = joined(span, right_span);
+        }
+        if least == LOOSEST && compares && matches!(self.peek_after()?, Some(Token::Sign(Sign::Question))) {
+            self.stream.advance();
+            let (value, end) = operands.choose(self, (left, span))?;
+            return Ok((value, joined(span, end)));
+        }
+        Ok((left, span))
+    }
+
+    /// The operator that goes on with the value that was just read.
+    fn operator_ahead(&mut self, compares: bool) -> Result<Option<Operator>> {
+        loop {
+            return Ok(match self.peek_after()? {
+                Some(Token::Sign(Sign::Operator(op))) if compares || op.adds() || op.multiplies() => Some(op),
+                Some(Token::Expr(e)) if begins_with_sign(e) => {
+                    self.stream.split_next();
+                    continue;
+                }
+                Some(Token::Numbers([x])) if x.is_sign_negative() => {
+                    self.stream.split_next();
+                    continue;
+                }
+                _ => None,
+            });
+        }
+    }
+
+    /// The next value that is a number, vector, colour or text, with its place.
+    pub(super) fn value_here(&mut self) -> Result<(Value, Span)> {
+        self.value_in(false)
+    }
+
+    /// The same; where it `compares`, as in a colour or a condition, `<` is no vector behind an operand.
+    pub(super) fn value_in(&mut self, compares: bool) -> Result<(Value, Span)> {
+        let token = self.peek()?;
+        if self.is_whole(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
+            match token {
+                Token::Expr(e) if compares || !e.compares() => {
+                    self.stream.advance();
+                    return Ok((self.eval(e)?, e.span));
+                }
+                Token::Numbers(data) => {
+                    let span = self.stream.here();
+                    self.stream.advance();
+                    return Ok((numbers_value(data, span)?, span));
+                }
+                _ => {}
+            }
+        }
+        self.climb(&mut Computed::default(), compares)
+    }
+
+    /// A value whose first operand has been read.
+    pub(super) fn value_from(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
+        self.climb(&mut Computed(Some((first, span))), false)
+    }
+
+    /// A number, vector, text, name, call … without signs.
+    pub(super) fn primary(&mut self) -> Result<(Value, Span)> {
+        self.expose_operand()?;
+        let token = self.peek()?;
+        let span = self.stream.here();
+        match token {
+            Token::Expr(e) => {
+                self.stream.advance();
+                Ok((self.eval(e)?, span))
+            }
+            Token::Numbers(data) => {
+                self.stream.advance();
+                Ok((numbers_value(data, span)?, span))
+            }
+            Token::Element(_) => {
+                let slot = self.take_element()?;
+                Ok((self.slot_value(slot, span)?, span))
+            }
+            Token::Sign(Sign::Operator(Operator::Less)) => self.vector_in_pieces(),
+            Token::Open(Bracket::Paren, _) => {
+                self.open()?;
+                let (value, _) = self.value_in(true)?;
+                let next = self.peek()?;
+                if !next.ends() && !matches!(next, Token::Sign(_)) {
+                    let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
+                    return d.help("vectors stand in angle brackets: `<1, 2, 3>`").into();
+                }
+                let end = self.stream.here();
+                self.close("`)`")?;
+                Ok((value, joined(span, end)))
+            }
+            Token::Callee(word) => self.builtin_in_pieces(word, span),
+            Token::Word(word) if super::reader::begins_color(word) => {
+                let color = self.color()?;
+                Ok((Value::Color(color), span))
+            }
+            // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
+            Token::Word(word)
+                if let Some(symbol) = self.inputs.names.find(word).filter(|s| self.evaluator.is_declared(*s)) =>
+            {
+                self.stream.advance();
+                Ok((self.name_value(symbol, span)?, span))
+            }
+            _ => Err(self.unexpected_token("a value").into()),
+        }
+    }
+
+    /// Takes apart what comes next, until an operand or its sign is a token.
+    fn expose_operand(&mut self) -> Result<()> {
+        let holds_more = |e: &Expr| matches!(e.kind, ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..));
+        while matches!(self.peek()?, Token::Expr(e) if holds_more(e)) {
+            self.stream.split_next();
+        }
+        Ok(())
+    }
+
+    /// Components and arguments behind a value.
+    fn postfix(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
+        loop {
+            match self.peek_after()? {
+                Some(Token::Sign(Sign::Dot)) => {
+                    self.stream.advance();
+                    let name = self.component_name()?;
+                    value = component(&value, &name, span)?;
+                    span = joined(span, name.span);
+                }
+                _ if is_callable(&value) && self.call_follows()? => {
+                    (value, span) = self.call_in_pieces(&value, span)?;
+                }
+                _ => return Ok((value, span)),
+            }
+        }
+    }
+
+    /// The word behind a `.`.
+    pub(super) fn component_name(&mut self) -> Result<Name> {
+        self.expose_operand()?;
+        let token = self.peek()?;
+        let span = self.stream.here();
+        let text = self.inputs.sources.snippet(span);
+        let word = word::lookup(text).map(|(word, _)| word);
+        match token {
+            Token::Word(_) | Token::Expr(Expr { kind: ExprKind::Name(_), .. }) => {
+                self.stream.advance();
+                Ok(Name { word, span })
+            }
+            _ => Err(self.unexpected_token("the name of a component").into()),
+        }
+    }
+
+    /// A vector, whose `<` comes next.
+    fn vector_in_pieces(&mut self) -> Result<(Value, Span)> {
+        let (data, span) = self.numbers_in_pieces()?;
+        Ok((vector_value(&data, span)?, span))
+    }
+
+    /// The numbers of a vector of any length, whose `<` comes next.
+    pub(super) fn numbers_in_pieces(&mut self) -> Result<(Vec<f64>, Span)> {
+        let start = self.stream.here();
+        self.stream.advance();
+        let mut data = vec![];
+        let end = self.in_mode(|mode| mode.defers = false, |me| me.vector_parts_to_end(start, &mut data))?;
+        self.stream.advance();
+        Ok((data, joined(start, end)))
+    }
+
+    /// Reads the numbers of the vector whose `<` is at `start`, up to its `>`; returns the span of that.
+    fn vector_parts_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
+        loop {
+            match self.peek()? {
+                Token::Sign(Sign::Operator(Operator::Greater)) => return Ok(self.stream.here()),
+                token if token.ends() || matches!(token, Token::Sign(_)) && !self.at_sign() => {
+                    return Err(self.open_vector(start).into());
+                }
+                // A colour is a value, although none fits into a vector.
+                Token::Word(word) if self.evaluator.ends_vector(word) => return Err(self.open_vector(start).into()),
+                Token::Block(_) => return Err(self.open_vector(start).into()),
+                _ => {
+                    let (value, span) = self.value_here()?;
+                    if !self.stream.has_comma() && matches!(value, Value::Vector(_)) && !data.is_empty() {
+                        return Err(self.misplaced(span).into());
+                    }
+                    data.push(as_float(&value, span)?);
+                }
+            }
+        }
+    }
+
+    /// Does a sign come next that may stand before an operand?
+    fn at_sign(&mut self) -> bool {
+        matches!(
+            self.peek(),
+            Ok(Token::Sign(Sign::Not | Sign::Operator(Operator::Sub | Operator::Add | Operator::Less)))
+        )
+    }
+}
+
+/// Values inside values: parentheses, choices, arguments.
+const MAX_NESTED: usize = 3_000;
+
+/// A span from one place to another, if both lie in one piece of text.
+pub(super) fn joined(from: Span, to: Span) -> Span {
+    if to.hi >= from.lo && to.hi - from.lo < 1 << 16 { from.to(to) } else { from }
+}
+
+fn numbers_value(data: &[f64], span: Span) -> Result<Value> {
+    match data {
+        [x] => Ok(Value::Float(*x)),
+        data if data.len() <= 5 => Ok(Value::Vector(VecN::from_slice(data))),
+        _ => {
+            let message = format!("a vector has two to five numbers, this has {}", data.len());
+            Diagnostic::err(codes::WRONG_COUNT, span, message)
+        }
+    }
+}
+
+/// Reads the signs before an operand.
+pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
+    let mut typed = vec![];
+    loop {
+        me.expose_operand()?;
+        let prefix = match me.peek()? {
+            Token::Sign(Sign::Operator(Operator::Sub)) => Prefix::Minus,
+            Token::Sign(Sign::Operator(Operator::Add)) => Prefix::Plus,
+            Token::Sign(Sign::Not) => Prefix::Not,
+            _ => break,
+        };
+        typed.push((prefix, me.stream.here()));
+        me.stream.advance();
+    }
+    let mut row = SignRow::default();
+    typed.into_iter().rev().for_each(|(prefix, span)| row.push_outer(prefix, span));
+    Ok(row.0)
+}
+
+/// Computes. The first operand may have been read already.
+#[derive(Default)]
+struct Computed(Option<(Value, Span)>);
+
+impl<'a> Operands<'a> for Computed {
+    type Value = Value;
+
+    fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Value, Span)> {
+        if let Some(first) = self.0.take() {
+            return me.postfix(first);
+        }
+        let signs = read_signs(me)?;
+        let first = me.primary()?;
+        let (mut value, mut span) = me.postfix(first)?;
+        for (prefix, at) in signs {
+            value = apply_prefix(prefix, value, span)?;
+            span = joined(at, span);
+        }
+        Ok((value, span))
+    }
+
+    fn combine(
+        &mut self,
+        me: &mut Interpreter<'a>,
+        op: Operator,
+        left: (Value, Span),
+        right: (Value, Span),
+    ) -> Result<Value> {
+        me.combine(op, left, right)
+    }
+
+    fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
+        if as_float(&condition.0, condition.1)?.abs() > SMALL {
+            let yes = me.climb(self, true)?;
+            expect_colon(me)?;
+            me.climb(&mut Skipped, true)?;
+            return Ok(yes);
+        }
+        me.climb(&mut Skipped, true)?;
+        expect_colon(me)?;
+        me.climb(self, true)
+    }
+}
+
+pub(super) fn expect_colon(me: &mut Interpreter) -> Result<()> {
+    match me.peek()? {
+        Token::Sign(Sign::Colon) => {
+            me.stream.advance();
+            Ok(())
+        }
+        _ => Err(me.unexpected_token("`:` and the other value").into()),
+    }
+}

@@ -1,0 +1,87 @@
+//! The box that `min_extent` and `max_extent` tell. It is not always the smallest one: scenes place things by these
+//! numbers, so they are made as POV-Ray makes them (measured on 3.7). A shape's box is that of its own frame, moved once;
+//! a CSG object's is the union or intersection of its parts', moved as a box by each transform that follows.
+
+use super::{CsgOp, Object, ObjectKind};
+use crate::math::{Aabb, DVec3};
+use crate::shape::{HUGE, Kernel};
+
+impl Object {
+    /// The box around the object where it is now.
+    pub fn pov_bounds(&self) -> Aabb {
+        let own = match &self.kind {
+            ObjectKind::Shape(shape) => shape.pov_bounds(&self.transform),
+            ObjectKind::Csg(..) => self.bulk.as_ref().and_then(|bulk| bulk.pov_bounds).unwrap_or(HUGE),
+            ObjectKind::Light(_) => HUGE,
+        };
+        let bounds = [&self.uncommon.clipped_by, &self.uncommon.bounded_by].into_iter().flatten();
+        bounds.fold(own, |own, parts| {
+            let clip = shared(parts.iter().map(side));
+            if !clip.is_empty() && volume(&clip) < volume(&own) { clip } else { own }
+        })
+    }
+
+    /// The box around a CSG object before it is moved.
+    pub(super) fn parts_box(op: CsgOp, parts: &[Object]) -> Aabb {
+        match op {
+            CsgOp::Union | CsgOp::Merge => {
+                let all = parts.iter().map(Object::pov_bounds).reduce(Aabb::union);
+                all.map_or(Aabb::from_corners(DVec3::ZERO, DVec3::ZERO), |b| b.intersection(HUGE))
+            }
+            CsgOp::Intersection => or_huge(shared(parts.iter().map(side))),
+            CsgOp::Difference => {
+                let others = parts.iter().skip(1).map(|part| outer_side(part, true));
+                or_huge(shared(parts.iter().take(1).map(side).chain(others)))
+            }
+        }
+    }
+}
+
+fn shared(boxes: impl Iterator<Item = Aabb>) -> Aabb {
+    boxes.fold(Aabb::INFINITE, Aabb::intersection)
+}
+
+fn or_huge(b: Aabb) -> Aabb {
+    let beyond = b.min.min_element() < HUGE.min.x || b.max.max_element() > HUGE.max.x;
+    if b.is_empty() || beyond { HUGE } else { b }
+}
+
+fn volume(b: &Aabb) -> f64 {
+    let size = b.max - b.min;
+    size.x * size.y * size.z
+}
+
+/// What a part leaves of space in an intersection.
+fn side(part: &Object) -> Aabb {
+    outer_side(part, false)
+}
+
+fn outer_side(part: &Object, taken_away: bool) -> Aabb {
+    let inverse = part.uncommon.flags.inverse != taken_away;
+    match &part.kind {
+        ObjectKind::Shape(shape) => match shape.as_half_space() {
+            Some((normal, distance)) if part.uncommon.clipped_by.is_none() => {
+                let point = part.transform.point(normal * distance);
+                let normal = part.transform.normal(normal).normalize();
+                half_space(if inverse { -normal } else { normal }, point)
+            }
+            _ if inverse || shape.solid_bounds().is_some() => Aabb::INFINITE,
+            _ => part.pov_bounds(),
+        },
+        _ if inverse => Aabb::INFINITE,
+        _ => part.pov_bounds(),
+    }
+}
+
+/// What lies behind a plane that faces along an axis; everything for any other plane.
+fn half_space(normal: DVec3, point: DVec3) -> Aabb {
+    let mut out = Aabb::INFINITE;
+    for axis in 0..3 {
+        if normal[axis] > 1.0 - 1e-9 {
+            out.max[axis] = point[axis];
+        } else if normal[axis] < -1.0 + 1e-9 {
+            out.min[axis] = point[axis];
+        }
+    }
+    out
+}

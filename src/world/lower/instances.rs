@@ -1,0 +1,114 @@
+//! Finds objects that are copies of one: see [`crate::world::copied`].
+
+use super::{Inherited, Lowering};
+use crate::diagnostic::Result;
+use crate::math::bvh;
+use crate::scene::{Object, ObjectKind};
+use crate::value::Seldom;
+use crate::world::ObjectInfo;
+use crate::world::geometry::{Geometry, GeometryBuilder};
+use crate::world::instance::Instance;
+use crate::world::leaf::place;
+use crate::world::node::{SolidKind, SolidNode};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// So many objects have to share their parts, or each one may as well have shapes of its own.
+const MANY: usize = 32;
+
+/// Of all objects whose parts are shared by many.
+#[derive(Default)]
+pub(super) struct Copies {
+    /// By the address of the parts, which are kept with it.
+    known: FxHashMap<*const Object, Option<Arc<Original>>>,
+}
+
+/// What copies share.
+struct Original {
+    _parts: Arc<[Object]>,
+    /// As it is lowered where it stands at the origin, in a world of its own.
+    node: SolidNode,
+    shared: Arc<Geometry>,
+}
+
+/// What there was before an object was lowered.
+#[derive(Clone, Copy)]
+pub(super) struct Mark {
+    pub parts: usize,
+    pub objects: usize,
+}
+
+impl Lowering {
+    pub(super) fn mark(&self) -> Mark {
+        Mark { parts: self.parts.len(), objects: self.objects.len() }
+    }
+
+    /// The object that was lowered to this node, as a copy of an earlier one like it, if many are alike.
+    pub(super) fn copied(&mut self, object: &Object, node: &SolidNode, before: Mark) -> Result<Option<Instance>> {
+        let ObjectKind::Csg(_, parts) = &object.kind else { return Ok(None) };
+        if !is_seen_as_one(&self.objects[before.objects..]) {
+            return Ok(None);
+        }
+        let address = parts.as_ptr();
+        let few = || Arc::strong_count(parts).max(Arc::strong_count(&object.body)) < MANY;
+        let original = match self.copies.known.get(&address) {
+            Some(original) => original.clone(),
+            None if few() => return Ok(None),
+            None => {
+                let original = Original::of(object, parts)?.map(Arc::new);
+                self.copies.known.insert(address, original.clone());
+                original
+            }
+        };
+        let Some(original) = original else { return Ok(None) };
+        if !is_copy(node, &original.node, before) {
+            return Ok(None);
+        }
+        let shared = original.shared.clone();
+        let copied = Instance::new(shared, place(&object.transform), before.parts as u32, before.objects as u32);
+        Ok(Some(copied).filter(|copied| bvh::fits(&copied.bounds())))
+    }
+}
+
+impl Original {
+    /// `None` if it can't be shared.
+    fn of(object: &Object, parts: &Arc<[Object]>) -> Result<Option<Self>> {
+        let mut alone = Lowering::default();
+        let object = Object { transform: Seldom::USUAL, ..object.clone() };
+        let Some(solid) = alone.lower_object(&object, &Inherited::default())? else { return Ok(None) };
+        let mut builder = GeometryBuilder::default();
+        builder.add(solid.node.clone());
+        let shared = Geometry::from(builder);
+        let original = Self { _parts: parts.clone(), node: solid.node, shared: Arc::new(shared) };
+        let is_more = |node: &SolidNode| !matches!(node.kind(), SolidKind::Leaf(_));
+        let fits =
+            |shared: &Geometry| shared.is_finite() && (shared.solids().count() > 1 || shared.solids().all(is_more));
+        Ok(Some(original).filter(|original| fits(&original.shared)))
+    }
+}
+
+/// Do all rays that see one of these objects see the others, and no other view of them?
+fn is_seen_as_one(objects: &[ObjectInfo]) -> bool {
+    let alike = |info: &ObjectInfo| ObjectInfo { interior: 0, ..*info };
+    objects.iter().all(|info| info.image && info.reflection && alike(info) == alike(&objects[0]))
+}
+
+/// Has the node, whose numbers follow `before`, the very shapes of the original, and nothing that depends on where it stands?
+fn is_copy(node: &SolidNode, original: &SolidNode, before: Mark) -> bool {
+    if !node.is_whole() || !original.is_whole() || node.object as usize != before.objects + original.object as usize {
+        return false;
+    }
+    match (node.kind(), original.kind()) {
+        (SolidKind::Leaf(a), SolidKind::Leaf(b)) => {
+            let numbered = a.id as usize == before.parts + b.id as usize;
+            numbered && a.inverse == b.inverse && a.shape.is_one_with(&b.shape)
+        }
+        (SolidKind::Union(a), SolidKind::Union(b))
+        | (SolidKind::Intersection(a), SolidKind::Intersection(b))
+        | (SolidKind::Merge(a), SolidKind::Merge(b)) => {
+            let one_by_one = || a.iter().zip(b).all(|(a, b)| is_copy(a, b, before));
+            a.len() == b.len() && one_by_one()
+        }
+        _ => false,
+    }
+}
