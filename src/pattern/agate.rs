@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 /// Bands along z, displaced by noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agate {
-    /// How much they are displaced; in single precision, as in POV-Ray.
+    /// Strength of the displacement; single precision, as in POV-Ray.
     pub turbulence: f64,
 }
 
@@ -43,7 +43,7 @@ impl Field for Agate {
     }
 
     fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        // the constants were fitted to what POV-Ray 3.7 prints
+        // quirk: agate_constants
         let turbulence = noise::turbulence(at.p, words.turbulence.series(), at.noise);
         let turn = 1.3 * self.turbulence * turbulence + 1.1 * at.p.z;
         fp::pow(0.5 * (fp::sin(TAU * turn) + 1.0), 0.77)

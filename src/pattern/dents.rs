@@ -1,4 +1,4 @@
-//! `dents`: noise with few high places (manual, "Dents").
+//! `dents`: noise with few high peaks (manual, "Dents").
 //!
 //! ```pov
 //! sphere { 0, 1 pigment { dents color_map { [0 color rgb 0.9] [0.5 color rgb <0.6, 0.1, 0>] } scale 0.2 } }

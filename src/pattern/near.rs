@@ -1,33 +1,32 @@
-//! What is known of a pattern's numbers around a point: between which they lie, and how steep they are. Isosurfaces skip what holds
-//! none of their surface.
+//! Bounds on a pattern's numbers around a point: their range and the length of their gradient. Isosurfaces skip balls
+//! that cannot contain their surface.
 
 use super::{Modifiers, Wave, modifiers::PERIOD};
 use crate::function::Interval;
 use crate::math::{DMat3, fp};
 use std::f64::consts::PI;
 
-/// Of all points no farther than a radius from one.
+/// Bounds over all points within a radius of one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near {
-    /// Where their numbers lie.
+    /// Range of the numbers.
     pub range: Interval,
-    /// No shorter than the gradient is anywhere among them; infinite where numbers jump, and where nothing so good is known that it
-    /// helps.
+    /// Upper bound of the gradient's length; infinite where the numbers jump, or where no useful bound is known.
     pub steepest: f64,
-    /// Nearly all gradients are far shorter than that.
+    /// True if nearly all gradients are far shorter than `steepest`.
     pub rough: bool,
 }
 
 impl Near {
-    /// Nothing is known.
+    /// No bounds.
     pub const UNKNOWN: Self = Self { range: Interval::ALL, steepest: f64::INFINITY, rough: false };
 
-    /// The same number everywhere.
+    /// Bounds of a constant.
     pub fn same(value: f64) -> Self {
         Self { range: Interval::point(value), steepest: 0.0, rough: false }
     }
 
-    /// Around a point of this value, where no gradient is longer than `steepest`.
+    /// Bounds around a point of this value, where no gradient is longer than `steepest`.
     pub fn of(value: f64, steepest: f64, radius: f64) -> Self {
         let far = steepest * radius;
         if !(value.is_finite() && far.is_finite()) {
@@ -36,17 +35,18 @@ impl Near {
         Self { range: Interval::new(value - far, value + far).widened(), steepest, rough: false }
     }
 
-    /// No farther than this from a value; no gradient is longer than `steepest`, and nearly all are far shorter.
+    /// Numbers no farther than `far` from a value; no gradient is longer than `steepest`, and nearly all are far
+    /// shorter.
     pub fn rough(value: f64, far: f64, steepest: f64) -> Self {
         Self { steepest, rough: true, ..Self::of(value, far, 1.0) }
     }
 
-    /// Its numbers lie there in any case.
+    /// Intersects the range with [lo, hi].
     pub fn within(self, lo: f64, hi: f64) -> Self {
         Self { range: Interval { lo: self.range.lo.clamp(lo, hi), hi: self.range.hi.clamp(lo, hi) }, ..self }
     }
 
-    /// What is left of its numbers above whole ones.
+    /// Bounds of the fractional parts.
     pub fn fraction(self) -> Self {
         let whole = self.range.lo.floor();
         if whole == self.range.hi.floor() {
@@ -59,18 +59,19 @@ impl Near {
 }
 
 impl Modifiers {
-    /// What [`Modifiers::apply`] makes of such numbers.
+    /// Bounds of [`Modifiers::apply`] over numbers with the bounds `raw`.
     pub fn near(&self, raw: Near) -> Near {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 {
             raw
         } else {
-            // (As it is computed, which keeps the order of numbers; wider, what begins at 0 would begin in the period before.)
+            // (Computed like the numbers themselves, which preserves their order; a wider range that begins at 0 would
+            // begin in the period before.)
             let [a, b] = [raw.range.lo, raw.range.hi].map(|x| x * frequency + self.phase);
             Near { range: Interval::new(a, b), steepest: raw.steepest * frequency.abs(), ..raw }
         };
         let Interval { lo, hi } = shifted.range;
-        // Numbers of one period, from 0 on; those below 0 are counted from 1 on.
+        // Numbers within one period, from 0 on; negative ones are counted from 1 on.
         let start = match ((lo / PERIOD).floor(), (hi / PERIOD).floor()) {
             _ if frequency == 0.0 && lo >= 0.0 => Some(0.0),
             _ if frequency == 0.0 => None,
@@ -89,7 +90,7 @@ impl Modifiers {
 }
 
 impl Wave {
-    /// Of numbers in one period.
+    /// Bounds of the wave over numbers within one period.
     fn near(self, v: Near) -> Near {
         let Interval { lo, hi } = v.range;
         let chain = |range: Interval, factor: f64| Near { range: range.widened(), steepest: v.steepest * factor, ..v };
@@ -112,7 +113,8 @@ impl Wave {
     }
 }
 
-/// How much longer a matrix makes a vector at most, and a little more: the largest eigenvalue of MᵀM, by squaring that.
+/// Upper bound of the factor by which a matrix lengthens a vector: the square root of the largest eigenvalue of MᵀM,
+/// found by repeated squaring.
 pub fn stretch(m: &DMat3) -> f64 {
     let s = m.transpose() * *m;
     let size = s.to_cols_array().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -168,7 +170,7 @@ mod tests {
         fields.into_iter().map(Kind::Field).chain(cells.into_iter().map(Kind::Cells)).collect()
     }
 
-    /// Each pattern, each wave, some frequencies, in a space of its own: what is said of a ball holds for all points in it.
+    /// Each pattern, wave and some frequencies, in a transformed space: the bounds of a ball hold for all points in it.
     #[test]
     fn numbers_near_a_point_are_as_is_said() {
         let waves =

@@ -11,16 +11,16 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 
-/// Unit cubes that sink towards their seams.
+/// Unit cubes with rounded edges: the number falls towards the seams.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quilted {
-    /// How steep it is in the middle.
+    /// Steepness in the middle.
     pub control0: f64,
-    /// How steep it is at the seam.
+    /// Steepness at the seam.
     pub control1: f64,
 }
 
-/// 1/√3 as POV-Ray has it, as was measured.
+/// 1/√3 with POV-Ray's digits (quirk: quilted_constant).
 const PART: f64 = 0.577350269;
 
 impl Readable for Quilted {
@@ -53,7 +53,7 @@ impl Field for Quilted {
     }
 
     fn value(&self, at: &TextureContext) -> f64 {
-        // from the middle of the cube
+        // distance from the middle of the cube
         let from = (at.p - at.p.floor() - 0.5).abs();
         self.curve(from.length()).abs() * PART * (from.x + from.y + from.z) * 2.0 / 3.0
     }

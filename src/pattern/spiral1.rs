@@ -11,7 +11,7 @@ use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// The number of arms, as both spirals take it.
+/// The parameter for the number of arms, which both spirals have.
 pub(super) const ARMS: &[Param] = &[Param {
     name: "arms",
     kind: Kind::Float,
@@ -21,7 +21,7 @@ pub(super) const ARMS: &[Param] = &[Param {
 /// A spiral.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spiral1 {
-    /// How many arms wind around the axis.
+    /// Number of arms around the axis.
     pub arms: f64,
 }
 
@@ -48,7 +48,7 @@ impl Field for Spiral1 {
     }
 }
 
-/// Grows by 1 with each unit along z and away from it, and by the number of arms with each turn, from -y on.
+/// Grows by 1 with each unit along z and away from it, and by the number of arms with each turn, starting at -y.
 pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
     if p.x == 0.0 && p.y == 0.0 {
         return p.z;
@@ -57,7 +57,7 @@ pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
     p.z + p.truncate().length() + arms * fp::fraction(turn)
 }
 
-/// What `turbulence` adds beside displacing the point.
+/// The number that `turbulence` adds, in addition to the displacement of the point.
 pub(super) fn shift(at: &TextureContext, words: &Words) -> f64 {
     let amount = words.turbulence.amount.x;
     if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, words.turbulence.series(), at.noise) }

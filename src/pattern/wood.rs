@@ -42,7 +42,7 @@ impl Field for Wood {
         if by.amount == DVec3::ZERO {
             return self.value(at);
         }
-        // each coordinate is moved by a sine of itself, which the noise shifts
+        // Each coordinate is shifted by a sine of itself, whose phase is the noise.
         let p = at.p.truncate();
         let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.series()).truncate());
         (p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length()

@@ -34,7 +34,7 @@ impl Field for Wrinkles {
     }
 
     fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        // All of the ten octaves are equally steep, but for the range that each has, and hardly ever in the same place.
+        // All ten octaves are equally steep, apart from each one's range, and rarely in the same place.
         let steepest = at.noise.steepest();
         let octave = |most: f64| (steepest * radius).min(0.5 * most);
         let far = HALVES.into_iter().map(octave).sum();
@@ -42,7 +42,7 @@ impl Field for Wrinkles {
     }
 
     fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
-        // ten octaves of the noise's size along each axis
+        // ten octaves of the noise's absolute value along each axis
         let octave = |weight| weight * noise::noise_vector(at.p / weight).abs();
         Some(n + amount * HALVES.into_iter().map(octave).sum::<DVec3>())
     }

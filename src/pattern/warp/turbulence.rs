@@ -1,5 +1,4 @@
-//! `warp { turbulence <vector> }`: turbulence that stands where it is written among the transforms (manual, "Turbulence
-//! Warp").
+//! `warp { turbulence <vector> }`: turbulence at its position among the transforms (manual, "Turbulence Warp").
 //!
 //! ```pov
 //! sphere { 0, 1 pigment { gradient x warp { turbulence 0.5 octaves 3 } scale 0.25 } }
