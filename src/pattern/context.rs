@@ -1,6 +1,6 @@
 //! The point at which a pattern is evaluated, and the parameters that patterns share.
 
-use super::{Modifiers, Near, Turbulent, Wave};
+use super::{LocalBounds, Modifiers, TurbulenceParams, Wave};
 use crate::color::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec2, DVec3};
@@ -56,16 +56,16 @@ impl TextureContext {
 
 /// Parameters that all patterns of numbers share.
 #[derive(Clone, Copy, Debug)]
-pub struct Words<'a> {
+pub struct FieldParams<'a> {
     /// Frequency, phase, wave.
     pub modifiers: &'a Modifiers,
     /// `turbulence` with its parameters.
-    pub turbulence: &'a Turbulent,
+    pub turbulence: &'a TurbulenceParams,
 }
 
-impl Words<'_> {
+impl FieldParams<'_> {
     /// The defaults.
-    pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &Turbulent::STILL };
+    pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &TurbulenceParams::STILL };
 }
 
 /// Colours of most patterns without a map.
@@ -77,23 +77,23 @@ pub trait Field {
     fn value(&self, at: &TextureContext) -> f64;
 
     /// The number of a pattern that depends on its shared parameters.
-    fn value_as(&self, at: &TextureContext, _words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, _params: &FieldParams) -> f64 {
         self.value(at)
     }
 
     /// Bounds on the numbers within a radius of the point, before frequency, phase and wave.
-    fn near(&self, _at: &TextureContext, _words: &Words, _radius: f64) -> Near {
-        Near::UNKNOWN
+    fn bounds_near(&self, _at: &TextureContext, _params: &FieldParams, _radius: f64) -> LocalBounds {
+        LocalBounds::UNKNOWN
     }
 
     /// True if the pattern uses `turbulence` in its own way; for all others the point is displaced.
-    fn stirs(&self) -> bool {
+    fn owns_turbulence(&self) -> bool {
         false
     }
 
     /// The normal `n` with bumps that the pattern computes itself, all in the pattern's space; `None` if bumps are
     /// found by comparing heights.
-    fn bumped(&self, _at: &TextureContext, _words: &Words, _n: DVec3, _amount: f64) -> Option<DVec3> {
+    fn bumped(&self, _at: &TextureContext, _params: &FieldParams, _n: DVec3, _amount: f64) -> Option<DVec3> {
         None
     }
 

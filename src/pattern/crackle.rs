@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { crackle color_map { [0.05 color rgb 0.1] [0.1 color rgb <0.8, 0.6, 0.4>] } scale 0.3 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise::{self, Around, Cell};
 use crate::math::{DVec3, fp};
@@ -55,17 +55,17 @@ impl Field for Crackle {
         value.clamp(0.0, 1.0)
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // No distance grows faster than the point moves, except the largest-component metric along the axes.
         let steepest = match self.metric {
             1.0 => 3f64.sqrt(),
             2.0 => 1.0,
-            _ => return Near::UNKNOWN.within(0.0, 1.0),
+            _ => return LocalBounds::UNKNOWN.within(0.0, 1.0),
         };
         if self.solid || self.offset < 0.0 {
-            return Near::UNKNOWN.within(0.0, 1.0);
+            return LocalBounds::UNKNOWN.within(0.0, 1.0);
         }
-        Near::of(self.value(at), steepest * self.form.abs().element_sum(), radius).within(0.0, 1.0)
+        LocalBounds::of(self.value(at), steepest * self.form.abs().element_sum(), radius).within(0.0, 1.0)
     }
 }
 

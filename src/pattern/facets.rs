@@ -5,7 +5,7 @@
 //! ```
 
 use super::crackle::{lowest, nearest};
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::words::{Row, set, specs, word};
@@ -54,7 +54,7 @@ impl Field for Facets {
         0.0
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, _: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, _: f64) -> Option<DVec3> {
         let unit = n.normalize_or_zero();
         let size = if self.size > 0.0 { self.size } else { LEAST_SIZE };
         // With metric 1, POV-Ray 3.7 adds the signed differences (quirk: facets_signed_metric).
@@ -80,7 +80,7 @@ mod tests {
             for (coords, size, metric) in [(0.5, 0.1, 2.0), (0.0, 0.1, 1.0), (0.0, 0.0, -3.0)] {
                 let facets = Facets { coords, size, metric };
                 for normal in [DVec3::Y, p] {
-                    assert!(facets.bumped(&there, &Words::NONE, normal, 1.0).is_some());
+                    assert!(facets.bumped(&there, &FieldParams::NONE, normal, 1.0).is_some());
                 }
             }
         }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { gradient y color_map { [0 color rgb 0] [1 color rgb 1] } scale 2 translate -y } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::value::{Kind, Param, Reader, Spec};
@@ -47,12 +47,12 @@ impl Field for Gradient {
         if along > 1.0 { along.fract() } else { along }
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        let along = Near::of(at.p.dot(self.direction), self.direction.length(), radius);
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        let along = LocalBounds::of(at.p.dot(self.direction), self.direction.length(), radius);
         match along.range {
             range if range.hi <= 1.0 => along,
             range if range.lo > 1.0 => along.fraction(),
-            _ => Near::UNKNOWN,
+            _ => LocalBounds::UNKNOWN,
         }
     }
 }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { granite color_map { [0 color rgb <0.3, 0.2, 0.2>] [0.5 color rgb 0.9] } } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise;
 use crate::value::{Reader, Spec};
@@ -30,10 +30,10 @@ impl Field for Granite {
         far.min(1.0)
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // All six octaves are equally steep, apart from each one's range, and rarely in the same place.
         let steepest = 8.0 * at.noise.steepest();
         let octave = |i: i32| (steepest * radius).min(0.5f64.powi(i + 1));
-        Near::rough(self.value(at), (0..6).map(octave).sum(), 6.0 * steepest).within(0.0, 1.0)
+        LocalBounds::rough(self.value(at), (0..6).map(octave).sum(), 6.0 * steepest).within(0.0, 1.0)
     }
 }

@@ -23,9 +23,9 @@ mod gradient;
 mod granite;
 mod hexagon;
 mod leopard;
+mod local_bounds;
 mod marble;
 mod modifiers;
-mod near;
 mod object;
 mod onion;
 mod pavement;
@@ -51,6 +51,7 @@ mod waves;
 mod wood;
 mod wrinkles;
 
+use crate::function::LocalBounds;
 pub use agate::Agate;
 pub use aoi::Aoi;
 pub use bitmap::{ImagePattern, MaterialMap};
@@ -61,7 +62,7 @@ pub use bumps::Bumps;
 pub use cells::RandomCells;
 pub use checker::Checker;
 use context::GRAYS;
-pub use context::{Field, TextureContext, Words};
+pub use context::{Field, FieldParams, TextureContext};
 pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
@@ -76,11 +77,10 @@ pub use hexagon::Hexagon;
 pub use leopard::Leopard;
 pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
-pub use near::Near;
 pub use object::ObjectPattern;
 pub use onion::Onion;
 pub use pavement::Pavement;
-pub use pigment::{Bright, PigmentPattern};
+pub use pigment::{PigmentBrightness, PigmentPattern};
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
 pub use program::PatternProgram;
@@ -96,7 +96,7 @@ pub use spotted::Spotted;
 pub use square::Square;
 pub use tiling::Tiling;
 pub use triangular::Triangular;
-pub use turbulence::Turbulent;
+pub use turbulence::TurbulenceParams;
 pub use warp::{
     BlackHole, CubicWarp, CylindricalWarp, Layout, PlanarWarp, Repeat, SphericalWarp, ToroidalWarp, TurbulenceWarp,
     Warp,
@@ -157,7 +157,7 @@ pub trait Readable: Sized + 'static {
     /// Its table.
     const SPEC: Spec;
 
-    /// Words of its own, which `SPEC` names.
+    /// FieldParams of its own, which `SPEC` names.
     const WORDS: &'static [Row<Self>] = &[];
 
     /// Reads what follows its name.
@@ -229,17 +229,17 @@ macro_rules! fields {
 
         impl Field for FieldPattern {
             fn value(&self, at: &TextureContext) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
-            fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-                match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
+            fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+                match self { $(FieldPattern::$name(f) => f.value_as(at, params)),* }
             }
-            fn near(&self, at: &TextureContext, words: &Words, radius: f64) -> Near {
-                match self { $(FieldPattern::$name(f) => f.near(at, words, radius)),* }
+            fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
+                match self { $(FieldPattern::$name(f) => f.bounds_near(at, params, radius)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
             fn begins_still(&self) -> bool { match self { $(FieldPattern::$name(f) => f.begins_still()),* } }
-            fn stirs(&self) -> bool { match self { $(FieldPattern::$name(f) => f.stirs()),* } }
-            fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
-                match self { $(FieldPattern::$name(f) => f.bumped(at, words, n, amount)),* }
+            fn owns_turbulence(&self) -> bool { match self { $(FieldPattern::$name(f) => f.owns_turbulence()),* } }
+            fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+                match self { $(FieldPattern::$name(f) => f.bumped(at, params, n, amount)),* }
             }
             fn default_colors(&self) -> Vec<(f64, Color)> {
                 match self { $(FieldPattern::$name(f) => f.default_colors()),* }

@@ -12,8 +12,8 @@ use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
 /// A pigment as this pattern uses it; pigments belong to a higher layer.
-pub trait Bright: std::fmt::Debug + Send + Sync {
-    /// Brightness at a point. On a surface, the pigment depends on the surface as well, as with `slope` and
+pub trait PigmentBrightness: std::fmt::Debug + Send + Sync {
+    /// PigmentBrightness at a point. On a surface, the pigment depends on the surface as well, as with `slope` and
     /// `uv_mapping` (quirk: `pigment_pattern_sees_surface`).
     fn brightness(&self, at: &TextureContext) -> f64;
     /// True if the pigment depends on surface coordinates.
@@ -22,11 +22,11 @@ pub trait Bright: std::fmt::Debug + Send + Sync {
 
 /// The brightness of a pigment.
 #[derive(Clone, Debug)]
-pub struct PigmentPattern(Arc<dyn Bright>);
+pub struct PigmentPattern(Arc<dyn PigmentBrightness>);
 
 impl PigmentPattern {
     /// The pattern of a pigment's brightness.
-    pub fn new(pigment: Arc<dyn Bright>) -> Self {
+    pub fn new(pigment: Arc<dyn PigmentBrightness>) -> Self {
         Self(pigment)
     }
 

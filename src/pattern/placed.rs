@@ -1,6 +1,6 @@
 //! A pattern with its space and parameters: the common part of pigments, normals and textures.
 
-use super::{CellPattern, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Turbulent, Warp};
+use super::{CellPattern, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, TurbulenceParams, Warp};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
@@ -90,8 +90,8 @@ impl Pattern {
             }
             next if self.kind.read_own(next, r)? => {}
             next if read_row(Modifiers::ROWS, &mut self.modifiers, next, r)? => {}
-            next if is_row(Turbulent::ROWS, next) => {
-                read_row(Turbulent::ROWS, self.space.turbulence_mut(), next, r)?;
+            next if is_row(TurbulenceParams::ROWS, next) => {
+                read_row(TurbulenceParams::ROWS, self.space.turbulence_mut(), next, r)?;
             }
             Next::Word("noise_generator") => {
                 r.take()?;

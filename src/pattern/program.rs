@@ -1,8 +1,8 @@
 //! Patterns in the form that rays evaluate: the transform from the outer space to the pattern's own is precomputed.
 
 use super::{
-    CellPattern, Cells, Field, FieldPattern, Kind, Modifiers, Near, Pattern, Step, TextureContext, Turbulent, Warp,
-    Words, near::stretch,
+    CellPattern, Cells, Field, FieldParams, FieldPattern, Kind, LocalBounds, Modifiers, Pattern, Step, TextureContext,
+    TurbulenceParams, Warp, local_bounds::stretch,
 };
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
@@ -44,7 +44,7 @@ enum Value {
 struct Number {
     field: FieldPattern,
     modifiers: Modifiers,
-    turbulence: Turbulent,
+    turbulence: TurbulenceParams,
     noise: Option<NoiseGenerator>,
 }
 
@@ -106,7 +106,7 @@ impl PatternProgram {
     }
 
     /// Bounds on the numbers of [`Self::see`] within a radius of a point.
-    pub fn near(&self, ctx: &TextureContext, radius: f64) -> Near {
+    pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
         let mut longer = if self.uv { f64::INFINITY } else { 1.0 };
         for step in &self.way {
             longer *= match step {
@@ -116,14 +116,16 @@ impl PatternProgram {
         }
         let (inner, radius) = (self.enter(ctx), radius * longer);
         let near = match &self.value {
-            Value::Plain | Value::Average => Near::same(0.0),
-            Value::Cells(pattern) if pattern.0.is_uniform(inner.p, radius) => Near::same(self.number(&inner)),
-            Value::Cells(_) => Near::UNKNOWN,
+            Value::Plain | Value::Average => LocalBounds::constant(0.0),
+            Value::Cells(pattern) if pattern.0.is_uniform(inner.p, radius) => {
+                LocalBounds::constant(self.number(&inner))
+            }
+            Value::Cells(_) => LocalBounds::UNKNOWN,
             Value::Field(number) => {
-                number.modifiers.near(number.field.near(&number.context(&inner), &number.words(), radius))
+                number.modifiers.bounds_near(number.field.bounds_near(&number.context(&inner), &number.words(), radius))
             }
         };
-        Near { steepest: if near.steepest == 0.0 { 0.0 } else { near.steepest * longer }, ..near }
+        LocalBounds { steepest: if near.steepest == 0.0 { 0.0 } else { near.steepest * longer }, ..near }
     }
 
     /// The normal `n` with bumps that the pattern computes itself, at a point in the pattern's space.
@@ -136,8 +138,8 @@ impl PatternProgram {
 }
 
 impl Number {
-    fn words(&self) -> Words<'_> {
-        Words { modifiers: &self.modifiers, turbulence: &self.turbulence }
+    fn words(&self) -> FieldParams<'_> {
+        FieldParams { modifiers: &self.modifiers, turbulence: &self.turbulence }
     }
 
     /// The context with the pattern's own noise generator.
@@ -177,8 +179,8 @@ fn way(pattern: &Pattern) -> Box<[Move]> {
         }
     }
     way.push(Move::Affine(affine));
-    let stirs = matches!(&pattern.kind, Kind::Field(field) if field.stirs());
-    if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !stirs && t.amount != DVec3::ZERO) {
+    let owns_turbulence = matches!(&pattern.kind, Kind::Field(field) if field.owns_turbulence());
+    if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !owns_turbulence && t.amount != DVec3::ZERO) {
         way.push(Move::Turbulence(turbulence.amount, turbulence.series()));
     }
     way.retain(|step| !matches!(step, Move::Affine(inverse) if *inverse == DAffine3::IDENTITY));
@@ -195,7 +197,7 @@ mod tests {
     fn steps_are_undone_from_the_last_to_the_first() {
         let mut space = Space::default();
         space.then(&Transform::translate(DVec3::X));
-        space.warp(Warp::Turbulence(TurbulenceWarp(Turbulent::default())));
+        space.warp(Warp::Turbulence(TurbulenceWarp(TurbulenceParams::default())));
         space.then(&Transform::rotate(DVec3::Z * 90.0));
         assert_eq!(space.inner.len(), 2);
         let program = PatternProgram::new(&Pattern { space, ..Pattern::default() });

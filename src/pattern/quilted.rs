@@ -4,7 +4,7 @@
 //! box { -1, 1 pigment { quilted control0 0.8 control1 0.5 color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
@@ -58,7 +58,7 @@ impl Field for Quilted {
         self.curve(from.length()).abs() * PART * (from.x + from.y + from.z) * 2.0 / 3.0
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         let from = at.p - at.p.floor() - 0.5;
         Some(n + amount * 2.0 * PART * self.curve(from.length()) * from)
     }

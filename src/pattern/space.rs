@@ -1,7 +1,7 @@
 //! The space of a pattern: transforms and warps in the order in which they are written, then `turbulence` (manual,
 //! "Pattern Modifiers").
 
-use super::{Turbulent, Warp};
+use super::{TurbulenceParams, Warp};
 use crate::math::{DVec3, Transform};
 use crate::value::Seldom;
 use serde::Serialize;
@@ -16,7 +16,7 @@ pub struct Space {
     pub transform: Seldom<Transform>,
     /// `turbulence`, which applies last to a point wherever it is written.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub turbulence: Option<Box<Turbulent>>,
+    pub turbulence: Option<Box<TurbulenceParams>>,
 }
 
 /// A step that moves a point.
@@ -44,7 +44,7 @@ impl Space {
     }
 
     /// The parameters of `turbulence`, to be changed.
-    pub fn turbulence_mut(&mut self) -> &mut Turbulent {
+    pub fn turbulence_mut(&mut self) -> &mut TurbulenceParams {
         self.turbulence.get_or_insert_default()
     }
 

@@ -6,7 +6,7 @@
 //! ```
 
 use super::spiral1::{ARMS, shift, thread};
-use super::{Field, Readable, TextureContext, Wave, Words};
+use super::{Field, FieldParams, Readable, TextureContext, Wave};
 use crate::diagnostic::Result;
 use crate::math::fp;
 use crate::value::{Reader, Spec};
@@ -30,12 +30,12 @@ impl Readable for Spiral2 {
 
 impl Field for Spiral2 {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &Words::NONE)
+        self.value_as(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         // rings and a thread, each as a triangle wave
-        triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, words))
+        triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, params))
     }
 
     fn default_wave(&self) -> Option<Wave> {

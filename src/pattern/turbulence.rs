@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// Parameters of `turbulence`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Turbulent {
+pub struct TurbulenceParams {
     /// Approximate maximum displacement along each axis.
     pub amount: DVec3,
     /// Number of octaves.
@@ -19,13 +19,13 @@ pub struct Turbulent {
     pub omega: f64,
 }
 
-impl Default for Turbulent {
+impl Default for TurbulenceParams {
     fn default() -> Self {
         Self::STILL
     }
 }
 
-impl Turbulent {
+impl TurbulenceParams {
     /// No turbulence.
     pub const STILL: Self = Self { amount: DVec3::ZERO, octaves: 6.0, lambda: 2.0, omega: 0.5 };
 

@@ -4,7 +4,7 @@
 //! plane { y, 0.1 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Reader, Spec};
@@ -31,11 +31,11 @@ impl Readable for Waves {
 
 impl Field for Waves {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &Words::NONE)
+        self.value_as(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let turns = s.frequency * frequency * at.p.distance(s.place) + phase;
             fp::sin(TAU * turns) / s.frequency
@@ -44,8 +44,8 @@ impl Field for Waves {
         0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
     }
 
-    fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
-        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+    fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let from = at.p - s.place;
             let r = from.length();

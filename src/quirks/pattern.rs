@@ -68,11 +68,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "The pigment of a `pigment_pattern` on a surface depends on that surface, with `slope` and `uv_mapping` for instance.",
         &["light_cases/pigment_pattern_surface"],
     ),
-    emulated(
-        "quilted_constant",
-        "`quilted` has 0.577350269 for 1/√3.",
-        &["tests/patterns/quilted.txt"],
-    ),
+    emulated("quilted_constant", "`quilted` has 0.577350269 for 1/√3.", &["tests/patterns/quilted.txt"]),
     emulated(
         "repeat_single_precision",
         "`warp { repeat }` computes the start of a slice in single precision.",

@@ -4,7 +4,7 @@ use super::{Bitmap, Mapping, Texels, word_names};
 use crate::color::{Rgb, gray};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
-use crate::pattern::{Field, Readable, TextureContext, Words};
+use crate::pattern::{Field, FieldParams, Readable, TextureContext};
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
@@ -131,7 +131,7 @@ impl Field for ImagePattern {
         self.mapping.place(at.p).map_or(0.0, |place| self.number_at(place).clamp(0.0, 1.0))
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         if !self.bumps {
             return None;
         }

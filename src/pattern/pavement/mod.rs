@@ -179,7 +179,7 @@ fn pick<T: Copy>(all: &[T], n: f64) -> Option<T> {
 
 /// A point relative to the nearest corner of its cell.
 #[derive(Clone, Copy, Debug)]
-struct Near {
+struct NearCorner {
     /// Distance from the corner towards the centre.
     along: f64,
     /// Distance from the line between corner and centre, towards the edge after the corner (against the clock).
@@ -188,7 +188,7 @@ struct Near {
     to_middle: f64,
 }
 
-impl Near {
+impl NearCorner {
     /// Distance to the corner.
     fn to_corner(self) -> f64 {
         fp::hypot(self.along, self.across)
@@ -201,7 +201,7 @@ impl Laid {
         let directions = &self.corners[cell.kind];
         let k = nearest(directions, place);
         let direction = directions[k];
-        let near = Near {
+        let near = NearCorner {
             along: self.cells.radius() - place.dot(direction),
             across: direction.perp_dot(place),
             to_middle: place.length(),
@@ -219,7 +219,7 @@ impl Laid {
     }
 
     /// Heights of the bevels of the joints before and after the corner; 0 without a joint.
-    fn bevels(&self, corner: Corner, near: Near) -> [f64; 2] {
+    fn bevels(&self, corner: Corner, near: NearCorner) -> [f64; 2] {
         let (sin, cos) = match self.cells {
             Cells::Triangles => (0.5, H),
             Cells::Squares => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
@@ -233,7 +233,7 @@ impl Laid {
     }
 
     /// Height at the tip of a triangle or square, between two joints.
-    fn tip(&self, [before, after]: [f64; 2], near: Near, look: Look) -> f64 {
+    fn tip(&self, [before, after]: [f64; 2], near: NearCorner, look: Look) -> f64 {
         match look {
             Look::Cut => before + after,
             Look::Round => near.to_middle / self.cells.depth(),
@@ -241,7 +241,7 @@ impl Laid {
         }
     }
 
-    fn triangle(&self, corner: Corner, near: Near) -> f64 {
+    fn triangle(&self, corner: Corner, near: NearCorner) -> f64 {
         let bevels = self.bevels(corner, near);
         match (corner.before, corner.after) {
             (true, true) => self.tip(bevels, near, self.exterior),
@@ -257,7 +257,7 @@ impl Laid {
         }
     }
 
-    fn hexagon(&self, corner: Corner, near: Near) -> f64 {
+    fn hexagon(&self, corner: Corner, near: NearCorner) -> f64 {
         let bevels = self.bevels(corner, near);
         // towards the edge that is not a joint, if one is not
         let open = if corner.before { near.across } else { -near.across };
@@ -271,7 +271,7 @@ impl Laid {
     }
 
     /// Height at a 120° corner, which looks like a hexagon's; the point is `along` from the corner on its bisector.
-    fn blunt(&self, [before, after]: [f64; 2], along: f64, near: Near) -> f64 {
+    fn blunt(&self, [before, after]: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
             Look::Cut => 2.0 - 4.0 * along,
             Look::Round => {
@@ -284,7 +284,7 @@ impl Laid {
         }
     }
 
-    fn square(&self, corner: Corner, near: Near, exterior: Look, interior: Look) -> f64 {
+    fn square(&self, corner: Corner, near: NearCorner, exterior: Look, interior: Look) -> f64 {
         let bevels = self.bevels(corner, near);
         match (corner.before, corner.after) {
             (true, true) => self.tip(bevels, near, exterior),
@@ -300,7 +300,7 @@ impl Laid {
 
     /// Height in a square at which a tile turns, from a notch to the opposite corner. `along`: from the centre towards
     /// that corner.
-    fn square_that_turns(&self, corner: Corner, near: Near, along: f64) -> f64 {
+    fn square_that_turns(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
         match self.form {
             Look::Pointed => self.square(corner, near, Look::Pointed, Look::Pointed),
             Look::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),

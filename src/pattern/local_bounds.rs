@@ -2,65 +2,13 @@
 //! that cannot contain their surface.
 
 use super::{Modifiers, Wave, modifiers::PERIOD};
-use crate::function::Interval;
+use crate::function::{Interval, LocalBounds};
 use crate::math::{DMat3, fp};
 use std::f64::consts::PI;
 
-/// Bounds over all points within a radius of one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Near {
-    /// Range of the numbers.
-    pub range: Interval,
-    /// Upper bound of the gradient's length; infinite where the numbers jump, or where no useful bound is known.
-    pub steepest: f64,
-    /// True if nearly all gradients are far shorter than `steepest`.
-    pub rough: bool,
-}
-
-impl Near {
-    /// No bounds.
-    pub const UNKNOWN: Self = Self { range: Interval::ALL, steepest: f64::INFINITY, rough: false };
-
-    /// Bounds of a constant.
-    pub fn same(value: f64) -> Self {
-        Self { range: Interval::point(value), steepest: 0.0, rough: false }
-    }
-
-    /// Bounds around a point of this value, where no gradient is longer than `steepest`.
-    pub fn of(value: f64, steepest: f64, radius: f64) -> Self {
-        let far = steepest * radius;
-        if !(value.is_finite() && far.is_finite()) {
-            return Self::UNKNOWN;
-        }
-        Self { range: Interval::new(value - far, value + far).widened(), steepest, rough: false }
-    }
-
-    /// Numbers no farther than `far` from a value; no gradient is longer than `steepest`, and nearly all are far
-    /// shorter.
-    pub fn rough(value: f64, far: f64, steepest: f64) -> Self {
-        Self { steepest, rough: true, ..Self::of(value, far, 1.0) }
-    }
-
-    /// Intersects the range with [lo, hi].
-    pub fn within(self, lo: f64, hi: f64) -> Self {
-        Self { range: Interval { lo: self.range.lo.clamp(lo, hi), hi: self.range.hi.clamp(lo, hi) }, ..self }
-    }
-
-    /// Bounds of the fractional parts.
-    pub fn fraction(self) -> Self {
-        let whole = self.range.lo.floor();
-        if whole == self.range.hi.floor() {
-            let range = Interval { lo: self.range.lo - whole, hi: self.range.hi - whole };
-            Self { range, ..self }
-        } else {
-            Self { range: Interval::TRUTH, ..Self::UNKNOWN }
-        }
-    }
-}
-
 impl Modifiers {
     /// Bounds of [`Modifiers::apply`] over numbers with the bounds `raw`.
-    pub fn near(&self, raw: Near) -> Near {
+    pub fn bounds_near(&self, raw: LocalBounds) -> LocalBounds {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 {
             raw
@@ -68,7 +16,7 @@ impl Modifiers {
             // (Computed like the numbers themselves, which preserves their order; a wider range that begins at 0 would
             // begin in the period before.)
             let [a, b] = [raw.range.lo, raw.range.hi].map(|x| x * frequency + self.phase);
-            Near { range: Interval::new(a, b), steepest: raw.steepest * frequency.abs(), ..raw }
+            LocalBounds { range: Interval::new(a, b), steepest: raw.steepest * frequency.abs(), ..raw }
         };
         let Interval { lo, hi } = shifted.range;
         // Numbers within one period, from 0 on; negative ones are counted from 1 on.
@@ -80,23 +28,24 @@ impl Modifiers {
             (a, _) => Some(a * PERIOD),
         };
         match start {
-            Some(0.0) => self.wave.near(shifted),
-            Some(start) if lo - start >= 0.0 => {
-                self.wave.near(Near { range: Interval { lo: lo - start, hi: hi - start }.widened(), ..shifted })
-            }
-            _ => Near::UNKNOWN,
+            Some(0.0) => self.wave.bounds_near(shifted),
+            Some(start) if lo - start >= 0.0 => self
+                .wave
+                .bounds_near(LocalBounds { range: Interval { lo: lo - start, hi: hi - start }.widened(), ..shifted }),
+            _ => LocalBounds::UNKNOWN,
         }
     }
 }
 
 impl Wave {
     /// Bounds of the wave over numbers within one period.
-    fn near(self, v: Near) -> Near {
+    fn bounds_near(self, v: LocalBounds) -> LocalBounds {
         let Interval { lo, hi } = v.range;
-        let chain = |range: Interval, factor: f64| Near { range: range.widened(), steepest: v.steepest * factor, ..v };
+        let chain =
+            |range: Interval, factor: f64| LocalBounds { range: range.widened(), steepest: v.steepest * factor, ..v };
         match self {
             Wave::Ramp => v,
-            _ if !(lo >= 0.0 && hi <= 1.0) => Near::UNKNOWN,
+            _ if !(lo >= 0.0 && hi <= 1.0) => LocalBounds::UNKNOWN,
             Wave::Triangle => {
                 let ends = Interval::new(1.0 - (2.0 * lo - 1.0).abs(), 1.0 - (2.0 * hi - 1.0).abs());
                 chain(if v.range.contains(0.5) { ends.hull(Interval::point(1.0)) } else { ends }, 2.0)
@@ -108,7 +57,7 @@ impl Wave {
             Wave::Scallop => chain((v.range * Interval::point(PI)).sin().abs(), PI),
             Wave::Cubic => chain(v.range.growing(|v| v * v * (3.0 - 2.0 * v)), 1.5),
             Wave::Poly(power) if power >= 1.0 => chain(v.range.growing(|v| fp::pow(v, power)), power),
-            Wave::Poly(_) => Near::UNKNOWN,
+            Wave::Poly(_) => LocalBounds::UNKNOWN,
         }
     }
 }
@@ -195,7 +144,7 @@ mod tests {
                         };
                         let (p, radius) = (vector() * 3.0, vector().x.abs() * 0.2);
                         let at = |p| TextureContext::free(p, NoiseGenerator::RangeCorrected);
-                        let near = program.near(&at(p), radius);
+                        let near = program.bounds_near(&at(p), radius);
                         known += usize::from(near.steepest.is_finite());
                         let q = p + vector().normalize() * radius * vector().x.abs();
                         let (a, b) = (program.see(&at(p)).0, program.see(&at(q)).0);
