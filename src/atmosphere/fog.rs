@@ -9,7 +9,7 @@ use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::math::{DVec3, Ray, Transform, fp};
-use crate::pattern::Turbulent;
+use crate::pattern::TurbulenceParams;
 use crate::value::Kind::{Float, Vector};
 use crate::value::words::{Row, joined, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
@@ -25,7 +25,7 @@ pub struct Fog {
     /// Its colour; `transmit` is left open at least, `filter` of the light from behind takes the colour.
     pub color: Color,
     /// Stirs it.
-    pub turbulence: Turbulent,
+    pub turbulence: TurbulenceParams,
     /// How much of it turbulence may take away.
     pub turb_depth: f64,
     /// Height up to which a ground fog is dense.
@@ -42,7 +42,7 @@ impl Default for Fog {
             fog_type: 1.0,
             distance: 0.0,
             color: Color::BLACK,
-            turbulence: Turbulent::STILL,
+            turbulence: TurbulenceParams::STILL,
             turb_depth: 0.5,
             fog_offset: 0.0,
             fog_alt: 0.0,
@@ -76,7 +76,7 @@ const FOG_ROWS: &[Row<Fog>] = &[
 pub const FOG: Vocabulary = Vocabulary {
     block: "fog",
     summary: "colour that covers what is far; its `transmit` leaves so much clear, its `filter` colours what is behind",
-    words: &joined::<{ FOG_ROWS.len() + Turbulent::WORDS.len() }>(specs!(FOG_ROWS), Turbulent::WORDS),
+    words: &joined::<{ FOG_ROWS.len() + TurbulenceParams::WORDS.len() }>(specs!(FOG_ROWS), TurbulenceParams::WORDS),
     moves: true,
     idle: &[],
     not_drawn: &[],
@@ -98,7 +98,7 @@ impl Fog {
                     }
                 }
                 next if read_row(FOG_ROWS, &mut fog, next, r)? => {}
-                next if read_row(Turbulent::ROWS, &mut fog.turbulence, next, r)? => {}
+                next if read_row(TurbulenceParams::ROWS, &mut fog.turbulence, next, r)? => {}
                 next if next.moves() => {
                     if let Some(step) = r.transform()? {
                         fog.transform(&step);
