@@ -1,6 +1,6 @@
 //! Animations: which frames there are, and what the clock is in each. The rules are POV-Ray 3.7's, found by running it.
 
-use super::values::{Clock, Frames};
+use super::args::values::{Clock, Frames};
 use crate::interpreter::Timing;
 
 /// Frames `first` to `last`, of which `start` to `end` are drawn.

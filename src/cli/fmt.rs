@@ -60,7 +60,7 @@ fn one(console: &Console, args: &FmtArgs, path: &Path) -> Result {
         Ok(text) => finish(console, args, path, &encoded, &text),
         Err(faults) => {
             let exit = tell(console, &sources, &faults);
-            console.note(&format!("`{name}` is left as it is\n"));
+            console.info(&format!("`{name}` is left as it is\n"));
             Ok(exit)
         }
     }
@@ -89,7 +89,7 @@ fn finish(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded, new: &s
     }
     if args.check {
         if !same {
-            super::console::say(&format!("{name}\n"));
+            super::console::print_message(&format!("{name}\n"));
         }
         return Ok(if same { Exit::Fine } else { Exit::Scene });
     }

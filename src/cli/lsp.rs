@@ -12,7 +12,7 @@ pub fn run(args: &LspArgs) -> Result {
     match lsp::serve(&args.include) {
         Ok(true) => Ok(Exit::Fine),
         // It left without a word.
-        Ok(false) => Err(Failure::Told(Exit::Scene)),
+        Ok(false) => Err(Failure::Reported(Exit::Scene)),
         Err(error) => Err(Failure::Fault(Box::new(file::unwritable(&Disk, Path::new("standard output"), &error)))),
     }
 }

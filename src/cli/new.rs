@@ -28,7 +28,7 @@ pub fn run(console: &Console, args: &NewArgs) -> Result {
         let _ = std::fs::remove_file(&path);
         return Err(Box::new(file::unwritable(&Disk, &path, &error)).into());
     }
-    console.note(&format!("`{name}` is a scene now; `durer render {name}` draws it\n"));
+    console.info(&format!("`{name}` is a scene now; `durer render {name}` draws it\n"));
     Ok(Exit::Fine)
 }
 

@@ -3,8 +3,9 @@
 use super::args::QueryArgs;
 use super::console::Console;
 use super::exit::{Exit, Result};
-use super::pick::Source;
-use super::{overlay, session};
+use super::overlay::Invocation;
+use super::pick::Position;
+use super::session;
 use crate::interpreter::ParsedFiles;
 use crate::light::{Beam, Light};
 use crate::math::{Aabb, DVec3, Transform};
@@ -30,7 +31,7 @@ struct Contents {
 
 #[derive(Serialize)]
 struct CameraRow {
-    source: Option<Source>,
+    source: Option<Position>,
     /// Is it the one that draws?
     used: bool,
     /// What follows is told of that one.
@@ -41,7 +42,7 @@ struct CameraRow {
 
 #[derive(Serialize)]
 struct LightRow {
-    source: Option<Source>,
+    source: Option<Position>,
     kind: &'static str,
     location: [f64; 3],
     color: [f64; 3],
@@ -49,7 +50,7 @@ struct LightRow {
 
 #[derive(Serialize)]
 struct ObjectRow {
-    source: Option<Source>,
+    source: Option<Position>,
     word: &'static str,
     /// How many shapes it is made of.
     shapes: u32,
@@ -67,16 +68,18 @@ struct TextureRow {
     layers: usize,
     /// How many outermost objects wear it, and where the first one stands.
     objects: usize,
-    first: Option<Source>,
+    first: Option<Position>,
 }
 
 /// Lists what is in the scene.
 pub fn run(console: &Console, args: &QueryArgs) -> Result {
-    let (input, scene) = overlay::scene_with_ini(console, &session::named(&args.input), &args.scene)?;
+    let invocation = Invocation::of_scene(&session::named(&args.input), &args.scene, None);
+    let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
+    let scene = merged.scene;
     session::check_input(&input)?;
     let sources = Sources::default();
-    let file = session::open_or_tell(console, &sources, &input)?;
-    let options = session::reading_options(&scene, &input, session::timing(&scene)?);
+    let file = session::open_or_report(console, &sources, &input)?;
+    let options = session::reading_options(&scene, &input, session::timing(&scene, animation.as_ref())?);
     let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
     let world = session::settle(console, &sources, &mut built)?;
     let contents = contents(&built, &world, &sources);
@@ -98,7 +101,7 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
             continue;
         }
         let texture = object.texture.as_ref().map_or(&object.default_texture, |painted| &painted.texture);
-        let source = sources.place(object.source).map(Source::from);
+        let source = sources.place(object.source).map(Position::from);
         let number = *numbers.entry(Arc::as_ptr(texture)).or_insert_with(|| {
             out.textures.push(row_of_texture(texture, source.clone()));
             out.textures.len() - 1
@@ -126,7 +129,7 @@ fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
         let used = i + 1 == spans.len();
         let frame = used.then_some(world.eye.frame);
         CameraRow {
-            source: sources.place(*span).map(Source::from),
+            source: sources.place(*span).map(Position::from),
             used,
             projection: used.then(|| name_of(&world.eye.projection)),
             location: frame.map(|frame| frame.origin.into()),
@@ -154,11 +157,11 @@ fn row_of_light(light: &Light, moved: &Transform, sources: &Sources) -> LightRow
         Beam::Spotlight(_) => "spotlight",
         Beam::Cylinder(_) => "cylinder",
     };
-    let source = sources.place(light.source).map(Source::from);
+    let source = sources.place(light.source).map(Position::from);
     LightRow { source, kind, location: moved.point(light.location).into(), color: light.color.into() }
 }
 
-fn row_of_texture(texture: &Texture, first: Option<Source>) -> TextureRow {
+fn row_of_texture(texture: &Texture, first: Option<Position>) -> TextureRow {
     let top = texture.layers.last();
     let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.unusual()) {
         (Some(choice), _) => name_of(&choice.pattern.kind),
@@ -211,7 +214,7 @@ fn is_finite(extent: &Aabb) -> bool {
 
 fn in_words(contents: &Contents) -> String {
     let mut rows: Vec<[String; 2]> = vec![];
-    let place = |source: &Option<Source>| match source {
+    let place = |source: &Option<Position>| match source {
         Some(source) => format!("{}:{}:{}", source.file, source.line, source.column),
         None => String::new(),
     };

@@ -1,15 +1,15 @@
 //! `durer test [PATH…]`: draws each scene that has a snapshot, and compares.
 
+use super::args::values::Size;
 use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
-use super::interrupt::{self, Orderly};
+use super::interrupt::{self, Deferred};
 use super::memory;
-use super::progress::Progress;
 use super::session;
 use super::summary::{self, Word};
-use super::values::Size;
-use super::watcher::Watcher;
+use crate::cli::render::monitor::Monitor;
+use crate::cli::render::progress::Progress;
 use crate::diagnostic::file;
 use crate::image_io::{self, Encoding, Format, Frame, Pixels};
 use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};
@@ -84,19 +84,19 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         let accept = acceptance(args, &case, &outcome);
         match args.format {
             MessageFormat::Human => {
-                console.note(&outcome.messages);
+                console.info(&outcome.messages);
                 console.data(line(&case, &outcome, accept.as_deref()))?;
             }
             MessageFormat::Json => console.json(&as_json(&case, &outcome, accept.as_deref()))?,
         }
         outcomes.push((case, outcome));
-        if interrupt::asked() {
-            return Err(Failure::Told(Exit::Interrupted));
+        if interrupt::is_requested() {
+            return Err(Failure::Reported(Exit::Interrupted));
         }
     }
     if let Some(folder) = &args.report {
         let page = write_report(args, folder, &outcomes)?;
-        console.note(&format!("the pictures are side by side in {}\n", page.display()));
+        console.info(&format!("the pictures are side by side in {}\n", page.display()));
     }
     if args.format == MessageFormat::Human {
         let words: Vec<_> = outcomes.iter().map(|(_, outcome)| word(outcome)).collect();
@@ -146,19 +146,19 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     let kept = size_of::<[f32; 4]>();
     memory::check_drawing(header.scene.size(), None, kept, header.scene.max_memory.map(|b| b.0))?;
 
-    let timing = session::timing(&header.scene)?;
+    let timing = session::timing(&header.scene, None)?;
     let options = session::reading_options(&header.scene, &case.scene, timing);
     let built = crate::build(sources, file, &options, &mut |_| {});
     outcome.messages = console.text(sources, &built.diagnostics);
     let (exit, Some(world)) = (session::verdict(built.limit_reached, &built.diagnostics), built.world) else {
-        return Err(Failure::Told(Exit::Scene));
+        return Err(Failure::Reported(Exit::Scene));
     };
     if exit != Exit::Fine {
-        return Err(Failure::Told(exit));
+        return Err(Failure::Reported(exit));
     }
     let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, timing);
-    let _orderly = Orderly::begin();
-    let frame = Watcher::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
+    let _deferred = Deferred::begin();
+    let frame = Monitor::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
     compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
     Ok(())
 }
@@ -188,7 +188,7 @@ fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
     else {
         return Ok(());
     };
-    let _orderly = Orderly::begin();
+    let _deferred = Deferred::begin();
     let bytes = image_io::encode(drawn, &outcome.encoding)?;
     Disk.write(&case.picture, &bytes).map_err(|e| Box::new(file::unwritable(&Disk, &case.picture, &e)))?;
     outcome.text = format!("accepted: {}", outcome.comparison.map_or("new".into(), |c| c.to_string()));

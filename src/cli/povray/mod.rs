@@ -277,7 +277,7 @@ impl<'s> Translation<'s> {
 /// Tells where the value stands, which our own command line would not.
 fn check_value(option: &str, value: &str) -> Result<(), String> {
     match option {
-        "--declare" => value.parse::<super::values::Declare>().map(drop),
+        "--declare" => value.parse::<super::args::values::Declare>().map(drop),
         _ => Ok(()),
     }
 }

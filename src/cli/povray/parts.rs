@@ -2,7 +2,7 @@
 
 use super::number;
 use crate::cli::animation::Animation;
-use crate::cli::values::{Clock, FileGamma, Size};
+use crate::cli::args::values::{Clock, FileGamma, Size};
 use crate::image_io::Format;
 use std::path::Path;
 

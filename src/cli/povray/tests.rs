@@ -1,7 +1,7 @@
 use super::mixed::Manner;
 use super::*;
 use crate::cli::Cli;
-use crate::cli::values::Clock;
+use crate::cli::args::values::Clock;
 use crate::diagnostic::Severity;
 
 /// All went well, apart from warnings.

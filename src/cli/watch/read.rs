@@ -1,18 +1,19 @@
 //! A scene as it was read for a picture, and the places in it.
 
 use crate::cli::animation::Animation;
+use crate::cli::args::values::Size;
 use crate::cli::args::{RenderArgs, WatchArgs};
-use crate::cli::console::{Console, say};
+use crate::cli::console::{Console, print_message};
 use crate::cli::exit::Failure;
-use crate::cli::values::Size;
-use crate::cli::{overlay, session};
+use crate::cli::overlay::{self, Invocation};
+use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::preview::{Link, Message, Settings};
 use crate::source::{ReadFiles, Sandbox, Sources, Span};
 use crate::world::World;
 use crate::{Keep, render};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
@@ -22,7 +23,9 @@ pub struct Scene {
     pub world: World,
     /// (Its texts grow while they are read, so that two threads may not read them at once.)
     pub sources: Mutex<Sources>,
-    /// What the command line and the INI file ask for.
+    /// The scene's file.
+    pub input: PathBuf,
+    /// Arguments of the command line and of the INI file.
     pub args: RenderArgs,
     pub timing: Timing,
 }
@@ -52,13 +55,16 @@ pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, stop: &Arc
     let mut out = Read::default();
     let told = match try_read(args, settings, stop, &sources, &mut out) {
         Ok((told, scene)) => {
-            out.scene = scene.map(|(world, args, timing)| Scene { world, sources: Mutex::default(), args, timing });
+            out.scene = scene.map(|(world, input, args, timing)| {
+                let sources = Mutex::default();
+                Scene { world, sources, input, args, timing }
+            });
             told
         }
         Err(told) => told,
     };
     out.files = sources.read_files();
-    if super::Desk::is_stopped(stop) {
+    if super::RenderQueue::is_stopped(stop) {
         return out;
     }
     console.report(&sources, &told);
@@ -74,7 +80,7 @@ pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, stop: &Arc
     out
 }
 
-type Found = (Vec<Diagnostic>, Option<(World, RenderArgs, Timing)>);
+type Found = (Vec<Diagnostic>, Option<(World, PathBuf, RenderArgs, Timing)>);
 
 fn try_read(
     args: &WatchArgs,
@@ -84,40 +90,39 @@ fn try_read(
     out: &mut Read,
 ) -> Result<Found, Vec<Diagnostic>> {
     let mut told = vec![];
-    let mut args = super::as_render(args);
-    if let Some((ini, diagnostics)) = overlay::read_ini(sources, &args.input, false)? {
-        told.extend(diagnostics);
-        if let crate::cli::args::Command::Render(ini) = ini.command {
-            args = args.over(*ini);
-        }
+    let mut invocation = Invocation::new(&args.input, super::render_args(args), None);
+    if let Some(mut ini) = overlay::read_ini(sources, &args.input, false)? {
+        told.append(&mut ini.warnings);
+        invocation = invocation.over(ini);
     }
-    let file = crate::load(sources, &args.input).map_err(|fault| vec![*fault])?;
+    let Invocation { input, mut args, animation, .. } = invocation;
+    let file = crate::load(sources, &input).map_err(|fault| vec![*fault])?;
     let base = args.scene.size();
     out.size = Some(base);
     let scaled = |side: usize| ((side as f64 * settings.scale).round() as usize).max(1);
     args.scene.size = Some(Size { width: scaled(base.width), height: scaled(base.height) });
-    let mut timing = session::timing(&args.scene).map_err(|failure| vec![in_words(failure)])?;
-    let Animation { clock: range, .. } = args.scene.animation.clone().unwrap_or_else(|| {
-        let whole = Animation::new(crate::cli::values::Frames { first: 1, last: 2, step: 1, digits: 1 });
+    let mut timing = session::timing(&args.scene, animation.as_ref()).map_err(|failure| vec![in_words(failure)])?;
+    let Animation { clock: range, .. } = animation.unwrap_or_else(|| {
+        let whole = Animation::new(crate::cli::args::values::Frames { first: 1, last: 2, step: 1, digits: 1 });
         Animation { clock: args.scene.clock.filter(|clock| clock.first != clock.last).unwrap_or(whole.clock), ..whole }
     });
     if let Some(clock) = settings.clock {
         (timing.clock, timing.clock_on) = (clock, true);
     }
     out.clock = [timing.clock, range.first, range.last];
-    let options = session::reading_options(&args.scene, &args.input, timing);
+    let options = session::reading_options(&args.scene, &input, timing);
     // Nobody wants a file written because he looks.
     let sandbox = Sandbox { write: args.scene.allow_write.clone(), ..options.sandbox.clone() };
     let options = interpreter::Options { sandbox, stop: Some(stop.clone()), ..options };
     let log = &mut out.log;
     let mut print = |text: &str| {
-        say(text);
+        print_message(text);
         log.push_str(&text[..text.floor_char_boundary(LOG.saturating_sub(log.len()))]);
     };
     let built = crate::build_with(&ParsedFiles::default(), sources, file, &options, Keep::World, &mut print);
     out.times = [built.parse_time, built.build_time];
     told.extend(built.diagnostics);
-    Ok((told, built.world.map(|world| (world, args, timing))))
+    Ok((told, built.world.map(|world| (world, input, args, timing))))
 }
 
 /// What a command that fails would have told.
@@ -129,8 +134,8 @@ pub fn in_words(failure: Failure) -> Diagnostic {
             let line = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_string();
             Diagnostic::new(crate::diagnostic::codes::UNKNOWN_OPTION, Span::NONE, line)
         }
-        Failure::Told(_) | Failure::NobodyListens => {
-            Diagnostic::new(crate::diagnostic::codes::UNKNOWN_OPTION, Span::NONE, "it could not be done")
+        Failure::Reported(_) | Failure::BrokenPipe => {
+            Diagnostic::new(crate::diagnostic::codes::UNKNOWN_OPTION, Span::NONE, "the operation failed")
         }
     }
 }

@@ -1,13 +1,14 @@
 //! Draws what the page shows, and answers what it asks.
 
-use super::desk::{Desk, Next, Wish};
+use super::queue::{Next, RenderQueue, Request};
 use super::read::{self, Read, Scene};
 use crate::cli::args::WatchArgs;
+use crate::cli::args::values::Size;
 use crate::cli::console::Console;
 use crate::cli::exit::Result;
+use crate::cli::memory;
 use crate::cli::pick;
-use crate::cli::target::Target;
-use crate::cli::{memory, values::Size};
+use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Rows;
 use crate::preview::{self, Change, Files, Message, Screen, Settings, Spot, Told};
@@ -24,7 +25,7 @@ use std::time::{Duration, Instant};
 /// See the module.
 pub struct Studio {
     args: WatchArgs,
-    desk: Arc<Desk>,
+    queue: Arc<RenderQueue>,
     screen: Arc<Screen>,
     /// What is seen on the screen.
     shown: Mutex<Option<(Arc<Scene>, render::Options)>>,
@@ -38,12 +39,12 @@ struct Drawn {
 }
 
 impl Studio {
-    pub fn new(args: WatchArgs, desk: Arc<Desk>, screen: Arc<Screen>) -> Self {
-        desk.ring(Wish::Scene, |settings| {
+    pub fn new(args: WatchArgs, queue: Arc<RenderQueue>, screen: Arc<Screen>) -> Self {
+        queue.push(Request::Scene, |settings| {
             settings.antialias = args.look.aa.is_none_or(|aa| aa.0.is_some());
             settings.quality = args.look.quality.unwrap_or(settings.quality);
         });
-        Self { args, desk, screen, shown: Mutex::default() }
+        Self { args, queue, screen, shown: Mutex::default() }
     }
 
     /// Draws until the program ends.
@@ -62,19 +63,19 @@ impl Studio {
             editor: self.args.editor.is_some(),
         };
         loop {
-            let Next { wish, settings, stop } = self.desk.next();
+            let Next { request, settings, stop } = self.queue.next();
             told.settings = settings;
-            if wish == Wish::Scene || scene.is_none() {
+            if request == Request::Scene || scene.is_none() {
                 told.status = "reading";
                 self.screen.tell(told.clone());
                 let read = self.read(console, &told.settings, &stop);
                 let (failed, files_read) = (read.failed, read.files.clone());
-                if !Desk::is_stopped(&stop) {
+                if !RenderQueue::is_stopped(&stop) {
                     scene = take(&mut told, read);
                 }
                 files.follow(&files_read, &self.args.input, failed);
             }
-            if Desk::is_stopped(&stop) {
+            if RenderQueue::is_stopped(&stop) {
                 continue;
             }
             match &scene {
@@ -108,13 +109,13 @@ impl Studio {
                 told.times.truncate(2);
                 told.times.push(("first pixels", drawn.first.as_secs_f64()));
                 told.times.push(("picture", drawn.whole.as_secs_f64()));
-                console.note(&format!(
+                console.info(&format!(
                     "{}: drawn in {:.2} s\n",
                     told.name,
                     told.times.iter().map(|t| t.1).sum::<f64>()
                 ));
             }
-            Ok(Err(Stopped::Cancelled)) if Desk::is_stopped(stop) => {}
+            Ok(Err(Stopped::Cancelled)) if RenderQueue::is_stopped(stop) => {}
             Ok(Err(stopped)) => {
                 let fault = match stopped {
                     Stopped::Fault(fault) => *fault,
@@ -147,7 +148,7 @@ impl Studio {
         memory::check_drawing(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
         let start = Instant::now();
         let late = scene.args.scene.max_time.map(|seconds| start + Duration::from_secs_f64(seconds.0));
-        let stop = || Desk::is_stopped(stop) || late.is_some_and(|late| Instant::now() > late);
+        let stop = || RenderQueue::is_stopped(stop) || late.is_some_and(|late| Instant::now() > late);
         let (rays, first) = preview::draw(&scene.world, options, &self.screen, &stop)?;
         Ok(Drawn { rays, first, whole: start.elapsed().saturating_sub(first) })
     }
@@ -177,8 +178,8 @@ fn own_fault() -> Message {
 
 impl preview::Studio for Studio {
     fn change(&self, change: Change) {
-        let wish = if change.keeps_scene() { Wish::Picture } else { Wish::Scene };
-        self.desk.ring(wish, |settings| settings.take(&change));
+        let request = if change.keeps_scene() { Request::Picture } else { Request::Scene };
+        self.queue.push(request, |settings| settings.take(&change));
     }
 
     fn pick(&self, x: usize, y: usize) -> Value {
@@ -201,15 +202,15 @@ impl preview::Studio for Studio {
         let image = self.screen.finished().ok_or("the picture is not finished yet")?;
         let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let Some((scene, _)) = shown else { return Err("there is no picture yet".into()) };
-        let size = Size { width: image.width, height: image.height };
+        let size = (image.width, image.height);
         let save = || {
-            let target = Target::new(&scene.args)?;
+            let target = Target::new(&scene.input, &scene.args)?;
             target.check()?;
             let mut draft = target.draft()?;
-            let mut canvas = target.canvas(draft.as_mut(), size)?;
-            canvas.take(&image.pixels)?;
-            canvas.finish()?;
-            let path = target.place(&Console::plain(), draft)?;
+            let mut writer = target.writer(draft.as_mut(), size)?;
+            writer.take(&image.pixels)?;
+            writer.finish()?;
+            let path = target.commit(&Console::plain(), draft)?;
             Ok(path.map(|path| path.display().to_string()).unwrap_or_default())
         };
         save().map_err(|failure| read::in_words(failure).message)

@@ -6,7 +6,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 
 /// What has to be done again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Wish {
+pub enum Request {
     /// The picture.
     Picture,
     /// The scene is read again, too.
@@ -14,13 +14,13 @@ pub enum Wish {
 }
 
 /// See the module. At first the scene is wished for.
-pub struct Desk {
+pub struct RenderQueue {
     waiting: Mutex<Waiting>,
     bell: Condvar,
 }
 
 struct Waiting {
-    wish: Option<Wish>,
+    request: Option<Request>,
     settings: Settings,
     stop: Arc<AtomicBool>,
 }
@@ -28,39 +28,39 @@ struct Waiting {
 /// What is to be done next.
 pub struct Next {
     /// How much.
-    pub wish: Wish,
+    pub request: Request,
     /// How.
     pub settings: Settings,
     /// Set as soon as it is of no use any more.
     pub stop: Arc<AtomicBool>,
 }
 
-impl Default for Desk {
+impl Default for RenderQueue {
     fn default() -> Self {
         let settings = Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
-        let waiting = Waiting { wish: Some(Wish::Scene), settings, stop: Arc::default() };
+        let waiting = Waiting { request: Some(Request::Scene), settings, stop: Arc::default() };
         Self { waiting: Mutex::new(waiting), bell: Condvar::new() }
     }
 }
 
-impl Desk {
+impl RenderQueue {
     /// Wishes for something, and stops what is being done.
-    pub fn ring(&self, wish: Wish, change: impl FnOnce(&mut Settings)) {
+    pub fn push(&self, request: Request, change: impl FnOnce(&mut Settings)) {
         let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
-        waiting.wish = waiting.wish.max(Some(wish));
+        waiting.request = waiting.request.max(Some(request));
         change(&mut waiting.settings);
         waiting.stop.store(true, Relaxed);
         self.bell.notify_all();
     }
 
-    /// Waits for a wish.
+    /// Waits for a request.
     pub fn next(&self) -> Next {
         let waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
         let mut waiting =
-            self.bell.wait_while(waiting, |waiting| waiting.wish.is_none()).unwrap_or_else(PoisonError::into_inner);
+            self.bell.wait_while(waiting, |waiting| waiting.request.is_none()).unwrap_or_else(PoisonError::into_inner);
         waiting.stop = Arc::default();
-        let wish = waiting.wish.take().unwrap_or(Wish::Scene);
-        Next { wish, settings: waiting.settings.clone(), stop: waiting.stop.clone() }
+        let request = waiting.request.take().unwrap_or(Request::Scene);
+        Next { request, settings: waiting.settings.clone(), stop: waiting.stop.clone() }
     }
 
     /// Is it of no use any more?

@@ -1,15 +1,17 @@
 //! The options of the command line. Every option that is taken is obeyed.
 
-use super::animation::Animation;
-pub use super::choices::{
+mod choices;
+pub mod values;
+
+use crate::image_io::Format;
+pub use choices::{
     AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, ExrPacking, Library, MessageFormat, Warn, When,
 };
-use super::values::{
-    Antialias, Bytes, Clock, Declare, FileGamma, Frames, Gamma, Part, Pixel, Seconds, Share, Size, Stats, Version,
-};
-use crate::image_io::Format;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
+use values::{
+    Antialias, Bytes, Clock, Declare, FileGamma, Frames, Gamma, Part, Pixel, Seconds, Share, Size, Stats, Version,
+};
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 fine, 1 the scene is wrong, 2 the command line is wrong, 3 a snapshot differs, 4 a limit was reached, \
@@ -90,9 +92,6 @@ pub struct SceneArgs {
     /// Only this frame of an animation
     #[arg(help_heading = DRAWN, long, value_name = "N")]
     pub frame: Option<u32>,
-    /// Of an INI file, or of POV-Ray's options.
-    #[arg(skip)]
-    pub animation: Option<Animation>,
     /// The value of `clock`; A..B from the first frame to the last [default: 0..1]
     #[arg(help_heading = DRAWN, long, value_name = "X", allow_hyphen_values = true)]
     pub clock: Option<Clock>,
@@ -166,9 +165,6 @@ pub struct RenderArgs {
     /// Scenes, folders of scenes, INI files, or - for standard input
     #[arg(value_name = "INPUT", required = true)]
     pub inputs: Vec<PathBuf>,
-    /// The one of them that is drawn now.
-    #[arg(skip)]
-    pub input: PathBuf,
     /// Draw these frames, numbered with as many digits as B has [default: the INI file's]
     #[arg(help_heading = DRAWN, long, value_name = "A-B[:STEP]")]
     pub frames: Option<Frames>,
@@ -178,9 +174,6 @@ pub struct RenderArgs {
     /// The picture's file, a folder, or - for standard output [default: the input's name with .png, here]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// A single frame of an INI file goes to a file of this very name.
-    #[arg(skip)]
-    pub exact_name: bool,
     /// The picture's format [default: by the output's ending; png for standard output]
     #[arg(help_heading = PICTURE, long, value_name = "FORMAT", value_parser = format_parser())]
     pub format: Option<String>,
@@ -205,9 +198,6 @@ pub struct RenderArgs {
     /// Keep what is drawn from so many seconds on; for tests.
     #[arg(long, hide = true, value_name = "SECONDS", default_value = "1")]
     pub keep_after: Seconds,
-    /// Whoever else may stop it.
-    #[arg(skip)]
-    pub stop: Option<std::sync::Arc<std::sync::atomic::AtomicBool>>,
     /// Draw, but write no picture
     #[arg(help_heading = PICTURE, long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,
@@ -351,7 +341,7 @@ pub struct WatchArgs {
     pub port: u16,
     /// What opens a place, such as 'vi +{line} {file}' [default: a link to Visual Studio Code]
     #[arg(long, value_name = "COMMAND", conflicts_with = "no_page")]
-    pub editor: Option<super::values::Command>,
+    pub editor: Option<values::Command>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
