@@ -1,4 +1,4 @@
-//! `durer query INPUT`: what is in a scene, where the text stands that put it there, and how large it is in the world.
+//! `durer query INPUT`: lists the contents of a scene, with positions in the text and sizes in the world.
 
 use super::args::QueryArgs;
 use super::console::Console;
@@ -20,7 +20,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// What `--json` prints.
+/// Output of `--json`.
 #[derive(Serialize, Default)]
 struct Contents {
     cameras: Vec<CameraRow>,
@@ -32,9 +32,9 @@ struct Contents {
 #[derive(Serialize)]
 struct CameraRow {
     source: Option<Position>,
-    /// Is it the one that draws?
+    /// True for the camera of the picture.
     used: bool,
-    /// What follows is told of that one.
+    /// This and the following fields are null for all other cameras.
     projection: Option<String>,
     location: Option<[f64; 3]>,
     direction: Option<[f64; 3]>,
@@ -52,13 +52,13 @@ struct LightRow {
 struct ObjectRow {
     source: Option<Position>,
     word: &'static str,
-    /// How many shapes it is made of.
+    /// Number of shapes in the object.
     shapes: u32,
-    /// Two corners in the world; null for what has no end, and where nothing is left.
+    /// Corners of the bounding box in world space; null for infinite and for empty objects.
     #[serde(rename = "box")]
     extent: Option<[[f64; 3]; 2]>,
     infinite: bool,
-    /// Counts from 0 in `textures`.
+    /// Index in `textures`.
     texture: usize,
 }
 
@@ -66,12 +66,13 @@ struct ObjectRow {
 struct TextureRow {
     pigment: String,
     layers: usize,
-    /// How many outermost objects wear it, and where the first one stands.
+    /// Number of outermost objects with this texture.
     objects: usize,
+    /// Position of the first of them.
     first: Option<Position>,
 }
 
-/// Lists what is in the scene.
+/// Prints the contents of the scene.
 pub fn run(console: &Console, args: &QueryArgs) -> Result {
     let invocation = Invocation::of_scene(&session::named(&args.input), &args.scene, None);
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
@@ -122,7 +123,7 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
     out
 }
 
-/// All of them; the last one draws.
+/// All cameras; the last one renders the picture.
 fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
     let spans = if scene.cameras.is_empty() { &[Span::NONE][..] } else { &scene.cameras };
     let row = |(i, span): (usize, &Span)| {
@@ -139,7 +140,7 @@ fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
     spans.iter().enumerate().map(row).collect()
 }
 
-/// The lights in an object, which has been moved so.
+/// Adds the lights in an object, whose parent has the transform `moved`.
 fn lights(object: &Object, moved: &Transform, sources: &Sources, out: &mut Vec<LightRow>) {
     let moved = object.transform.then(moved);
     match &object.kind {
@@ -181,7 +182,7 @@ fn row_of_texture(texture: &Texture, first: Option<Position>) -> TextureRow {
     TextureRow { pigment: pigment.unwrap_or_default(), layers: texture.layers.len(), objects: 0, first }
 }
 
-/// The innermost word by which a thing of the language is known: `{"field": {"granite": …}}` is `granite`.
+/// The innermost word of a serialized item of the language: `granite` of `{"field": {"granite": …}}`.
 fn name_of(thing: &impl Serialize) -> String {
     let mut value = serde_json::to_value(thing).unwrap_or_default();
     let mut name = String::new();
@@ -198,19 +199,19 @@ fn name_of(thing: &impl Serialize) -> String {
     name
 }
 
-/// The box around all of its surfaces; what scripts are told where there is no such thing.
+/// The bounding box of an object's surfaces, or the box of `max_extent` where the World has none.
 fn extent(object: &Object) -> Aabb {
     Probe::new(object).map_or_else(|_| object.extent(), |probe| probe.bounds())
 }
 
-/// What is further away than this has no end.
+/// Distance beyond which an object is infinite.
 const FAR: f64 = 1e9;
 
 fn is_finite(extent: &Aabb) -> bool {
     extent.is_finite() && extent.min.min_element() > -FAR && extent.max.max_element() < FAR
 }
 
-// ------------------------------------------------------------ as a person reads it
+// ------------------------------------------------------------ output for a person
 
 fn in_words(contents: &Contents) -> String {
     let mut rows: Vec<[String; 2]> = vec![];
@@ -243,16 +244,16 @@ fn in_words(contents: &Contents) -> String {
     rows.iter().map(|[place, text]| format!("{place:width$}  {text}\n")).collect()
 }
 
-/// Objects that one text made.
+/// Describes objects that one position in the text created.
 fn objects_in_words(same: &[ObjectRow]) -> String {
     let first = &same[0];
     let count = if same.len() > 1 { format!("{} × ", same.len()) } else { String::new() };
     let corner = |corners: [f64; 3]| DVec3::from_array(corners);
     let boxes = same.iter().filter_map(|row| row.extent).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
     let extent = match boxes.reduce(Aabb::union) {
-        _ if same.iter().any(|row| row.infinite) => "without end".into(),
+        _ if same.iter().any(|row| row.infinite) => "infinite".into(),
         Some(all) => format!("{} to {}", vector(&all.min.to_array()), vector(&all.max.to_array())),
-        None => "nothing of it is left".into(),
+        None => "empty".into(),
     };
     let shapes =
         if first.shapes > 1 { format!(" of {}", counted(first.shapes as usize, "shape")) } else { String::new() };
@@ -261,7 +262,7 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
     format!("{count}{}{shapes}, {extent}, {}", first.word, numbers("texture", range))
 }
 
-/// Textures that one text made, the first of which has this number.
+/// Describes textures that one position in the text created; the first one has this number.
 fn textures_in_words(same: &[TextureRow], number: usize) -> String {
     let first = &same[0];
     let layers = if first.layers > 1 { format!(", {} layers", first.layers) } else { String::new() };
@@ -278,7 +279,7 @@ fn counted(n: usize, thing: &str) -> String {
     format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
 }
 
-/// Four digits behind the point are enough to find a thing.
+/// Formats a vector with four decimal places, enough to find an object.
 fn vector(numbers: &[f64]) -> String {
     let texts: Vec<_> = numbers.iter().map(|x| if x.is_finite() { decimal(*x, 4) } else { x.to_string() }).collect();
     format!("<{}>", texts.join(", "))

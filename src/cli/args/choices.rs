@@ -1,50 +1,50 @@
-//! Options that take one of a few words.
+//! Values of options that are one of a few words.
 
 use clap::ValueEnum;
 
-/// `auto` is on a terminal only.
+/// When a feature of the terminal is used.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum When {
-    /// On a terminal
+    /// On a terminal only
     Auto,
-    /// Everywhere
+    /// Always
     Always,
-    /// Nowhere
+    /// Never
     Never,
 }
 
-/// Where the samples of anti-aliasing lie.
+/// Sample layout of anti-aliasing.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AaMethod {
-    /// 4 beside the middle, and 5 more where those differ, as evenly as possible
+    /// A lattice of 4 samples around the centre, and 5 more where these differ
     Net,
-    /// In the cells of a grid: POV-Ray's first method
+    /// Cells of a grid: POV-Ray's first method
     Grid,
-    /// Between corners, again and again: POV-Ray's second method
+    /// Recursive subdivision between corners: POV-Ray's second method
     Corners,
 }
 
-/// How numbers are rounded.
+/// Dithering method.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DitherMethod {
-    /// By a pattern of 2 x 2 pixels
+    /// Bayer pattern of 2 x 2 pixels
     B2,
-    /// By a pattern of 3 x 3 pixels
+    /// Bayer pattern of 3 x 3 pixels
     B3,
-    /// By a pattern of 4 x 4 pixels
+    /// Bayer pattern of 4 x 4 pixels
     B4,
-    /// The error goes to the next pixel
+    /// Error diffusion to the next pixel
     D1,
-    /// The error goes to the next pixel and to two below
+    /// Error diffusion to the next pixel and two below
     D2,
-    /// The error goes to the next pixel and to three below (Floyd and Steinberg)
+    /// Error diffusion to the next pixel and three below (Floyd and Steinberg)
     Fs,
 }
 
-/// How exr is packed.
+/// Compression of exr.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExrPacking {
-    /// Not at all
+    /// Uncompressed
     None,
     /// Run lengths: fast
     Rle,
@@ -52,38 +52,38 @@ pub enum ExrPacking {
     Zip,
 }
 
-/// Where standard include files come from.
+/// Source of the standard include files.
 #[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Library {
-    /// An installed POV-Ray's, if there is one, then the built-in ones
+    /// Those of an installed POV-Ray, then the built-in ones
     #[default]
     Installed,
-    /// The built-in ones
+    /// The built-in ones only
     Durer,
 }
 
-/// What `--dump` prints.
+/// Stage that `--dump` prints.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dump {
-    /// What the author said
+    /// The scene as the author describes it
     Scene,
-    /// What a ray needs
+    /// The scene as rays need it
     World,
 }
 
-/// How results are written.
+/// Format of results.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MessageFormat {
-    /// For a person
+    /// For people
     Human,
     /// One object a line
     Json,
 }
 
-/// How messages are written.
+/// Format of messages.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CheckFormat {
-    /// For a person
+    /// For people
     Human,
     /// file:line:column: error[CODE]: message, one a line
     Short,
@@ -91,31 +91,31 @@ pub enum CheckFormat {
     Json,
 }
 
-/// What `--deny` makes an error of.
+/// Messages that `--deny` turns into errors.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deny {
     /// All warnings
     Warnings,
 }
 
-/// What `--warn` adds.
+/// Warnings that `--warn` enables.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Warn {
-    /// Names that are declared and never used
+    /// Identifiers that are declared and never used
     Unused,
-    /// Names in macros that hide others
+    /// Identifiers in macros that hide others
     Shadow,
-    /// Options of POV-Ray that mean nothing here
+    /// Options of POV-Ray without effect in durer
     Options,
-    /// What POV-Ray 3.7 would refuse
+    /// Text that POV-Ray 3.7 would refuse
     Portable,
-    /// What is mostly meant as it is said, but not always
+    /// Text that is often, but not always, a mistake
     Doubtful,
 }
 
-/// What `--warn` adds where a picture is drawn.
+/// Warnings that `--warn` enables while rendering.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DrawingWarn {
-    /// Options of POV-Ray that mean nothing here
+    /// Options of POV-Ray without effect in durer
     Options,
 }

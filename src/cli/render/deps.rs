@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn names_are_escaped_for_make() {
-        let escaped = |name: &str| String::from_utf8(crate::cli::escaped(Path::new(name))).unwrap();
+        let escaped = |name: &str| String::from_utf8(super::escaped(Path::new(name))).unwrap();
         assert_eq!(escaped("a b.inc"), r"a\ b.inc");
         assert_eq!(escaped("a$b#c"), r"a$$b\#c");
         assert_eq!(escaped(r"a\ b\c"), r"a\\\ b\c");

@@ -2,7 +2,7 @@
 
 mod queue;
 mod read;
-mod studio;
+mod render_loop;
 
 use super::args::values::Seconds;
 use super::args::{RenderArgs, WatchArgs};
@@ -11,12 +11,12 @@ use super::exit::{Exit, Failure, Result, usage};
 use super::{render, session};
 use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::preview::{Files, Screen, serve};
+use crate::preview::{FileWatcher, Screen, serve};
 use crate::source::Span;
-use queue::RenderQueue;
+use queue::{RenderQueue, Request, is_stopped};
+use render_loop::RenderLoop;
 use std::path::Path;
 use std::sync::Arc;
-use studio::Studio;
 
 /// Renders until the program is interrupted.
 pub fn run(console: &Console, args: &WatchArgs) -> Result {
@@ -51,9 +51,9 @@ fn render_args(args: &WatchArgs) -> RenderArgs {
 /// Writes the picture file after each change.
 fn redraw(console: &Console, args: &WatchArgs) -> Result {
     let queue = Arc::new(RenderQueue::default());
-    let files = files(&queue);
+    let files = file_watcher(&queue);
     loop {
-        let stop = queue.next().stop;
+        let stop = queue.pop().stop;
         let context = render::Context { stop: Some(stop.clone()), ..render::Context::default() };
         let (rendered, read) = render::run(console, &render_args(args), context);
         let failed = match rendered {
@@ -61,7 +61,7 @@ fn redraw(console: &Console, args: &WatchArgs) -> Result {
             Ok(exit) => exit != Exit::Fine,
             Err(failure) => console.print_failure(failure) != Exit::Fine,
         };
-        if !failed && !RenderQueue::is_stopped(&stop) {
+        if !failed && !is_stopped(&stop) {
             console.info(&format!("{}: rendered; waiting for the next change\n", args.input.display()));
         }
         files.follow(&read, &args.input, failed);
@@ -71,9 +71,9 @@ fn redraw(console: &Console, args: &WatchArgs) -> Result {
 /// Serves the page until the program is interrupted.
 fn show(console: &Console, args: &WatchArgs) -> Result {
     let (queue, screen) = (Arc::new(RenderQueue::default()), Arc::new(Screen::default()));
-    let files = files(&queue);
-    let studio = Arc::new(Studio::new(args.clone(), queue, screen.clone()));
-    let address = match serve(args.port, studio.clone(), screen) {
+    let files = file_watcher(&queue);
+    let render_loop = Arc::new(RenderLoop::new(args.clone(), queue, screen.clone()));
+    let address = match serve(args.port, render_loop.clone(), screen) {
         Ok(address) => address,
         Err(error) => {
             let text = format!("cannot serve a page on port {} of 127.0.0.1: {error}", args.port);
@@ -88,10 +88,10 @@ fn show(console: &Console, args: &WatchArgs) -> Result {
     {
         console.info(&format!("cannot open a browser: {error}\n"));
     }
-    studio.work(console, &files)
+    render_loop.run(console, &files)
 }
 
-fn files(queue: &Arc<RenderQueue>) -> Files {
+fn file_watcher(queue: &Arc<RenderQueue>) -> FileWatcher {
     let queue = queue.clone();
-    Files::new(move || queue.push(queue::Request::Scene, |_| {}))
+    FileWatcher::new(move || queue.push(Request::Scene, |_| {}))
 }

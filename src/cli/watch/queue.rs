@@ -1,70 +1,70 @@
-//! Where wishes wait until somebody has time for them.
+//! Queue of one element for the work that the page and changed files ask for.
 
 use crate::preview::Settings;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 
-/// What has to be done again.
+/// Work that has to be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Request {
-    /// The picture.
+    /// Render the picture.
     Picture,
-    /// The scene is read again, too.
+    /// Read the scene and render the picture.
     Scene,
 }
 
-/// See the module. At first the scene is wished for.
+/// Joins all pending requests into one. A new queue contains [`Request::Scene`].
 pub struct RenderQueue {
-    waiting: Mutex<Waiting>,
-    bell: Condvar,
+    pending: Mutex<Pending>,
+    changed: Condvar,
 }
 
-struct Waiting {
+struct Pending {
     request: Option<Request>,
     settings: Settings,
     stop: Arc<AtomicBool>,
 }
 
-/// What is to be done next.
-pub struct Next {
-    /// How much.
+/// Work that was taken from the queue.
+pub struct Work {
+    /// Extent of the work.
     pub request: Request,
-    /// How.
+    /// Settings of the page.
     pub settings: Settings,
-    /// Set as soon as it is of no use any more.
+    /// Set as soon as the work is obsolete.
     pub stop: Arc<AtomicBool>,
 }
 
 impl Default for RenderQueue {
     fn default() -> Self {
         let settings = Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
-        let waiting = Waiting { request: Some(Request::Scene), settings, stop: Arc::default() };
-        Self { waiting: Mutex::new(waiting), bell: Condvar::new() }
+        let pending = Pending { request: Some(Request::Scene), settings, stop: Arc::default() };
+        Self { pending: Mutex::new(pending), changed: Condvar::new() }
     }
 }
 
 impl RenderQueue {
-    /// Wishes for something, and stops what is being done.
+    /// Adds a request with a change of the settings, and stops the present work.
     pub fn push(&self, request: Request, change: impl FnOnce(&mut Settings)) {
-        let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
-        waiting.request = waiting.request.max(Some(request));
-        change(&mut waiting.settings);
-        waiting.stop.store(true, Relaxed);
-        self.bell.notify_all();
+        let mut pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
+        pending.request = pending.request.max(Some(request));
+        change(&mut pending.settings);
+        pending.stop.store(true, Relaxed);
+        self.changed.notify_all();
     }
 
-    /// Waits for a request.
-    pub fn next(&self) -> Next {
-        let waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut waiting =
-            self.bell.wait_while(waiting, |waiting| waiting.request.is_none()).unwrap_or_else(PoisonError::into_inner);
-        waiting.stop = Arc::default();
-        let request = waiting.request.take().unwrap_or(Request::Scene);
-        Next { request, settings: waiting.settings.clone(), stop: waiting.stop.clone() }
+    /// Waits for a request, and removes it.
+    pub fn pop(&self) -> Work {
+        let pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_empty = |pending: &mut Pending| pending.request.is_none();
+        let mut pending = self.changed.wait_while(pending, is_empty).unwrap_or_else(PoisonError::into_inner);
+        pending.stop = Arc::default();
+        let request = pending.request.take().unwrap_or(Request::Scene);
+        Work { request, settings: pending.settings.clone(), stop: pending.stop.clone() }
     }
+}
 
-    /// Is it of no use any more?
-    pub fn is_stopped(stop: &AtomicBool) -> bool {
-        stop.load(Relaxed)
-    }
+/// True if work is obsolete.
+pub fn is_stopped(stop: &AtomicBool) -> bool {
+    stop.load(Relaxed)
 }
