@@ -15,7 +15,7 @@ use crate::render;
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
 use crate::value::decimal;
-use crate::world::{Intersection, Standing, World};
+use crate::world::{Intersection, PlacedSolid, World};
 use std::path::Path;
 
 /// What is to be said of a scene that is read.
@@ -90,7 +90,7 @@ fn shows(world: &World, object: u32) -> bool {
 }
 
 /// The word of the shape that stands for an object, and its place in the text.
-fn first_named(world: &World, item: Standing) -> Option<(&'static str, Span)> {
+fn first_named(world: &World, item: PlacedSolid) -> Option<(&'static str, Span)> {
     item.first_shape().map(|(word, part)| (word, source_of(world, part)))
 }
 
@@ -110,7 +110,7 @@ fn typed(p: crate::math::DVec3) -> String {
 }
 
 /// Does any box of an object hold numbers to reckon with?
-fn is_somewhere(item: &Standing) -> bool {
+fn is_somewhere(item: &PlacedSolid) -> bool {
     let bounds = item.bounds();
     !bounds.is_empty() && bounds.is_finite()
 }

@@ -56,7 +56,7 @@ struct ObjectRow {
     shapes: u32,
     /// Corners of the bounding box in world space; null for infinite and for empty objects.
     #[serde(rename = "box")]
-    extent: Option<[[f64; 3]; 2]>,
+    pov_bounds: Option<[[f64; 3]; 2]>,
     infinite: bool,
     /// Index in `textures`.
     texture: usize,
@@ -108,14 +108,15 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
             out.textures.len() - 1
         });
         out.textures[number].objects += 1;
-        let extent = extent(object);
-        let is_infinite = !extent.is_empty() && !is_finite(&extent);
-        let corners = (is_finite(&extent) && !extent.is_empty()).then(|| [extent.min.into(), extent.max.into()]);
+        let pov_bounds = pov_bounds(object);
+        let is_infinite = !pov_bounds.is_empty() && !is_finite(&pov_bounds);
+        let corners =
+            (is_finite(&pov_bounds) && !pov_bounds.is_empty()).then(|| [pov_bounds.min.into(), pov_bounds.max.into()]);
         out.objects.push(ObjectRow {
             source,
             word: object.word,
             shapes: object.weight().shapes(),
-            extent: corners,
+            pov_bounds: corners,
             infinite: is_infinite,
             texture: number,
         });
@@ -200,15 +201,15 @@ fn name_of(thing: &impl Serialize) -> String {
 }
 
 /// The bounding box of an object's surfaces, or the box of `max_extent` where the World has none.
-fn extent(object: &Object) -> Aabb {
-    Probe::new(object).map_or_else(|_| object.extent(), |probe| probe.bounds())
+fn pov_bounds(object: &Object) -> Aabb {
+    Probe::new(object).map_or_else(|_| object.pov_bounds(), |probe| probe.bounds())
 }
 
 /// Distance beyond which an object is infinite.
 const FAR: f64 = 1e9;
 
-fn is_finite(extent: &Aabb) -> bool {
-    extent.is_finite() && extent.min.min_element() > -FAR && extent.max.max_element() < FAR
+fn is_finite(pov_bounds: &Aabb) -> bool {
+    pov_bounds.is_finite() && pov_bounds.min.min_element() > -FAR && pov_bounds.max.max_element() < FAR
 }
 
 // ------------------------------------------------------------ output for a person
@@ -249,8 +250,8 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
     let first = &same[0];
     let count = if same.len() > 1 { format!("{} × ", same.len()) } else { String::new() };
     let corner = |corners: [f64; 3]| DVec3::from_array(corners);
-    let boxes = same.iter().filter_map(|row| row.extent).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
-    let extent = match boxes.reduce(Aabb::union) {
+    let boxes = same.iter().filter_map(|row| row.pov_bounds).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
+    let pov_bounds = match boxes.reduce(Aabb::union) {
         _ if same.iter().any(|row| row.infinite) => "infinite".into(),
         Some(all) => format!("{} to {}", vector(&all.min.to_array()), vector(&all.max.to_array())),
         None => "empty".into(),
@@ -259,7 +260,7 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
         if first.shapes > 1 { format!(" of {}", counted(first.shapes as usize, "shape")) } else { String::new() };
     let textures = same.iter().map(|row| row.texture + 1);
     let range = (textures.clone().min().unwrap_or(0), textures.max().unwrap_or(0));
-    format!("{count}{}{shapes}, {extent}, {}", first.word, numbers("texture", range))
+    format!("{count}{}{shapes}, {pov_bounds}, {}", first.word, numbers("texture", range))
 }
 
 /// Describes textures that one position in the text created; the first one has this number.

@@ -50,12 +50,12 @@ pub struct Finish {
     pub conserve_energy: bool,
     /// What few finishes say.
     #[serde(flatten)]
-    pub rare: Seldom<Rare>,
+    pub uncommon: Seldom<Uncommon>,
 }
 
 /// What few finishes say.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Rare {
+pub struct Uncommon {
     /// Of old scenes: the interior's, before what that says itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
@@ -117,14 +117,14 @@ impl Default for Finish {
             reflection: Seldom::USUAL,
             irid: None,
             conserve_energy: false,
-            rare: Seldom::USUAL,
+            uncommon: Seldom::USUAL,
         }
     }
 }
 
-impl Usual for Rare {
+impl Usual for Uncommon {
     fn usual() -> &'static Self {
-        static NOTHING: Rare = Rare { ior: None, caustics: None, refraction: 1.0, undrawn: vec![] };
+        static NOTHING: Uncommon = Uncommon { ior: None, caustics: None, refraction: 1.0, undrawn: vec![] };
         &NOTHING
     }
 }
@@ -160,7 +160,7 @@ impl Finish {
                     r.leave()?;
                 }
                 Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => {
-                    f.rare.undrawn.push(r.keep_undrawn(word)?)
+                    f.uncommon.undrawn.push(r.keep_undrawn(word)?)
                 }
                 next if f.read_word(next, r)? => {}
                 _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),

@@ -65,7 +65,7 @@ fn list(words: impl IntoIterator<Item = impl AsRef<str>>) -> String {
     words.into_iter().map(|w| code(w.as_ref())).collect::<Vec<_>>().join(", ")
 }
 
-/// Describes the parameters of a word.
+/// Describes the value that a word takes.
 fn kind(kind: Kind) -> &'static str {
     match kind {
         Kind::Nothing => "",
