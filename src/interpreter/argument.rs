@@ -27,20 +27,20 @@ pub(super) enum Given<'a> {
 
 impl<'a> Interpreter<'a> {
     /// An argument that stands whole.
-    pub(super) fn argument_of(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
+    pub(super) fn whole_argument(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
         let given = match &e.kind {
             ExprKind::Name(symbol) => Given::Name(*symbol),
-            ExprKind::Index(base, indices) => Given::Place(self.element_place(base, indices)?),
-            _ => match self.dictionary_place(e)? {
+            ExprKind::Index(base, indices) => Given::Place(self.element_lvalue(base, indices)?),
+            _ => match self.dictionary_lvalue(e)? {
                 Some(place) => Given::Place(place),
-                None => Given::Slot(Slot::Value(self.eval(e)?)),
+                None => Given::Slot(Slot::Value(self.evaluate(e)?)),
             },
         };
         Ok(Argument { given, span: e.span })
     }
 
     /// The argument that comes next.
-    pub(super) fn argument_here(&mut self) -> Result<Argument<'a>> {
+    pub(super) fn read_argument(&mut self) -> Result<Argument<'a>> {
         let token = self.peek()?;
         let span = self.stream.here();
         match token {
@@ -62,10 +62,10 @@ impl<'a> Interpreter<'a> {
                     }
                     Some(_) if ends && lasting => Ok(Argument { given: Given::Name(*symbol), span }),
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
-                    Some(slot) => self.argument_from(slot, span),
+                    Some(slot) => self.continue_argument(slot, span),
                     None => {
                         let value = self.name_value(*symbol, span)?;
-                        self.argument_from(Slot::Value(value), span)
+                        self.continue_argument(Slot::Value(value), span)
                     }
                 }
             }
@@ -79,26 +79,26 @@ impl<'a> Interpreter<'a> {
                 match slot {
                     _ if ends && depth == self.stream.call_depth() => Ok(Argument { given: Given::Place(place), span }),
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
-                    Some(slot) => self.argument_from(slot, span),
+                    Some(slot) => self.continue_argument(slot, span),
                     None => {
                         self.evaluator.slot_at(&place, span).map(|slot| Argument { given: Given::Slot(slot), span })
                     }
                 }
             }
             Token::Block(_) | Token::Function(_) => {
-                let slot = self.rvalue()?;
+                let slot = self.read_rvalue()?;
                 Ok(Argument { given: Given::Slot(slot), span })
             }
             _ => {
-                let (value, span) = self.value_in(true)?;
+                let (value, span) = self.read_expression(true)?;
                 Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
             }
         }
     }
 
-    fn argument_from(&mut self, first: Slot<'a>, span: Span) -> Result<Argument<'a>> {
+    fn continue_argument(&mut self, first: Slot<'a>, span: Span) -> Result<Argument<'a>> {
         let first = self.slot_value(first, span)?;
-        let (value, span) = self.value_from(first, span)?;
+        let (value, span) = self.continue_value(first, span)?;
         Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
     }
 

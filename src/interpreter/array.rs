@@ -20,7 +20,7 @@ const MAX_DIMENSIONS: usize = 5;
 
 impl<'a> Interpreter<'a> {
     /// `array[2][3] { {1, 2, 3}, {4, 5, 6} }`; the word comes next. Without sizes they are those of the braces (3.8).
-    pub(super) fn array(&mut self) -> Result<Slot<'a>> {
+    pub(super) fn read_array(&mut self) -> Result<Slot<'a>> {
         let span = self.stream.here();
         self.stream.advance();
         // 3.8 asks for the word `mixed` where kinds are mixed; nobody needs it here.
@@ -34,14 +34,14 @@ impl<'a> Interpreter<'a> {
         }
         let mut sizes = vec![];
         while let Token::Open(Bracket::Square, _) = self.peek_continuation()? {
-            sizes.push(self.array_size()?);
+            sizes.push(self.read_array_size()?);
         }
         if sizes.len() > MAX_DIMENSIONS {
             let message = format!("an array has at most {MAX_DIMENSIONS} dimensions, this has {}", sizes.len());
             return Diagnostic::err(codes::WRONG_COUNT, span, message);
         }
         if sizes.is_empty() || sizes.contains(&None) {
-            return self.array_of_braces(span);
+            return self.read_braced_array(span);
         }
         let sizes: Box<[usize]> = sizes.into_iter().flatten().collect();
         let count = sizes.iter().try_fold(1_usize, |n, &size| n.checked_mul(size)).filter(|n| *n <= MAX_ELEMENTS);
@@ -58,11 +58,11 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `[3]`, or `[]` for what the braces tell.
-    fn array_size(&mut self) -> Result<Option<usize>> {
+    fn read_array_size(&mut self) -> Result<Option<usize>> {
         let at = self.open()?;
         let mut size = None;
         if !self.peek()?.ends() {
-            let (value, span) = self.value_here()?;
+            let (value, span) = self.read_value()?;
             size = Some(self.size_of(as_float(&value, span)?, joined(at, span))?);
         }
         if !self.peek()?.ends() {
@@ -94,7 +94,7 @@ impl<'a> Interpreter<'a> {
             if sizes.len() > 1 {
                 self.fill(&sizes[1..], &mut items[i * stride..(i + 1) * stride])?;
             } else {
-                items[i] = Some(self.array_item()?);
+                items[i] = Some(self.read_array_item()?);
             }
         }
         if !self.peek()?.ends() {
@@ -108,15 +108,15 @@ impl<'a> Interpreter<'a> {
     }
 
     /// An element; without sizes, braces in braces make arrays of arrays.
-    fn array_item(&mut self) -> Result<Slot<'a>> {
+    fn read_array_item(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
-            Token::Open(Bracket::Brace, _) => self.array_of_braces(self.stream.here()),
-            _ => self.rvalue(),
+            Token::Open(Bracket::Brace, _) => self.read_braced_array(self.stream.here()),
+            _ => self.read_rvalue(),
         }
     }
 
     /// `array { 1, 2, 3 }` (3.8): as many elements as there are.
-    pub(super) fn array_of_braces(&mut self, span: Span) -> Result<Slot<'a>> {
+    pub(super) fn read_braced_array(&mut self, span: Span) -> Result<Slot<'a>> {
         match self.peek_continuation()? {
             Token::Open(Bracket::Brace, _) => {}
             Token::Block(block) if block.word == Some("array") => {}
@@ -128,7 +128,7 @@ impl<'a> Interpreter<'a> {
         self.open()?;
         let mut items = vec![];
         while !self.peek()?.ends() {
-            items.push(Some(self.array_item()?));
+            items.push(Some(self.read_array_item()?));
         }
         self.close("`}`")?;
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
@@ -139,12 +139,12 @@ impl<'a> Interpreter<'a> {
         self.open()?;
         let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
         while !self.peek()?.ends() {
-            let key: Rc<str> = self.dictionary_key()?;
+            let key: Rc<str> = self.read_dictionary_key()?;
             match self.peek()? {
                 Token::Sign(Sign::Colon) => self.stream.advance(),
                 _ => return Err(self.unexpected_token("`:` and a value").into()),
             }
-            let value = self.rvalue()?;
+            let value = self.read_rvalue()?;
             match keys.iter().position(|k| *k == key) {
                 Some(i) => items[i] = Some(value),
                 None => {
@@ -158,7 +158,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `.Name` or `["name"]`
-    fn dictionary_key(&mut self) -> Result<Rc<str>> {
+    fn read_dictionary_key(&mut self) -> Result<Rc<str>> {
         match self.peek()? {
             Token::Sign(Sign::Dot) => {
                 self.stream.advance();
@@ -188,7 +188,7 @@ impl<'a> Interpreter<'a> {
             return Ok(self.stream.push_back(Token::Expr(name), span, before));
         }
         let whole = indices.last().map_or(span, |(_, at)| joined(span, Span { hi: at.hi + 1, ..*at }));
-        let place = self.place_of_values(symbol, span, &indices, false)?;
+        let place = self.lvalue_at(symbol, span, &indices, false)?;
         self.stream.set_element(place);
         Ok(self.stream.push_back(Token::Element(whole), whole, before))
     }
@@ -200,7 +200,7 @@ impl<'a> Interpreter<'a> {
             match self.index_ahead()? {
                 Some(Token::Open(Bracket::Square, _)) => {
                     self.open()?;
-                    indices.push(self.value_here()?);
+                    indices.push(self.read_value()?);
                     self.close("`]`")?;
                 }
                 Some(Token::Sign(Sign::Dot)) if self.evaluator.is_dictionary(symbol, &indices) => {
@@ -235,7 +235,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The place that `D.Key`, `D["key"].Key` and the like name, if D is a dictionary.
-    pub(super) fn dictionary_place(&mut self, e: &'a Expr) -> Result<Option<Place>> {
+    pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<Place>> {
         let base = match &e.kind {
             ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
                 Some(Slot::Array(array)) if array.keys.is_some() => {
@@ -244,19 +244,19 @@ impl<'a> Interpreter<'a> {
                 _ => return Ok(None),
             },
             ExprKind::Dot(base, ..) => base,
-            ExprKind::Index(base, indices) => match self.dictionary_place(base)? {
-                Some(_) => return self.element_place(base, indices).map(Some),
+            ExprKind::Index(base, indices) => match self.dictionary_lvalue(base)? {
+                Some(_) => return self.element_lvalue(base, indices).map(Some),
                 None => return Ok(None),
             },
             _ => return Ok(None),
         };
-        let Some(place) = self.dictionary_place(base)? else { return Ok(None) };
+        let Some(place) = self.dictionary_lvalue(base)? else { return Ok(None) };
         self.evaluator.dictionary_element(&place, e)
     }
 
     /// What `A[i][j]` is.
-    pub(super) fn indexed(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
-        let place = self.element_place(base, indices)?;
+    pub(super) fn evaluate_index(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
+        let place = self.element_lvalue(base, indices)?;
         self.evaluator.slot_at(&place, span)
     }
 
@@ -272,30 +272,30 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Where `A[i][j]` is kept; that element need not have a value yet.
-    pub(super) fn element_place(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<Place> {
+    pub(super) fn element_lvalue(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<Place> {
         match base.kind {
-            ExprKind::Name(symbol) => self.place_of(symbol, base.span, indices),
+            ExprKind::Name(symbol) => self.lvalue_of(symbol, base.span, indices),
             _ => Diagnostic::err(codes::WRONG_TYPE, base.span, "only a name can have an index"),
         }
     }
 
     /// The same for a name and its place in the text.
-    pub(super) fn new_place(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+    pub(super) fn target_lvalue(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
         let indices = self.index_values(indices)?;
-        self.place_of_values(symbol, span, &indices, true)
+        self.lvalue_at(symbol, span, &indices, true)
     }
 
-    fn place_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+    fn lvalue_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
         let indices = self.index_values(indices)?;
-        self.place_of_values(symbol, span, &indices, false)
+        self.lvalue_at(symbol, span, &indices, false)
     }
 
     fn index_values(&mut self, indices: &'a [Expr]) -> Result<SmallVec<[(Value, Span); 2]>> {
-        indices.iter().map(|e| Ok((self.eval(e)?, e.span))).collect()
+        indices.iter().map(|e| Ok((self.evaluate(e)?, e.span))).collect()
     }
 
     /// Where the element with these indices or keys is kept; a dictionary's last key is added if it is new and `adds` says so.
-    pub(super) fn place_of_values(
+    pub(super) fn lvalue_at(
         &mut self,
         symbol: Symbol,
         span: Span,
@@ -307,7 +307,7 @@ impl<'a> Interpreter<'a> {
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
         if self.evaluator.scopes().dictionary(&place).is_some() {
-            return self.evaluator.key_place(place, indices, adds);
+            return self.evaluator.key_lvalue(place, indices, adds);
         }
         let numbers: SmallVec<[f64; 4]> =
             indices.iter().map(|(value, at)| as_float(value, *at)).collect::<Result<_>>()?;
@@ -347,7 +347,7 @@ impl<'a> Interpreter<'a> {
     /// Has the dictionary that is kept here a value under these keys?
     pub(super) fn has_keys(&mut self, mut place: Place, indices: &'a [Expr]) -> Result<bool> {
         for e in indices {
-            let key = self.text_value(e)?;
+            let key = self.evaluate_text(e)?;
             match self.evaluator.scopes().dictionary(&place).and_then(|d| d.key_index(&key)) {
                 Some(index) => place = place.element(&[index]),
                 None => return Ok(false),

@@ -13,7 +13,7 @@ use smallvec::SmallVec;
 
 impl<'a> Interpreter<'a> {
     /// The value of an expression.
-    pub(super) fn eval(&mut self, e: &'a Expr) -> Result<Value> {
+    pub(super) fn evaluate(&mut self, e: &'a Expr) -> Result<Value> {
         match self.evaluator.quick(e) {
             Some(Quick::Float(x)) => return Ok(Value::Float(x)),
             Some(Quick::Vector(v)) => return Ok(Value::Vector(v)),
@@ -24,27 +24,27 @@ impl<'a> Interpreter<'a> {
             ExprKind::Text(text) => Ok(Value::Text((**text).into())),
             ExprKind::Name(symbol) => self.name_value(*symbol, e.span),
             ExprKind::Literal(data) => vector_value(data, e.span),
-            ExprKind::Vector(parts) => self.vector_parts(parts, e.span),
-            ExprKind::Paren(inner) => self.eval(inner),
-            ExprKind::Chain(chain) => self.chain(chain),
+            ExprKind::Vector(parts) => self.evaluate_vector(parts, e.span),
+            ExprKind::Paren(inner) => self.evaluate(inner),
+            ExprKind::Chain(chain) => self.evaluate_chain(chain),
             ExprKind::Prefix(prefix, inner) => {
-                let value = self.eval(inner)?;
+                let value = self.evaluate(inner)?;
                 apply_prefix(*prefix, value, inner.span)
             }
-            ExprKind::Call(name, arguments) => self.call_value(*name, arguments, e.span),
+            ExprKind::Call(name, arguments) => self.evaluate_call(*name, arguments, e.span),
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
-                if self.truth(condition)? { self.eval(yes) } else { self.eval(no) }
+                if self.is_true(condition)? { self.evaluate(yes) } else { self.evaluate(no) }
             }
             ExprKind::Builtin(name, arguments) => self.builtin(name.name, arguments, e.span),
-            ExprKind::Dot(..) => self.components(e),
+            ExprKind::Dot(..) => self.evaluate_components(e),
             ExprKind::Index(array, indices) => {
-                let slot = self.indexed(array, indices, e.span)?;
+                let slot = self.evaluate_index(array, indices, e.span)?;
                 self.slot_value(slot, e.span)
             }
             ExprKind::Apply(function, arguments) => {
-                let function = self.eval(function)?;
-                self.call_thing(&function, arguments, e.span)
+                let function = self.evaluate(function)?;
+                self.evaluate_call_of(&function, arguments, e.span)
             }
             ExprKind::Function(_) | ExprKind::Block(_) => {
                 Diagnostic::err(codes::EXPECTED_VALUE, e.span, "expected a number or text, found a block")
@@ -53,8 +53,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `A.x`; a component of a component is no recursion, however many there are.
-    fn components(&mut self, e: &'a Expr) -> Result<Value> {
-        if let Some(place) = self.dictionary_place(e)? {
+    fn evaluate_components(&mut self, e: &'a Expr) -> Result<Value> {
+        if let Some(place) = self.dictionary_lvalue(e)? {
             let slot = self.evaluator.slot_at(&place, e.span)?;
             return self.slot_value(slot, e.span);
         }
@@ -63,27 +63,27 @@ impl<'a> Interpreter<'a> {
             names.push((name, inner.span));
             base = inner;
         }
-        let value = self.eval(base)?;
+        let value = self.evaluate(base)?;
         names.iter().rev().try_fold(value, |value, (name, span)| component(&value, name, *span))
     }
 
     /// Is the number not 0?
-    pub(super) fn truth(&mut self, e: &'a Expr) -> Result<bool> {
-        Ok(self.number(e)?.abs() > SMALL)
+    pub(super) fn is_true(&mut self, e: &'a Expr) -> Result<bool> {
+        Ok(self.evaluate_number(e)?.abs() > SMALL)
     }
 
     /// A number.
-    pub(super) fn number(&mut self, e: &'a Expr) -> Result<f64> {
+    pub(super) fn evaluate_number(&mut self, e: &'a Expr) -> Result<f64> {
         if let Some(x) = self.evaluator.quick_number(e) {
             return Ok(x);
         }
-        let value = self.eval(e)?;
+        let value = self.evaluate(e)?;
         as_float(&value, e.span)
     }
 
     /// A string.
-    pub(super) fn text_value(&mut self, e: &'a Expr) -> Result<String> {
-        match self.eval(e)? {
+    pub(super) fn evaluate_text(&mut self, e: &'a Expr) -> Result<String> {
+        match self.evaluate(e)? {
             Value::Text(text) => Ok(text.to_string()),
             other => not_text(&other, e.span),
         }
@@ -166,11 +166,11 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Operands of one precedence from left to right.
-    fn chain(&mut self, chain: &'a Chain) -> Result<Value> {
+    fn evaluate_chain(&mut self, chain: &'a Chain) -> Result<Value> {
         let mut span = chain.first.span;
-        let mut left = self.eval(&chain.first)?;
+        let mut left = self.evaluate(&chain.first)?;
         for (op, operand) in &chain.rest {
-            let right = self.eval(operand)?;
+            let right = self.evaluate(operand)?;
             left = self.combine(*op, (left, span), (right, operand.span))?;
             span = span.to(operand.span);
         }
@@ -178,22 +178,22 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `< … >` of expressions that stand whole.
-    fn vector_parts(&mut self, parts: &'a [Element], span: Span) -> Result<Value> {
+    fn evaluate_vector(&mut self, parts: &'a [Element], span: Span) -> Result<Value> {
         let mut data = SmallVec::<[f64; 5]>::new();
         for part in parts {
             if let ElementKind::Expr(e) = &part.kind {
-                data.push(self.number(e)?);
+                data.push(self.evaluate_number(e)?);
             }
         }
         vector_value(&data, span)
     }
 
     /// The numbers of arguments that stand whole.
-    pub(super) fn whole_numbers(&mut self, parts: &'a [Element]) -> Result<Vec<f64>> {
+    pub(super) fn evaluate_numbers(&mut self, parts: &'a [Element]) -> Result<Vec<f64>> {
         let mut all = Vec::with_capacity(parts.len());
         for part in parts {
             match &part.kind {
-                ElementKind::Expr(e) => all.push(self.number(e)?),
+                ElementKind::Expr(e) => all.push(self.evaluate_number(e)?),
                 ElementKind::Numbers(list) => all.extend(list.data.iter()),
                 _ => return Diagnostic::err(codes::EXPECTED_VALUE, part.span, "expected a number"),
             }

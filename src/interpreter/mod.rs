@@ -192,7 +192,7 @@ impl<'a> Interpreter<'a> {
             return self.recover(*fault, |me| me.stream.forget_look_ahead(checkpoint));
         }
         let checkpoint = self.stream.checkpoint();
-        match self.statement() {
+        match self.read_statement() {
             Ok(true) => true,
             Ok(false) => {
                 self.finish_scene();

@@ -20,11 +20,11 @@ pub const LATER: &[&str] =
 
 impl<'a> Interpreter<'a> {
     /// The next complete value. No directive and no macro behind it runs.
-    pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
-        self.in_mode(|mode| mode.defers = true, Self::deferring_rvalue)
+    pub(super) fn read_rvalue(&mut self) -> Result<Slot<'a>> {
+        self.in_mode(|mode| mode.defers = true, Self::read_deferring_rvalue)
     }
 
-    fn deferring_rvalue(&mut self) -> Result<Slot<'a>> {
+    fn read_deferring_rvalue(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
                 if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.evaluator.scopes().get(*symbol) {
@@ -53,8 +53,8 @@ impl<'a> Interpreter<'a> {
                     slot => Ok(slot),
                 }
             }
-            Token::Word("array") => self.array(),
-            Token::Block(BlockName { word: Some("array"), .. }) => self.array_of_braces(self.stream.here()),
+            Token::Word("array") => self.read_array(),
+            Token::Block(BlockName { word: Some("array"), .. }) => self.read_braced_array(self.stream.here()),
             Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
                 self.dictionary()
             }
@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn plain_value(&mut self) -> Result<Slot<'a>> {
-        self.value_here().map(|(value, _)| Slot::Value(value))
+        self.read_value().map(|(value, _)| Slot::Value(value))
     }
 
     /// A function's name alone, or its call.
@@ -80,14 +80,14 @@ impl<'a> Interpreter<'a> {
         if matches!(&value, Value::Thing(_)) && !is_callable(&value) {
             return Ok(Slot::Value(value));
         }
-        self.value_from(value, span).map(|(value, _)| Slot::Value(value))
+        self.continue_value(value, span).map(|(value, _)| Slot::Value(value))
     }
 
     /// A block that has a kind of value.
     fn thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().clone();
         if word == "spline" {
-            return Ok(self.spline()?);
+            return Ok(self.read_spline()?);
         }
         if word == "texture" {
             return Ok(Arc::new(read_layers(self, &defaults)?));

@@ -42,7 +42,7 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
 
 impl Interpreter<'_> {
     /// Reads one statement, which [`Self::peek`] has announced; false at the end of the file.
-    pub(super) fn statement(&mut self) -> Result<bool> {
+    pub(super) fn read_statement(&mut self) -> Result<bool> {
         match Reader::next(self)? {
             Next::End if !matches!(self.peek()?, Token::End) => {
                 let span = self.stream.here();
@@ -52,7 +52,7 @@ impl Interpreter<'_> {
                 return d.help("remove it, or look for its opener above").into();
             }
             Next::End => return Ok(false),
-            Next::Block(word) => self.top_block(word)?,
+            Next::Block(word) => self.read_top_block(word)?,
             Next::Word("max_trace_level") => self.stray_trace_level()?,
             Next::Word(word @ ("declare" | "include")) => self.bare_directive(word)?,
             Next::Value if self.at_bare_version() => self.bare_directive("version")?,
@@ -61,7 +61,7 @@ impl Interpreter<'_> {
                 self.float()?;
             }
             Next::Thing("object" | "light_source") => {
-                self.top_object()?;
+                self.read_top_object()?;
             }
             Next::Thing(kind) => {
                 let span = self.stream.here();
@@ -78,9 +78,9 @@ impl Interpreter<'_> {
         Ok(true)
     }
 
-    fn top_block(&mut self, word: &'static str) -> Result<()> {
+    fn read_top_block(&mut self, word: &'static str) -> Result<()> {
         if is_object(word) {
-            return self.top_object();
+            return self.read_top_object();
         }
         if STATEMENTS.leaves_out(word) {
             let said = self.keep_undrawn(word)?;
@@ -128,7 +128,7 @@ impl Interpreter<'_> {
         self.leave()
     }
 
-    fn top_object(&mut self) -> Result<()> {
+    fn read_top_object(&mut self) -> Result<()> {
         let defaults = self.builder.defaults().clone();
         let object = Object::read(self, &defaults)?;
         self.builder.add_object(*object);
@@ -146,7 +146,7 @@ impl Interpreter<'_> {
         self.report_here(d.help(format!("write `#{word}`")));
         match crate::interpreter::directives::find(word) {
             Some((name, run)) => self.run_plain(name, run, span),
-            None => self.declare_pieces(false, span),
+            None => self.declare_by_tokens(false, span),
         }
     }
 
@@ -186,7 +186,7 @@ impl Interpreter<'_> {
             if let Some(at) = self.comparison_ahead() {
                 return self.misplaced(at);
             }
-            if let Err(fault) = self.eval(e) {
+            if let Err(fault) = self.evaluate(e) {
                 return *fault;
             }
         }

@@ -105,14 +105,14 @@ impl<'a> Interpreter<'a> {
                 let Some(run) = row.run else { return self.select(&arguments[0], &arguments[1..]) };
                 let mut given = SmallVec::<[Argument<'a>; 4]>::new();
                 for argument in arguments {
-                    given.push(self.argument_of(argument)?);
+                    given.push(self.whole_argument(argument)?);
                 }
                 run(self, &given, span)
             }
             function => {
                 let mut values = Vec::with_capacity(arguments.len());
                 for argument in arguments {
-                    values.push((self.eval(argument)?, argument.span));
+                    values.push((self.evaluate(argument)?, argument.span));
                 }
                 self.compute(name, function, Arguments { values }, span)
             }

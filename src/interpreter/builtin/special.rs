@@ -122,12 +122,12 @@ impl<'a> Interpreter<'a> {
 
     /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or ≥ 0 without D), else D. Only that one is evaluated.
     pub(super) fn select(&mut self, condition: &'a Expr, rest: &'a [Expr]) -> Result<Value> {
-        let a = self.number(condition)?;
+        let a = self.evaluate_number(condition)?;
         match rest {
-            [b, _] | [b, _, _] if a < 0.0 => self.eval(b),
-            [_, c] => self.eval(c),
-            [_, c, _] if a == 0.0 => self.eval(c),
-            [.., d] => self.eval(d),
+            [b, _] | [b, _, _] if a < 0.0 => self.evaluate(b),
+            [_, c] => self.evaluate(c),
+            [_, c, _] if a == 0.0 => self.evaluate(c),
+            [.., d] => self.evaluate(d),
             [] => Ok(Value::Float(0.0)),
         }
     }

@@ -19,7 +19,7 @@ impl<'a> Interpreter<'a> {
     /// The number in the parentheses behind a directive's word.
     fn head_number(&mut self, head: &'a Head, span: Span) -> Result<f64> {
         match head {
-            Head::Whole(e) if !self.evaluator.splits(e) => self.number(e),
+            Head::Whole(e) if !self.evaluator.splits(e) => self.evaluate_number(e),
             Head::Whole(e) => {
                 let elements = self.inputs.as_elements(e);
                 self.number_within(elements, e.span)
@@ -31,7 +31,7 @@ impl<'a> Interpreter<'a> {
 
     fn number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
         let number = self.within(elements, Bracket::Paren, span, |me| {
-            let (value, at) = me.value_in(true)?;
+            let (value, at) = me.read_expression(true)?;
             as_float(&value, at)
         });
         number.map_err(|fault| match doubled_operator(elements) {
@@ -44,7 +44,7 @@ impl<'a> Interpreter<'a> {
         for (i, branch) in branches.iter().enumerate() {
             if let Condition::True(Head::Pieces(None)) = &branch.condition {
                 let mark = self.stream.checkpoint();
-                if self.head_in_body(&branch.body, branch.span)?.abs() > SMALL {
+                if self.read_head_in_body(&branch.body, branch.span)?.abs() > SMALL {
                     break;
                 }
                 self.unwind(mark);
@@ -71,14 +71,14 @@ impl<'a> Interpreter<'a> {
 
     /// A condition that a body begins with: its `(` is closed by what a macro or a branch gives. What follows it there comes
     /// next.
-    fn head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
+    fn read_head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
         if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
             return Err(self.misplaced(span).into());
         }
         let mark = self.stream.checkpoint();
         self.stream.push_frame(body, FrameKind::Branch, span);
         let read = self.open().and_then(|_| {
-            let (value, at) = self.value_in(true)?;
+            let (value, at) = self.read_expression(true)?;
             let number = as_float(&value, at)?;
             self.close("`)`").map(|()| number)
         });
@@ -97,7 +97,7 @@ impl<'a> Interpreter<'a> {
                 match me.stream.bare_name() {
                     Some((symbol, _)) => Ok(me.evaluator.is_declared(symbol)),
                     None => {
-                        let argument = match me.argument_here() {
+                        let argument = match me.read_argument() {
                             Err(fault) if fault.code == codes::UNDECLARED => return me.skip_to_end().map(|()| false),
                             argument => argument?,
                         };
@@ -130,14 +130,14 @@ impl<'a> Interpreter<'a> {
                 if !self.is_declared(array)? {
                     return Ok(false);
                 }
-                if let Some(place) = self.dictionary_place(array)? {
+                if let Some(place) = self.dictionary_lvalue(array)? {
                     return self.has_keys(place, indices);
                 }
-                let place = self.element_place(array, indices)?;
+                let place = self.element_lvalue(array, indices)?;
                 Ok(self.evaluator.scopes().at(&place).is_some())
             }
             ExprKind::Dot(base, _, symbol) => {
-                let place = self.dictionary_place(base)?;
+                let place = self.dictionary_lvalue(base)?;
                 let key = self.inputs.names.text(*symbol);
                 Ok(
                     matches!(place.and_then(|p| self.evaluator.scopes().at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
@@ -164,14 +164,14 @@ impl<'a> Interpreter<'a> {
         let (counter, [first, last, step], at) = match &f.head {
             ForHead::Whole(counter, range) => {
                 let [first, last, rest @ ..] = &**range else { return Err(self.misplaced(span).into()) };
-                let (first, last) = (self.number(first)?, self.number(last)?);
+                let (first, last) = (self.evaluate_number(first)?, self.evaluate_number(last)?);
                 let (step, at) = match rest {
-                    [step, ..] => (self.number(step)?, step.span),
+                    [step, ..] => (self.evaluate_number(step)?, step.span),
                     [] => (1.0, span),
                 };
                 (*counter, [first, last, step], at)
             }
-            ForHead::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| me.for_head(span))?,
+            ForHead::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| me.read_for_head(span))?,
             ForHead::Pieces(None) => return Err(self.misplaced(span).into()),
         };
         if step.is_nan() || step.abs() < SMALL {
@@ -185,7 +185,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `I, 0, 10, 2`; the commas may be left out.
-    fn for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
+    fn read_for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
         // `J -1, 1`, `J (0), 1`: the comma behind the name may be left out.
         if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
         {
@@ -195,7 +195,7 @@ impl<'a> Interpreter<'a> {
         let (mut numbers, mut at) = ([0.0, 0.0, 1.0], span);
         let mut count = 0;
         while count < 3 && !self.peek()?.ends() {
-            let (value, place) = self.value_here()?;
+            let (value, place) = self.read_value()?;
             numbers[count] = as_float(&value, place)?;
             (count, at) = (count + 1, place);
         }
@@ -211,10 +211,10 @@ impl<'a> Interpreter<'a> {
         for (i, arm) in arms.iter().enumerate() {
             let mark = self.stream.checkpoint();
             let fits = match &arm.when {
-                When::Case(Head::Pieces(None)) => (self.head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
+                When::Case(Head::Pieces(None)) => (self.read_head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
                 When::Case(head) => (self.head_number(head, arm.span)? - value).abs() < SMALL,
                 When::Range(Some(elements)) => {
-                    let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.two_numbers())?;
+                    let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.read_two_numbers())?;
                     value >= low - SMALL && value <= high + SMALL
                 }
                 When::Range(None) => return Err(self.misplaced(arm.span).into()),
@@ -241,9 +241,9 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    fn two_numbers(&mut self) -> Result<[f64; 2]> {
-        let (low, at) = self.value_in(true)?;
-        let (high, end) = self.value_in(true)?;
+    fn read_two_numbers(&mut self) -> Result<[f64; 2]> {
+        let (low, at) = self.read_expression(true)?;
+        let (high, end) = self.read_expression(true)?;
         Ok([as_float(&low, at)?, as_float(&high, end)?])
     }
 }

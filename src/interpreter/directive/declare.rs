@@ -45,7 +45,7 @@ impl<'a> Interpreter<'a> {
         let deprecated = declare.deprecated.as_ref().map(|(once, why)| (*once, &**why));
         if !declare.others.is_empty() {
             let targets: Vec<&'a Target> = std::iter::once(target).chain(&declare.others).collect();
-            let values = self.values_in_parentheses(targets.len())?;
+            let values = self.read_values_in_parentheses(targets.len())?;
             for (target, slot) in targets.into_iter().zip(values) {
                 let declared = self.declared(target)?;
                 self.bind(declare.local, &declared, slot, vec![]);
@@ -58,7 +58,7 @@ impl<'a> Interpreter<'a> {
 
     fn reserved_name(&mut self, word: &str, span: Span) -> Result<()> {
         // Its value is read all the same, so that what follows is no second fault.
-        self.rvalue().ok();
+        self.read_rvalue().ok();
         Diagnostic::new(codes::RESERVED_NAME, span, format!("`{word}` is a word of the language"))
             .help(format!("call it `{}`: names with a capital letter can never collide with one", capitalized(word)))
             .into()
@@ -75,7 +75,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `#declare` where what stands before the `=` comes in pieces.
-    pub(in crate::interpreter) fn declare_pieces(&mut self, local: bool, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         let mark = self.stream.checkpoint();
         self.declare_tokens(local, span).map_err(|fault| self.skip_fault(mark, *fault))
     }
@@ -98,7 +98,7 @@ impl<'a> Interpreter<'a> {
             }
             self.close("`)`")?;
             self.expect_equal()?;
-            let values = self.values_in_parentheses(targets.len())?;
+            let values = self.read_values_in_parentheses(targets.len())?;
             for (target, slot) in targets.into_iter().zip(values) {
                 self.bind(local, &target, slot, vec![]);
             }
@@ -161,7 +161,7 @@ impl<'a> Interpreter<'a> {
         let indices = self.indices_of(symbol)?;
         let place = match indices.is_empty() {
             true => None,
-            false => Some(self.place_of_values(symbol, span, &indices, true)?),
+            false => Some(self.lvalue_at(symbol, span, &indices, true)?),
         };
         Ok(Declared { symbol, place })
     }
@@ -188,7 +188,7 @@ impl<'a> Interpreter<'a> {
         let first = self.reporter.position();
         let mark = self.stream.checkpoint();
         let floor = mark.frame_count();
-        let read = |me: &mut Self| me.rvalue().and_then(|slot| me.drain(floor).map(|()| slot));
+        let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.drain(floor).map(|()| slot));
         let value = self.in_mode(|mode| mode.frame_floor = floor, read);
         if value.is_ok() && self.stream.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
             self.stream.advance();
@@ -229,7 +229,7 @@ impl<'a> Interpreter<'a> {
     fn declared(&mut self, target: &'a Target) -> Result<Declared> {
         let place = match target.indices.is_empty() {
             true => None,
-            false => Some(self.new_place(target.symbol, target.span, &target.indices)?),
+            false => Some(self.target_lvalue(target.symbol, target.span, &target.indices)?),
         };
         Ok(Declared { symbol: target.symbol, place })
     }
@@ -248,7 +248,7 @@ impl<'a> Interpreter<'a> {
 
     /// `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
     /// `(A, B) = (B, A)` swaps them.
-    fn values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
+    fn read_values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
         self.expose_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
@@ -256,7 +256,7 @@ impl<'a> Interpreter<'a> {
         let span = self.open()?;
         let mut values = vec![];
         while !self.peek()?.ends() {
-            values.push(self.rvalue()?);
+            values.push(self.read_rvalue()?);
         }
         let end = self.stream.here();
         self.close("`)`")?;
@@ -286,7 +286,7 @@ impl<'a> Interpreter<'a> {
             self.stream.advance();
             return Ok(());
         }
-        let argument = match self.argument_here() {
+        let argument = match self.read_argument() {
             // What is not there need not be forgotten.
             Err(fault) if fault.code == codes::UNDECLARED => return Ok(()),
             argument => argument?,

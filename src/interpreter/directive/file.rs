@@ -41,11 +41,11 @@ enum Access {
 impl<'a> Interpreter<'a> {
     /// `#fopen Name "file" read`
     pub(in crate::interpreter) fn open_file(&mut self, span: Span) -> Result<()> {
-        let Some((symbol, _)) = self.name_here()? else {
+        let Some((symbol, _)) = self.read_name()? else {
             let message = "`#fopen` takes a name, a file and `read`, `write` or `append`";
             return Diagnostic::err(codes::EXPECTED, span, message);
         };
-        let (name, at) = self.text_here()?;
+        let (name, at) = self.read_text_value()?;
         let word = self.last_word();
         let file = match word {
             "read" => self.open_to_read(&name, at),
@@ -68,7 +68,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A name that comes next, which need not be declared.
-    pub(in crate::interpreter) fn name_here(&mut self) -> Result<Option<(Symbol, Span)>> {
+    pub(in crate::interpreter) fn read_name(&mut self) -> Result<Option<(Symbol, Span)>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
                 self.stream.advance();
@@ -98,7 +98,7 @@ impl<'a> Interpreter<'a> {
 
     /// `#fclose Name`
     pub(in crate::interpreter) fn close_named_file(&mut self, span: Span) -> Result<()> {
-        if let Some((symbol, _)) = self.name_here()? {
+        if let Some((symbol, _)) = self.read_name()? {
             self.close_file(symbol, span);
         }
         Ok(())
@@ -177,13 +177,13 @@ impl<'a> Interpreter<'a> {
     /// `#read (Name, A, B)`: a file that has been read to its end is closed, which `defined` tells.
     pub(in crate::interpreter) fn read_file(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#read")?;
-        let Some((file, at)) = self.name_here()? else {
+        let Some((file, at)) = self.read_name()? else {
             return Diagnostic::err(codes::EXPECTED, span, "`#read` takes an open file and names");
         };
         let index = self.file_number(file, at)?;
         let mut more = true;
         while !self.peek()?.ends() {
-            let target = self.argument_here()?;
+            let target = self.read_argument()?;
             // What comes behind the file's end keeps what it has.
             if !more {
                 continue;
@@ -241,7 +241,7 @@ impl<'a> Interpreter<'a> {
     /// `#write (Name, A, B)`
     pub(in crate::interpreter) fn write_file(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#write")?;
-        let index = match self.name_here()? {
+        let index = match self.read_name()? {
             Some((symbol, at)) => self.file_number(symbol, at)?,
             None => return Err(self.unexpected_token("an open file").into()),
         };
@@ -259,7 +259,7 @@ impl<'a> Interpreter<'a> {
                     form = Binary::of(word);
                 }
                 _ => {
-                    let (value, at) = self.value_here()?;
+                    let (value, at) = self.read_value()?;
                     let Some(bytes) = data_bytes(&value, form) else {
                         let what = if form.is_some() { "numbers" } else { "a number, a vector or a string" };
                         let message = format!("expected {what}, found {}", value.describe());

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 impl<'a> Interpreter<'a> {
     pub(in crate::interpreter) fn include(&mut self, span: Span) -> Result<()> {
-        let (text, name) = self.text_here()?;
+        let (text, name) = self.read_text_value()?;
         let span = joined(span, name);
         if self.stream.include_paths().len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");

@@ -105,7 +105,7 @@ impl<'a> Interpreter<'a> {
                     Some(place) => Slot::Alias(place),
                     None => return Ok(None),
                 },
-                _ => Slot::Value(self.eval(e)?),
+                _ => Slot::Value(self.evaluate(e)?),
             }));
         }
         Ok(Some(slots))
@@ -152,14 +152,14 @@ impl<'a> Interpreter<'a> {
     /// A bare name is passed by reference, all else as a copy; so is a local name of a macro that gives it.
     fn argument(&mut self, level: u32) -> Result<Slot<'a>> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
-            return self.rvalue();
+            return self.read_rvalue();
         }
         let place = match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.scopes().resolve(*symbol),
             _ => None,
         };
         let lasting = place.filter(|place| self.evaluator.scopes().level_of(place) <= level);
-        let argument = self.in_mode(|mode| mode.defers = true, Self::argument_here)?;
+        let argument = self.in_mode(|mode| mode.defers = true, Self::read_argument)?;
         match argument.given {
             Given::Name(_) if let Some(place) = lasting => Ok(Slot::Alias(place)),
             Given::Place(place) => self.evaluator.slot_at(&place, argument.span).map(|_| Slot::Alias(place)),

@@ -22,7 +22,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn run_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
         match directive {
             Directive::Declare(declare) => self.declare(declare),
-            Directive::DeclarePieces(local) => self.declare_pieces(*local, span),
+            Directive::DeclarePieces(local) => self.declare_by_tokens(*local, span),
             Directive::If(branches) => self.branch(branches, span),
             Directive::While(condition, body) => self.while_loop(condition, body, span),
             Directive::For(f) => self.for_loop(f, span),

@@ -13,7 +13,7 @@ impl Interpreter<'_> {
         {
             self.stream.advance();
         }
-        let (number, value_span) = self.float_after()?;
+        let (number, value_span) = self.read_number()?;
         let version = compat::version_number(number);
         if version > compat::NEWEST_VERSION {
             let message = format!("this scene asks for version {number} of the language; durer knows up to 3.8");

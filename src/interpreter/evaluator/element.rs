@@ -31,7 +31,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The location of a dictionary's element by its keys. With `adds`, a new last key is added.
-    pub(in crate::interpreter) fn key_place(
+    pub(in crate::interpreter) fn key_lvalue(
         &mut self,
         place: Place,
         keys: &[(Value, Span)],

@@ -259,8 +259,12 @@ impl<'a> Scopes<'a> {
 
     /// `#declare`: changes the innermost binding, or makes a global one.
     pub(in crate::interpreter) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        match self.resolve(symbol) {
-            Some(place) => self.replace(&place, slot, pending),
+        match self.find(symbol) {
+            Some((symbol, depth, None)) => self.rebind(symbol, depth, slot, pending),
+            Some((symbol, depth, Some(path))) => {
+                let place = Place { symbol, depth, path: Some(path.clone()) };
+                self.set_element(&place, Some(slot));
+            }
             None => match self.stack(symbol).len() {
                 0 => self.push(symbol, 0, slot, pending),
                 n => self.rebind(symbol, n - 1, slot, pending),
@@ -276,6 +280,7 @@ impl<'a> Scopes<'a> {
         }
     }
 
+    #[inline]
     fn rebind(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let binding = &mut self.bindings[symbol.0 as usize][depth];
         (binding.slot, binding.pending) = (slot, kept(pending));
@@ -312,6 +317,7 @@ impl<'a> Scopes<'a> {
     }
 }
 
+#[inline]
 fn kept(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
     if pending.is_empty() { None } else { Some(pending.into()) }
 }

@@ -11,7 +11,7 @@ use crate::value::{Reader, Value, VecN, downcast};
 
 impl<'a> Interpreter<'a> {
     /// A call of a function or spline in a script.
-    pub(in crate::interpreter) fn call_value(
+    pub(in crate::interpreter) fn evaluate_call(
         &mut self,
         name: Symbol,
         arguments: &'a [Element],
@@ -25,14 +25,14 @@ impl<'a> Interpreter<'a> {
             let text = self.inputs.names.text(name);
             return Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"));
         };
-        let numbers = self.whole_numbers(arguments)?;
+        let numbers = self.evaluate_numbers(arguments)?;
         let name = Span { hi: span.lo + self.inputs.names.text(name).len() as u32, ..span };
         self.check_arity(name, numbers.len(), function.arity())?;
         Ok(answer(&function, &numbers))
     }
 
     /// A call of an array's element.
-    pub(in crate::interpreter) fn call_thing(
+    pub(in crate::interpreter) fn evaluate_call_of(
         &mut self,
         thing: &Value,
         arguments: &'a [Element],
@@ -43,7 +43,7 @@ impl<'a> Interpreter<'a> {
                 return self.call_spline(&spline, arguments, span);
             }
             if let Some(function) = downcast::<Function>(thing) {
-                let numbers = self.whole_numbers(arguments)?;
+                let numbers = self.evaluate_numbers(arguments)?;
                 if numbers.len() == function.arity() {
                     return Ok(answer(&function, &numbers));
                 }
@@ -56,10 +56,10 @@ impl<'a> Interpreter<'a> {
 
     /// `S(0.5)`, `S(0.5, cubic_spline)`
     fn call_spline(&mut self, spline: &Spline, arguments: &'a [Element], span: Span) -> Result<Value> {
-        self.within(arguments, Bracket::Paren, span, |me| me.spline_arguments(spline))
+        self.within(arguments, Bracket::Paren, span, |me| me.read_spline_arguments(spline))
     }
 
-    fn spline_arguments(&mut self, spline: &Spline) -> Result<Value> {
+    fn read_spline_arguments(&mut self, spline: &Spline) -> Result<Value> {
         let t = self.float()?;
         let kind = match self.peek()? {
             Token::Word(word) if SplineKind::of(word).is_some() => {
@@ -75,15 +75,15 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads the arguments of a function or spline, whose `(` has been read, up to the `)`.
-    pub(in crate::interpreter) fn call_with_arguments(&mut self, callee: &Value, span: Span) -> Result<Value> {
+    pub(in crate::interpreter) fn read_arguments_and_call(&mut self, callee: &Value, span: Span) -> Result<Value> {
         if let Value::Thing(thing) = callee {
             if let Some(spline) = downcast::<Spline>(thing) {
-                return self.spline_arguments(&spline);
+                return self.read_spline_arguments(&spline);
             }
             if let Some(function) = downcast::<Function>(thing) {
                 let mut numbers = vec![];
                 while !self.peek()?.ends() {
-                    let (value, at) = self.value_here()?;
+                    let (value, at) = self.read_value()?;
                     numbers.push(as_float(&value, at)?);
                 }
                 self.check_arity(span, numbers.len(), function.arity())?;

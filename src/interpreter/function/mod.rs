@@ -30,7 +30,7 @@ struct Compiler {
 }
 
 impl<'a> Interpreter<'a> {
-    fn sampled_function(&mut self, parameters: bool, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
+    fn read_sampled_function(&mut self, parameters: bool, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
         if parameters {
             let message = format!("a function made of a `{word}` has no parameters of its own");
             return Diagnostic::new(codes::WRONG_COUNT, span, message)
@@ -58,7 +58,7 @@ impl<'a> Interpreter<'a> {
                 self.leave()?;
                 Arc::new(TransformSampler(transform))
             }
-            "spline" => self.spline()?,
+            "spline" => self.read_spline()?,
             _ => {
                 return Err(self
                     .unexpected_token("an expression, `pigment`, `pattern`, `transform` or `spline`")
@@ -73,14 +73,14 @@ impl<'a> Interpreter<'a> {
 
     /// What stands between the braces of a pigment, as the pattern of its brightness. (Those of functions and `pigment_pattern` do not
     /// begin with the default pigment, as was measured on POV-Ray 3.7.)
-    pub(super) fn brightness(&mut self) -> Result<Arc<dyn Thing>> {
+    pub(super) fn read_brightness(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
         Ok(Arc::new(PigmentPattern::new(Arc::new(Brightness::new(&pigment)))))
     }
 
     /// `spline { linear_spline 0, <1, 2, 3> 1, <2, 3, 4> }`
-    pub(super) fn spline(&mut self) -> Result<Arc<Spline>> {
+    pub(super) fn read_spline(&mut self) -> Result<Arc<Spline>> {
         let at = self.take()?;
         let mut kind = SplineKind::Linear;
         let mut points: Vec<(f64, VecN)> = vec![];
@@ -96,7 +96,7 @@ impl<'a> Interpreter<'a> {
         }
         while Reader::next(self)? != Next::End {
             let t = self.float()?;
-            let (value, span) = self.value_here()?;
+            let (value, span) = self.read_value()?;
             let point = match value {
                 Value::Vector(v) => v,
                 // A number is a point of two equal numbers.
@@ -146,7 +146,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Dot(base, component, _) => match &base.kind {
                 ExprKind::Call(name, arguments) => self.compile_call(c, *name, arguments, Some(component), e.span),
                 ExprKind::Apply(callee, arguments) => {
-                    let callee = self.eval(callee)?;
+                    let callee = self.evaluate(callee)?;
                     let ids = self.compile_arguments(c, arguments)?;
                     self.compile_call_of(c, &callee, ids, Some(component), e.span)
                 }
@@ -154,7 +154,7 @@ impl<'a> Interpreter<'a> {
             },
             // A function in an array.
             ExprKind::Apply(callee, arguments) => {
-                let callee = self.eval(callee)?;
+                let callee = self.evaluate(callee)?;
                 let ids = self.compile_arguments(c, arguments)?;
                 self.compile_call_of(c, &callee, ids, None, e.span)
             }
@@ -164,7 +164,7 @@ impl<'a> Interpreter<'a> {
 
     /// A number that does not depend on the parameters: it is what it is now.
     fn constant_number(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
-        let x = self.number(e)?;
+        let x = self.evaluate_number(e)?;
         Ok(c.graph.constant(x))
     }
 

@@ -66,7 +66,7 @@ impl<'a> Interpreter<'a> {
                         };
                         if callee && self.call_follows()? {
                             let callee = self.name_value(*symbol, span)?;
-                            return self.compile_call_in_pieces(c, &callee, span);
+                            return self.compile_call_by_tokens(c, &callee, span);
                         }
                         Ok((self.compile_name(c, *symbol, e)?, span))
                     }
@@ -90,14 +90,14 @@ impl<'a> Interpreter<'a> {
                     let slot = self.take_element()?;
                     let value = self.slot_value(slot, span)?;
                     if is_callable(&value) && self.call_follows()? {
-                        return self.compile_call_in_pieces(c, &value, span);
+                        return self.compile_call_by_tokens(c, &value, span);
                     }
                     Ok((c.graph.constant(as_float(&value, span)?), span))
                 }
                 Token::Callee(word) => {
                     self.stream.advance();
                     self.expect_paren(word)?;
-                    let id = self.compile_builtin_in_pieces(c, word, span)?;
+                    let id = self.compile_builtin_by_tokens(c, word, span)?;
                     let end = self.stream.here();
                     self.close("`)`")?;
                     Ok((id, joined(span, end)))
@@ -108,7 +108,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The arguments of a function or spline, whose `(` comes next, and perhaps a component behind them.
-    fn compile_call_in_pieces(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
+    fn compile_call_by_tokens(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
         self.open()?;
         let mut ids = vec![];
         while !self.peek()?.ends() {
@@ -127,9 +127,9 @@ impl<'a> Interpreter<'a> {
     }
 
     /// What stands in the parentheses of a built-in function.
-    fn compile_builtin_in_pieces(&mut self, c: &mut Compiler, word: &str, span: Span) -> Result<Id> {
+    fn compile_builtin_by_tokens(&mut self, c: &mut Compiler, word: &str, span: Span) -> Result<Id> {
         if word == "sum" || word == "prod" {
-            return self.compile_series_in_pieces(c, word == "prod", span);
+            return self.compile_series_by_tokens(c, word == "prod", span);
         }
         let mut ids = vec![];
         while !self.peek()?.ends() {
@@ -139,7 +139,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `I, 1, 10, x/I`
-    fn compile_series_in_pieces(&mut self, c: &mut Compiler, product: bool, span: Span) -> Result<Id> {
+    fn compile_series_by_tokens(&mut self, c: &mut Compiler, product: bool, span: Span) -> Result<Id> {
         let Token::Expr(Expr { kind: ExprKind::Name(counter), .. }) = self.peek()? else {
             return Diagnostic::err(
                 codes::WRONG_COUNT,

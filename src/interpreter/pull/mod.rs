@@ -36,17 +36,15 @@ impl<'a> Interpreter<'a> {
     pub(super) fn peek(&mut self) -> Result<Token<'a>> {
         loop {
             if let Some(token) = self.stream.look_ahead() {
-                return Ok(token);
+                return Ok(*token);
             }
-            let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
-            let element = frame.next();
             // Directives are the common case in loops.
-            if let Some(Element { span, kind: ElementKind::Directive(directive), .. }) = element {
-                self.stream.skip_element();
-                self.run_next_directive(directive, *span)?;
+            if let Some((directive, span)) = self.stream.take_directive() {
+                self.run_next_directive(directive, span)?;
                 continue;
             }
-            if element.is_none_or(may_settle) && self.settle_once()? {
+            let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
+            if frame.next().is_none_or(may_settle) && self.settle_once()? {
                 continue;
             }
             let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };

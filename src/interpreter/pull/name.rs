@@ -20,12 +20,12 @@ impl<'a> Interpreter<'a> {
                     Ok(None)
                 }
                 _ => {
-                    let place = self.element_place(base, indices)?;
+                    let place = self.element_lvalue(base, indices)?;
                     self.stream.set_element(place);
                     Ok(Some(Token::Element(expr.span)))
                 }
             },
-            ExprKind::Dot(..) => match self.dictionary_place(expr)? {
+            ExprKind::Dot(..) => match self.dictionary_lvalue(expr)? {
                 Some(place) => {
                     self.stream.set_element(place);
                     Ok(Some(Token::Element(expr.span)))

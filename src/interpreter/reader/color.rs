@@ -69,14 +69,14 @@ fn finite_component(x: f64) -> f64 {
 impl Interpreter<'_> {
     /// The colour that an expression gives after one of the words `rgb`, `rgbt` …: a number stands for as many components
     /// as the word has letters, and the two last of `rgbt` are swapped into place.
-    fn color_after(&mut self, word: &str) -> Result<Color> {
+    fn read_color_value(&mut self, word: &str) -> Result<Color> {
         // Where a colour stands, POV-Ray compares without parentheses: `color (A > 1) ? Red : Blue`.
-        let (value, span) = self.value_in(true)?;
+        let (value, span) = self.read_expression(true)?;
         self.as_color(value, word, span)
     }
 
     /// `filter 0.5` and its kin after a colour.
-    fn color_components(&mut self, color: &mut Color) -> Result<()> {
+    fn read_color_components(&mut self, color: &mut Color) -> Result<()> {
         while let Token::Word(word) = self.peek_continuation()?
             && is_component(word)
         {
@@ -109,13 +109,13 @@ impl Interpreter<'_> {
         }
         let mut color = Color::from_array(c);
         if word.starts_with('s') {
-            color.rgb = self.linear_of_srgb(color.rgb);
+            color.rgb = self.srgb_to_linear(color.rgb);
         }
         Ok(color)
     }
 
     /// An sRGB colour in the numbers that the scene computes with.
-    fn linear_of_srgb(&self, c: Rgb) -> Rgb {
+    fn srgb_to_linear(&self, c: Rgb) -> Rgb {
         let linear = transfer::srgb_decode_rgb(c);
         match self.builder.language().assumed_gamma {
             Some(Gamma::Srgb) => c,
@@ -149,9 +149,9 @@ impl Interpreter<'_> {
                 let x = self.float()?;
                 set_component(&mut color, word, x);
             }
-            word => color = self.color_after(word)?,
+            word => color = self.read_color_value(word)?,
         }
-        self.color_components(&mut color)?;
+        self.read_color_components(&mut color)?;
         Ok(color)
     }
 
@@ -160,12 +160,12 @@ impl Interpreter<'_> {
         if matches!(self.peek()?, Token::Word(_)) {
             return self.color().map(FloatOrColor::Color);
         }
-        let (value, span) = self.value_here()?;
+        let (value, span) = self.read_value()?;
         if let Value::Float(x) = value {
             return Ok(FloatOrColor::Float(x));
         }
         let mut color = self.as_color(value, "color", span)?;
-        self.color_components(&mut color)?;
+        self.read_color_components(&mut color)?;
         Ok(FloatOrColor::Color(color))
     }
 }

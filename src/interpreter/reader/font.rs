@@ -9,11 +9,11 @@ use std::sync::Arc;
 
 impl Interpreter<'_> {
     /// See [`crate::value::Reader::font`]. A name without ending means ttf, or else a family of the system's fonts.
-    pub(super) fn font_named(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
+    pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {
             Some(path) => Place::first_of(path),
-            None => match self.installed(name).or_else(|| self.stand_in(name, &full, at).map(Place::first_of)) {
+            None => match self.installed_font(name).or_else(|| self.substitute_font(name, &full, at).map(Place::first_of)) {
                 Some(place) => place,
                 None => return Ok(Arc::new(Font::own())),
             },
@@ -27,7 +27,7 @@ impl Interpreter<'_> {
     }
 
     /// A font of the system by its family: an addition of durer's.
-    fn installed(&mut self, name: &str) -> Option<Place> {
+    fn installed_font(&mut self, name: &str) -> Option<Place> {
         if fonts::is_file_name(Path::new(name)) {
             return None;
         }
@@ -41,7 +41,7 @@ impl Interpreter<'_> {
     }
 
     /// A font of the system: the one of this name, or one that looks like it, which is told.
-    fn stand_in(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
+    fn substitute_font(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
         let search = &self.inputs.options.search.fonts;
         let found = fonts::similar(name, search, |path| self.inputs.options.sandbox.may_read(path));
         let file = found.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());

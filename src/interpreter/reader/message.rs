@@ -173,7 +173,7 @@ impl Interpreter<'_> {
     }
 
     /// The word that comes next is none of those that `block` takes.
-    pub(super) fn tell_unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
+    pub(super) fn unknown_word_message(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
         let span = self.stream.here();
         let word = match self.peek() {
             Err(fault) => return *fault,

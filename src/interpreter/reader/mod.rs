@@ -29,9 +29,9 @@ use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
     /// A text, with its place.
-    pub(super) fn text_here(&mut self) -> Result<(String, Span)> {
+    pub(super) fn read_text_value(&mut self) -> Result<(String, Span)> {
         // (A sign behind it is no operator: strings have none.)
-        let (value, span) = self.primary()?;
+        let (value, span) = self.read_primary()?;
         match value {
             Value::Text(text) => Ok((text.to_string(), span)),
             other => not_text(&other, span),
@@ -39,8 +39,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A number behind a directive's word, with its place.
-    pub(super) fn float_after(&mut self) -> Result<(f64, Span)> {
-        let (value, span) = self.value_here()?;
+    pub(super) fn read_number(&mut self) -> Result<(f64, Span)> {
+        let (value, span) = self.read_value()?;
         Ok((as_float(&value, span)?, span))
     }
 }
@@ -105,7 +105,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn value(&mut self) -> Result<(Value, Span)> {
-        self.value_here()
+        self.read_value()
     }
 
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)> {
@@ -116,7 +116,7 @@ impl Reader for Interpreter<'_> {
                 self.stream.advance();
                 Some(self.name_value(*symbol, span)?)
             }
-            Token::Function(_) => match self.rvalue()? {
+            Token::Function(_) => match self.read_rvalue()? {
                 Slot::Value(value) => Some(value),
                 _ => None,
             },
@@ -139,12 +139,12 @@ impl Reader for Interpreter<'_> {
     }
 
     fn pigment(&mut self) -> Result<Arc<dyn Thing>> {
-        self.brightness()
+        self.read_brightness()
     }
 
     fn float(&mut self) -> Result<f64> {
         self.at_value("a number")?;
-        let (value, span) = self.value_here()?;
+        let (value, span) = self.read_value()?;
         let x = as_float(&value, span)?;
         if x.is_finite() { Ok(x) } else { Diagnostic::err(codes::NOT_FINITE, span, format!("this number is {x}")) }
     }
@@ -155,7 +155,7 @@ impl Reader for Interpreter<'_> {
 
     fn vector(&mut self) -> Result<DVec3> {
         self.at_value("a vector")?;
-        let (value, span) = self.value_here()?;
+        let (value, span) = self.read_value()?;
         finite(as_vector(&value, span)?, span)
     }
 
@@ -178,11 +178,11 @@ impl Reader for Interpreter<'_> {
             }
             Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) => {
                 self.stream.advance();
-                self.whole_numbers(parts)?
+                self.evaluate_numbers(parts)?
             }
-            Token::Sign(Sign::Operator(Operator::Less)) => self.numbers_in_pieces()?.0,
+            Token::Sign(Sign::Operator(Operator::Less)) => self.read_vector_numbers()?.0,
             _ => {
-                let (value, span) = self.value_here()?;
+                let (value, span) = self.read_value()?;
                 match value {
                     Value::Vector(v) => v.c[..v.len as usize].to_vec(),
                     other => {
@@ -266,7 +266,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn text(&mut self) -> Result<String> {
-        self.text_here().map(|(text, _)| text)
+        self.read_text_value().map(|(text, _)| text)
     }
 
     fn flag(&mut self) -> Result<bool> {
@@ -293,22 +293,22 @@ impl Reader for Interpreter<'_> {
     }
 
     fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
-        self.mesh_file_here(build)
+        self.read_mesh_file(build)
     }
 
     fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
         if !matches!(self.peek()?, Token::Function(_)) {
             return Ok(None);
         }
-        self.picture_function()
+        self.read_sized_function()
     }
 
     fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
-        self.font_named(name, at)
+        self.find_font(name, at)
     }
 
     fn pass(&mut self, row: &mut Vec<RawItem>) -> Result<()> {
-        self.pass_over(row)
+        self.read_into(row)
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
@@ -321,11 +321,11 @@ impl Reader for Interpreter<'_> {
     }
 
     fn unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
-        self.tell_unknown_word(block, takes)
+        self.unknown_word_message(block, takes)
     }
 
     fn keep_undrawn(&mut self, what: &'static str) -> Result<RawItem> {
-        self.keep_with_warning(what)
+        self.read_unsupported_item(what)
     }
 }
 

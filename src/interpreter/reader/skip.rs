@@ -11,7 +11,7 @@ use crate::value::{Next, RawItem, Reader};
 
 impl Interpreter<'_> {
     /// A word or block with all that belongs to it.
-    pub(super) fn keep_with_warning(&mut self, what: &'static str) -> Result<RawItem> {
+    pub(super) fn read_unsupported_item(&mut self, what: &'static str) -> Result<RawItem> {
         let token = self.peek()?;
         let (word, span) = match token {
             Token::Block(name) => (name.word.unwrap_or(what), name.span),
@@ -20,52 +20,52 @@ impl Interpreter<'_> {
         };
         self.report(Diagnostic::new(codes::UNSUPPORTED, span, format!("`{word}` is not drawn yet: it is left out")));
         match token {
-            Token::Block(_) => self.enclosed_said(word),
+            Token::Block(_) => self.read_enclosed(word),
             Token::Function(_) | Token::Expr(_) => {
                 let mut row = vec![];
-                self.pass_over(&mut row)?;
+                self.read_into(&mut row)?;
                 Ok(RawItem::Block(word, row.into()))
             }
             _ => {
                 self.stream.advance();
-                let row = self.arguments_said()?;
+                let row = self.read_values_after_word()?;
                 Ok(if row.is_empty() { RawItem::Word(word) } else { RawItem::Block(word, row.into()) })
             }
         }
     }
 
     /// The values, entries and texts after a word.
-    fn arguments_said(&mut self) -> Result<Vec<RawItem>> {
+    fn read_values_after_word(&mut self) -> Result<Vec<RawItem>> {
         let mut row = vec![];
         loop {
             match Reader::next(self)? {
-                Next::Value | Next::Function | Next::Entry | Next::Group => self.pass_over(&mut row)?,
+                Next::Value | Next::Function | Next::Entry | Next::Group => self.read_into(&mut row)?,
                 Next::Word(word) if begins_color(word) => row.push(RawItem::Color(self.read_color()?)),
-                Next::Thing("color_map" | "pigment" | "texture" | "normal") => self.pass_over(&mut row)?,
+                Next::Thing("color_map" | "pigment" | "texture" | "normal") => self.read_into(&mut row)?,
                 _ => return Ok(row),
             }
         }
     }
 
     /// A block, entry or group to its end.
-    fn enclosed_said(&mut self, word: &'static str) -> Result<RawItem> {
+    fn read_enclosed(&mut self, word: &'static str) -> Result<RawItem> {
         self.take()?;
         let mut row = vec![];
         while !self.peek()?.ends() {
-            self.pass_over(&mut row)?;
+            self.read_into(&mut row)?;
         }
         self.leave()?;
         Ok(RawItem::Block(word, row.into()))
     }
 
     /// Whatever comes next, with all that is in it. Directives run and values are computed, so that mistakes are found.
-    pub(super) fn pass_over(&mut self, row: &mut Vec<RawItem>) -> Result<()> {
+    pub(super) fn read_into(&mut self, row: &mut Vec<RawItem>) -> Result<()> {
         match self.peek()? {
             Token::Block(name) => {
-                row.push(self.enclosed_said(name.word.unwrap_or("block"))?);
+                row.push(self.read_enclosed(name.word.unwrap_or("block"))?);
             }
-            Token::Open(Bracket::Square, _) => row.push(self.enclosed_said("entry")?),
-            Token::Open(Bracket::Brace, _) => row.push(self.enclosed_said("group")?),
+            Token::Open(Bracket::Square, _) => row.push(self.read_enclosed("entry")?),
+            Token::Open(Bracket::Brace, _) => row.push(self.read_enclosed("group")?),
             Token::Numbers(data) if data.len() > 5 || self.is_whole(false) => {
                 self.stream.advance();
                 RawItem::push_numbers(row, data);
@@ -81,16 +81,16 @@ impl Interpreter<'_> {
             }
             Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) if parts.len() > 5 || self.is_whole(false) => {
                 self.stream.advance();
-                let data = self.whole_numbers(parts)?;
+                let data = self.evaluate_numbers(parts)?;
                 RawItem::push_numbers(row, &data);
             }
             Token::Sign(Sign::Operator(Operator::Less)) => {
-                let (data, span) = self.numbers_in_pieces()?;
+                let (data, span) = self.read_vector_numbers()?;
                 if self.value_ends()? {
                     RawItem::push_numbers(row, &data);
                 } else {
                     let first = vector_value(&data, span)?;
-                    RawItem::push_value(row, &self.value_from(first, span)?.0);
+                    RawItem::push_value(row, &self.continue_value(first, span)?.0);
                 }
             }
             Token::Expr(_)
@@ -101,8 +101,8 @@ impl Interpreter<'_> {
             | Token::Open(Bracket::Paren, _)
             | Token::Sign(Sign::Not | Sign::Operator(_)) => {
                 let value = match Reader::next(self)? {
-                    Next::Thing(_) | Next::Function => self.rvalue()?,
-                    _ => Slot::Value(self.value_here()?.0),
+                    Next::Thing(_) | Next::Function => self.read_rvalue()?,
+                    _ => Slot::Value(self.read_value()?.0),
                 };
                 if let Slot::Value(value) = value {
                     RawItem::push_value(row, &value);

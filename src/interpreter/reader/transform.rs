@@ -22,7 +22,7 @@ const A_LITTLE: f64 = 5.0;
 
 impl Interpreter<'_> {
     /// One `translate`, `rotate` … after its word was consumed.
-    fn transform_step(&mut self, word: &str) -> Result<Box<Transform>> {
+    fn read_transform_step(&mut self, word: &str) -> Result<Box<Transform>> {
         let span = {
             self.peek()?;
             self.stream.here()
@@ -35,7 +35,7 @@ impl Interpreter<'_> {
             "translate" => Transform::translate(self.vector()?),
             "rotate" => {
                 let angles = self.vector()?;
-                self.tell_all_axes(angles, span);
+                self.warn_all_axes(angles, span);
                 Transform::rotate(angles)
             }
             "scale" => {
@@ -57,7 +57,7 @@ impl Interpreter<'_> {
     }
 
     /// W0407: `rotate 45`. One that is computed, as by `rand`, is mostly meant so; a macro's argument too.
-    fn tell_all_axes(&mut self, angles: DVec3, span: Span) {
+    fn warn_all_axes(&mut self, angles: DVec3, span: Span) {
         if angles.x.abs() < A_LITTLE || angles.x != angles.y || angles.y != angles.z {
             return;
         }
@@ -67,7 +67,7 @@ impl Interpreter<'_> {
             return;
         }
         let typed = self.inputs.sources.snippet(span);
-        if typed.parse::<f64>().is_ok() && !self.goes_on_behind(span) {
+        if typed.parse::<f64>().is_ok() && !self.is_operand(span) {
             let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
             let help =
                 format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
@@ -77,7 +77,7 @@ impl Interpreter<'_> {
     }
 
     /// Does an operator stand behind this number? (Taken apart, `360*rand(S)` begins with a token that is a number.)
-    fn goes_on_behind(&self, span: Span) -> bool {
+    fn is_operand(&self, span: Span) -> bool {
         let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
         let rest = self.inputs.sources.text(file).get(range.end..).unwrap_or("");
         rest.trim_start().starts_with(['*', '/', '+', '-', '.'])
@@ -109,7 +109,7 @@ impl Interpreter<'_> {
         match Reader::next(self)? {
             Next::Word(word @ ("translate" | "rotate" | "scale" | "matrix")) => {
                 self.stream.advance();
-                self.transform_step(word).map(Some)
+                self.read_transform_step(word).map(Some)
             }
             Next::Word("transform") => {
                 // `transform T`, as in old scenes

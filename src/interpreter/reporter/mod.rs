@@ -70,7 +70,7 @@ impl<'a> Reporter<'a> {
     pub(super) fn report(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
         // A warning about an unused declaration has the code of its error: the cause decides, not the severity.
-        let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.understood(d) };
+        let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.with_cause(d) };
         let Some(d) = d.filter(|_| !silent) else { return };
         // An error at the same place replaces a warning.
         let is_same = |k: &Diagnostic| k.message == d.message || k.severity > d.severity;

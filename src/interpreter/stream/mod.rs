@@ -115,11 +115,11 @@ impl<'a> TokenStream<'a> {
     }
 
     /// The next token if it is known: pushed back, or the look-ahead.
-    #[inline]
-    pub(super) fn look_ahead(&self) -> Option<Token<'a>> {
+    #[inline(always)]
+    pub(super) fn look_ahead(&self) -> Option<&Token<'a>> {
         match self.pushed_back.last() {
-            Some(pushed_back) => Some(pushed_back.token),
-            None => self.look_ahead,
+            Some(pushed_back) => Some(&pushed_back.token),
+            None => self.look_ahead.as_ref(),
         }
     }
 
@@ -209,6 +209,19 @@ impl<'a> TokenStream<'a> {
         self.look_ahead = None;
         if let Some(frame) = self.frames.last_mut() {
             frame.at += 2;
+        }
+    }
+
+    /// Consumes the directive at the read position, if it is one.
+    #[inline(always)]
+    pub(super) fn take_directive(&mut self) -> Option<(&'a Directive, Span)> {
+        let frame = self.frames.last_mut()?;
+        match frame.elements.get(frame.at) {
+            Some(Element { span, kind: ElementKind::Directive(directive), .. }) => {
+                frame.at += 1;
+                Some((directive, *span))
+            }
+            _ => None,
         }
     }
 

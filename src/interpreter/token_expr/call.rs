@@ -27,11 +27,11 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `name ( … )` of a built-in function.
-    pub(super) fn builtin_in_pieces(&mut self, word: &'static str, span: Span) -> Result<(Value, Span)> {
+    pub(super) fn read_builtin_call(&mut self, word: &'static str, span: Span) -> Result<(Value, Span)> {
         self.stream.advance();
         self.expect_paren(word)?;
         if word == "select" {
-            return self.select_in_pieces(span);
+            return self.read_select(span);
         }
         let mut arguments = SmallVec::<[Argument<'a>; 4]>::new();
         while !self.peek()?.closes(Bracket::Paren) {
@@ -40,7 +40,7 @@ impl<'a> Interpreter<'a> {
                 let at = self.stream.here();
                 return Err(self.misplaced(at).into());
             }
-            arguments.push(self.argument_here()?);
+            arguments.push(self.read_argument()?);
         }
         let end = self.stream.here();
         self.close("`)`")?;
@@ -66,8 +66,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `A, B, C [, D])`: only the one that is meant is computed.
-    fn select_in_pieces(&mut self, span: Span) -> Result<(Value, Span)> {
-        let (value, at) = self.value_in(true)?;
+    fn read_select(&mut self, span: Span) -> Result<(Value, Span)> {
+        let (value, at) = self.read_expression(true)?;
         let a = as_float(&value, at)?;
         let below = a < 0.0;
         let mut found = None;
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
             };
             count += 1;
             if meant {
-                found = Some(self.value_here()?.0);
+                found = Some(self.read_value()?.0);
             } else {
                 self.climb(&mut Skipped, false)?;
             }
@@ -98,9 +98,9 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The arguments of a function or spline, whose `(` comes next.
-    pub(super) fn call_in_pieces(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
+    pub(super) fn read_call(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
         self.open()?;
-        let value = self.call_with_arguments(callee, span)?;
+        let value = self.read_arguments_and_call(callee, span)?;
         let end = self.stream.here();
         self.close("`)`")?;
         Ok((value, joined(span, end)))

@@ -101,18 +101,18 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The next value that is a number, vector, colour or text, with its place.
-    pub(super) fn value_here(&mut self) -> Result<(Value, Span)> {
-        self.value_in(false)
+    pub(super) fn read_value(&mut self) -> Result<(Value, Span)> {
+        self.read_expression(false)
     }
 
     /// The same; where it `compares`, as in a colour or a condition, `<` is no vector behind an operand.
-    pub(super) fn value_in(&mut self, compares: bool) -> Result<(Value, Span)> {
+    pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
         if self.is_whole(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
             match token {
                 Token::Expr(e) if compares || !e.compares() => {
                     self.stream.advance();
-                    return Ok((self.eval(e)?, e.span));
+                    return Ok((self.evaluate(e)?, e.span));
                 }
                 Token::Numbers(data) => {
                     let span = self.stream.here();
@@ -126,19 +126,19 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A value whose first operand has been read.
-    pub(super) fn value_from(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
+    pub(super) fn continue_value(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
         self.climb(&mut Computed(Some((first, span))), false)
     }
 
     /// A number, vector, text, name, call … without signs.
-    pub(super) fn primary(&mut self) -> Result<(Value, Span)> {
+    pub(super) fn read_primary(&mut self) -> Result<(Value, Span)> {
         self.expose_operand()?;
         let token = self.peek()?;
         let span = self.stream.here();
         match token {
             Token::Expr(e) => {
                 self.stream.advance();
-                Ok((self.eval(e)?, span))
+                Ok((self.evaluate(e)?, span))
             }
             Token::Numbers(data) => {
                 self.stream.advance();
@@ -148,10 +148,10 @@ impl<'a> Interpreter<'a> {
                 let slot = self.take_element()?;
                 Ok((self.slot_value(slot, span)?, span))
             }
-            Token::Sign(Sign::Operator(Operator::Less)) => self.vector_in_pieces(),
+            Token::Sign(Sign::Operator(Operator::Less)) => self.read_vector(),
             Token::Open(Bracket::Paren, _) => {
                 self.open()?;
-                let (value, _) = self.value_in(true)?;
+                let (value, _) = self.read_expression(true)?;
                 let next = self.peek()?;
                 if !next.ends() && !matches!(next, Token::Sign(_)) {
                     let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
@@ -161,7 +161,7 @@ impl<'a> Interpreter<'a> {
                 self.close("`)`")?;
                 Ok((value, joined(span, end)))
             }
-            Token::Callee(word) => self.builtin_in_pieces(word, span),
+            Token::Callee(word) => self.read_builtin_call(word, span),
             Token::Word(word) if super::reader::begins_color(word) => {
                 let color = self.color()?;
                 Ok((Value::Color(color), span))
@@ -197,7 +197,7 @@ impl<'a> Interpreter<'a> {
                     span = joined(span, name.span);
                 }
                 _ if is_callable(&value) && self.call_follows()? => {
-                    (value, span) = self.call_in_pieces(&value, span)?;
+                    (value, span) = self.read_call(&value, span)?;
                 }
                 _ => return Ok((value, span)),
             }
@@ -221,23 +221,23 @@ impl<'a> Interpreter<'a> {
     }
 
     /// A vector, whose `<` comes next.
-    fn vector_in_pieces(&mut self) -> Result<(Value, Span)> {
-        let (data, span) = self.numbers_in_pieces()?;
+    fn read_vector(&mut self) -> Result<(Value, Span)> {
+        let (data, span) = self.read_vector_numbers()?;
         Ok((vector_value(&data, span)?, span))
     }
 
     /// The numbers of a vector of any length, whose `<` comes next.
-    pub(super) fn numbers_in_pieces(&mut self) -> Result<(Vec<f64>, Span)> {
+    pub(super) fn read_vector_numbers(&mut self) -> Result<(Vec<f64>, Span)> {
         let start = self.stream.here();
         self.stream.advance();
         let mut data = vec![];
-        let end = self.in_mode(|mode| mode.defers = false, |me| me.vector_parts_to_end(start, &mut data))?;
+        let end = self.in_mode(|mode| mode.defers = false, |me| me.read_vector_to_end(start, &mut data))?;
         self.stream.advance();
         Ok((data, joined(start, end)))
     }
 
     /// Reads the numbers of the vector whose `<` is at `start`, up to its `>`; returns the span of that.
-    fn vector_parts_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
+    fn read_vector_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
         loop {
             match self.peek()? {
                 Token::Sign(Sign::Operator(Operator::Greater)) => return Ok(self.stream.here()),
@@ -248,7 +248,7 @@ impl<'a> Interpreter<'a> {
                 Token::Word(word) if self.evaluator.ends_vector(word) => return Err(self.open_vector(start).into()),
                 Token::Block(_) => return Err(self.open_vector(start).into()),
                 _ => {
-                    let (value, span) = self.value_here()?;
+                    let (value, span) = self.read_value()?;
                     if !self.stream.has_comma() && matches!(value, Value::Vector(_)) && !data.is_empty() {
                         return Err(self.misplaced(span).into());
                     }
@@ -317,7 +317,7 @@ impl<'a> Operands<'a> for Computed {
             return me.postfix(first);
         }
         let signs = read_signs(me)?;
-        let first = me.primary()?;
+        let first = me.read_primary()?;
         let (mut value, mut span) = me.postfix(first)?;
         for (prefix, at) in signs {
             value = apply_prefix(prefix, value, span)?;

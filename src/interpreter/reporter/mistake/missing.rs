@@ -11,7 +11,7 @@ const MAX_PLACES: usize = 4;
 
 impl Reporter<'_> {
     /// Adds a fault to one of the same cause that is told already, or gives it back.
-    pub(super) fn joined_with_others(&mut self, d: Diagnostic) -> Option<Diagnostic> {
+    pub(super) fn merge_with_same_cause(&mut self, d: Diagnostic) -> Option<Diagnostic> {
         let Some(cause) = d.cause.as_deref() else { return Some(d) };
         // (What nobody uses only warns, and joins whatever there is.)
         let same =
@@ -26,13 +26,13 @@ impl Reporter<'_> {
     }
 
     /// A message with all places of its cause, the author's own first.
-    pub(super) fn settled(&self, mut d: Diagnostic) -> Diagnostic {
+    pub(super) fn with_all_places(&self, mut d: Diagnostic) -> Diagnostic {
         let Some(mut cause) = d.cause.take() else { return d };
         cause.uses.sort_by_key(|(_, span)| (self.in_standard_file(*span), span.lo));
         let Some((name, first)) = cause.uses.first().cloned() else { return d };
         if let Remedy::Include(file) = cause.remedy {
             if self.in_standard_file(first) {
-                return self.told_of_include(d, &cause, file);
+                return self.missing_include_of_include(d, &cause, file);
             }
             d.message = include_message(&name, file);
             d.help = Some(include_help(file));
@@ -70,7 +70,7 @@ impl Reporter<'_> {
     }
 
     /// A standard include needs another: told where the author's own text includes it, or calls its macro.
-    fn told_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
+    fn missing_include_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
         let Some((name, first)) = cause.uses.first() else { return d };
         let inner = self.inputs.sources.locate(*first).map_or("", |(id, _)| self.inputs.sources.name(id));
         let inner = Path::new(inner).file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -50,19 +50,19 @@ impl Mistakes {
 
 impl Reporter<'_> {
     /// A fault as it is to be told; `None` if it follows from another, or is told with another.
-    pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
+    pub(super) fn with_cause(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
         let Some(source) = SourceLine::of(self.inputs.sources, d.span()) else { return Some(d) };
         let line = (source.file, source.line.start);
         let habit = habit::find(&source, &d);
         let is_habit = habit.is_some();
         if let Some(habit) = habit {
             let base = self.inputs.sources.base(source.file);
-            self.note_habit(&habit, source.file);
+            self.record_habit(&habit, source.file);
             d = habit.told(d, base);
-        } else if self.follows(&d, &source) {
+        } else if self.is_consequence(&d, &source) {
             return None;
         }
-        self.note(&d, &source);
+        self.record_consequences(&d, &source);
         // What else is wrong in a line that can't be read is no news.
         let known = self.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
         if !known && d.severity == Severity::Error {
@@ -73,18 +73,18 @@ impl Reporter<'_> {
                 self.mistakes.lines.insert(line);
             }
         }
-        self.joined_with_others(d)
+        self.merge_with_same_cause(d)
     }
 
     /// Remembers what was meant, and is not there.
-    fn note_habit(&mut self, habit: &Habit, file: FileId) {
+    fn record_habit(&mut self, habit: &Habit, file: FileId) {
         self.mistakes.names.extend(habit.names.iter().cloned());
         self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
         self.mistakes.lost_directive |= habit.loses_directive;
     }
 
     /// Remembers what a fault leaves undone.
-    fn note(&mut self, d: &Diagnostic, source: &SourceLine) {
+    fn record_consequences(&mut self, d: &Diagnostic, source: &SourceLine) {
         let text = self.inputs.sources.snippet(d.span());
         let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
         if let Some(("declare" | "local" | "macro", rest)) = directive
@@ -105,7 +105,7 @@ impl Reporter<'_> {
     }
 
     /// Does a fault follow from an earlier one?
-    fn follows(&self, d: &Diagnostic, source: &SourceLine) -> bool {
+    fn is_consequence(&self, d: &Diagnostic, source: &SourceLine) -> bool {
         if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && source.after().starts_with("#end") {
             return true;
         }
@@ -129,7 +129,7 @@ impl Reporter<'_> {
     /// At the end of the run: one message for each cause, and how many errors were only counted.
     pub(in crate::interpreter) fn settle_messages(&mut self) {
         let all = std::mem::take(&mut self.diagnostics);
-        self.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
+        self.diagnostics = all.into_iter().map(|d| self.with_all_places(d)).collect();
         let unreported = self.mistakes.unreported.len();
         if let Some(first) = self.mistakes.first_unreported {
             let more = if unreported == 1 {
