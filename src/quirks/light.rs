@@ -11,6 +11,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/random/README.md"],
     ),
     emulated(
+        "shadow_by_outside",
+        "Meshes and blobs cast shadows by their outer texture alone, whatever their `interior_texture` transmits.",
+        &["light_cases/shadow_of_interior_texture"],
+    ),
+    emulated(
         "shadow_min_distance",
         "A shadow ray ignores hits closer than 0.001 to either of its ends.",
         &["light_cases/shadow_thin"],

@@ -6,7 +6,6 @@ use super::trace::{Path, Tracer};
 use crate::color::Rgb;
 use crate::light::Arriving;
 use crate::math::{DVec3, Range, Ray};
-use crate::shape::Kernel;
 use crate::world::{Intersection, LightSource, World};
 use std::ops::ControlFlow;
 
@@ -132,7 +131,7 @@ impl Tracer<'_> {
 }
 
 /// The surfaces that take their share of a light's ray, from the nearest to the farthest. One that is no farther behind another than the
-/// tolerance is not met: a box thinner than that filters once, and so does the edge of its shadow (measured on POV-Ray 3.7).
+/// tolerance is not met: a box thinner than that filters once, and so does the edge of its shadow (quirk: `shadow_min_distance`).
 fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32) -> bool) -> Vec<Intersection<'w>> {
     let mut surfaces = vec![];
     let _ = world.geometry.visit(ray, range, filters, &mut |found| {
@@ -142,7 +141,7 @@ fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32)
     surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
     let (mut last, nearness) = (f64::NEG_INFINITY, &world.nearness);
     surfaces.retain(|found| {
-        let met = found.t() - last > nearness.shadow.max(nearness.own(found.leaf.shape.least_distance()));
+        let met = found.t() - last > nearness.shadow.max(nearness.own(found.leaf.shape.quirks().min_distance));
         if met {
             last = found.t();
         }

@@ -91,7 +91,7 @@ impl Sample {
 /// What a camera at a place is in.
 fn around(world: &World, origin: DVec3) -> Interiors {
     let mut inside = Interiors::new();
-    world.geometry.around_camera(origin, &mut |item| {
+    world.geometry.containing(origin, &mut |item| {
         let interior = world.objects[item.object() as usize].interior;
         inside.extend((interior != ObjectInfo::VIEW).then_some(interior));
     });

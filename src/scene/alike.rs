@@ -38,7 +38,7 @@ impl Alike {
 
     /// The shape that was read before and is like this one.
     pub fn of_shape(&self, shape: &Shape) -> Option<Shape> {
-        if !shape.learns() {
+        if !shape.caches_lazily() {
             return None;
         }
         self.shapes.borrow().iter().find(|other| *other == shape).cloned()
@@ -46,7 +46,7 @@ impl Alike {
 
     /// Remembers a shape that learns.
     pub fn remember(&self, shape: &Shape) {
-        if shape.learns() {
+        if shape.caches_lazily() {
             push(&mut self.shapes.borrow_mut(), shape.clone());
         }
     }

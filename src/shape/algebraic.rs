@@ -12,7 +12,7 @@
 //! }
 //! ```
 
-use super::{HUGE, Hit, Hits, Kernel, Readable};
+use super::{Bounding, HUGE, Hit, Hits, Kernel, Quirks, Readable};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, MAX_DEGREE, Range, Ray, Transform, roots_on_line, tolerance};
 use crate::source::Span;
@@ -289,16 +289,14 @@ pub(super) const STURM: WordSpec =
     word("sturm", Kind::Flag, "off", "a more exact method in POV-Ray; changes nothing here");
 
 impl<const FORM: usize> Kernel for Algebraic<FORM> {
+    const QUIRKS: Quirks = Quirks { bounding: Bounding::Exact, ..Quirks::NONE };
+
     fn bounds(&self) -> Aabb {
         Aabb::INFINITE
     }
 
     fn extent(&self, _: &Transform) -> Aabb {
         HUGE
-    }
-
-    fn keeps_bound(&self) -> bool {
-        true
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -327,7 +325,7 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
     }
 
     /// POV-Ray has no mapping for them.
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

@@ -13,7 +13,7 @@ mod component;
 pub use component::Component;
 
 use super::extent::NOTHING;
-use super::{HUGE, Hit, Hits, Kernel, Paints, Readable, Slots, moved_box};
+use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, Readable, Slots, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_between, tolerance};
@@ -68,7 +68,7 @@ impl Blob {
 
     /// Hands the places on the surface to `visit` in order, until it breaks off.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
-        let range = range.ahead(self.least_distance());
+        let range = range.ahead(Self::QUIRKS.min_distance);
         let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
         // Counted from near the blob, so that a far eye loses nothing.
         let start = if enter.is_finite() { enter } else { -ray.origin.dot(ray.dir) / ray.dir.length_squared() };
@@ -189,6 +189,15 @@ impl Readable for Blob {
 }
 
 impl Kernel for Blob {
+    const QUIRKS: Quirks = Quirks {
+        min_distance: tolerance::BLOB_SURFACE,
+        bounding: Bounding::Ignored,
+        shadow_by_outside: true,
+        embedded_textures_on_both_sides: true,
+        moves_embedded_textures: true,
+        ..Quirks::NONE
+    };
+
     fn bounds(&self) -> Aabb {
         self.bounds
     }
@@ -223,7 +232,7 @@ impl Kernel for Blob {
         self.field(p) >= self.threshold
     }
 
-    fn reaches_beyond(&self) -> bool {
+    fn is_solid_unbounded(&self) -> bool {
         self.threshold <= 0.0
     }
 
@@ -231,24 +240,6 @@ impl Kernel for Blob {
         let mut sum = DVec3::ZERO;
         self.near(p, &mut |component| sum -= component.gradient(p));
         if sum == DVec3::ZERO { DVec3::Y } else { sum }
-    }
-
-    fn least_distance(&self) -> f64 {
-        tolerance::BLOB_SURFACE
-    }
-
-    /// Textures by how strong the fields of their components are, be it to add or to take away (measured on POV-Ray 3.7).
-    fn takes_textures_along(&self) -> bool {
-        true
-    }
-
-    /// If but one component has a texture of its own (as was measured on POV-Ray 3.7).
-    fn hides_interior_texture(&self) -> bool {
-        self.textured
-    }
-
-    fn darkens_by_outside(&self) -> bool {
-        true
     }
 
     fn slots(&self, p: DVec3, _: &Hit) -> Slots {
@@ -265,12 +256,8 @@ impl Kernel for Blob {
         slots
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
-    }
-
-    fn is_never_bounded(&self) -> bool {
-        true
     }
 }
 

@@ -84,7 +84,7 @@ impl Kernel for Disc {
         extent::framed(m, self.normal, self.center, &Aabb { min: -corner, max: corner })
     }
 
-    fn reaches_beyond(&self) -> bool {
+    fn is_solid_unbounded(&self) -> bool {
         true
     }
 
@@ -120,7 +120,7 @@ impl Kernel for Disc {
         DVec2::new(u, d.length() / self.radius)
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

@@ -334,7 +334,7 @@ macro_rules! frustum_kernel {
                 self.0.uv(p, hit.part)
             }
 
-            fn uv_mapped(&self) -> bool {
+            fn has_uv_mapping(&self) -> bool {
                 false
             }
         }

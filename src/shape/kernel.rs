@@ -1,8 +1,7 @@
 //! What every shape can do: hits, inside, normals and all else that is asked of one, in its own space.
 
-use super::{Face, moved_box};
-use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
-use std::sync::Arc;
+use super::{Face, Quirks, moved_box};
+use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
 
 /// Where a ray meets a surface, in object space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,6 +87,9 @@ pub type HalfSpaces = smallvec::SmallVec<[HalfSpace; 10]>;
 
 /// What every shape can do, in its own space. Rays come with a direction of any length.
 pub trait Kernel {
+    /// How POV-Ray's version of the shape departs from this model.
+    const QUIRKS: Quirks = Quirks::NONE;
+
     /// The smallest box around it; infinite where it is.
     fn bounds(&self) -> Aabb;
 
@@ -105,7 +107,7 @@ pub trait Kernel {
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
 
     /// The same of a part of a CSG object, or of what is clipped, of which POV-Ray may know but the first few (measured on 3.7).
-    fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) {
+    fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.hits(ray, range, out);
     }
 
@@ -146,7 +148,7 @@ pub trait Kernel {
     }
 
     /// Does its inside reach out of its bounds?
-    fn reaches_beyond(&self) -> bool {
+    fn is_solid_unbounded(&self) -> bool {
         false
     }
 
@@ -178,47 +180,18 @@ pub trait Kernel {
         vec![]
     }
 
+    /// True if [`Kernel::uv`] is a mapping of the surface, which `uv_mapping` uses.
+    fn has_uv_mapping(&self) -> bool {
+        true
+    }
+
     /// What a place shows, of shapes that carry textures.
     fn slots(&self, _p: DVec3, _hit: &Hit) -> Slots {
         smallvec::smallvec![(0, 1.0)]
     }
 
-    /// Does it keep what it carries on its inside too, whatever `interior_texture` says?
-    fn hides_interior_texture(&self) -> bool {
-        false
-    }
-
-    /// Does it keep all light away where its outside would, also on its inside, whatever its `interior_texture` lets pass (measured on
-    /// POV-Ray 3.7)?
-    fn darkens_by_outside(&self) -> bool {
-        false
-    }
-
-    /// Does it show the texture of its inside where that was, even turned inside out (measured on POV-Ray 3.7)?
-    fn keeps_sides(&self) -> bool {
-        false
-    }
-
-    /// Does `uv_mapping` see [`Kernel::uv`]? For shapes without a mapping of their own, POV-Ray takes the x and y of the
-    /// point in world space instead.
-    fn uv_mapped(&self) -> bool {
-        true
-    }
-
-    /// A ray does not meet it nearer than this to its start, in world units (measured on POV-Ray 3.7).
-    fn least_distance(&self) -> f64 {
-        tolerance::SURFACE
-    }
-
-    /// Do the textures that it carries move with it, even with `uv_mapping`, which keeps those of others where they are (measured on
-    /// POV-Ray 3.7)?
-    fn takes_textures_along(&self) -> bool {
-        false
-    }
-
-    /// The shape to place by M instead of this one, where that is another. `moves` are the steps of M, the first one first, where
-    /// [`Kernel::remembers_moves`].
-    fn changed_under(&self, _m: &Transform, _moves: &[Move]) -> Option<Self>
+    /// The shape to place by M instead of this one; `None` for a shape that does not depend on its transform.
+    fn changed_under(&self, _m: &Transform) -> Option<Self>
     where
         Self: Sized,
     {
@@ -226,58 +199,12 @@ pub trait Kernel {
     }
 
     /// Is it a surface without any inside, which `inverse` can't turn inside out?
-    fn is_patch(&self) -> bool {
-        false
-    }
-
-    /// Is it a surface that `clipped_by` does not cut?
-    fn is_never_clipped(&self) -> bool {
-        false
-    }
-
-    /// By itself, is it seen whatever bounds it (measured on POV-Ray 3.7)?
-    fn is_never_bounded(&self) -> bool {
-        false
-    }
-
-    /// By itself, is its bound obeyed as it is, and not just the box around that (measured on POV-Ray 3.7)?
-    fn keeps_bound(&self) -> bool {
-        false
-    }
-
-    /// Does it depend on the steps by which it was moved what it is?
-    fn remembers_moves(&self) -> bool {
+    fn is_open(&self) -> bool {
         false
     }
 
     /// Does it find out about itself when rays ask, so that shapes that are alike had better be one?
-    fn learns(&self) -> bool {
+    fn caches_lazily(&self) -> bool {
         false
-    }
-}
-
-/// A step by which a shape was moved.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Move {
-    /// What it does.
-    pub by: Transform,
-    /// Was it the word `scale`?
-    pub scales: bool,
-}
-
-impl Move {
-    /// As many as are remembered; from more, the first ones are taken together.
-    const MOST: usize = 32;
-
-    /// First those, then these.
-    pub fn join(first: &[Move], then: &[Move]) -> Arc<[Move]> {
-        let mut all: Vec<Move> = [first, then].concat();
-        let many = (all.len() + 1).saturating_sub(Self::MOST);
-        if many > 1 {
-            let by = all[..many].iter().fold(Transform::IDENTITY, |by, step| by.then(&step.by));
-            let together = Move { by, scales: all[many - 1].scales };
-            all.splice(..many, [together]);
-        }
-        all.into()
     }
 }

@@ -23,6 +23,7 @@ mod plane;
 mod polygon;
 mod prism;
 mod quadric;
+mod quirks;
 mod smooth_triangle;
 mod sor;
 mod sphere;
@@ -50,7 +51,7 @@ pub use height_field::HeightField;
 pub use isosurface::Isosurface;
 pub use julia_fractal::{Algebra, Function, JuliaFractal};
 use kernel::nearest;
-pub use kernel::{Crossing, End, HalfSpace, HalfSpaces, Hit, Hits, Kernel, Move, Slots};
+pub use kernel::{Crossing, End, HalfSpace, HalfSpaces, Hit, Hits, Kernel, Slots};
 pub use lathe::Lathe;
 pub use mesh::{Face, Mesh, Mesh2, TriangleMesh};
 pub use ovus::Ovus;
@@ -59,6 +60,7 @@ pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
 pub use prism::Prism;
 pub use quadric::Quadric;
+pub use quirks::{Bounding, Quirks};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
@@ -117,7 +119,7 @@ macro_rules! shapes {
             fn bounds(&self) -> Aabb { match self { $(Shape::$name(s) => Kernel::bounds(&**s)),* } }
             fn bounds_under(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.bounds_under(m)),* } }
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
-            fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits_as_part(ray, range, out)),* } }
+            fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits_in_csg(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn any(&self, ray: &Ray, range: Range) -> bool { match self { $(Shape::$name(s) => s.any(ray, range)),* } }
             fn extent(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.extent(m)),* } }
@@ -125,7 +127,7 @@ macro_rules! shapes {
             fn half_spaces(&self) -> HalfSpaces { match self { $(Shape::$name(s) => s.half_spaces()),* } }
             fn quadratic(&self) -> Option<Quadratic> { match self { $(Shape::$name(s) => s.quadratic()),* } }
             fn solid_bounds(&self) -> Option<Aabb> { match self { $(Shape::$name(s) => s.solid_bounds()),* } }
-            fn reaches_beyond(&self) -> bool { match self { $(Shape::$name(s) => s.reaches_beyond()),* } }
+            fn is_solid_unbounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_solid_unbounded()),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
             fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
             fn knows_crossings(&self) -> bool { match self { $(Shape::$name(s) => s.knows_crossings()),* } }
@@ -134,24 +136,17 @@ macro_rules! shapes {
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
             fn faces(&self) -> Vec<Face> { match self { $(Shape::$name(s) => s.faces()),* } }
             fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
-            fn hides_interior_texture(&self) -> bool { match self { $(Shape::$name(s) => s.hides_interior_texture()),* } }
-            fn darkens_by_outside(&self) -> bool { match self { $(Shape::$name(s) => s.darkens_by_outside()),* } }
-            fn keeps_sides(&self) -> bool { match self { $(Shape::$name(s) => s.keeps_sides()),* } }
-            fn uv_mapped(&self) -> bool { match self { $(Shape::$name(s) => s.uv_mapped()),* } }
-            fn takes_textures_along(&self) -> bool { match self { $(Shape::$name(s) => s.takes_textures_along()),* } }
-            fn least_distance(&self) -> f64 { match self { $(Shape::$name(s) => s.least_distance()),* } }
-            fn is_patch(&self) -> bool { match self { $(Shape::$name(s) => s.is_patch()),* } }
-            fn is_never_clipped(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_clipped()),* } }
-            fn is_never_bounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_never_bounded()),* } }
-            fn keeps_bound(&self) -> bool { match self { $(Shape::$name(s) => s.keeps_bound()),* } }
-            fn remembers_moves(&self) -> bool { match self { $(Shape::$name(s) => s.remembers_moves()),* } }
-            fn learns(&self) -> bool { match self { $(Shape::$name(s) => s.learns()),* } }
+            fn has_uv_mapping(&self) -> bool { match self { $(Shape::$name(s) => s.has_uv_mapping()),* } }
+            fn is_open(&self) -> bool { match self { $(Shape::$name(s) => s.is_open()),* } }
+            fn caches_lazily(&self) -> bool { match self { $(Shape::$name(s) => s.caches_lazily()),* } }
         }
 
         impl Shape {
-            /// The shape that M is about to place; `moves` are the steps of M, where [`Kernel::remembers_moves`].
-            pub fn under(&self, m: &Transform, moves: &[Move]) -> Cow<'_, Self> {
-                match self { $(Shape::$name(s) => s.changed_under(m, moves).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
+            /// The quirks of the shape's kind.
+            pub fn quirks(&self) -> &'static Quirks { match self { $(Shape::$name(_) => &$name::QUIRKS),* } }
+            /// The shape to place by M: see [`Kernel::changed_under`].
+            pub fn under(&self, m: &Transform) -> Cow<'_, Self> {
+                match self { $(Shape::$name(s) => s.changed_under(m).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
             /// Do both share all they are?
             pub fn is_one_with(&self, other: &Self) -> bool {

@@ -8,7 +8,7 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Readable, finite};
+use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Quirks, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
@@ -150,6 +150,8 @@ fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
 }
 
 impl Kernel for Plane {
+    const QUIRKS: Quirks = Quirks { bounding: Bounding::Ignored, ..Quirks::NONE };
+
     fn bounds(&self) -> Aabb {
         // A plane across an axis is a half-space with one finite side.
         let mut bounds = Aabb::INFINITE;
@@ -169,10 +171,6 @@ impl Kernel for Plane {
 
     fn as_half_space(&self) -> Option<HalfSpace> {
         Some((self.normal, self.distance))
-    }
-
-    fn is_never_bounded(&self) -> bool {
-        true
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -222,7 +220,7 @@ impl Kernel for Plane {
         }
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         self.span.is_some()
     }
 }

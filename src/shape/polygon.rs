@@ -194,7 +194,7 @@ impl Kernel for Polygon {
         false
     }
 
-    fn is_patch(&self) -> bool {
+    fn is_open(&self) -> bool {
         true
     }
 
@@ -207,7 +207,7 @@ impl Kernel for Polygon {
         seen(p, self.drop)
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

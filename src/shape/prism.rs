@@ -259,7 +259,7 @@ impl Kernel for Prism {
     }
 
     /// POV-Ray has no mapping for prisms.
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

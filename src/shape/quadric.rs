@@ -7,7 +7,7 @@
 //! quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { plane { y, 1.6 } } pigment { color rgb <0.9, 0.6, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Readable, finite, moved_box};
+use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, stable_pair};
 use crate::source::Span;
@@ -153,6 +153,8 @@ impl Readable for Quadric {
 }
 
 impl Kernel for Quadric {
+    const QUIRKS: Quirks = Quirks { keeps_texture_sides: true, ..Quirks::NONE };
+
     fn bounds(&self) -> Aabb {
         self.centered.ends.unwrap_or(Aabb::INFINITE)
     }
@@ -186,7 +188,7 @@ impl Kernel for Quadric {
         Some(Quadratic { q, h, c, center })
     }
 
-    fn reaches_beyond(&self) -> bool {
+    fn is_solid_unbounded(&self) -> bool {
         self.centered.definite() < 0.0
     }
 
@@ -222,12 +224,8 @@ impl Kernel for Quadric {
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
-    fn keeps_sides(&self) -> bool {
-        true
-    }
-
     /// POV-Ray has no mapping for them.
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }
@@ -290,7 +288,7 @@ mod tests {
         let hits = all(&ball, &Ray::new(DVec3::new(0.0, 0.6, -1e7), DVec3::Z));
         assert!((hits[0].t - 1e7 + 0.8).abs() < 1e-8, "{hits:?}");
         let hole = made("<-1,-1,-1> 0 0 1");
-        assert!(!hole.inside(DVec3::ZERO) && hole.inside(DVec3::X * 9.0) && hole.reaches_beyond());
+        assert!(!hole.inside(DVec3::ZERO) && hole.inside(DVec3::X * 9.0) && hole.is_solid_unbounded());
         assert!(hole.bounds().is_finite() && !hole.is_convex() && ball.is_convex());
     }
 

@@ -7,7 +7,7 @@
 //! smooth_triangle { <0, 0, 0>, <-1, 0, -2>, <1, 0, 0>, <1, 0, -2>, <0, 1, 0>, <0, 1, -2> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Move, Readable, Triangle, finite};
+use super::{Hit, Hits, Kernel, Readable, Triangle, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -101,30 +101,16 @@ impl Kernel for SmoothTriangle {
         false
     }
 
-    fn is_patch(&self) -> bool {
+    fn is_open(&self) -> bool {
         true
     }
 
-    /// With normals that have length 1 under M, so that what lies between them there is a mean of directions (as in POV-Ray).
-    fn remembers_moves(&self) -> bool {
-        true
-    }
-
-    /// With normals as POV-Ray 3.7 has them (measured): they get length 1 at each `scale`, and other steps that stretch them leave
-    /// them as they are. What a step twists is gone, whatever follows.
-    fn changed_under(&self, _: &Transform, moves: &[Move]) -> Option<Self> {
-        let (mut m, mut scaled) = (Transform::IDENTITY, None);
-        for step in moves {
-            m = m.then(&step.by);
-            if self.is_twisted_under(&m) {
-                return Some(Self { normals: [DVec3::ZERO; 3], ..self.clone() });
-            }
-            if step.scales {
-                scaled = Some(m);
-            }
-        }
-        let scaled = scaled?;
-        let normals = self.normals.map(|n| n / scaled.normal(n).length().max(f64::MIN_POSITIVE));
+    /// With normals of length 1 under M, so that interpolation weighs them alike (quirk: `smooth_triangle_normals`).
+    fn changed_under(&self, m: &Transform) -> Option<Self> {
+        let normals = match self.is_twisted_under(m) {
+            true => [DVec3::ZERO; 3],
+            false => self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE)),
+        };
         Some(Self { normals, ..self.clone() })
     }
 
@@ -139,7 +125,7 @@ impl Kernel for SmoothTriangle {
         hit.uv
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

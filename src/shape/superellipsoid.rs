@@ -371,7 +371,7 @@ impl Kernel for Superellipsoid {
     }
 
     /// POV-Ray has no mapping for it.
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

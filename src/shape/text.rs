@@ -286,7 +286,7 @@ impl Kernel for Text {
         self.tilt.vector(n)
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

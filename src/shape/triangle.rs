@@ -4,7 +4,7 @@
 //! triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { color rgb <0.3, 0.7, 0.3> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Move, Readable, finite};
+use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -127,7 +127,7 @@ impl Kernel for Triangle {
         false
     }
 
-    fn is_patch(&self) -> bool {
+    fn is_open(&self) -> bool {
         true
     }
 
@@ -135,29 +135,12 @@ impl Kernel for Triangle {
         if self.turned { -self.face_normal() } else { self.face_normal() }
     }
 
-    fn remembers_moves(&self) -> bool {
-        true
-    }
-
-    /// With the sides that it has in POV-Ray 3.7 (measured): each step that moves it turns it so that, where it lay before the step, its
-    /// normal pointed to -x, y or -z, whichever is the nearest axis.
-    fn changed_under(&self, m: &Transform, moves: &[Move]) -> Option<Self> {
-        let (_, before) = moves.split_last()?;
-        let before = before.iter().fold(Transform::IDENTITY, |all, step| all.then(&step.by));
-        let [a, b, c] = [self.a, self.b, self.c].map(|p| before.point(p));
-        let normal = Self::new(a, b, c).face_normal();
-        let along = (normal * DVec3::new(-1.0, 1.0, -1.0))[normal.abs().max_position()];
-        // In a mirror, the corners go round the other way than normals tell.
-        let turned = (along < 0.0) == (m.m.matrix3.determinant() > 0.0);
-        (turned != self.turned).then_some(Self { turned, ..*self })
-    }
-
     /// The lecture's (u, v). POV-Ray has no mapping for triangles outside meshes.
     fn uv(&self, _: DVec3, hit: &Hit) -> DVec2 {
         hit.uv
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

@@ -17,8 +17,6 @@ pub struct Geometry {
     /// Finite ones whose inside reaches beyond their box, as that of an inverted sphere.
     unbounded: Vec<u32>,
     #[serde(skip)]
-    clipped: Clipped,
-    #[serde(skip)]
     bvh: Bvh,
 }
 
@@ -77,39 +75,6 @@ impl Extend<SolidNode> for Heap {
     }
 }
 
-/// The numbers of the items that something clips.
-#[derive(Clone, Debug, Default)]
-struct Clipped {
-    /// Over [`SolidNode::reach`] of the finite ones, which begin the list.
-    bvh: Bvh,
-    finite: usize,
-    all: Vec<u32>,
-}
-
-impl Clipped {
-    fn new(items: &[Item]) -> Self {
-        let reach = |i: &u32| match &items[*i as usize] {
-            Item::Solid(node) if !node.clip().is_empty() => Some(node.reach()),
-            _ => None,
-        };
-        let every = (0..items.len() as u32).filter_map(|i| Some((i, reach(&i)?)));
-        let (mut near, far): (Vec<_>, Vec<_>) = every.partition(|(_, reach)| bvh::fits(reach));
-        let (bvh, order) = Bvh::build(near.iter().map(|(_, reach)| *reach));
-        put_in_order(&mut near, order);
-        let finite = near.len();
-        Self { bvh, finite, all: near.into_iter().chain(far).map(|(i, _)| i).collect() }
-    }
-
-    /// Those that may reach the point.
-    fn around(&self, p: DVec3, mut visit: impl FnMut(u32)) {
-        self.bvh.around(p, |i| {
-            visit(self.all[i]);
-            ControlFlow::Continue(())
-        });
-        self.all[self.finite..].iter().for_each(|&i| visit(i));
-    }
-}
-
 impl From<Heap> for Geometry {
     fn from(Heap { finite: mut items, infinite }: Heap) -> Self {
         let (bvh, order) = Bvh::build(items.iter().map(Item::bounds));
@@ -118,8 +83,7 @@ impl From<Heap> for Geometry {
         let unbounded = (0..finite as u32).filter(|&i| items[i as usize].is_unbounded()).collect();
         items.extend(infinite.into_iter().map(Item::Solid));
         items.shrink_to_fit();
-        let clipped = Clipped::new(&items);
-        Self { items, finite, unbounded, clipped, bvh }
+        Self { items, finite, unbounded, bvh }
     }
 }
 
@@ -275,25 +239,6 @@ impl Geometry {
                 ask(&self.items[i]);
             }
             ControlFlow::Continue(())
-        });
-    }
-
-    /// Tells `visit` the objects that a camera at the point starts in. As POV-Ray 3.7, this forgets what clips an object, but for the
-    /// boxes of that, and what is turned inside out and lies far from the point: see `SolidNode::reach`.
-    pub fn around_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(Standing<'a>)) {
-        self.containing(p, &mut |item| {
-            let is_seen = item.node.clip().is_empty() && (!item.node.is_unbounded() || item.node.reach().contains(p));
-            if item.copied.is_some() || is_seen {
-                visit(item);
-            }
-        });
-        self.clipped.around(p, |i| {
-            if let Item::Solid(node) = &self.items[i as usize]
-                && node.reach().contains(p)
-                && node.inside_uncut(p)
-            {
-                visit(Standing { node, copied: None });
-            }
         });
     }
 

@@ -66,7 +66,7 @@ impl Leaf {
 
     /// Turned inside out, unless it has no inside.
     pub(super) fn inverted(self) -> Self {
-        let inverse = if self.shape.is_patch() { self.inverse } else { !self.inverse };
+        let inverse = if self.shape.is_open() { self.inverse } else { !self.inverse };
         Self { inverse, ..self }
     }
 
@@ -96,14 +96,14 @@ impl Leaf {
     }
 
     /// The same where it is a part of others, or clipped.
-    pub(super) fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.shape.hits_as_part(&self.local(ray), range, out);
+    pub(super) fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
+        self.shape.hits_in_csg(&self.local(ray), range, out);
     }
 
     #[inline]
     pub(super) fn inside(&self, p: DVec3) -> bool {
         let local = self.place.as_ref().map_or(p, |m| m.inverse_point(p));
-        !self.shape.is_patch() && self.shape.inside(local) != self.inverse
+        !self.shape.is_open() && self.shape.inside(local) != self.inverse
     }
 
     /// What is not positive on its surface and inside, in the world, of shapes of the second order.
@@ -120,9 +120,9 @@ impl Leaf {
             None => self.shape.bounds(),
         });
         let solid = match self.inverse {
-            _ if self.shape.is_patch() => Aabb::EMPTY,
+            _ if self.shape.is_open() => Aabb::EMPTY,
             true => Aabb::INFINITE,
-            false if self.shape.reaches_beyond() => Aabb::INFINITE,
+            false if self.shape.is_solid_unbounded() => Aabb::INFINITE,
             false => match (self.shape.solid_bounds(), &self.place) {
                 (None, _) => surface,
                 (Some(solid), Some(m)) => loosened(m.aabb(&solid)),
@@ -168,7 +168,7 @@ impl Intersection<'_> {
 
     /// Was it turned inside out, but not the textures of its sides?
     pub fn keeps_sides(&self) -> bool {
-        self.leaf.inverse && self.leaf.shape.keeps_sides()
+        self.leaf.inverse && self.leaf.shape.quirks().keeps_texture_sides
     }
 
     /// The shape's own coordinates on its surface, at `object_point` of [`Intersection::surface`].
@@ -178,7 +178,7 @@ impl Intersection<'_> {
 
     /// What `uv_mapping` sees: shapes without a mapping of their own show the x and y of the point in the world.
     pub fn mapped_uv(&self, surface: &Surface) -> DVec2 {
-        if self.leaf.shape.uv_mapped() { self.uv(surface.object_point) } else { surface.point.truncate() }
+        if self.leaf.shape.has_uv_mapping() { self.uv(surface.object_point) } else { surface.point.truncate() }
     }
 
     /// Point and normal of this hit of `ray`, in world space (lecture, "Ray – transformed object

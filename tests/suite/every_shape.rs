@@ -402,7 +402,7 @@ fn nested_transforms_carry_hits_along() {
         let mut dice = Dice { stream: Stream::new(&[i as u64, 2]), size: 1.0 };
         let m = nested(&mut dice);
         // (What remembers its moves, and what is made anew by them, is another shape there.)
-        let there = shape.under(&m, &[]).into_owned();
+        let there = shape.under(&m).into_owned();
         let node = SolidNode::leaf(Leaf::new(there, &m, 3), 3);
         let world = Geometry::new(vec![node.clone()]);
         for ray in rays(i as u64, 20) {

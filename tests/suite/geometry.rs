@@ -307,7 +307,7 @@ proptest! {
             let mut inside = vec![];
             geometry.containing(p, &mut |item| inside.push(item.object()));
             // Of a disc, or a ball that is solid all around, whether points beyond its box count is left open.
-            let plate = |n: &Standing| matches!(n.node().kind(), durer::world::SolidKind::Leaf(l) if l.shape.reaches_beyond());
+            let plate = |n: &Standing| matches!(n.node().kind(), durer::world::SolidKind::Leaf(l) if l.shape.is_solid_unbounded());
             let all = |n: &Standing| n.inside(p) && !plate(n);
             let mut want: Vec<u32> = geometry.items().filter(all).map(|n| n.object()).collect();
             let plates: Vec<u32> = geometry.items().filter(|n| plate(n)).map(|n| n.object()).collect();

@@ -27,6 +27,7 @@ mod memory;
 mod mutate;
 mod noise;
 mod pick;
+mod quirks;
 mod resume;
 mod scene_builder;
 mod scratch;

@@ -7,7 +7,7 @@ mod read;
 
 use super::{Defaults, Painted, Weight};
 use crate::math::{Aabb, Transform};
-use crate::shape::{Kernel, Move, Shape, moved_box};
+use crate::shape::{Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Interior, Texture};
 use crate::value::{RawItem, Seldom, Thing, Usual};
@@ -114,10 +114,6 @@ pub struct Bulk {
     pub extent: Option<Aabb>,
     /// What is in it.
     pub weight: Weight,
-    /// [`Kernel::remembers_moves`] of one of its shapes, or one of its parts is turned inside out.
-    pub remembers_moves: bool,
-    /// The steps by which it was moved, if it remembers them.
-    pub moves: Option<Arc<[Move]>>,
 }
 
 /// What few objects say.
@@ -142,11 +138,6 @@ pub struct Rare {
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub undrawn: Option<Arc<Vec<RawItem>>>,
-}
-
-impl Bulk {
-    /// That of a shape, which mostly needs none.
-    const SHAPE: Self = Self { extent: None, weight: Weight::SHAPE, remembers_moves: false, moves: None };
 }
 
 impl Usual for Rare {
@@ -186,14 +177,7 @@ impl ObjectBody {
     pub fn new(kind: ObjectKind, word: &'static str) -> Self {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
-                // (What is turned inside out is there as far as the boxes around it, which every step moves by itself.)
-                let remembers_moves = parts.iter().any(|part| part.remembers_moves() || part.rare.flags.inverse);
-                Some(Box::new(Bulk {
-                    extent: None,
-                    weight: Weight::default().around(parts),
-                    remembers_moves,
-                    moves: None,
-                }))
+                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts) }))
             }
             _ => None,
         };
@@ -203,14 +187,6 @@ impl ObjectBody {
     /// How much is in it.
     pub fn weight(&self) -> Weight {
         self.bulk.as_ref().map_or(Weight::SHAPE, |bulk| bulk.weight)
-    }
-
-    /// Does it, or one of its parts, depend on the steps by which it was moved?
-    pub fn remembers_moves(&self) -> bool {
-        match &self.kind {
-            ObjectKind::Shape(shape) => shape.remembers_moves(),
-            _ => self.bulk.as_ref().is_some_and(|bulk| bulk.remembers_moves),
-        }
     }
 
     /// Does it hold places that are moved when the object is?

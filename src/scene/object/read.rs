@@ -1,12 +1,12 @@
 //! Reads objects: the blocks that make them, and the modifiers that may stand in each (manual, "Object Modifiers").
 
 use super::carried::Carried;
-use super::{Bulk, CsgOp, Object, ObjectBody, ObjectKind};
+use super::{CsgOp, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::scene::words::{FLAGS, MODIFIERS};
 use crate::scene::{Defaults, Painted, Weight, read_layers, read_material};
-use crate::shape::{self, Kernel, Move, Shape};
+use crate::shape::{self, Shape};
 use crate::source::Span;
 use crate::texture::{Interior, Material, Texture};
 use crate::value::words::{is_row, read_row};
@@ -166,13 +166,7 @@ impl Object {
             {
                 continue;
             }
-            let remembers = shape.as_deref().map_or_else(|| self.remembers_moves(), Kernel::remembers_moves);
-            let read = if next.moves() && remembers {
-                self.read_move(r, Some(next)).map(|()| true)
-            } else {
-                self.read_modifier(next, r, defaults)
-            };
-            let read = match read {
+            let read = match self.read_modifier(next, r, defaults) {
                 // (Its number has been read by then.)
                 Err(fault) if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.moves() => {
                     r.report(nothing_seen(self.word, *fault));
@@ -182,9 +176,6 @@ impl Object {
                 }
                 read => read?,
             };
-            if next.moves() && shape.as_deref().is_some_and(|shape| self.loses(shape)) {
-                is_somewhere = false;
-            }
             if !read {
                 let own = shape.as_deref().map(|s| s.spec().word_names().collect::<Vec<_>>()).unwrap_or_default();
                 let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
@@ -192,26 +183,6 @@ impl Object {
                 skip_color(next, fault, r)?;
             }
         }
-    }
-
-    /// Reads a transform and moves by it; what it was called is kept if it is told.
-    fn read_move(&mut self, r: &mut dyn Reader, called: Option<Next>) -> Result<()> {
-        let Some(step) = r.transform()? else { return Ok(()) };
-        self.transform_by(&step);
-        if let Some(called) = called {
-            let bulk = self.bulk.get_or_insert_with(|| Box::new(Bulk::SHAPE));
-            let last = Move { by: *step, scales: called == Next::Word("scale") };
-            bulk.moves = Some(Move::join(bulk.moves.as_deref().unwrap_or_default(), &[last]));
-        }
-        Ok(())
-    }
-
-    /// Have its transforms so far left nothing of the shape? What follows does not bring it back (measured on POV-Ray 3.7 with
-    /// smooth triangles, whose normals get to both sides).
-    fn loses(&self, shape: &Shape) -> bool {
-        let moves = self.bulk.as_ref().and_then(|bulk| bulk.moves.as_deref()).unwrap_or_default();
-        let left = || shape.under(&self.transform, moves).bounds_under(&self.transform);
-        shape.is_patch() && !shape.bounds().is_empty() && left().is_empty()
     }
 
     /// Reads one modifier; false if it is none.
@@ -226,7 +197,9 @@ impl Object {
         }
         match next {
             next if next.moves() => {
-                self.read_move(r, None)?;
+                if let Some(step) = r.transform()? {
+                    self.transform_by(&step);
+                }
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
             Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.ignores(word) => {

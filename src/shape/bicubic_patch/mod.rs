@@ -15,7 +15,7 @@
 
 mod net;
 
-use super::{Hit, Hits, Kernel, Move, Readable, Triangle, finite};
+use super::{Hit, Hits, Kernel, Quirks, Readable, Triangle, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Sheared, Transform};
@@ -212,6 +212,8 @@ fn read_type(span: Span, r: &mut dyn Reader) -> Result<()> {
 }
 
 impl Kernel for BicubicPatch {
+    const QUIRKS: Quirks = Quirks { ignores_clipping: true, ..Quirks::NONE };
+
     fn bounds(&self) -> Aabb {
         self.bounds
     }
@@ -265,15 +267,11 @@ impl Kernel for BicubicPatch {
         a.lerp(b, place.x).lerp(d.lerp(c, place.x), place.y)
     }
 
-    fn is_patch(&self) -> bool {
+    fn is_open(&self) -> bool {
         true
     }
 
-    fn is_never_clipped(&self) -> bool {
-        true
-    }
-
-    fn changed_under(&self, m: &Transform, _: &[Move]) -> Option<Self> {
+    fn changed_under(&self, m: &Transform) -> Option<Self> {
         let [x, y, z] = DVec3::AXES.map(|axis| m.vector(axis));
         let size = x.length_squared();
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * size;
@@ -316,12 +314,12 @@ mod tests {
         // What is scaled is as flat as its image, and so are its normals.
         let far = Transform::scale(DVec3::new(1.0, 1.0, 5.0)).unwrap();
         let patch = tent(0.5, 0.1, 2, 0.99);
-        let patch = patch.changed_under(&far, &[]).unwrap();
+        let patch = patch.changed_under(&far).unwrap();
         let ray = Ray::new(DVec3::new(1.1, 0.7, -50.0), DVec3::Z);
         let hit = patch.closest(&ray, Range::FORWARD).unwrap();
         let n = far.normal(patch.normal(ray.at(hit.t), &hit)).normalize();
         assert!((hit.t - 50.23).abs() < 1e-9 && n.distance(DVec3::new(0.058905, 0.594083, -0.802244)) < 1e-5, "{n}");
-        assert!(patch.changed_under(&Transform::rotate(DVec3::splat(30.0)), &[]).is_none());
+        assert!(patch.changed_under(&Transform::rotate(DVec3::splat(30.0))).is_none());
     }
 
     #[test]

@@ -13,7 +13,7 @@ mod grid;
 mod heights;
 mod normals;
 
-use super::{Hit, Hits, Kernel, Move, Readable, nearest};
+use super::{Bounding, Hit, Hits, Kernel, Quirks, Readable, nearest};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Gives};
@@ -197,6 +197,8 @@ fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
 }
 
 impl Kernel for HeightField {
+    const QUIRKS: Quirks = Quirks { bounding: Bounding::Ignored, ..Quirks::NONE };
+
     fn bounds(&self) -> Aabb {
         let Some(grid) = &self.grid else { return Aabb::EMPTY };
         let [lo, hi] = grid.range().map(|h| h / STEPS);
@@ -235,12 +237,12 @@ impl Kernel for HeightField {
         Some(Aabb { min: DVec3::new(0.0, f64::NEG_INFINITY, 0.0), max: DVec3::new(1.0, b[1], 1.0) })
     }
 
-    fn reaches_beyond(&self) -> bool {
+    fn is_solid_unbounded(&self) -> bool {
         true
     }
 
     /// With the means of directions taken where it stands, as in POV-Ray.
-    fn changed_under(&self, m: &Transform, _: &[Move]) -> Option<Self> {
+    fn changed_under(&self, m: &Transform) -> Option<Self> {
         self.smooth.then(|| Self { place: Some(Box::new(*m)), ..self.clone() })
     }
 
@@ -263,12 +265,8 @@ impl Kernel for HeightField {
         DVec2::new(p.x, p.z)
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
-    }
-
-    fn is_never_bounded(&self) -> bool {
-        true
     }
 }
 

@@ -301,7 +301,7 @@ impl Kernel for Isosurface {
     }
 
     /// The first so many in front of the ray's origin, as `max_trace` says, and all behind it.
-    fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) {
+    fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.max_trace == u32::MAX {
             return self.hits(ray, range, out);
         }
@@ -341,11 +341,11 @@ impl Kernel for Isosurface {
         if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }
     }
 
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 
-    fn learns(&self) -> bool {
+    fn caches_lazily(&self) -> bool {
         true
     }
 }

@@ -15,7 +15,7 @@ mod orbit;
 
 pub use function::Function;
 
-use super::{Hit, Hits, Kernel, Paints, Readable, finite, moved_box};
+use super::{Bounding, Hit, Hits, Kernel, Paints, Quirks, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, crossing};
 use crate::source::Span;
@@ -330,6 +330,8 @@ impl JuliaFractal {
 }
 
 impl Kernel for JuliaFractal {
+    const QUIRKS: Quirks = Quirks { bounding: Bounding::Ignored, ..Quirks::NONE };
+
     fn bounds(&self) -> Aabb {
         if self.rounds() == 0 {
             Aabb::EMPTY
@@ -381,12 +383,8 @@ impl Kernel for JuliaFractal {
     }
 
     /// POV-Ray has no mapping for it.
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
-    }
-
-    fn is_never_bounded(&self) -> bool {
-        true
     }
 }
 

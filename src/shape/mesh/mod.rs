@@ -58,6 +58,9 @@ const EACH_CORNER: u32 = 1 << 31;
 macro_rules! mesh_kernel {
     ($name:ident) => {
         impl $crate::shape::Kernel for $name {
+            const QUIRKS: $crate::shape::Quirks =
+                $crate::shape::Quirks { shadow_by_outside: true, ..$crate::shape::Quirks::NONE };
+
             fn bounds(&self) -> Aabb {
                 self.0.triangles.bounds()
             }
@@ -98,11 +101,7 @@ macro_rules! mesh_kernel {
                 self.0.slots(hit)
             }
 
-            fn darkens_by_outside(&self) -> bool {
-                true
-            }
-
-            fn is_patch(&self) -> bool {
+            fn is_open(&self) -> bool {
                 self.0.inside_vector.is_none()
             }
         }

@@ -155,7 +155,7 @@ impl Readable for Parametric {
 }
 
 impl Kernel for Parametric {
-    fn learns(&self) -> bool {
+    fn caches_lazily(&self) -> bool {
         true
     }
 
@@ -173,7 +173,7 @@ impl Kernel for Parametric {
     }
 
     /// The first one in front of the ray's origin, and those behind it.
-    fn hits_as_part(&self, ray: &Ray, range: Range, out: &mut Hits) {
+    fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.hits(ray, Range { max: range.max.min(tolerance::SURFACE), ..range }, out);
         let first = self.closest(ray, Range { min: tolerance::SURFACE, max: range.max });
         out.extend(first.filter(|hit| range.contains(hit.t)));
@@ -189,7 +189,7 @@ impl Kernel for Parametric {
         false
     }
 
-    fn is_patch(&self) -> bool {
+    fn is_open(&self) -> bool {
         true
     }
 

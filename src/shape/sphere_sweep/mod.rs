@@ -235,7 +235,7 @@ impl Kernel for SphereSweep {
     }
 
     /// POV-Ray has no mapping for it.
-    fn uv_mapped(&self) -> bool {
+    fn has_uv_mapping(&self) -> bool {
         false
     }
 }

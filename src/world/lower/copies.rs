@@ -4,7 +4,6 @@ use super::{Inherited, Lowering};
 use crate::diagnostic::Result;
 use crate::math::bvh;
 use crate::scene::{Object, ObjectKind};
-use crate::shape::Kernel;
 use crate::value::Seldom;
 use crate::world::ObjectInfo;
 use crate::world::copied::Copied;
@@ -102,13 +101,13 @@ fn is_copy(node: &SolidNode, original: &SolidNode, before: Mark) -> bool {
     match (node.kind(), original.kind()) {
         (SolidKind::Leaf(a), SolidKind::Leaf(b)) => {
             let numbered = a.id as usize == before.parts + b.id as usize;
-            numbered && a.inverse == b.inverse && a.shape.is_one_with(&b.shape) && !a.shape.remembers_moves()
+            numbered && a.inverse == b.inverse && a.shape.is_one_with(&b.shape)
         }
         (SolidKind::Union(a), SolidKind::Union(b))
         | (SolidKind::Intersection(a), SolidKind::Intersection(b))
         | (SolidKind::Merge(a), SolidKind::Merge(b)) => {
             let one_by_one = || a.iter().zip(b).all(|(a, b)| is_copy(a, b, before));
-            !node.is_cut_by_reach() && a.len() == b.len() && one_by_one()
+            a.len() == b.len() && one_by_one()
         }
         _ => false,
     }

@@ -16,7 +16,7 @@ use crate::color::Gamma;
 use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
-use crate::shape::{Kernel, Shape};
+use crate::shape::{Bounding, Kernel, Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Interior, Rare, Texture};
 use crate::value::Seldom;
@@ -51,15 +51,16 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         let before = lowering.mark();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
             // Of most shapes by themselves, POV-Ray 3.7 takes but the box.
-            let mut node = match &object.kind {
-                ObjectKind::Shape(shape) if object.rare.bounded_by.is_some() && !shape.keeps_bound() => {
-                    solid.node.bounded_by_box(Some(object.extent()).filter(|_| !shape.is_never_bounded()))
+            let node = match &object.kind {
+                ObjectKind::Shape(shape)
+                    if object.rare.bounded_by.is_some() && shape.quirks().bounding != Bounding::Exact =>
+                {
+                    solid
+                        .node
+                        .bounded_by_box(Some(object.extent()).filter(|_| shape.quirks().bounding == Bounding::Box))
                 }
                 _ => solid.node,
             };
-            if node.is_unbounded() {
-                node = node.lying_within(object.extent());
-            }
             let number = node.is_dissolved().then_some(node.object);
             match lowering.copied(&object, &node, before)? {
                 Some(copied) => heap.add_copied(copied),
@@ -221,26 +222,22 @@ impl Lowering {
         let solid = match &object.kind {
             ObjectKind::Light(light) => self.lower_light(light, &own, inherited)?,
             ObjectKind::Shape(shape) => {
-                let shape = shape.under(&own.place.now, own.place.moves.as_deref().unwrap_or_default());
-                let is_there = !shape.is_patch() || !shape.bounds_under(&own.place.now).is_empty();
+                let shape = shape.under(&own.place.now);
+                let is_there = !shape.is_open() || !shape.bounds_under(&own.place.now).is_empty();
                 is_there.then(|| self.lower_shape(object, &shape, &own)).transpose()?
             }
             ObjectKind::Csg(op, parts) => self.lower_csg(*op, parts, &own)?,
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
-        if matches!(object.kind, ObjectKind::Csg(..)) && node.shows_reach() {
-            node = node.reaching(inherited.place.moved_box(object.extent()));
+        if matches!(object.kind, ObjectKind::Csg(CsgOp::Intersection | CsgOp::Difference, _)) {
+            node = node.visible_within(moved_box(&inherited.place.now, &object.extent()));
         }
         if object.rare.flags.inverse {
             node = node.inverted();
-            // (Cameras lie in it only as far as POV-Ray's box goes, which now shows: measured on 3.7.)
-            if matches!(object.kind, ObjectKind::Csg(..)) && node.is_unbounded() {
-                node = node.standing_in(inherited.place.moved_box(object.extent()));
-            }
         }
-        let clips = !matches!(&object.kind, ObjectKind::Shape(shape) if shape.is_never_clipped());
+        let clips = !matches!(&object.kind, ObjectKind::Shape(shape) if shape.quirks().ignores_clipping);
         if clips && !clip.is_empty() {
-            node = node.clipped(clip).standing_in(inherited.place.moved_box(object.extent()));
+            node = node.clipped(clip);
         }
         Ok(Some(Solid { node: node.bounded(self.lower_bounds(object, inherited)?), opaque }))
     }
@@ -314,19 +311,20 @@ impl Lowering {
         }
         let look = own.texture.clone().unwrap_or_else(|| self.default_look());
         let outside = self.lower_look(&look);
-        let inside = own.inside.as_ref().filter(|_| !shape.hides_interior_texture());
+        let hides_inside = shape.quirks().embedded_textures_on_both_sides && object.rare.carried.is_some();
+        let inside = own.inside.as_ref().filter(|_| !hides_inside);
         let inside = inside.map(|look| self.lower_look(look));
         let carried = object.rare.carried.iter().flat_map(|all| all.iter());
         let carried: Box<[PlacedMaterial]> = carried
             .map(|painted| {
-                let along = shape.takes_textures_along();
+                let along = shape.quirks().moves_embedded_textures;
                 let transform = if along { own.place.now.clone() } else { own.place.of_textures(object) };
                 self.lower_look(&Look { texture: painted.texture.clone(), transform })
             })
             .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());
         let others = cut.map(|cut| self.cuts[cut as usize].iter().map(|(_, placed)| placed));
-        let opaque = [Some(&outside), inside.as_ref().filter(|_| !shape.darkens_by_outside())]
+        let opaque = [Some(&outside), inside.as_ref().filter(|_| !shape.quirks().shadow_by_outside)]
             .into_iter()
             .flatten()
             .chain(others.into_iter().flatten())

@@ -1,9 +1,8 @@
 //! Where objects and their textures are: nested blocks become one M and M⁻¹.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, Transform};
+use crate::math::Transform;
 use crate::scene::{Object, Painted};
-use crate::shape::{Move, moved_box};
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::Seldom;
@@ -14,8 +13,6 @@ use std::sync::Arc;
 pub(super) struct Place {
     /// World from this space.
     pub now: Seldom<Transform>,
-    /// Its steps, the first one first, if somebody inside wants to know.
-    pub moves: Option<Arc<[Move]>>,
 }
 
 /// A texture and its place in the world.
@@ -28,19 +25,7 @@ pub(super) struct Look {
 impl Place {
     /// The space in the block of an object that stands in this one: world from object = world from block · block from object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
-        let moves = match (object.bulk.as_ref().and_then(|bulk| bulk.moves.as_ref()), &self.moves) {
-            (Some(own), Some(around)) => Some(Move::join(own, around)),
-            (own, around) => own.or(around.as_ref()).cloned(),
-        };
-        Ok(Self { now: moved(&object.transform, &self.now, object.source)?, moves })
-    }
-
-    /// What POV-Ray makes of the box of something in this space: the box around it, moved by step after step (measured on 3.7).
-    pub fn moved_box(&self, around: Aabb) -> Aabb {
-        match &self.moves {
-            Some(moves) => moves.iter().fold(around, |around, step| moved_box(&step.by, &around)),
-            None => moved_box(&self.now, &around),
-        }
+        Ok(Self { now: moved(&object.transform, &self.now, object.source)? })
     }
 
     /// Where textures lie that move with the object in whose block this is: those of what has `uv_mapping` do not (measured on POV-Ray

@@ -16,7 +16,7 @@ impl SolidNode {
     pub fn bounded(mut self, by: impl IntoIterator<Item = SolidNode>) -> Self {
         let bounds: Vec<SolidNode> = by.into_iter().filter(|bound| !bound.surrounds(&self)).collect();
         if !bounds.is_empty() {
-            self.measure_again(vec![], bounds.into(), false);
+            self.measure_again(vec![], bounds.into());
         }
         self
     }
@@ -26,8 +26,19 @@ impl SolidNode {
         if self.take_bounds().is_empty() {
             return self;
         }
-        self.measure_again(vec![], Box::default(), false);
+        self.measure_again(vec![], Box::default());
         self.bounded(around.map(|b| SolidNode::leaf(Leaf::new(Shape::from(b), &Transform::IDENTITY, 0), 0)))
+    }
+
+    /// Restricts the node to rays that meet the box that POV-Ray computes for it (quirk: `intersection_box`), which can be smaller
+    /// than the node.
+    pub fn visible_within(self, pov_bounds: Aabb) -> Self {
+        // Slack for the rounding margins of the parts' boxes.
+        let pov_bounds = pov_bounds.grown(1e-6 * pov_bounds.max.abs().max(pov_bounds.min.abs()).max_element().max(1.0));
+        if pov_bounds.is_empty() || pov_bounds.union(self.bounds()) == pov_bounds {
+            return self;
+        }
+        self.bounded([SolidNode::leaf(Leaf::new(Shape::from(pov_bounds), &Transform::IDENTITY, 0), 0)])
     }
 
     /// Can a ray see anything of it?

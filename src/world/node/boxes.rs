@@ -1,8 +1,7 @@
 //! Where solids are: the boxes around their surfaces and insides, and where POV-Ray looks for what a camera starts in.
 
 use super::{More, SolidKind, SolidNode};
-use crate::math::bvh;
-use crate::math::{Aabb, Range, Ray};
+use crate::math::Aabb;
 use crate::shape::Kernel;
 use crate::world::child_bvh::ChildBvh;
 use crate::world::halfspace::{self, HalfSpaces};
@@ -17,24 +16,6 @@ pub(super) struct Boxes {
     pub(super) surface: Aabb,
     /// All points inside it are in here.
     pub(super) solid: Aabb,
-}
-
-/// Where POV-Ray 3.7 asks whether something is inside.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Reach {
-    around: Aabb,
-    /// Is the whole turned inside out?
-    inverted: bool,
-    /// Rays that miss it see nothing of the whole, although there is something: of an intersection whose parts have parts that are
-    /// turned inside out, which POV-Ray 3.7 takes for none (as was measured).
-    cuts: bool,
-}
-
-impl Reach {
-    /// Does a ray see anything of the whole?
-    pub(super) fn is_met(&self, ray: &Ray) -> bool {
-        !self.cuts || self.around.slabs(ray, Range::FORWARD).is_some()
-    }
 }
 
 impl SolidNode {
@@ -54,78 +35,6 @@ impl SolidNode {
     pub(in crate::world) fn is_unbounded(&self) -> bool {
         let Boxes { surface, solid } = self.boxes();
         !solid.is_empty() && solid.union(surface) != surface
-    }
-
-    /// The box in which POV-Ray 3.7 asks whether something is inside (as was measured): around the surface of a shape, even of one
-    /// that is turned inside out; of an intersection, what the boxes share of those parts that are not; of what is turned inside
-    /// out as a whole, the box from before that.
-    pub(in crate::world) fn reach(&self) -> Aabb {
-        self.more.as_ref().map_or_else(|| self.reach_of_parts(self.bounds()).around, |more| more.reach.around)
-    }
-
-    /// Does POV-Ray's box show: is it inside at places outside of its bounds, or do rays pass it by?
-    pub(in crate::world) fn shows_reach(&self) -> bool {
-        let passed_by = match &self.kind {
-            SolidKind::Intersection(_) => self.reach().union(self.bounds()) != self.reach(),
-            _ => false,
-        };
-        passed_by || self.is_unbounded()
-    }
-
-    /// Do rays pass it by that miss POV-Ray's box?
-    pub(in crate::world) fn is_cut_by_reach(&self) -> bool {
-        self.more.as_ref().is_some_and(|more| more.reach.cuts)
-    }
-
-    /// The same with the box that POV-Ray tells of it.
-    pub(in crate::world) fn reaching(mut self, around: Aabb) -> Self {
-        if let Some(more) = &mut self.more {
-            let of_all = matches!(self.kind, SolidKind::Intersection(_));
-            more.reach = Reach { around, cuts: of_all && around.union(more.boxes.surface) != around, ..more.reach };
-        }
-        self
-    }
-
-    /// The same of what is clipped: the box that POV-Ray tells of it is not cut as closely as that of its hits.
-    pub(in crate::world) fn standing_in(mut self, around: Aabb) -> Self {
-        if let Some(more) = &mut self.more {
-            more.reach.around = around;
-        }
-        self
-    }
-
-    /// The same of an object by itself: POV-Ray's box is the one that it tells of it.
-    pub(in crate::world) fn lying_within(mut self, around: Aabb) -> Self {
-        let (boxes, own) = (self.boxes(), self.reach_of_parts(self.bounds()));
-        self.more.get_or_insert_with(|| Box::new(More::plain(boxes, own))).reach.around = around;
-        self
-    }
-
-    /// That of its parts, as long as it is not turned inside out.
-    fn reach_of_parts(&self, surface: Aabb) -> Reach {
-        let around = match &self.kind {
-            // (A plane's box is flat.) What has no end is where its bounds are.
-            SolidKind::Leaf(_) if !bvh::fits(&surface) && !self.bounds_before().is_empty() => {
-                self.bounds_before().iter().map(Self::bounds).fold(Aabb::INFINITE, Aabb::intersection)
-            }
-            SolidKind::Leaf(_) if !bvh::fits(&surface) => Aabb::INFINITE,
-            SolidKind::Leaf(leaf) if leaf.shape.solid_bounds().is_some() => Aabb::INFINITE,
-            SolidKind::Leaf(leaf) if leaf.inverse => leaf.shape.extent(&leaf.transform()),
-            SolidKind::Leaf(_) => surface,
-            SolidKind::Union(c) | SolidKind::Merge(c) => c.iter().map(Self::reach).fold(Aabb::EMPTY, Aabb::union),
-            SolidKind::Intersection(children) => {
-                let upright = children.iter().filter(|c| !c.is_inverted());
-                upright.map(Self::reach).fold(Aabb::INFINITE, Aabb::intersection)
-            }
-        };
-        Reach { around, inverted: false, cuts: false }
-    }
-
-    fn is_inverted(&self) -> bool {
-        match &self.kind {
-            SolidKind::Leaf(leaf) => leaf.inverse,
-            _ => self.more.as_ref().is_some_and(|more| more.reach.inverted),
-        }
     }
 
     /// The box around all its hits.
@@ -184,34 +93,21 @@ impl SolidNode {
         // Many are quicker found by their boxes.
         let convex_parts = known && child_bvh.is_none();
         let boxes = Boxes { surface, solid };
-        let reach = Reach { around: Aabb::INFINITE, inverted: false, cuts: false };
-        self.more = Some(Box::new(More { clip, bounds, unseen, boxes, reach, convex_parts, child_bvh }));
-        let reach = self.reach_of_parts(surface);
-        if let Some(more) = &mut self.more {
-            more.reach = reach;
-        }
+        self.more = Some(Box::new(More { clip, bounds, unseen, boxes, convex_parts, child_bvh }));
     }
 
-    /// The same when its parts are others, or more clips it. The box of [`Self::reach`] stays, as long as nothing but the sides
-    /// changes.
-    pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, bounds: Box<[SolidNode]>, turns: bool) {
-        let before = self.more.as_ref().map(|more| more.reach);
-        let bounded = !bounds.is_empty();
+    /// The same when its parts are others, or more clips it.
+    pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
         let bounds = self.take_bounds().into_iter().chain(bounds).collect();
         let clip = self.take_clip().into_iter().chain(by).collect();
         self.measure(clip, bounds, Box::default());
-        // (What bounds a shape says where it is.)
-        let before = before.filter(|_| !(bounded && matches!(self.kind, SolidKind::Leaf(_))));
-        if let (Some(more), Some(before)) = (&mut self.more, before) {
-            more.reach = Reach { inverted: before.inverted != turns, ..before };
-        }
     }
 
     /// A box that holds every point which is not inside: finite for what was inverted.
     fn hole(&self) -> Aabb {
         match &self.kind {
             _ if !self.is_whole() => Aabb::INFINITE,
-            SolidKind::Leaf(leaf) if leaf.shape.is_patch() || leaf.shape.reaches_beyond() || !leaf.inverse => {
+            SolidKind::Leaf(leaf) if leaf.shape.is_open() || leaf.shape.is_solid_unbounded() || !leaf.inverse => {
                 Aabb::INFINITE
             }
             SolidKind::Leaf(_) => self.bounds(),

@@ -12,7 +12,7 @@ use super::convex_interval::{self, Gathered};
 use super::leaf::{Intersection, Intersections, Leaf};
 use crate::math::{DVec3, Range, Ray};
 use crate::shape::Hits;
-use boxes::{Boxes, Reach};
+use boxes::Boxes;
 use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
@@ -41,30 +41,12 @@ struct More {
     unseen: Box<[SolidNode]>,
     #[serde(flatten)]
     boxes: Boxes,
-    /// See [`SolidNode::reach`].
-    #[serde(skip)]
-    reach: Reach,
     /// Is it an intersection or a merge of a few whole shapes that know where rays cross them?
     #[serde(skip)]
     convex_parts: bool,
     /// Over its children, if they are many.
     #[serde(skip)]
     child_bvh: Option<Box<ChildBvh>>,
-}
-
-impl More {
-    /// Of what nothing clips or bounds.
-    fn plain(boxes: Boxes, reach: Reach) -> Self {
-        Self {
-            clip: Box::default(),
-            bounds: Box::default(),
-            unseen: Box::default(),
-            boxes,
-            reach,
-            convex_parts: false,
-            child_bvh: None,
-        }
-    }
 }
 
 /// What a node is.
@@ -128,7 +110,7 @@ impl SolidNode {
 
     /// Cut to what is inside all of `by`, and of what clipped it before.
     pub fn clipped(mut self, by: Vec<SolidNode>) -> Self {
-        self.measure_again(by, Box::default(), false);
+        self.measure_again(by, Box::default());
         self
     }
 
@@ -140,7 +122,7 @@ impl SolidNode {
             SolidKind::Union(children) | SolidKind::Merge(children) => SolidKind::Intersection(turned(children)),
             SolidKind::Intersection(children) => SolidKind::Merge(turned(children)),
         };
-        self.measure_again(vec![], Box::default(), true);
+        self.measure_again(vec![], Box::default());
         self
     }
 
@@ -221,11 +203,9 @@ impl SolidNode {
             SolidKind::Leaf(_) => true,
             _ => self.more.as_ref().is_some_and(|more| more.boxes.solid.contains(p)),
         };
-        is_near && self.inside_uncut(p) && self.in_clip(p)
-    }
-
-    /// Would the point be inside if nothing clipped it?
-    pub(super) fn inside_uncut(&self, p: DVec3) -> bool {
+        if !is_near || !self.in_clip(p) {
+            return false;
+        }
         match &self.kind {
             SolidKind::Leaf(leaf) => leaf.inside(p),
             SolidKind::Union(_) | SolidKind::Merge(_) => {
@@ -240,7 +220,7 @@ impl SolidNode {
         self.hits_as(false, ray, range, out);
     }
 
-    /// The same, of a part of others or not; see [`Kernel::hits_as_part`].
+    /// The same, of a part of others or not; see [`Kernel::hits_in_csg`].
     pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         if !self.is_met(ray) {
             return;
@@ -251,9 +231,9 @@ impl SolidNode {
                 let mut hits = Hits::new();
                 if !self.clip().is_empty() {
                     let Some(range) = self.within_clip(ray, range) else { return };
-                    leaf.hits_as_part(ray, range, &mut hits);
+                    leaf.hits_in_csg(ray, range, &mut hits);
                 } else if part {
-                    leaf.hits_as_part(ray, range, &mut hits);
+                    leaf.hits_in_csg(ray, range, &mut hits);
                 } else {
                     leaf.hits(ray, range, &mut hits);
                 }
@@ -446,7 +426,7 @@ impl SolidNode {
     /// Where a ray is in the box around all hits, of a solid that is made of others.
     fn enter(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let more = self.more.as_ref()?;
-        if more.reach.is_met(ray) { more.boxes.surface.slabs(ray, range) } else { None }
+        more.boxes.surface.slabs(ray, range)
     }
 
     fn in_clip(&self, p: DVec3) -> bool {

@@ -1,0 +1,46 @@
+//! Behaviour of single shapes that a clean model would not have, as constants beside their kernels (see [`crate::quirks`]).
+
+use crate::math::tolerance;
+
+/// What POV-Ray 3.7 does differently for one shape. Each shape's kernel names its own: `const QUIRKS: Quirks = Quirks { … ..Quirks::NONE }`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quirks {
+    /// Minimum distance of a hit from the ray's origin, in world units (quirk: `blob_min_distance`).
+    pub min_distance: f64,
+    /// How `bounded_by` of an object that is this shape alone is obeyed.
+    pub bounding: Bounding,
+    /// True if `clipped_by` has no effect (quirk: `patch_never_clipped`).
+    pub ignores_clipping: bool,
+    /// True if a shadow depends on the outer texture alone, whatever `interior_texture` transmits (quirk: `shadow_by_outside`).
+    pub shadow_by_outside: bool,
+    /// True if `inverse` does not exchange the outer and the inner texture (quirk: `quadric_keeps_sides`).
+    pub keeps_texture_sides: bool,
+    /// True if embedded textures show on the inside too, whatever `interior_texture` says (quirk: `blob_textures_on_both_sides`).
+    pub embedded_textures_on_both_sides: bool,
+    /// True if embedded textures move with the shape even under `uv_mapping` (quirk: `blob_textures_move`).
+    pub moves_embedded_textures: bool,
+}
+
+/// How `bounded_by` of a lone shape is obeyed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bounding {
+    /// By the bounding box of the bounding objects (quirk: `bounded_by_box`).
+    Box,
+    /// By the bounding objects themselves (quirk: `bounded_by_exact`).
+    Exact,
+    /// Not at all (quirk: `bounded_by_ignored`).
+    Ignored,
+}
+
+impl Quirks {
+    /// A shape without quirks.
+    pub const NONE: Self = Self {
+        min_distance: tolerance::SURFACE,
+        bounding: Bounding::Box,
+        ignores_clipping: false,
+        shadow_by_outside: false,
+        keeps_texture_sides: false,
+        embedded_textures_on_both_sides: false,
+        moves_embedded_textures: false,
+    };
+}
