@@ -79,7 +79,7 @@ pub const FOG: Vocabulary = Vocabulary {
     words: &joined::<{ FOG_ROWS.len() + Turbulent::WORDS.len() }>(specs!(FOG_ROWS), Turbulent::WORDS),
     moves: true,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 impl Fog {

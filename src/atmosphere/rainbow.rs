@@ -99,7 +99,7 @@ pub const RAINBOW: Vocabulary = Vocabulary {
     words: &joined::<{ RAINBOW_ROWS.len() + RAINBOW_PARTS.len() }>(specs!(RAINBOW_ROWS), RAINBOW_PARTS),
     moves: false,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 impl Rainbow {

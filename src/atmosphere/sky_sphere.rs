@@ -52,7 +52,7 @@ pub const SKY_SPHERE: Vocabulary = Vocabulary {
     ],
     moves: true,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 impl SkySphere {

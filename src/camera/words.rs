@@ -96,7 +96,7 @@ pub const POVRAY: Vocabulary = Vocabulary {
     ),
     moves: true,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 /// How [`LECTURE`]'s words are read.
@@ -118,14 +118,14 @@ pub const LECTURE: Vocabulary = Vocabulary {
     words: specs!(LECTURE_ROWS),
     moves: true,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 /// All words of both.
 pub(super) fn names() -> Vec<&'static str> {
     let own = LECTURE.words.iter().map(|w| w.name).filter(|name| *name != "up");
     let mut names = POVRAY.names();
-    let at = names.len() - POVRAY.not_drawn.len();
+    let at = names.len() - POVRAY.unsupported.len();
     names.splice(at..at, own);
     names
 }

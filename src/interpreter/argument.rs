@@ -1,7 +1,7 @@
 //! What the built-in functions are given that look at more than values: names, elements of arrays, objects.
 
 use super::Interpreter;
-use super::evaluator::{Place, Slot, as_float, as_vector, is_callable, not_text};
+use super::evaluator::{LValue, Slot, as_float, as_vector, is_callable, not_text};
 use super::stream::Token;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -20,7 +20,7 @@ pub(super) enum Given<'a> {
     /// A name alone, which need not be declared.
     Name(Symbol),
     /// An array's element.
-    Place(Place),
+    LValue(LValue),
     /// Anything else.
     Slot(Slot<'a>),
 }
@@ -30,9 +30,9 @@ impl<'a> Interpreter<'a> {
     pub(super) fn whole_argument(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
         let given = match &e.kind {
             ExprKind::Name(symbol) => Given::Name(*symbol),
-            ExprKind::Index(base, indices) => Given::Place(self.element_lvalue(base, indices)?),
+            ExprKind::Index(base, indices) => Given::LValue(self.element_lvalue(base, indices)?),
             _ => match self.dictionary_lvalue(e)? {
-                Some(place) => Given::Place(place),
+                Some(lvalue) => Given::LValue(lvalue),
                 None => Given::Slot(Slot::Value(self.evaluate(e)?)),
             },
         };
@@ -48,7 +48,7 @@ impl<'a> Interpreter<'a> {
                 // (Looking at what follows may end the macro whose name it is.)
                 let (slot, depth) = (self.evaluator.scopes().get(*symbol).cloned(), self.stream.call_depth());
                 let level =
-                    self.evaluator.scopes().resolve(*symbol).map(|place| self.evaluator.scopes().level_of(&place));
+                    self.evaluator.scopes().resolve(*symbol).map(|lvalue| self.evaluator.scopes().level_of(&lvalue));
                 self.stream.advance();
                 let called = matches!(&slot, Some(Slot::Value(value)) if is_callable(value)) && self.call_follows()?;
                 let ends = !called && self.value_ends()?;
@@ -70,18 +70,20 @@ impl<'a> Interpreter<'a> {
                 }
             }
             Token::Element(_) => {
-                let Some(place) = self.stream.element().cloned() else {
+                let Some(lvalue) = self.stream.element().cloned() else {
                     return Err(self.unexpected_token("a value").into());
                 };
-                let (slot, depth) = (self.evaluator.scopes().at(&place).cloned(), self.stream.call_depth());
+                let (slot, depth) = (self.evaluator.scopes().at(&lvalue).cloned(), self.stream.call_depth());
                 self.stream.advance();
                 let ends = self.value_ends()?;
                 match slot {
-                    _ if ends && depth == self.stream.call_depth() => Ok(Argument { given: Given::Place(place), span }),
+                    _ if ends && depth == self.stream.call_depth() => {
+                        Ok(Argument { given: Given::LValue(lvalue), span })
+                    }
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
                     Some(slot) => self.continue_argument(slot, span),
                     None => {
-                        self.evaluator.slot_at(&place, span).map(|slot| Argument { given: Given::Slot(slot), span })
+                        self.evaluator.slot_at(&lvalue, span).map(|slot| Argument { given: Given::Slot(slot), span })
                     }
                 }
             }
@@ -121,7 +123,7 @@ impl<'a> Interpreter<'a> {
                 Some(slot) => Ok(slot.clone()),
                 None => self.name_value(*symbol, argument.span).map(Slot::Value),
             },
-            Given::Place(place) => self.evaluator.slot_at(place, argument.span),
+            Given::LValue(lvalue) => self.evaluator.slot_at(lvalue, argument.span),
             Given::Slot(slot) => Ok(slot.clone()),
         }
     }
@@ -158,7 +160,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
             Given::Name(symbol) => self.evaluator.is_declared(*symbol),
-            Given::Place(place) => self.evaluator.scopes().at(place).is_some(),
+            Given::LValue(lvalue) => self.evaluator.scopes().at(lvalue).is_some(),
             Given::Slot(_) => false,
         }
     }

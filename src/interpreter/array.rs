@@ -3,7 +3,7 @@
 use super::Interpreter;
 use super::argument::Argument;
 use super::evaluator::as_float;
-use super::evaluator::{Array, Place, Slot};
+use super::evaluator::{Array, LValue, Slot};
 use super::stream::{StackFrame, Token};
 use super::token_expr::joined;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -188,8 +188,8 @@ impl<'a> Interpreter<'a> {
             return Ok(self.stream.push_back(Token::Expr(name), span, before));
         }
         let whole = indices.last().map_or(span, |(_, at)| joined(span, Span { hi: at.hi + 1, ..*at }));
-        let place = self.lvalue_at(symbol, span, &indices, false)?;
-        self.stream.set_element(place);
+        let lvalue = self.lvalue_at(symbol, span, &indices, false)?;
+        self.stream.set_element(lvalue);
         Ok(self.stream.push_back(Token::Element(whole), whole, before))
     }
 
@@ -235,7 +235,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The place that `D.Key`, `D["key"].Key` and the like name, if D is a dictionary.
-    pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<Place>> {
+    pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<LValue>> {
         let base = match &e.kind {
             ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
                 Some(Slot::Array(array)) if array.keys.is_some() => {
@@ -250,29 +250,29 @@ impl<'a> Interpreter<'a> {
             },
             _ => return Ok(None),
         };
-        let Some(place) = self.dictionary_lvalue(base)? else { return Ok(None) };
-        self.evaluator.dictionary_element(&place, e)
+        let Some(lvalue) = self.dictionary_lvalue(base)? else { return Ok(None) };
+        self.evaluator.dictionary_element(&lvalue, e)
     }
 
     /// What `A[i][j]` is.
     pub(super) fn evaluate_index(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
-        let place = self.element_lvalue(base, indices)?;
-        self.evaluator.slot_at(&place, span)
+        let lvalue = self.element_lvalue(base, indices)?;
+        self.evaluator.slot_at(&lvalue, span)
     }
 
     /// What [`Token::Element`] announced, which is consumed.
     pub(super) fn take_element(&mut self) -> Result<Slot<'a>> {
         let span = self.stream.here();
-        let place = self.stream.take_element();
+        let lvalue = self.stream.take_element();
         self.stream.advance();
-        match place {
-            Some(place) => self.evaluator.slot_at(&place, span),
+        match lvalue {
+            Some(lvalue) => self.evaluator.slot_at(&lvalue, span),
             None => self.evaluator.no_value(span),
         }
     }
 
     /// Where `A[i][j]` is kept; that element need not have a value yet.
-    pub(super) fn element_lvalue(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<Place> {
+    pub(super) fn element_lvalue(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<LValue> {
         match base.kind {
             ExprKind::Name(symbol) => self.lvalue_of(symbol, base.span, indices),
             _ => Diagnostic::err(codes::WRONG_TYPE, base.span, "only a name can have an index"),
@@ -280,12 +280,12 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The same for a name and its place in the text.
-    pub(super) fn target_lvalue(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+    pub(super) fn target_lvalue(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
         let indices = self.index_values(indices)?;
         self.lvalue_at(symbol, span, &indices, true)
     }
 
-    fn lvalue_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+    fn lvalue_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
         let indices = self.index_values(indices)?;
         self.lvalue_at(symbol, span, &indices, false)
     }
@@ -301,13 +301,13 @@ impl<'a> Interpreter<'a> {
         span: Span,
         indices: &[(Value, Span)],
         adds: bool,
-    ) -> Result<Place> {
-        let Some(place) = self.evaluator.scopes().resolve(symbol) else {
+    ) -> Result<LValue> {
+        let Some(lvalue) = self.evaluator.scopes().resolve(symbol) else {
             self.name_value(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
-        if self.evaluator.scopes().dictionary(&place).is_some() {
-            return self.evaluator.key_lvalue(place, indices, adds);
+        if self.evaluator.scopes().dictionary(&lvalue).is_some() {
+            return self.evaluator.key_lvalue(lvalue, indices, adds);
         }
         let numbers: SmallVec<[f64; 4]> =
             indices.iter().map(|(value, at)| as_float(value, *at)).collect::<Result<_>>()?;
@@ -315,7 +315,7 @@ impl<'a> Interpreter<'a> {
         let mut rest = &numbers[..];
         while !rest.is_empty() {
             let at = indices[numbers.len() - rest.len()].1;
-            let slot = self.evaluator.scopes().at(&place).and_then(|slot| slot.element(&path));
+            let slot = self.evaluator.scopes().at(&lvalue).and_then(|slot| slot.element(&path));
             if let Some(slot @ Slot::Faulty(_)) = slot {
                 let slot = slot.clone();
                 self.slot_value(slot, span)?;
@@ -341,19 +341,19 @@ impl<'a> Interpreter<'a> {
             path.push(flat);
             rest = &rest[n..];
         }
-        Ok(place.element(&path))
+        Ok(lvalue.element(&path))
     }
 
     /// Has the dictionary that is kept here a value under these keys?
-    pub(super) fn has_keys(&mut self, mut place: Place, indices: &'a [Expr]) -> Result<bool> {
+    pub(super) fn has_keys(&mut self, mut lvalue: LValue, indices: &'a [Expr]) -> Result<bool> {
         for e in indices {
             let key = self.evaluate_text(e)?;
-            match self.evaluator.scopes().dictionary(&place).and_then(|d| d.key_index(&key)) {
-                Some(index) => place = place.element(&[index]),
+            match self.evaluator.scopes().dictionary(&lvalue).and_then(|d| d.key_index(&key)) {
+                Some(index) => lvalue = lvalue.element(&[index]),
                 None => return Ok(false),
             }
         }
-        Ok(self.evaluator.scopes().at(&place).is_some())
+        Ok(self.evaluator.scopes().at(&lvalue).is_some())
     }
 
     /// How many elements a dimension has; the first is 1.

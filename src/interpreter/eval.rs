@@ -54,8 +54,8 @@ impl<'a> Interpreter<'a> {
 
     /// `A.x`; a component of a component is no recursion, however many there are.
     fn evaluate_components(&mut self, e: &'a Expr) -> Result<Value> {
-        if let Some(place) = self.dictionary_lvalue(e)? {
-            let slot = self.evaluator.slot_at(&place, e.span)?;
+        if let Some(lvalue) = self.dictionary_lvalue(e)? {
+            let slot = self.evaluator.slot_at(&lvalue, e.span)?;
             return self.slot_value(slot, e.span);
         }
         let (mut base, mut names) = (e, vec![]);

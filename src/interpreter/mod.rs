@@ -21,7 +21,7 @@ use crate::diagnostic::{Diagnostic, Label, codes};
 use crate::scene::Scene;
 use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::ast::Symbol;
-use crate::syntax::{Names, Wholes};
+use crate::syntax::{Granularity, Names};
 pub use directive::table as directives;
 use evaluator::Evaluator;
 pub use evaluator::Timing;
@@ -66,7 +66,7 @@ pub struct Options {
     /// Ends the run as a limit does when somebody sets it.
     pub stop: Option<Arc<AtomicBool>>,
     /// How much of the text the parser keeps whole; tests have it taken apart.
-    pub wholes: Wholes,
+    pub granularity: Granularity,
     /// Keep through which macros and includes each object came into the scene.
     pub origins: bool,
     /// Note which branches run.
@@ -88,7 +88,7 @@ impl Default for Options {
             max_time: None,
             max_memory: None,
             stop: None,
-            wholes: Wholes::Kept,
+            granularity: Granularity::Whole,
             origins: false,
             branches: false,
         }

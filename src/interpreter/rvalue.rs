@@ -96,7 +96,7 @@ impl<'a> Interpreter<'a> {
             return Ok(Arc::<Object>::from(Object::read(self, &defaults)?));
         }
         if LATER.contains(&word) {
-            return Ok(Arc::new(self.keep_undrawn(word)?));
+            return Ok(Arc::new(self.read_unsupported(word)?));
         }
         let base = &defaults.texture.layers[0];
         match word {

@@ -37,7 +37,7 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
     ],
     moves: false,
     idle: &["max_intersections"],
-    not_drawn: &["media", "radiosity", "photons"],
+    unsupported: &["media", "radiosity", "photons"],
 };
 
 impl Interpreter<'_> {
@@ -82,8 +82,8 @@ impl Interpreter<'_> {
         if is_object(word) {
             return self.read_top_object();
         }
-        if STATEMENTS.leaves_out(word) {
-            let said = self.keep_undrawn(word)?;
+        if STATEMENTS.is_unsupported(word) {
+            let said = self.read_unsupported(word)?;
             self.builder.add_unsupported(said);
             return Ok(());
         }

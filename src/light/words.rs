@@ -48,5 +48,5 @@ pub const LIGHT: Vocabulary = Vocabulary {
     ),
     moves: true,
     idle: &[],
-    not_drawn: &["photons"],
+    unsupported: &["photons"],
 };

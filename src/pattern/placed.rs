@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
 use crate::value::words::{is_row, read_row};
-use crate::value::{Next, Reader, Seldom, Usual};
+use crate::value::{Next, Reader, SharedDefault, StaticDefault};
 use serde::Serialize;
 
 /// What tells points apart.
@@ -59,12 +59,12 @@ impl Kind {
     }
 }
 
-impl Usual for Pattern {
-    fn usual() -> &'static Self {
+impl StaticDefault for Pattern {
+    fn static_default() -> &'static Self {
         static PLAIN: Pattern = Pattern {
             kind: Kind::Plain,
             modifiers: Modifiers::NONE,
-            space: Space { inner: vec![], transform: Seldom::USUAL, turbulence: None },
+            space: Space { inner: vec![], transform: SharedDefault::DEFAULT, turbulence: None },
             noise: None,
             uv: false,
             framed: false,

@@ -3,7 +3,7 @@
 
 use super::{Turbulent, Warp};
 use crate::math::{DVec3, Transform};
-use crate::value::Seldom;
+use crate::value::SharedDefault;
 use serde::Serialize;
 
 /// From the space around a pattern to its own.
@@ -13,7 +13,7 @@ pub struct Space {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inner: Vec<Step>,
     /// The transforms behind the last warp.
-    pub transform: Seldom<Transform>,
+    pub transform: SharedDefault<Transform>,
     /// `turbulence`, nearest to the pattern wherever it stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turbulence: Option<Box<Turbulent>>,

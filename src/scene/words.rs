@@ -47,7 +47,7 @@ pub const MODIFIERS: Vocabulary = Vocabulary {
     words: &joined::<{ PARTS.len() + FLAGS.len() }>(PARTS, specs!(FLAGS)),
     moves: true,
     idle: &["sturm", "hierarchy", "split_union", "all_intersections"],
-    not_drawn: &["photons"],
+    unsupported: &["photons"],
 };
 
 /// How [`SETTINGS`]'s words are read.
@@ -85,5 +85,5 @@ pub const SETTINGS: Vocabulary = Vocabulary {
     words: specs!(SETTINGS_ROWS),
     moves: false,
     idle: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
-    not_drawn: &["photons", "radiosity", "subsurface"],
+    unsupported: &["photons", "radiosity", "subsurface"],
 };

@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
 use crate::value::words::read_row;
-use crate::value::{Next, RawItem, Reader, ReaderExt};
+use crate::value::{Next, Reader, ReaderExt, Unsupported};
 use serde::Serialize;
 
 /// What light meets inside.
@@ -30,7 +30,7 @@ pub struct Interior {
     pub caustics: f64,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<RawItem>,
+    pub unsupported: Vec<Unsupported>,
 }
 
 impl Default for Interior {
@@ -44,7 +44,7 @@ impl Default for Interior {
             fade_power: 0.0,
             fade_color: Rgb::ZERO,
             caustics: 0.0,
-            undrawn: vec![],
+            unsupported: vec![],
         }
     }
 }
@@ -69,8 +69,8 @@ impl Interior {
                     r.take()?;
                     r.float()?;
                 }
-                Next::Word(word) | Next::Block(word) if INTERIOR.leaves_out(word) => {
-                    out.undrawn.push(r.keep_undrawn(word)?);
+                Next::Word(word) | Next::Block(word) if INTERIOR.is_unsupported(word) => {
+                    out.unsupported.push(r.read_unsupported(word)?);
                 }
                 _ => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
             }

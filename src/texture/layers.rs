@@ -213,7 +213,7 @@ impl Texture {
                 (a, b) => a.is_none() && b.is_none(),
             };
             let choice = match (&a.choice, &b.choice) {
-                (Some(a), Some(b)) => a.parts.is_one_with(&b.parts) && a.pattern == b.pattern,
+                (Some(a), Some(b)) => a.parts.shares_with(&b.parts) && a.pattern == b.pattern,
                 (a, b) => a.is_none() && b.is_none(),
             };
             normal && choice && Arc::ptr_eq(&a.finish, &b.finish) && a.pigment.is_plainly(&b.pigment)

@@ -38,7 +38,7 @@ pub const PIGMENT: Vocabulary = Vocabulary {
     words: &joined::<{ PIGMENT_PARTS.len() + PIGMENT_ROWS.len() }>(PIGMENT_PARTS, specs!(PIGMENT_ROWS)),
     moves: true,
     idle: &["no_bump_scale"],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 /// How [`IMAGE_MAP`]'s words are read.
@@ -56,7 +56,7 @@ pub const IMAGE_MAP: Vocabulary = Vocabulary {
     words: specs!(IMAGE_MAP_ROWS),
     moves: false,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 /// All words of a pigment, those of colours and patterns among them.
@@ -84,7 +84,7 @@ pub const TEXTURE: Vocabulary = Vocabulary {
     ],
     moves: true,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 /// What stands in a `normal` with braces of its own.
@@ -116,7 +116,7 @@ pub const NORMAL: Vocabulary = Vocabulary {
     words: &joined::<{ NORMAL_PARTS.len() + NORMAL_ROWS.len() }>(NORMAL_PARTS, specs!(NORMAL_ROWS)),
     moves: true,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 /// How [`FINISH`]'s words are read.
@@ -183,7 +183,7 @@ pub const FINISH: Vocabulary = Vocabulary {
     words: specs!(FINISH_ROWS),
     moves: false,
     idle: &["fade_distance", "fade_power"],
-    not_drawn: &["subsurface"],
+    unsupported: &["subsurface"],
 };
 
 /// How [`IRID`]'s words are read.
@@ -200,7 +200,7 @@ pub const IRID: Vocabulary = Vocabulary {
     words: specs!(IRID_ROWS),
     moves: false,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 /// How [`REFLECTION`]'s words are read.
@@ -220,7 +220,7 @@ pub const REFLECTION: Vocabulary = Vocabulary {
     words: specs!(REFLECTION_ROWS),
     moves: false,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 /// How [`INTERIOR`]'s words are read.
@@ -258,5 +258,5 @@ pub const INTERIOR: Vocabulary = Vocabulary {
     words: specs!(INTERIOR_ROWS),
     moves: false,
     idle: &["refraction"],
-    not_drawn: &["media"],
+    unsupported: &["media"],
 };

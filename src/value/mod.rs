@@ -4,17 +4,17 @@
 mod decimal;
 mod given;
 mod kinds;
-mod raw_item;
 mod reader;
-mod seldom;
+mod shared_default;
 mod spec;
+mod unsupported;
 pub mod words;
 
 pub use decimal::{decimal, without_zeros};
 pub use given::given;
 pub use kinds::{Thing, Value, VecN, downcast};
-pub use raw_item::RawItem;
 pub use reader::{BuildMesh, FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
-pub use seldom::{Seldom, Usual};
+pub use shared_default::{SharedDefault, StaticDefault};
 pub use spec::{Kind, Param, Spec, WordSpec};
+pub use unsupported::Unsupported;
 pub use words::Vocabulary;

@@ -1,7 +1,7 @@
 //! The trait through which a family reads its own words. The interpreter implements it, so that
 //! directives and macro calls have already run when a family sees what comes next.
 
-use super::{RawItem, Thing, Value, downcast};
+use super::{Thing, Unsupported, Value, downcast};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result};
 use crate::font::Font;
@@ -144,9 +144,9 @@ pub trait Reader {
     /// Version and gamma in force here.
     fn language(&self) -> Language;
     /// Consumes a word or block that is known but not drawn yet, with all that belongs to it, and tells so.
-    fn keep_undrawn(&mut self, what: &'static str) -> Result<RawItem>;
+    fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported>;
     /// Consumes whatever comes next with all that is in it, and keeps it behind what was said before.
-    fn pass(&mut self, row: &mut Vec<RawItem>) -> Result<()>;
+    fn pass(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
     /// The file of this name where scenes look for theirs, if it is there and may be read; `at` is the name's place.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
     /// The font of this name, whose place is `at`, or one that looks like it, which is told.

@@ -18,7 +18,7 @@ pub struct Vocabulary {
     /// What is read and changes nothing in durer.
     pub idle: &'static [&'static str],
     /// What is read, and left out of the picture with a warning.
-    pub not_drawn: &'static [&'static str],
+    pub unsupported: &'static [&'static str],
 }
 
 impl Vocabulary {
@@ -33,8 +33,8 @@ impl Vocabulary {
     }
 
     /// Is it read and left out with a warning?
-    pub fn leaves_out(&self, word: &str) -> bool {
-        self.not_drawn.contains(&word)
+    pub fn is_unsupported(&self, word: &str) -> bool {
+        self.unsupported.contains(&word)
     }
 
     /// All names, in the order in which messages list them. They show a dozen: transforms shall be among these.
@@ -42,7 +42,7 @@ impl Vocabulary {
         let (first, rest) = self.words.split_at(self.words.len().min(6));
         let moves = TRANSFORMS.iter().filter(|_| self.moves);
         let words = first.iter().chain(moves).chain(rest).map(|w| w.name);
-        words.chain(self.idle.iter().copied()).chain(self.not_drawn.iter().copied()).collect()
+        words.chain(self.idle.iter().copied()).chain(self.unsupported.iter().copied()).collect()
     }
 }
 
@@ -150,9 +150,15 @@ mod tests {
     #[test]
     fn names_come_in_the_order_of_the_table() {
         const WORDS: &[WordSpec] = &[word("radius", Kind::Float, "1", "")];
-        let table =
-            Vocabulary { block: "thing", summary: "", words: WORDS, moves: true, idle: &["old"], not_drawn: &["new"] };
+        let table = Vocabulary {
+            block: "thing",
+            summary: "",
+            words: WORDS,
+            moves: true,
+            idle: &["old"],
+            unsupported: &["new"],
+        };
         assert_eq!(table.names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
-        assert!(table.obeys("radius") && !table.obeys("new") && table.leaves_out("new") && table.ignores("old"));
+        assert!(table.obeys("radius") && !table.obeys("new") && table.is_unsupported("new") && table.ignores("old"));
     }
 }

@@ -15,7 +15,7 @@
 use crate::Group;
 use durer::interpreter::Options;
 use durer::source::{Sandbox, SearchPath, Sources, text_of};
-use durer::syntax::Wholes;
+use durer::syntax::Granularity;
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -45,11 +45,11 @@ fn trials(path: &Path) -> Vec<Trial> {
         let title = file.lines[start].0.trim_start_matches("//---").trim();
         let full = format!("lang::{name}::{title}");
         let preamble = starts[0];
-        let trial = |name: String, wholes: Wholes| {
+        let trial = |name: String, granularity: Granularity| {
             let file = file.clone();
-            Trial::test(name, move || file.run(preamble, start..end, wholes))
+            Trial::test(name, move || file.run(preamble, start..end, granularity))
         };
-        [trial(full.clone(), Wholes::Kept), trial(full + " (single tokens)", Wholes::TakenApart)]
+        [trial(full.clone(), Granularity::Whole), trial(full + " (single tokens)", Granularity::Tokens)]
     };
     sections.flat_map(trials).collect()
 }
@@ -76,7 +76,7 @@ struct TestFile {
 
 impl TestFile {
     /// Runs a section together with what stands before the first one.
-    fn run(&self, preamble: usize, section: std::ops::Range<usize>, wholes: Wholes) -> Result<(), Failed> {
+    fn run(&self, preamble: usize, section: std::ops::Range<usize>, granularity: Granularity) -> Result<(), Failed> {
         let kept = |i: usize| i < preamble || section.contains(&i);
         // The other lines are blank, so that places stay.
         let text: String = self
@@ -88,7 +88,7 @@ impl TestFile {
         // Both ways of a section write the same files.
         static WRITING: Mutex<()> = Mutex::new(());
         let _alone = text.contains("#fopen").then(|| WRITING.lock());
-        let Ran { printed, told, scene } = run(&self.path, &self.name, text.clone(), wholes);
+        let Ran { printed, told, scene } = run(&self.path, &self.name, text.clone(), granularity);
         let mut expected_lines = vec![];
         let mut expected_faults = vec![];
         for i in section {
@@ -106,7 +106,7 @@ impl TestFile {
         if told != expected_faults {
             wrong.push(format!("expected messages {expected_faults:#?}\nfound {told:#?}"));
         }
-        if wholes == Wholes::TakenApart && scene != run(&self.path, &self.name, text, Wholes::Kept).scene {
+        if granularity == Granularity::Tokens && scene != run(&self.path, &self.name, text, Granularity::Whole).scene {
             wrong.push("the Scene is another one than that of what stands whole".into());
         }
         if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n").into()) }
@@ -130,12 +130,12 @@ struct Ran {
     scene: Option<String>,
 }
 
-fn run(path: &Path, name: &str, text: String, wholes: Wholes) -> Ran {
+fn run(path: &Path, name: &str, text: String, granularity: Granularity) -> Ran {
     let folder = path.parent().unwrap_or(Path::new("."));
     let options = Options {
         sandbox: Sandbox::around(&SearchPath::new(folder, &[])),
         search: SearchPath::new(folder, &[]),
-        wholes,
+        granularity,
         ..Options::default()
     };
     let mut printed = String::new();

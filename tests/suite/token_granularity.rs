@@ -3,7 +3,7 @@
 
 use durer::interpreter::{Options, interpret};
 use durer::source::{Sandbox, SearchPath, Sources};
-use durer::syntax::Wholes;
+use durer::syntax::Granularity;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -42,7 +42,7 @@ struct Ran {
     took: Duration,
 }
 
-fn run(path: &Path, text: &str, wholes: Wholes, max_steps: u64) -> Ran {
+fn run(path: &Path, text: &str, granularity: Granularity, max_steps: u64) -> Ran {
     let start = Instant::now();
     let folder = path.parent().unwrap();
     let search = SearchPath::new(folder, &[]);
@@ -54,7 +54,7 @@ fn run(path: &Path, text: &str, wholes: Wholes, max_steps: u64) -> Ran {
         size: (64, 48),
         max_steps,
         max_memory: Some(2 << 30),
-        wholes,
+        granularity,
         ..Options::default()
     };
     let sources = Sources::default();
@@ -94,8 +94,8 @@ fn parting(a: &str, b: &str) -> String {
 /// What differs, if anything.
 fn compare(path: &Path, max_steps: u64) -> Option<String> {
     let text = durer::source::read_text(path).ok()?;
-    let whole = run(path, &text, Wholes::Kept, max_steps);
-    let single = run(path, &text, Wholes::TakenApart, max_steps);
+    let whole = run(path, &text, Granularity::Whole, max_steps);
+    let single = run(path, &text, Granularity::Tokens, max_steps);
     if std::env::var_os("WHOLES_SHOW").is_some() {
         eprintln!("{}: {:?} {:?}", path.display(), whole.took, single.took);
     }

@@ -98,9 +98,9 @@ fn section(block: &Vocabulary, title: &str, own: &[&str]) -> String {
     if !block.idle.is_empty() {
         text += &format!("Read, and without effect in durer: {}.\n\n", list(block.idle));
     }
-    if !block.not_drawn.is_empty() {
+    if !block.unsupported.is_empty() {
         text +=
-            &format!("Read and left out with warning W0201, until durer draws them: {}.\n\n", list(block.not_drawn));
+            &format!("Read and left out with warning W0201, until durer draws them: {}.\n\n", list(block.unsupported));
     }
     text
 }

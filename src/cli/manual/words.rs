@@ -48,7 +48,7 @@ fn blocks(index: &mut Index) {
         let place = format!("[{name}]({page})");
         add_words(index, block.words, &place);
         block.idle.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
-        block.not_drawn.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
+        block.unsupported.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
     }
     for (inner, page) in [
         ("finish", "finishes.md"),

@@ -51,8 +51,8 @@ impl<'a> Interpreter<'a> {
                 self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]);
                 Ok(())
             }
-            Given::Place(place) => {
-                self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value)));
+            Given::LValue(lvalue) => {
+                self.evaluator.scopes_mut().set_element(lvalue, Some(Slot::Value(value)));
                 Ok(())
             }
             Given::Name(symbol) => self.name_value(*symbol, target.span).map(drop),

@@ -130,17 +130,17 @@ impl<'a> Interpreter<'a> {
                 if !self.is_declared(array)? {
                     return Ok(false);
                 }
-                if let Some(place) = self.dictionary_lvalue(array)? {
-                    return self.has_keys(place, indices);
+                if let Some(lvalue) = self.dictionary_lvalue(array)? {
+                    return self.has_keys(lvalue, indices);
                 }
-                let place = self.element_lvalue(array, indices)?;
-                Ok(self.evaluator.scopes().at(&place).is_some())
+                let lvalue = self.element_lvalue(array, indices)?;
+                Ok(self.evaluator.scopes().at(&lvalue).is_some())
             }
             ExprKind::Dot(base, _, symbol) => {
-                let place = self.dictionary_lvalue(base)?;
+                let lvalue = self.dictionary_lvalue(base)?;
                 let key = self.inputs.names.text(*symbol);
                 Ok(
-                    matches!(place.and_then(|p| self.evaluator.scopes().at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
+                    matches!(lvalue.and_then(|p| self.evaluator.scopes().at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
                 )
             }
             ExprKind::Paren(inner) => self.is_declared(inner),
@@ -171,7 +171,9 @@ impl<'a> Interpreter<'a> {
                 };
                 (*counter, [first, last, step], at)
             }
-            ForHead::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| me.read_for_head(span))?,
+            ForHead::Pieces(Some(elements)) => {
+                self.within(elements, Bracket::Paren, span, |me| me.read_for_head(span))?
+            }
             ForHead::Pieces(None) => return Err(self.misplaced(span).into()),
         };
         if step.is_nan() || step.abs() < SMALL {
@@ -195,9 +197,9 @@ impl<'a> Interpreter<'a> {
         let (mut numbers, mut at) = ([0.0, 0.0, 1.0], span);
         let mut count = 0;
         while count < 3 && !self.peek()?.ends() {
-            let (value, place) = self.read_value()?;
-            numbers[count] = as_float(&value, place)?;
-            (count, at) = (count + 1, place);
+            let (value, lvalue) = self.read_value()?;
+            numbers[count] = as_float(&value, lvalue)?;
+            (count, at) = (count + 1, lvalue);
         }
         if count < 2 {
             return Diagnostic::err(codes::WRONG_COUNT, span, "`#for` takes a name, a first and a last value");

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::evaluator::{Place, Slot};
+use crate::interpreter::evaluator::{LValue, Slot};
 use crate::interpreter::stream::{StackFrame, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -15,7 +15,7 @@ use std::rc::Rc;
 struct Declared {
     symbol: Symbol,
     /// The element of an array.
-    place: Option<Place>,
+    lvalue: Option<LValue>,
 }
 
 /// `deprecated "why"`; the flag is `once`.
@@ -159,11 +159,11 @@ impl<'a> Interpreter<'a> {
             self.reserved_name(word, span)?;
         }
         let indices = self.indices_of(symbol)?;
-        let place = match indices.is_empty() {
+        let lvalue = match indices.is_empty() {
             true => None,
             false => Some(self.lvalue_at(symbol, span, &indices, true)?),
         };
-        Ok(Declared { symbol, place })
+        Ok(Declared { symbol, lvalue })
     }
 
     fn no_name(&self, directive: Span) -> crate::diagnostic::Fault {
@@ -227,18 +227,18 @@ impl<'a> Interpreter<'a> {
     }
 
     fn declared(&mut self, target: &'a Target) -> Result<Declared> {
-        let place = match target.indices.is_empty() {
+        let lvalue = match target.indices.is_empty() {
             true => None,
             false => Some(self.target_lvalue(target.symbol, target.span, &target.indices)?),
         };
-        Ok(Declared { symbol: target.symbol, place })
+        Ok(Declared { symbol: target.symbol, lvalue })
     }
 
     /// Gives the target its value; `pending` are the warnings that wait for its use.
     fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        match &declared.place {
-            Some(place) => {
-                self.evaluator.scopes_mut().set_element(place, Some(slot));
+        match &declared.lvalue {
+            Some(lvalue) => {
+                self.evaluator.scopes_mut().set_element(lvalue, Some(slot));
                 pending.into_iter().for_each(|d| self.reporter.report(d));
             }
             None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, pending),
@@ -293,7 +293,7 @@ impl<'a> Interpreter<'a> {
         };
         match argument.given {
             Given::Name(symbol) => drop(self.evaluator.scopes_mut().remove(symbol)),
-            Given::Place(place) => self.evaluator.scopes_mut().set_element(&place, None),
+            Given::LValue(lvalue) => self.evaluator.scopes_mut().set_element(&lvalue, None),
             Given::Slot(_) => {}
         }
         Ok(())

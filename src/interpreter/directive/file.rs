@@ -198,7 +198,7 @@ impl<'a> Interpreter<'a> {
             };
             match &target.given {
                 Given::Name(symbol) => self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]),
-                Given::Place(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
+                Given::LValue(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
                 Given::Slot(_) => {
                     return Diagnostic::err(codes::EXPECTED, target.span, "expected a name for what is read");
                 }

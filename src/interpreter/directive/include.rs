@@ -107,7 +107,7 @@ impl<'a> Interpreter<'a> {
             self.stream.add_unclosed(ast);
             return Ok(ast);
         }
-        let (ast, mut faults) = parse(self.inputs.sources, file, self.inputs.names, self.inputs.options.wholes);
+        let (ast, mut faults) = parse(self.inputs.sources, file, self.inputs.names, self.inputs.options.granularity);
         self.reporter.defer(faults.extract_if(.., |fault| fault.severity == Severity::Warning));
         // An `#end` too many spoils nothing of what stands around it.
         if faults.iter().all(|fault| fault.code == codes::UNMATCHED_CLOSER) {

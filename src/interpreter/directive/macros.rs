@@ -102,7 +102,7 @@ impl<'a> Interpreter<'a> {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
             slots.push(Some(match e.kind {
                 ExprKind::Name(symbol) => match self.evaluator.scopes().resolve(symbol) {
-                    Some(place) => Slot::Alias(place),
+                    Some(lvalue) => Slot::Alias(lvalue),
                     None => return Ok(None),
                 },
                 _ => Slot::Value(self.evaluate(e)?),
@@ -154,15 +154,15 @@ impl<'a> Interpreter<'a> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
             return self.read_rvalue();
         }
-        let place = match self.peek()? {
+        let lvalue = match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.scopes().resolve(*symbol),
             _ => None,
         };
-        let lasting = place.filter(|place| self.evaluator.scopes().level_of(place) <= level);
+        let lasting = lvalue.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
         let argument = self.in_mode(|mode| mode.defers = true, Self::read_argument)?;
         match argument.given {
-            Given::Name(_) if let Some(place) = lasting => Ok(Slot::Alias(place)),
-            Given::Place(place) => self.evaluator.slot_at(&place, argument.span).map(|_| Slot::Alias(place)),
+            Given::Name(_) if let Some(lvalue) = lasting => Ok(Slot::Alias(lvalue)),
+            Given::LValue(lvalue) => self.evaluator.slot_at(&lvalue, argument.span).map(|_| Slot::Alias(lvalue)),
             Given::Slot(slot) => Ok(slot),
             Given::Name(_) => self.argument_slot(&argument),
         }

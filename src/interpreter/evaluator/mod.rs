@@ -26,7 +26,7 @@ pub(super) use operators::{
 };
 pub(super) use quick::Quick;
 use rustc_hash::FxHashMap;
-pub(super) use scope::{Array, Place, Scopes, Slot};
+pub(super) use scope::{Array, LValue, Scopes, Slot};
 use std::sync::Arc;
 pub use timing::Timing;
 pub(super) use whole::is_callable;

@@ -16,7 +16,7 @@ pub(in crate::interpreter) enum Slot<'a> {
     /// A file that `#fopen` opened, by its number.
     File(usize),
     /// A macro's parameter that was given a name or an array's element: reads and writes go there.
-    Alias(Place),
+    Alias(LValue),
     /// What was declared could not be built; told when it is used.
     Faulty(Rc<Vec<Diagnostic>>),
 }
@@ -26,7 +26,7 @@ type Path = Rc<[usize]>;
 
 /// Where a value is kept.
 #[derive(Clone, Debug)]
-pub(in crate::interpreter) struct Place {
+pub(in crate::interpreter) struct LValue {
     /// Whose binding it is.
     pub(in crate::interpreter) symbol: Symbol,
     /// Which of the symbol's bindings, the outermost first.
@@ -35,15 +35,15 @@ pub(in crate::interpreter) struct Place {
     path: Option<Path>,
 }
 
-impl Place {
+impl LValue {
     fn path(&self) -> &[usize] {
         self.path.as_deref().unwrap_or_default()
     }
 
     /// An element of the array that is here, or of an array in it.
-    pub(in crate::interpreter) fn element(&self, indices: &[usize]) -> Place {
+    pub(in crate::interpreter) fn element(&self, indices: &[usize]) -> LValue {
         let path = self.path().iter().chain(indices).copied().collect();
-        Place { path: Some(path), ..self.clone() }
+        LValue { path: Some(path), ..self.clone() }
     }
 }
 
@@ -106,8 +106,8 @@ impl<'a> Scopes<'a> {
     }
 
     /// The number of the level at which a place's name is bound.
-    pub(in crate::interpreter) fn level_of(&self, place: &Place) -> u32 {
-        let binding = self.bindings.get(place.symbol.0 as usize).and_then(|stack| stack.get(place.depth));
+    pub(in crate::interpreter) fn level_of(&self, lvalue: &LValue) -> u32 {
+        let binding = self.bindings.get(lvalue.symbol.0 as usize).and_then(|stack| stack.get(lvalue.depth));
         binding.map_or(0, |binding| binding.level)
     }
 
@@ -146,9 +146,9 @@ impl<'a> Scopes<'a> {
     }
 
     /// The place of the innermost binding, aliases followed; `None` too where an `#undef` has taken what an alias stood for.
-    pub(in crate::interpreter) fn resolve(&self, symbol: Symbol) -> Option<Place> {
+    pub(in crate::interpreter) fn resolve(&self, symbol: Symbol) -> Option<LValue> {
         let (symbol, depth, path) = self.find(symbol)?;
-        Some(Place { symbol, depth, path: path.cloned() })
+        Some(LValue { symbol, depth, path: path.cloned() })
     }
 
     /// The same without a copy of the path.
@@ -158,7 +158,7 @@ impl<'a> Scopes<'a> {
         // An alias is made of a resolved place. Only what came there after an `#undef` can be another alias.
         for _ in 0..MAX_ALIASES {
             match &self.bindings[symbol.0 as usize].get(depth)?.slot {
-                Slot::Alias(place) => (symbol, depth, path) = (place.symbol, place.depth, place.path.as_ref()),
+                Slot::Alias(lvalue) => (symbol, depth, path) = (lvalue.symbol, lvalue.depth, lvalue.path.as_ref()),
                 _ => return Some((symbol, depth, path)),
             }
         }
@@ -189,14 +189,14 @@ impl<'a> Scopes<'a> {
     }
 
     /// What is at a place now.
-    pub(in crate::interpreter) fn at(&self, place: &Place) -> Option<&Slot<'a>> {
-        self.bindings.get(place.symbol.0 as usize)?.get(place.depth)?.slot.element(place.path())
+    pub(in crate::interpreter) fn at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
+        self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.depth)?.slot.element(lvalue.path())
     }
 
     /// Puts something into an array's element, or takes it out.
-    pub(in crate::interpreter) fn set_element(&mut self, place: &Place, slot: Option<Slot<'a>>) {
-        let binding = self.bindings.get_mut(place.symbol.0 as usize).and_then(|b| b.get_mut(place.depth));
-        let Some((binding, (last, path))) = binding.zip(place.path().split_last()) else { return };
+    pub(in crate::interpreter) fn set_element(&mut self, lvalue: &LValue, slot: Option<Slot<'a>>) {
+        let binding = self.bindings.get_mut(lvalue.symbol.0 as usize).and_then(|b| b.get_mut(lvalue.depth));
+        let Some((binding, (last, path))) = binding.zip(lvalue.path().split_last()) else { return };
         let mut target = &mut binding.slot;
         for &i in path {
             let Slot::Array(array) = target else { return };
@@ -211,16 +211,16 @@ impl<'a> Scopes<'a> {
     }
 
     /// The dictionary that is kept here, if one is.
-    pub(in crate::interpreter) fn dictionary(&self, place: &Place) -> Option<&Array<'a>> {
-        match self.at(place)? {
+    pub(in crate::interpreter) fn dictionary(&self, lvalue: &LValue) -> Option<&Array<'a>> {
+        match self.at(lvalue)? {
             Slot::Array(array) if array.keys.is_some() => Some(array),
             _ => None,
         }
     }
 
     /// A new element of the dictionary that is kept here, without a value yet: its index.
-    pub(in crate::interpreter) fn add_key(&mut self, place: &Place, key: &str) -> usize {
-        let Some(Slot::Array(array)) = self.at_mut(place) else { return 0 };
+    pub(in crate::interpreter) fn add_key(&mut self, lvalue: &LValue, key: &str) -> usize {
+        let Some(Slot::Array(array)) = self.at_mut(lvalue) else { return 0 };
         let array = Rc::make_mut(array);
         array.keys.get_or_insert_default().push(key.into());
         array.items.push(None);
@@ -228,9 +228,9 @@ impl<'a> Scopes<'a> {
         array.items.len() - 1
     }
 
-    fn at_mut(&mut self, place: &Place) -> Option<&mut Slot<'a>> {
-        let mut slot = &mut self.bindings.get_mut(place.symbol.0 as usize)?.get_mut(place.depth)?.slot;
-        for &i in place.path() {
+    fn at_mut(&mut self, lvalue: &LValue) -> Option<&mut Slot<'a>> {
+        let mut slot = &mut self.bindings.get_mut(lvalue.symbol.0 as usize)?.get_mut(lvalue.depth)?.slot;
+        for &i in lvalue.path() {
             let Slot::Array(array) = slot else { return None };
             slot = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
         }
@@ -252,7 +252,7 @@ impl<'a> Scopes<'a> {
         let own = self.stack(symbol).len() - 1;
         // What a parameter stood for may be gone: then it stands for itself from now on.
         match self.resolve(symbol) {
-            Some(place) => self.replace(&place, slot, pending),
+            Some(lvalue) => self.replace(&lvalue, slot, pending),
             None => self.rebind(symbol, own, slot, pending),
         }
     }
@@ -262,8 +262,8 @@ impl<'a> Scopes<'a> {
         match self.find(symbol) {
             Some((symbol, depth, None)) => self.rebind(symbol, depth, slot, pending),
             Some((symbol, depth, Some(path))) => {
-                let place = Place { symbol, depth, path: Some(path.clone()) };
-                self.set_element(&place, Some(slot));
+                let lvalue = LValue { symbol, depth, path: Some(path.clone()) };
+                self.set_element(&lvalue, Some(slot));
             }
             None => match self.stack(symbol).len() {
                 0 => self.push(symbol, 0, slot, pending),
@@ -272,11 +272,11 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    fn replace(&mut self, place: &Place, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        if place.path.is_none() {
-            self.rebind(place.symbol, place.depth, slot, pending);
+    fn replace(&mut self, lvalue: &LValue, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        if lvalue.path.is_none() {
+            self.rebind(lvalue.symbol, lvalue.depth, slot, pending);
         } else {
-            self.set_element(place, Some(slot));
+            self.set_element(lvalue, Some(slot));
         }
     }
 
@@ -294,14 +294,14 @@ impl<'a> Scopes<'a> {
     }
 
     /// What is at a place goes.
-    pub(in crate::interpreter) fn unbind(&mut self, place: &Place) {
-        if place.path.is_some() {
-            return self.set_element(place, None);
+    pub(in crate::interpreter) fn unbind(&mut self, lvalue: &LValue) {
+        if lvalue.path.is_some() {
+            return self.set_element(lvalue, None);
         }
-        let Some(stack) = self.bindings.get_mut(place.symbol.0 as usize) else { return };
-        if place.depth < stack.len() {
-            let binding = stack.remove(place.depth);
-            self.forget(place.symbol, binding.level);
+        let Some(stack) = self.bindings.get_mut(lvalue.symbol.0 as usize) else { return };
+        if lvalue.depth < stack.len() {
+            let binding = stack.remove(lvalue.depth);
+            self.forget(lvalue.symbol, binding.level);
         }
     }
 

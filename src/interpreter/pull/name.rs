@@ -20,14 +20,14 @@ impl<'a> Interpreter<'a> {
                     Ok(None)
                 }
                 _ => {
-                    let place = self.element_lvalue(base, indices)?;
-                    self.stream.set_element(place);
+                    let lvalue = self.element_lvalue(base, indices)?;
+                    self.stream.set_element(lvalue);
                     Ok(Some(Token::Element(expr.span)))
                 }
             },
             ExprKind::Dot(..) => match self.dictionary_lvalue(expr)? {
-                Some(place) => {
-                    self.stream.set_element(place);
+                Some(lvalue) => {
+                    self.stream.set_element(lvalue);
                     Ok(Some(Token::Element(expr.span)))
                 }
                 None => Ok(Some(Token::Expr(expr))),

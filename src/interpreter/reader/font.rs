@@ -13,10 +13,12 @@ impl Interpreter<'_> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {
             Some(path) => Place::first_of(path),
-            None => match self.installed_font(name).or_else(|| self.substitute_font(name, &full, at).map(Place::first_of)) {
-                Some(place) => place,
-                None => return Ok(Arc::new(Font::own())),
-            },
+            None => {
+                match self.installed_font(name).or_else(|| self.substitute_font(name, &full, at).map(Place::first_of)) {
+                    Some(place) => place,
+                    None => return Ok(Arc::new(Font::own())),
+                }
+            }
         };
         if let Some(font) = self.evaluator.assets().fonts.get(&place) {
             return Ok(font.clone());

@@ -47,7 +47,7 @@ impl Interpreter<'_> {
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Element(span))
                 if let Some(slot @ Slot::Faulty(_)) =
-                    self.stream.element().and_then(|place| self.evaluator.scopes().at(place)) =>
+                    self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue)) =>
             {
                 let slot = slot.clone();
                 return match self.slot_value(slot, span) {

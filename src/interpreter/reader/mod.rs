@@ -20,7 +20,7 @@ use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::value::{BuildMesh, FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value};
+use crate::value::{BuildMesh, FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupported, Value};
 use crate::world::Probe;
 pub use color::COLOR_WORDS;
 pub(super) use color::begins_color;
@@ -70,7 +70,7 @@ impl Reader for Interpreter<'_> {
                 }
             },
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.next_of_name(*symbol),
-            Token::Element(_) => match self.stream.element().and_then(|place| self.evaluator.scopes().at(place)) {
+            Token::Element(_) => match self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue)) {
                 Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
                 _ => Next::Value,
             },
@@ -252,7 +252,7 @@ impl Reader for Interpreter<'_> {
                     && !matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Value(Value::Text(_))))
             }
             Token::Element(_) => {
-                let slot = self.stream.element().and_then(|place| self.evaluator.scopes().at(place));
+                let slot = self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue));
                 matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,
@@ -307,7 +307,7 @@ impl Reader for Interpreter<'_> {
         self.find_font(name, at)
     }
 
-    fn pass(&mut self, row: &mut Vec<RawItem>) -> Result<()> {
+    fn pass(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
         self.read_into(row)
     }
 
@@ -324,7 +324,7 @@ impl Reader for Interpreter<'_> {
         self.unknown_word_message(block, takes)
     }
 
-    fn keep_undrawn(&mut self, what: &'static str) -> Result<RawItem> {
+    fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported> {
         self.read_unsupported_item(what)
     }
 }

@@ -9,7 +9,7 @@ mod split;
 mod token;
 
 use super::Inputs;
-use super::evaluator::Place;
+use super::evaluator::LValue;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::source::Span;
 use crate::syntax::ListPlaces;
@@ -36,7 +36,7 @@ pub(super) struct TokenStream<'a> {
     comma: bool,
     mode: Mode,
     /// Location of the array element that [`Token::Element`] represents.
-    element: Option<Place>,
+    element: Option<LValue>,
     /// Brackets around the read position, the innermost last.
     open_brackets: Vec<OpenBracket>,
     /// Global offsets of brackets that the rest of their file does not close.
@@ -151,15 +151,15 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Location of the array element that the next token, a [`Token::Element`], represents.
-    pub(super) fn element(&self) -> Option<&Place> {
+    pub(super) fn element(&self) -> Option<&LValue> {
         self.element.as_ref()
     }
 
-    pub(super) fn set_element(&mut self, element: Place) {
+    pub(super) fn set_element(&mut self, element: LValue) {
         self.element = Some(element);
     }
 
-    pub(super) fn take_element(&mut self) -> Option<Place> {
+    pub(super) fn take_element(&mut self) -> Option<LValue> {
         self.element.take()
     }
 

@@ -39,7 +39,7 @@ pub const LIGHT_GROUP: Vocabulary = Vocabulary {
     words: &[word("global_lights", Kind::Flag, "off", "lights outside of the group shine on its objects too")],
     moves: true,
     idle: &[],
-    not_drawn: &[],
+    unsupported: &[],
 };
 
 impl LightSource {

@@ -10,7 +10,7 @@ use crate::math::{Aabb, Transform};
 use crate::shape::{Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Interior, Texture};
-use crate::value::{RawItem, Seldom, Thing, Usual};
+use crate::value::{SharedDefault, StaticDefault, Thing, Unsupported};
 use serde::Serialize;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -82,7 +82,7 @@ pub struct Object {
     #[serde(flatten)]
     pub body: Arc<ObjectBody>,
     /// All its transforms, in the space around its block.
-    pub transform: Seldom<Transform>,
+    pub transform: SharedDefault<Transform>,
     /// The text that made it.
     pub source: Span,
     /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
@@ -99,7 +99,7 @@ pub struct ObjectBody {
     pub texture: Option<Painted>,
     /// What most objects do not say.
     #[serde(flatten)]
-    pub rare: Seldom<Rare>,
+    pub rare: SharedDefault<Rare>,
     /// The word it was written with.
     pub word: &'static str,
     /// How large it is, if it is more than a shape.
@@ -137,11 +137,11 @@ pub struct Rare {
     pub flags: Flags,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub undrawn: Option<Arc<Vec<RawItem>>>,
+    pub unsupported: Option<Arc<Vec<Unsupported>>>,
 }
 
-impl Usual for Rare {
-    fn usual() -> &'static Self {
+impl StaticDefault for Rare {
+    fn static_default() -> &'static Self {
         static NOTHING: Rare = Rare {
             interior_texture: None,
             carried: None,
@@ -150,7 +150,7 @@ impl Usual for Rare {
             bounded_by: None,
             light_group: None,
             flags: Flags::NONE,
-            undrawn: None,
+            unsupported: None,
         };
         &NOTHING
     }
@@ -181,7 +181,7 @@ impl ObjectBody {
             }
             _ => None,
         };
-        Self { kind, texture: None, rare: Seldom::USUAL, word, bulk }
+        Self { kind, texture: None, rare: SharedDefault::DEFAULT, word, bulk }
     }
 
     /// How much is in it.
@@ -224,7 +224,7 @@ impl Object {
     pub fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             body: Arc::new(ObjectBody::new(kind, word)),
-            transform: Seldom::USUAL,
+            transform: SharedDefault::DEFAULT,
             source,
             default_texture: defaults.texture.clone(),
         }
@@ -254,7 +254,7 @@ impl Object {
         if let Some(painted) = &mut body.texture {
             painted.transform_by(step);
         }
-        if body.rare.unusual().is_some() {
+        if body.rare.explicit().is_some() {
             body.rare.transform_by(step);
         }
     }

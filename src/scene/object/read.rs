@@ -223,8 +223,8 @@ impl Object {
                     self.set_material(&material);
                 }
             }
-            Next::Word(word) | Next::Block(word) if MODIFIERS.leaves_out(word) => {
-                Arc::make_mut(self.rare.undrawn.get_or_insert_default()).push(r.keep_undrawn(word)?);
+            Next::Word(word) | Next::Block(word) if MODIFIERS.is_unsupported(word) => {
+                Arc::make_mut(self.rare.unsupported.get_or_insert_default()).push(r.read_unsupported(word)?);
             }
             _ => return self.read_surface(next, r, defaults),
         }

@@ -7,7 +7,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 /// A word, a value or a block, as it was said. `area_light x*4, z*4, 5, 5` prints as
 /// `{"area_light": [[4, 0, 0], [0, 0, 4], 5, 5]}`.
 #[derive(Clone, Debug, PartialEq)]
-pub enum RawItem {
+pub enum Unsupported {
     /// A word alone.
     Word(&'static str),
     /// Numbers that follow one another, or vectors of one length: a mesh has millions.
@@ -24,28 +24,28 @@ pub enum RawItem {
     /// A declared thing of this kind.
     Declared(&'static str),
     /// A word with what belongs to it: its block, or the values behind it. `[ … ]` is an `entry`, `{ … }` alone a `group`.
-    Block(&'static str, Box<[RawItem]>),
+    Block(&'static str, Box<[Unsupported]>),
 }
 
-impl RawItem {
+impl Unsupported {
     /// Adds a number, or a vector of any length, to what was said before it.
-    pub fn push_numbers(row: &mut Vec<RawItem>, c: &[f64]) {
+    pub fn push_numbers(row: &mut Vec<Unsupported>, c: &[f64]) {
         match row.last_mut() {
-            Some(RawItem::Numbers { width, all }) if *width == c.len() => all.extend(c),
-            _ => row.push(RawItem::Numbers { width: c.len(), all: c.to_vec() }),
+            Some(Unsupported::Numbers { width, all }) if *width == c.len() => all.extend(c),
+            _ => row.push(Unsupported::Numbers { width: c.len(), all: c.to_vec() }),
         }
     }
 
     /// Adds a value to what was said before it.
-    pub fn push_value(row: &mut Vec<RawItem>, value: &Value) {
+    pub fn push_value(row: &mut Vec<Unsupported>, value: &Value) {
         match value {
             Value::Float(x) => Self::push_numbers(row, &[*x]),
             Value::Vector(v) => Self::push_numbers(row, &v.c[..v.len as usize]),
-            Value::Color(c) => row.push(RawItem::Color(*c)),
-            Value::Text(text) => row.push(RawItem::Text((**text).into())),
-            Value::Thing(thing) => row.push(match super::downcast::<RawItem>(thing) {
+            Value::Color(c) => row.push(Unsupported::Color(*c)),
+            Value::Text(text) => row.push(Unsupported::Text((**text).into())),
+            Value::Thing(thing) => row.push(match super::downcast::<Unsupported>(thing) {
                 Some(said) => (*said).clone(),
-                None => RawItem::Declared(thing.kind()),
+                None => Unsupported::Declared(thing.kind()),
             }),
         }
     }
@@ -54,42 +54,42 @@ impl RawItem {
     ///
     /// # Errors
     /// The serializer's.
-    pub fn print_row<S: Serializer>(row: &[RawItem], s: S) -> Result<S::Ok, S::Error> {
+    pub fn print_row<S: Serializer>(row: &[Unsupported], s: S) -> Result<S::Ok, S::Error> {
         s.collect_seq(items(row))
     }
 
     /// Walks all vectors of two to five numbers in it, in order.
     pub fn visit_vectors(&self, visit: &mut dyn FnMut(VecN)) {
         match self {
-            RawItem::Numbers { width: n @ 2..=5, all } => all.chunks(*n).for_each(|c| visit(VecN::from_slice(c))),
-            RawItem::Block(_, inner) => inner.iter().for_each(|said| said.visit_vectors(visit)),
+            Unsupported::Numbers { width: n @ 2..=5, all } => all.chunks(*n).for_each(|c| visit(VecN::from_slice(c))),
+            Unsupported::Block(_, inner) => inner.iter().for_each(|said| said.visit_vectors(visit)),
             _ => {}
         }
     }
 }
 
 /// A declared fog, media, rainbow …
-impl Thing for RawItem {
+impl Thing for Unsupported {
     fn kind(&self) -> &'static str {
         match self {
-            RawItem::Word(word) | RawItem::Declared(word) | RawItem::Block(word, _) => word,
-            RawItem::Numbers { .. } => "number",
-            RawItem::Color(_) => "color",
-            RawItem::Text(_) => "string",
+            Unsupported::Word(word) | Unsupported::Declared(word) | Unsupported::Block(word, _) => word,
+            Unsupported::Numbers { .. } => "number",
+            Unsupported::Color(_) => "color",
+            Unsupported::Text(_) => "string",
         }
     }
 }
 
-impl Serialize for RawItem {
+impl Serialize for Unsupported {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
         match self {
-            RawItem::Word(word) => s.serialize_str(word),
-            RawItem::Numbers { .. } => Self::print_row(std::slice::from_ref(self), s),
-            RawItem::Color(c) if c.filter == 0.0 && c.transmit == 0.0 => named(s, "rgb", &c.rgb.to_array()),
-            RawItem::Color(c) => named(s, "rgbft", &c.to_array()),
-            RawItem::Text(text) => named(s, "text", text),
-            RawItem::Declared(kind) => named(s, "declared", kind),
-            RawItem::Block(word, inner) => named(s, word, &Row(inner)),
+            Unsupported::Word(word) => s.serialize_str(word),
+            Unsupported::Numbers { .. } => Self::print_row(std::slice::from_ref(self), s),
+            Unsupported::Color(c) if c.filter == 0.0 && c.transmit == 0.0 => named(s, "rgb", &c.rgb.to_array()),
+            Unsupported::Color(c) => named(s, "rgbft", &c.to_array()),
+            Unsupported::Text(text) => named(s, "text", text),
+            Unsupported::Declared(kind) => named(s, "declared", kind),
+            Unsupported::Block(word, inner) => named(s, word, &Row(inner)),
         }
     }
 }
@@ -107,19 +107,19 @@ impl<'s> Item<'s> {
 }
 
 /// The contents of a block.
-struct Row<'s>(&'s [RawItem]);
+struct Row<'s>(&'s [Unsupported]);
 
 /// One of them.
 enum Item<'s> {
     Number(f64),
     Vector(&'s [f64]),
-    Other(&'s RawItem),
+    Other(&'s Unsupported),
 }
 
-fn items(row: &[RawItem]) -> impl Iterator<Item = Item<'_>> {
+fn items(row: &[Unsupported]) -> impl Iterator<Item = Item<'_>> {
     row.iter().flat_map(|said| {
         let (width, all, other) = match said {
-            RawItem::Numbers { width, all } => ((*width).max(1), &all[..], None),
+            Unsupported::Numbers { width, all } => ((*width).max(1), &all[..], None),
             other => (1, &[][..], Some(Item::Other(other))),
         };
         all.chunks(width).map(Item::of).chain(other)
@@ -128,7 +128,7 @@ fn items(row: &[RawItem]) -> impl Iterator<Item = Item<'_>> {
 
 impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        RawItem::print_row(self.0, s)
+        Unsupported::print_row(self.0, s)
     }
 }
 
@@ -148,21 +148,21 @@ mod tests {
 
     #[test]
     fn it_prints_as_it_was_said() {
-        let mut row = vec![RawItem::Word("angle")];
-        RawItem::push_numbers(&mut row, &[1.0]);
-        RawItem::push_numbers(&mut row, &[2.0]);
-        RawItem::push_numbers(&mut row, &[1.0, 2.0, 3.0]);
-        RawItem::push_value(&mut row, &Value::Color(Color::WHITE));
-        row.push(RawItem::Block("entry", Box::default()));
+        let mut row = vec![Unsupported::Word("angle")];
+        Unsupported::push_numbers(&mut row, &[1.0]);
+        Unsupported::push_numbers(&mut row, &[2.0]);
+        Unsupported::push_numbers(&mut row, &[1.0, 2.0, 3.0]);
+        Unsupported::push_value(&mut row, &Value::Color(Color::WHITE));
+        row.push(Unsupported::Block("entry", Box::default()));
         assert_eq!(row.len(), 5);
-        let json = serde_json::to_string(&RawItem::Block("fog", row.into())).unwrap();
+        let json = serde_json::to_string(&Unsupported::Block("fog", row.into())).unwrap();
         assert_eq!(json, r#"{"fog":["angle",1.0,2.0,[1.0,2.0,3.0],{"rgb":[1.0,1.0,1.0]},{"entry":[]}]}"#);
     }
 
     #[test]
     fn numbers_of_a_mesh_lie_in_one_row() {
         let mut row = vec![];
-        (0..1000).for_each(|i| RawItem::push_numbers(&mut row, &[f64::from(i), 0.0, 0.0]));
+        (0..1000).for_each(|i| Unsupported::push_numbers(&mut row, &[f64::from(i), 0.0, 0.0]));
         let mut count = 0;
         row[0].visit_vectors(&mut |v| count += usize::from(v.len == 3));
         assert_eq!((row.len(), count), (1, 1000));
