@@ -1,83 +1,202 @@
 //! durer: an interpreter and renderer for scenes written by hand in POV-Ray's scene language.
 //!
 //! ```text
-//! text ──syntax──▶ AST ──interpreter──▶ Scene ──world──▶ World ──render──▶ Frame ──image_io──▶ file
+//! text ──syntax──▶ AST ──interpreter──▶ Scene ──world──▶ World ──transport──▶ radiance ──render──▶ Frame ──image_io──▶ file
 //! ```
 //!
-//! The whole way, as every front end goes it:
+//! A program that embeds durer takes four steps: [`load`] or [`load_bytes`] reads the text, [`build`] evaluates it, [`render`] computes the
+//! pixels, [`encode`] makes a picture file of them.
 //!
-//! ```no_run
-//! # fn draw(reading: durer::interpreter::Options, drawing: durer::render::Options) -> durer::diagnostic::Result<()> {
-//! use durer::{image_io, render, source};
+//! ```
+//! use durer::{BuildOptions, Encoding, Format, RenderOptions, Sources, Unwatched};
 //!
-//! let sources = source::Sources::default();
-//! let file = durer::load(&sources, "ball.scene".as_ref())?;
-//! let built = durer::build(&sources, file, &reading, &mut |text| print!("{text}"));
-//! if let Some(world) = &built.world
-//!     && let Ok((frame, _rays)) = render::render(world, &drawing, &render::Unwatched)
-//! {
-//!     let bytes = image_io::encode(&frame, &image_io::Encoding::new(image_io::Format::Png))?;
-//!     source::write_whole("ball.png".as_ref(), &bytes).ok();
-//! }
+//! # fn main() -> durer::Result<()> {
+//! let sources = Sources::default();
+//! let text = "camera { location <0, 0, -5> look_at 0 }  sphere { 0, 1 pigment { color rgb <1, 0, 0> } finish { ambient 1 } }";
+//! let file = durer::load_bytes(&sources, "ball.scene", text)?;
+//! let built = durer::build(&sources, file, &BuildOptions::default(), &mut |_| {});
+//! let world = built.world.expect("the scene has no errors");
+//!
+//! let (frame, _) = durer::render(&world, &RenderOptions::new(32, 24), &Unwatched).expect("nobody cancels");
+//! let [red, green, blue, _alpha] = frame.pixels[12 * frame.width + 16];
+//! assert!(red > 0.9 && green < 0.1 && blue < 0.1);
+//!
+//! let png = durer::encode(&frame, &Encoding::new(Format::Png))?;
+//! assert!(png.starts_with(b"\x89PNG"));
 //! # Ok(()) }
 //! ```
+//!
+//! # Messages
+//!
+//! Faults of a scene are data. [`Built::diagnostics`] holds all errors and warnings of a run; [`Diagnostic::line`] prints one.
+//!
+//! ```
+//! # let sources = durer::Sources::default();
+//! let file = durer::load_bytes(&sources, "typo.scene", "sphere { 0, 1 pigmnet { rgb 1 } }").unwrap();
+//! let built = durer::build(&sources, file, &durer::BuildOptions::default(), &mut |_| {});
+//! assert!(built.world.is_none());
+//! let fault = &built.diagnostics[0];
+//! assert!(fault.line(&sources).starts_with("typo.scene:1:15: error[E0204]: "));
+//! assert_eq!(fault.help.as_deref(), Some("did you mean `pigment`?"));
+//! ```
+//!
+//! # Files
+//!
+//! A run reads and writes only through the [`Files`] of its [`Sources`]: [`Disk`], [`Memory`], [`Overlay`] or an implementation of the
+//! caller. [`Sandbox`] lists the folders that the scene may access, [`SearchPath`] those in which it finds files by name; both are empty by
+//! default. [`Sources::read_files`] returns what was read, with hashes.
+//!
+//! ```
+//! use durer::{BuildOptions, Memory, Sandbox, SearchPath, Sources};
+//! use std::{path::Path, sync::Arc};
+//!
+//! let files = Memory::default();
+//! files.insert("main.scene", "#include \"red.inc\" sphere { 0, 1 texture { Red_Paint } }");
+//! files.insert("red.inc", "#declare Red_Paint = texture { pigment { color rgb <1, 0, 0> } }");
+//!
+//! let sources = Sources::new(Arc::new(files));
+//! let file = durer::load(&sources, Path::new("main.scene")).unwrap();
+//! let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
+//! let options = BuildOptions { sandbox: Sandbox::around(&search), search, ..BuildOptions::default() };
+//! let built = durer::build(&sources, file, &options, &mut |_| {});
+//! assert!(built.world.is_some());
+//! assert_eq!(sources.read_files().len(), 2);
+//! ```
+//!
+//! # Progress and cancellation
+//!
+//! [`BuildOptions::stop`], `max_steps`, `max_time` and `max_memory` end [`build`] early; a [`Watch`] follows and ends [`render`].
+//!
+//! ```
+//! use durer::{RenderOptions, Watch};
+//! use std::sync::atomic::{AtomicUsize, Ordering};
+//!
+//! /// Cancels as soon as a quarter of the pixels is done.
+//! struct Quarter(AtomicUsize);
+//!
+//! impl Watch for Quarter {
+//!     fn progress(&self, done: usize, total: usize) {
+//!         self.0.store(100 * done / total, Ordering::Relaxed);
+//!     }
+//!     fn cancelled(&self) -> bool {
+//!         self.0.load(Ordering::Relaxed) >= 25
+//!     }
+//! }
+//!
+//! # let sources = durer::Sources::default();
+//! # let file = durer::load_bytes(&sources, "ball.scene", "sphere { z, 1 }").unwrap();
+//! # let world = durer::build(&sources, file, &durer::BuildOptions::default(), &mut |_| {}).world.unwrap();
+//! let watch = Quarter(AtomicUsize::new(0));
+//! let rendered = durer::render(&world, &RenderOptions::new(640, 480), &watch);
+//! assert!(rendered.is_err());
+//! ```
+//!
+//! # Features
+//!
+//! `cli` (the command), `lsp` (the language server) and `watch` (the live preview) are on by default. Without them, durer is a library alone
+//! and needs none of their dependencies.
 
-// What pest_derive writes names it.
+// Code generated by pest_derive names the crate `alloc`.
 extern crate alloc;
 
+#[doc(hidden)]
 pub mod advice;
+#[doc(hidden)]
 pub mod atmosphere;
+#[doc(hidden)]
 pub mod camera;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
 pub mod cli;
+#[doc(hidden)]
 pub mod color;
+#[doc(hidden)]
 pub mod diagnostic;
-pub mod font;
+pub(crate) mod font;
+#[doc(hidden)]
 pub mod format;
+#[doc(hidden)]
 pub mod function;
+#[doc(hidden)]
 pub mod image_io;
+#[doc(hidden)]
 pub mod interpreter;
+#[doc(hidden)]
 pub mod library;
+#[doc(hidden)]
 pub mod light;
+#[cfg(feature = "lsp")]
+#[doc(hidden)]
 pub mod lsp;
+#[doc(hidden)]
 pub mod math;
+#[doc(hidden)]
 pub mod mesh_io;
+#[doc(hidden)]
 pub mod pattern;
-pub mod preview;
+#[cfg(feature = "watch")]
+pub(crate) mod preview;
+#[doc(hidden)]
 pub mod quirks;
+#[doc(hidden)]
 pub mod reference;
+#[doc(hidden)]
 pub mod render;
+#[doc(hidden)]
 pub mod scene;
+#[doc(hidden)]
 pub mod shape;
+#[doc(hidden)]
 pub mod snapshot;
+#[doc(hidden)]
 pub mod source;
+#[doc(hidden)]
 pub mod syntax;
+#[doc(hidden)]
 pub mod texture;
+#[doc(hidden)]
 pub mod value;
+#[doc(hidden)]
 pub mod world;
 
-use diagnostic::{Diagnostic, Result};
-use source::{FileId, Sources, Span};
-use std::path::Path;
-use std::time::{Duration, Instant};
+#[doc(inline)]
+pub use diagnostic::{Code, Diagnostic, Fault, Label, Result, Severity};
+#[doc(inline)]
+pub use image_io::{Encoding, Format, Frame, encode};
+#[doc(inline)]
+pub use interpreter::{Options as BuildOptions, Timing};
+#[doc(inline)]
+pub use render::{Cancelled, Options as RenderOptions, Rays, Region, Unwatched, Watch, render};
+#[doc(inline)]
+pub use source::{
+    ContentHash, Disk, Draft, Entry, FileId, FileKind, Files, Host, LocalHost, Memory, Metadata, Overlay, Place,
+    ReadFiles, Sandbox, SearchPath, Sources, Span, Stamp, WriteMode,
+};
+#[doc(inline)]
+pub use world::World;
 
-/// Reads a scene's text. A file that is not text gets a place all the same: its first byte.
+use std::path::Path;
+use std::time::Duration;
+
+/// Reads a scene's text from the storage of `sources`. The message about a file that is no text points to the file's first byte.
 ///
 /// # Errors
-/// E0001, E0002 or E0003: too long, not there, or not readable.
+/// E0001, E0002 or E0003: not text, not found, or not readable.
 pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
     let name = path.display().to_string();
-    match source::read_text(path) {
+    match source::read_text(sources.files(), path) {
         Ok(text) => add(sources, &name, Some(path), text),
         Err(error) => Err(refuse(sources, path, &error)),
     }
 }
 
-/// Takes bytes from elsewhere, such as standard input, for a scene's text.
+/// Takes bytes from elsewhere, such as standard input, as a scene's text. `name` stands for the file in messages.
 ///
 /// # Errors
-/// E0001 or E0003: too long, or no text.
-pub fn load_bytes(sources: &Sources, name: &str, bytes: Vec<u8>) -> Result<FileId> {
-    source::note(Path::new(name), &bytes);
+/// E0001 or E0003: not text, or too long.
+pub fn load_bytes(sources: &Sources, name: &str, bytes: impl Into<Vec<u8>>) -> Result<FileId> {
+    let bytes = bytes.into();
+    sources.record(Path::new(name), &bytes);
     match source::text_of(bytes) {
         Ok(text) => add(sources, name, None, text),
         Err(error) => Err(refuse(sources, Path::new(name), &error)),
@@ -95,7 +214,7 @@ fn add(sources: &Sources, name: &str, path: Option<&Path>, text: String) -> Resu
 }
 
 fn refuse(sources: &Sources, path: &Path, error: &source::ReadError) -> diagnostic::Fault {
-    let mut fault = diagnostic::file::unreadable(path, error);
+    let mut fault = diagnostic::file::unreadable(sources.files(), path, error);
     if matches!(error, source::ReadError::NotText(_)) {
         let file = sources.add(&path.display().to_string(), Some(path), String::new());
         let start = file.map_or(0, |file| sources.base(file));
@@ -104,42 +223,46 @@ fn refuse(sources: &Sources, path: &Path, error: &source::ReadError) -> diagnost
     Box::new(fault)
 }
 
-/// What a text became.
+/// Result of [`build`].
 #[derive(Debug)]
 pub struct Built {
-    /// What the author said, unless there were errors or it was not to be kept.
+    /// The scene as the author described it; `None` after errors, or if only the World was asked for.
+    #[doc(hidden)]
     pub scene: Option<scene::Scene>,
-    /// What a ray needs, unless there were errors.
-    pub world: Option<world::World>,
+    /// The scene as [`render`] needs it; `None` after errors.
+    pub world: Option<World>,
     /// Errors and warnings in the order in which they were found.
     pub diagnostics: Vec<Diagnostic>,
-    /// A limit (steps, memory, time) ended the run.
+    /// True if a limit (steps, memory, time) ended the run.
     pub limit_reached: bool,
-    /// If they were to be kept: the macro calls and includes around each of the scene's objects, innermost first.
-    pub origins: Vec<Vec<diagnostic::Label>>,
-    /// If they were to be noted: branches that did not run.
+    /// Macro calls and includes around each object of the scene, innermost first; empty unless `BuildOptions::origins` is set.
+    pub origins: Vec<Vec<Label>>,
+    /// Branches of `#if` and its kin that never ran; empty unless `BuildOptions::branches` is set.
     pub idle: Vec<Span>,
-    /// How long text → Scene took.
+    /// Duration of text → Scene.
     pub parse_time: Duration,
-    /// How long Scene → World took.
+    /// Duration of Scene → World.
     pub build_time: Duration,
 }
 
-/// Text → Scene → World. `debug` receives what the scene prints. Scenes may be nested deeply: call this inside [`on_big_stack`].
+/// Evaluates a text: text → Scene → World. `debug` receives what the scene prints with `#debug` and its kin. The recursion is as deep as the
+/// text is nested: for texts from strangers, call this function inside [`on_big_stack`].
 pub fn build(sources: &Sources, file: FileId, options: &interpreter::Options, debug: &mut dyn FnMut(&str)) -> Built {
     build_with(&interpreter::ParsedFiles::default(), sources, file, options, Keep::Both, debug)
 }
 
-/// What is wanted of a text.
+/// Parts of a [`Built`] that the caller needs.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keep {
     /// Scene and World.
     Both,
-    /// The World alone: the Scene is used up on the way, which takes less memory.
+    /// The World alone. The Scene is consumed by the lowering, which needs less memory.
     World,
 }
 
-/// The same for one frame of many: files that an earlier frame has left are not parsed again.
+/// [`build`] for one frame of many: files that an earlier frame has parsed are not parsed again.
+#[doc(hidden)]
 pub fn build_with(
     parsed: &interpreter::ParsedFiles,
     sources: &Sources,
@@ -148,15 +271,15 @@ pub fn build_with(
     keep: Keep,
     debug: &mut dyn FnMut(&str),
 ) -> Built {
-    let start = Instant::now();
+    let start = options.host.elapsed();
     let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins, idle } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
-    let parse_time = start.elapsed();
+    let parse_time = options.host.elapsed().saturating_sub(start);
     if let Some(scene) = &scene {
         diagnostics.extend(advice::of_scene(scene, sources));
     }
     advice::keep_own(&mut diagnostics, sources, file);
-    let start = Instant::now();
+    let start = options.host.elapsed();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,
         Err(fault) => {
@@ -171,16 +294,17 @@ pub fn build_with(
         (true, Keep::World) => scene.take().map(world::lower_away),
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
-    Built { scene, world, diagnostics, limit_reached, origins, idle, parse_time, build_time: start.elapsed() }
+    let build_time = options.host.elapsed().saturating_sub(start);
+    Built { scene, world, diagnostics, limit_reached, origins, idle, parse_time, build_time }
 }
 
-/// Bytes of stack for parser and interpreter, which recurse as deeply as the text is nested. Only what is used costs memory.
+/// Stack size for parser and interpreter, in bytes. Pages that are not used take no memory.
 const BIG_STACK: usize = 512 << 20;
 
-/// Runs `work` where there is stack for deeply nested text.
+/// Runs `work` on a thread with a stack of 512 MB, enough for texts that are nested as deeply as durer allows.
 ///
 /// # Panics
-/// Where `work` does.
+/// If `work` panics.
 pub fn on_big_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     let slot = std::sync::Mutex::new(Some(work));
     let take = || slot.lock().ok().and_then(|mut work| work.take()).map(|work| work());
@@ -188,9 +312,70 @@ pub fn on_big_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
         let thread = std::thread::Builder::new().name("durer".into()).stack_size(BIG_STACK);
         match thread.spawn_scoped(scope, take) {
             Ok(handle) => handle.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            // Where memory is rationed, there may be no room for it; small scenes need none.
+            // Under a limit on memory the stack may not be available; small scenes do not need it.
             Err(_) => take(),
         }
     });
     result.unwrap_or_else(|| unreachable!("the work is taken exactly once"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use source::{Memory, Sandbox, SearchPath};
+    use std::fmt::Write;
+    use std::sync::Arc;
+
+    /// A scene that includes a file, writes one, reads it again and includes it; all values depend on `number`.
+    fn scene_files(number: usize) -> Memory {
+        let files = Memory::default();
+        let mut main = String::from("#include \"part.inc\"\n#fopen Out \"made.inc\" write\n");
+        writeln!(main, "#write (Out, \"#declare Made = \", Part * 10, \";\\n\")\n#fclose Out").unwrap();
+        main.push_str("#include \"made.inc\"\n#debug concat(str(Part, 0, 0), \" \", str(Made, 0, 0), \"\\n\")\n");
+        main.push_str("sphere { <0, 0, Part>, 1 }\ncamera { location <0, 0, -Made> }\n");
+        files.insert("main.pov", main);
+        files.insert("part.inc", format!("#declare Part = {number};\n"));
+        files
+    }
+
+    #[test]
+    fn eight_scenes_in_eight_threads_do_not_mix() {
+        let run = |number: usize| {
+            let files = scene_files(number);
+            let sources = Sources::new(Arc::new(files.clone()));
+            let file = load(&sources, Path::new("main.pov")).unwrap();
+            let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
+            let options = interpreter::Options { sandbox: Sandbox::around(&search), search, ..Default::default() };
+            let mut printed = String::new();
+            let built = build(&sources, file, &options, &mut |text| printed.push_str(text));
+            assert_eq!(built.diagnostics.iter().map(|d| &d.message).collect::<Vec<_>>(), [""; 0]);
+            assert_eq!(printed, format!("{number} {}\n", number * 10));
+            assert_eq!(files.get("made.inc").unwrap(), format!("#declare Made = {};\n", number * 10).into_bytes());
+            let read: Vec<_> = sources.read_files().into_iter().collect();
+            let expected = ["./made.inc", "./part.inc", "main.pov"]
+                .map(|name| (name.into(), source::ContentHash::of(&files.get(name).unwrap())));
+            assert_eq!(read, expected);
+        };
+        std::thread::scope(|scope| {
+            let run = &run;
+            let work = |number: usize| move || (0..20).for_each(|_| run(number));
+            (1..=8).for_each(|number| _ = scope.spawn(work(number)));
+        });
+    }
+
+    #[test]
+    fn a_scene_in_memory_reads_and_writes_nothing_outside_its_sandbox() {
+        let files = Memory::default();
+        files.insert("/work/main.pov", "#include \"/etc/secret\"\n#fopen Out \"/tmp/out\" write\n");
+        files.insert("/etc/secret", "#declare A = 1;");
+        let sources = Sources::new(Arc::new(files.clone()));
+        let file = load(&sources, Path::new("/work/main.pov")).unwrap();
+        let search = SearchPath { folders: vec!["/work".into()], fonts: vec![] };
+        let sandbox = Sandbox { read: vec!["/work".into()], write: vec!["/work".into()] };
+        let options = interpreter::Options { search, sandbox, ..Default::default() };
+        let built = build(&sources, file, &options, &mut |_| {});
+        let codes: Vec<_> = built.diagnostics.iter().map(|d| d.code).collect();
+        assert_eq!(codes, [diagnostic::codes::FORBIDDEN_FILE; 2]);
+        assert_eq!((files.paths().len(), sources.read_files().len()), (2, 1));
+    }
 }

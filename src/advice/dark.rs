@@ -19,12 +19,12 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
 
 /// Why no light comes from what is seen, and what to type.
 fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
-    let lamp = || "`light_source { <10, 20, -10>, rgb 1 }`".to_string();
+    let emitter = || "`light_source { <10, 20, -10>, rgb 1 }`".to_string();
     if world.lights.is_empty() {
-        return (Span::NONE, "the scene has no light, and nothing in it shines by itself".into(), lamp());
+        return (Span::NONE, "the scene has no light, and nothing in it shines by itself".into(), emitter());
     }
-    if world.lights.iter().all(|light| light.lamp.color.max_element() <= 0.0) {
-        return (Span::NONE, "all of its lights are black".into(), lamp());
+    if world.lights.iter().all(|light| light.emitter.color.max_element() <= 0.0) {
+        return (Span::NONE, "all of its lights are black".into(), emitter());
     }
     if let Some(found) = in_the_dark(world) {
         return found;
@@ -40,7 +40,7 @@ fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
 fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
     let mut first = None;
     for light in &world.lights {
-        let around = holder(world, light.lamp.location)?;
+        let around = holder(world, light.emitter.location)?;
         first.get_or_insert(around);
     }
     let (word, source) = first?;

@@ -15,7 +15,7 @@ use crate::render;
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
 use crate::value::decimal;
-use crate::world::{Intersection, Standing, World};
+use crate::world::{Intersection, PlacedSolid, World};
 use std::path::Path;
 
 /// What is to be said of a scene that is read.
@@ -38,7 +38,7 @@ pub fn keep_own(told: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
 /// Is the place in the scene's own file, or in one beside it or below?
 fn is_own(sources: &Sources, scene: FileId, at: Span) -> bool {
     let Some((file, _)) = sources.locate(at) else { return true };
-    let folder = |file: FileId| sources.path(file)?.canonicalize().ok()?.parent().map(Path::to_path_buf);
+    let folder = |file: FileId| sources.files().canonicalize(sources.path(file)?).ok()?.parent().map(Path::to_path_buf);
     file == scene || folder(file).zip(folder(scene)).is_some_and(|(of_file, of_scene)| of_file.starts_with(of_scene))
 }
 
@@ -90,7 +90,7 @@ fn shows(world: &World, object: u32) -> bool {
 }
 
 /// The word of the shape that stands for an object, and its place in the text.
-fn first_named(world: &World, item: Standing) -> Option<(&'static str, Span)> {
+fn first_named(world: &World, item: PlacedSolid) -> Option<(&'static str, Span)> {
     item.first_shape().map(|(word, part)| (word, source_of(world, part)))
 }
 
@@ -110,7 +110,7 @@ fn typed(p: crate::math::DVec3) -> String {
 }
 
 /// Does any box of an object hold numbers to reckon with?
-fn is_somewhere(item: &Standing) -> bool {
+fn is_somewhere(item: &PlacedSolid) -> bool {
     let bounds = item.bounds();
     !bounds.is_empty() && bounds.is_finite()
 }

@@ -6,7 +6,7 @@ use super::shows;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{DVec3, Range, Ray};
 use crate::render;
-use crate::world::{Intersection, SolidKind, Standing, World};
+use crate::world::{Intersection, PlacedSolid, SolidKind, World};
 use rustc_hash::FxHashMap;
 
 /// So many rays are asked at most, and no more than one for so many pixels: it must not be noticed.
@@ -63,7 +63,7 @@ fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> +
 
 /// The surfaces that share the place that this ray sees, by their numbers, the smaller first.
 fn meetings(world: &World, ray: &Ray) -> Vec<(u32, u32, Fight)> {
-    let range = Range { min: world.nearness.surface, max: f64::INFINITY };
+    let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     let Some(seen) = world.geometry.closest(ray, range, |id| shows(world, id)) else { return vec![] };
     let near = NEAR * (1.0 + seen.t());
     let around = Range { min: seen.t() - near, max: seen.t() + near };
@@ -84,7 +84,7 @@ fn meetings(world: &World, ray: &Ray) -> Vec<(u32, u32, Fight)> {
 fn fight(
     world: &World,
     ray: &Ray,
-    item: &Standing,
+    item: &PlacedSolid,
     seen: &Intersection,
     other: &Intersection,
     normal: DVec3,

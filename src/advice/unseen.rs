@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{Aabb, DMat3, DVec3, Range, Ray};
 use crate::render;
 use crate::source::Span;
-use crate::world::{Intersection, Standing, World};
+use crate::world::{Intersection, PlacedSolid, World};
 use rustc_hash::FxHashSet;
 
 /// So many rays tell what is seen.
@@ -64,7 +64,7 @@ fn gcd(a: usize, b: usize) -> usize {
 }
 
 fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
-    let range = Range { min: world.nearness.surface, max: f64::INFINITY };
+    let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     world.geometry.closest(ray, range, |id| shows(world, id))
 }
 
@@ -93,9 +93,9 @@ fn from_inside(world: &World, found: &Intersection) -> Diagnostic {
 
 fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
     let message = "the picture shows nothing but the background";
-    let items: Vec<Standing> = world.geometry.items().filter(|item| shows(world, item.object())).collect();
+    let items: Vec<PlacedSolid> = world.geometry.items().filter(|item| shows(world, item.object())).collect();
     let eye = world.eye.frame.origin;
-    let distance = |item: &Standing| item.bounds().min.max(eye).min(item.bounds().max).distance(eye);
+    let distance = |item: &PlacedSolid| item.bounds().min.max(eye).min(item.bounds().max).distance(eye);
     let finite = items.iter().filter(|item| is_somewhere(item));
     let nearest = finite.min_by(|a, b| distance(a).total_cmp(&distance(b)));
     if let Some(item) = nearest

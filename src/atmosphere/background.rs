@@ -1,6 +1,6 @@
 //! `background { rgb … }`: what rays see that hit nothing (manual, "Background").
 
-use super::Veil;
+use super::Segment;
 use crate::color::{Color, Rgb};
 use serde::Serialize;
 
@@ -17,7 +17,7 @@ pub struct Background {
 
 /// Who looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Beholder {
+pub enum ViewKind {
     /// A picture that keeps alpha.
     Alpha,
     /// A mirror in such a picture.
@@ -30,17 +30,21 @@ impl Background {
     /// Of a scene that says nothing of it.
     pub const NONE: Self = Self { color: Color { transmit: 1.0, ..Color::BLACK }, by_picture: false };
 
-    /// Its light, and what passes of what is behind the picture (all measured on POV-Ray 3.7).
-    pub fn seen_by(&self, beholder: Beholder) -> Veil {
+    /// Its light, and what transmittance of what is behind the picture (all measured on POV-Ray 3.7).
+    pub fn seen_by(&self, beholder: ViewKind) -> Segment {
         let Color { rgb, filter, transmit } = self.color;
-        let whole = Veil { adds: rgb, passes: Rgb::ZERO };
+        let whole = Segment { radiance: rgb, transmittance: Rgb::ZERO };
         match beholder {
-            Beholder::Mirror => whole,
-            Beholder::Opaque if self.by_picture => whole,
-            Beholder::Alpha if self.by_picture => Veil::NONE,
-            Beholder::Alpha => Veil { adds: rgb * (1.0 - filter - transmit), passes: self.color.passing() },
+            ViewKind::Mirror => whole,
+            ViewKind::Opaque if self.by_picture => whole,
+            ViewKind::Alpha if self.by_picture => Segment::NONE,
+            ViewKind::Alpha => {
+                Segment { radiance: rgb * (1.0 - filter - transmit), transmittance: self.color.passing() }
+            }
             // What it filters is of its own colour, which is not behind the picture.
-            Beholder::Opaque => Veil { adds: rgb * (1.0 - transmit), passes: Rgb::splat(transmit) + filter * rgb },
+            ViewKind::Opaque => {
+                Segment { radiance: rgb * (1.0 - transmit), transmittance: Rgb::splat(transmit) + filter * rgb }
+            }
         }
     }
 }
@@ -52,16 +56,16 @@ mod tests {
     #[test]
     fn who_looks_at_what_as_measured() {
         let color = Color { rgb: Rgb::new(1.0, 0.8, 0.6), filter: 0.3, transmit: 0.2 };
-        let adds = |by_picture, beholder| Background { color, by_picture }.seen_by(beholder).adds;
+        let radiance = |by_picture, beholder| Background { color, by_picture }.seen_by(beholder).radiance;
         for (by_picture, beholder, share) in [
-            (false, Beholder::Alpha, 0.5),
-            (false, Beholder::Mirror, 1.0),
-            (false, Beholder::Opaque, 0.8),
-            (true, Beholder::Alpha, 0.0),
-            (true, Beholder::Mirror, 1.0),
-            (true, Beholder::Opaque, 1.0),
+            (false, ViewKind::Alpha, 0.5),
+            (false, ViewKind::Mirror, 1.0),
+            (false, ViewKind::Opaque, 0.8),
+            (true, ViewKind::Alpha, 0.0),
+            (true, ViewKind::Mirror, 1.0),
+            (true, ViewKind::Opaque, 1.0),
         ] {
-            assert!(adds(by_picture, beholder).distance(color.rgb * share) < 1e-12, "{by_picture} {beholder:?}");
+            assert!(radiance(by_picture, beholder).distance(color.rgb * share) < 1e-12, "{by_picture} {beholder:?}");
         }
     }
 }

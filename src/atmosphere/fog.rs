@@ -4,7 +4,7 @@
 //! fog { distance 30 rgb <0.8, 0.85, 0.9> }
 //! ```
 
-use super::{Veil, clear_at_least};
+use super::{Segment, clear_at_least};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
@@ -120,7 +120,7 @@ impl Fog {
     }
 
     /// What it does to light that comes along a ray, whose direction has length 1, from as far as `length`.
-    pub fn veil(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Veil {
+    pub fn veil(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
         let far = length / self.distance;
         let mut depth = far;
         if self.fog_type.trunc() == 2.0 {
@@ -132,7 +132,7 @@ impl Fog {
             depth *= 1.0 - gap.min(1.0) * fp::exp(-far);
         }
         let clear = clear_at_least(&self.color, fp::exp(-depth));
-        Veil::of(self.color.rgb, clear, self.color.filter)
+        Segment::of(self.color.rgb, clear, self.color.filter)
     }
 
     /// The mean density of a ground fog on the way: 1 up to its offset, 1/(1 + z²) where z is the height above, in parts of
@@ -155,11 +155,12 @@ impl Fog {
     }
 }
 
-/// All fogs in one: each by itself adds its colour, and takes from what lies behind (measured on POV-Ray 3.7).
-pub fn veil_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Veil {
-    fogs.iter()
-        .map(|fog| fog.veil(ray, length, noise))
-        .fold(Veil::NONE, |all, one| Veil { adds: all.adds + one.adds, passes: all.passes * one.passes })
+/// All fogs in one: each by itself radiance its colour, and takes from what lies behind (measured on POV-Ray 3.7).
+pub fn veil_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
+    fogs.iter().map(|fog| fog.veil(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
+        radiance: all.radiance + one.radiance,
+        transmittance: all.transmittance * one.transmittance,
+    })
 }
 
 #[cfg(test)]
@@ -169,7 +170,7 @@ mod tests {
 
     fn along(dir: DVec3, from_height: f64, fog: &Fog, length: f64) -> f64 {
         let ray = Ray::new(DVec3::Y * from_height, dir.normalize());
-        fog.veil(&ray, length, NoiseGenerator::default()).passes.x
+        fog.veil(&ray, length, NoiseGenerator::default()).transmittance.x
     }
 
     #[test]
@@ -195,8 +196,8 @@ mod tests {
         // seen in POV-Ray 3.7, of a background <1, 0.5, 0.25> behind endless fog
         let color = Color { rgb: Rgb::new(0.2, 0.4, 0.6), filter: 0.3, transmit: 0.5 };
         let fog = Fog { distance: 20.0, color, ..Fog::default() };
-        let veil = fog.veil(&Ray::new(DVec3::ZERO, DVec3::Z), Veil::FAR, NoiseGenerator::default());
-        let seen = veil.adds + veil.passes * Rgb::new(1.0, 0.5, 0.25);
+        let veil = fog.veil(&Ray::new(DVec3::ZERO, DVec3::Z), Segment::FAR, NoiseGenerator::default());
+        let seen = veil.radiance + veil.transmittance * Rgb::new(1.0, 0.5, 0.25);
         assert!(seen.distance(Rgb::new(0.48, 0.405, 0.41)) < 1e-12, "{seen}");
     }
 }

@@ -5,7 +5,7 @@ mod fog;
 mod rainbow;
 mod sky_sphere;
 
-pub use background::{Background, Beholder};
+pub use background::{Background, ViewKind};
 pub use fog::{FOG, Fog, veil_of as fogs};
 pub use rainbow::{RAINBOW, Rainbow, veil_of as rainbows};
 pub use sky_sphere::{SKY_SPHERE, SkySphere};
@@ -14,16 +14,16 @@ use crate::color::{Color, Rgb};
 
 /// What a stretch of air does to light that comes along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Veil {
-    /// What it adds.
-    pub adds: Rgb,
+pub struct Segment {
+    /// What it radiance.
+    pub radiance: Rgb,
     /// What it leaves of the light from behind.
-    pub passes: Rgb,
+    pub transmittance: Rgb,
 }
 
-impl Veil {
+impl Segment {
     /// None at all.
-    pub const NONE: Self = Self { adds: Rgb::ZERO, passes: Rgb::ONE };
+    pub const NONE: Self = Self { radiance: Rgb::ZERO, transmittance: Rgb::ONE };
 
     /// The farthest that a ray gets which hits nothing (measured on POV-Ray 3.7).
     pub const FAR: f64 = 2e10;
@@ -31,12 +31,15 @@ impl Veil {
     /// A veil of a colour of which a part `clear` is left open; the rest of the light from behind is filtered by so much of the
     /// colour as `filter` says.
     fn of(color: Rgb, clear: f64, filter: f64) -> Self {
-        Self { adds: color * (1.0 - clear), passes: clear * (Rgb::splat(1.0 - filter) + filter * color) }
+        Self { radiance: color * (1.0 - clear), transmittance: clear * (Rgb::splat(1.0 - filter) + filter * color) }
     }
 
     /// This veil in front of another one.
-    pub fn before(self, behind: Veil) -> Self {
-        Self { adds: self.adds + self.passes * behind.adds, passes: self.passes * behind.passes }
+    pub fn before(self, behind: Segment) -> Self {
+        Self {
+            radiance: self.radiance + self.transmittance * behind.radiance,
+            transmittance: self.transmittance * behind.transmittance,
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 //! rainbow { direction <0, -0.3, 1> angle 42 width 6 color_map { [0 rgbt <1, 0, 0, 0.6>] [1 rgbt <0, 0, 1, 0.6>] } }
 //! ```
 
-use super::{Veil, clear_at_least};
+use super::{Segment, clear_at_least};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Ray, fp};
 use crate::source::Span;
@@ -151,7 +151,7 @@ impl Rainbow {
     }
 
     /// What it does to light that comes along a ray from as far as `length`; `None` where it is not. `random` gives numbers in [0, 1).
-    fn veil(&self, ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Option<Veil> {
+    fn veil(&self, ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Option<Segment> {
         let map = self.color_map.as_ref()?;
         let direction = self.direction.normalize();
         let cos = ray.dir.dot(direction).clamp(-1.0, 1.0);
@@ -170,7 +170,7 @@ impl Rainbow {
         let color = map.at(index);
         let open = 1.0 - shown + shown * color.transmit;
         let clear = clear_at_least(&crate::color::Color { transmit: open, ..color }, fp::exp(-length / self.distance));
-        Some(Veil::of(color.rgb, clear, color.filter * (1.0 - clear)))
+        Some(Segment::of(color.rgb, clear, color.filter * (1.0 - clear)))
     }
 
     /// How much of the arc is seen at a place, which lies `aside` of its direction: 1 in the middle, 0 past its ends.
@@ -192,17 +192,20 @@ fn smooth_step(x: f64) -> f64 {
 }
 
 /// All rainbows that a ray meets in one: their mean (measured on POV-Ray 3.7).
-pub fn veil_of(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Veil {
-    let met: smallvec::SmallVec<[Veil; 2]> =
+pub fn veil_of(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
+    let met: smallvec::SmallVec<[Segment; 2]> =
         rainbows.iter().filter_map(|rainbow| rainbow.veil(ray, length, random)).collect();
     if met.is_empty() {
-        return Veil::NONE;
+        return Segment::NONE;
     }
     let share = 1.0 / met.len() as f64;
-    met.iter().fold(Veil { adds: crate::color::Rgb::ZERO, passes: crate::color::Rgb::ZERO }, |all, one| Veil {
-        adds: all.adds + one.adds * share,
-        passes: all.passes + one.passes * share,
-    })
+    met.iter().fold(
+        Segment { radiance: crate::color::Rgb::ZERO, transmittance: crate::color::Rgb::ZERO },
+        |all, one| Segment {
+            radiance: all.radiance + one.radiance * share,
+            transmittance: all.transmittance + one.transmittance * share,
+        },
+    )
 }
 
 #[cfg(test)]
@@ -225,7 +228,7 @@ mod tests {
 
     fn seen(rainbows: &[Rainbow], from_up: f64, length: f64) -> Rgb {
         let veil = veil_of(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
-        veil.adds + veil.passes * Rgb::new(1.0, 0.5, 0.25)
+        veil.radiance + veil.transmittance * Rgb::new(1.0, 0.5, 0.25)
     }
 
     #[test]
@@ -241,6 +244,6 @@ mod tests {
         close(seen(std::slice::from_ref(&arc), 30.0, plane), [0.64774, 0.44197, 0.37263]);
         let near = Rainbow { distance: 30.0, ..bow(color(0.0, 0.0)) };
         close(seen(&[bow(color(0.0, 0.0)), near], 0.0, plane), [0.37366, 0.42171, 0.52403]);
-        assert_eq!(veil_of(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Veil::NONE);
+        assert_eq!(veil_of(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
     }
 }

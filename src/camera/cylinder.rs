@@ -1,11 +1,11 @@
 //! `cylinder N`: on a cylinder about the axis that goes up (types 1 and 3) or across (2 and 4); the eye stays in the middle (1 and 2) or
 //! moves along the axis (3 and 4; manual, "Cylindrical").
 
-use super::eye::Sight;
+use super::lowered::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
 /// The ray; `angle` is that about the axis. Bumps are asked at that angle and the length along the axis.
-pub(super) fn ray(kind: u8, at: DVec2, lengths: DVec3, angle: f64) -> Sight {
+pub(super) fn ray(kind: u8, at: DVec2, lengths: DVec3, angle: f64) -> LocalRay {
     let upright = matches!(kind, 1 | 3);
     let turn = if upright { at.x } else { at.y };
     let along = if upright { at.y * lengths.y } else { at.x * lengths.x };
@@ -14,7 +14,7 @@ pub(super) fn ray(kind: u8, at: DVec2, lengths: DVec3, angle: f64) -> Sight {
     let turned = |along: f64, about: f64| if upright { DVec2::new(about, along) } else { DVec2::new(along, about) };
     let place = turned(along, turn * angle);
     match kind {
-        1 | 2 => Sight::from_eye(turned(along, sin).extend(cos), place),
-        _ => Sight { origin: turned(along, 0.0), dir: turned(0.0, sin).extend(cos), place },
+        1 | 2 => LocalRay::from_eye(turned(along, sin).extend(cos), place),
+        _ => LocalRay { origin: turned(along, 0.0), dir: turned(0.0, sin).extend(cos), place },
     }
 }

@@ -1,7 +1,7 @@
 //! The lecture's camera ("Generating rays"), right-handed: `camera { eye <..> center <..> up <..> fov_x 60 fov_y 45 }`.
 //! An addition of durer's. One of the two angles may be left out: the pixels are then square.
 
-use super::eye::{Eye, Frame, Projection};
+use super::lowered::{Frame, LoweredCamera, Projection};
 use super::perspective::Window;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
@@ -56,7 +56,7 @@ impl LectureCamera {
     }
 
     /// As a ray needs it: p(i, j) = eye + α·u + β·v − w.
-    pub fn eye(&self) -> Eye {
+    pub fn eye(&self) -> LoweredCamera {
         let w = (self.eye - self.center).normalize();
         let u = self.up.cross(w).normalize();
         let v = w.cross(u);
@@ -67,7 +67,7 @@ impl LectureCamera {
         };
         let t = &self.transform;
         let frame = Frame { origin: t.point(self.eye), direction: -t.vector(w), right: t.vector(u), up: t.vector(v) };
-        Eye { frame, projection: Projection::Lecture { tan_x, tan_y }, lens: None, bumps: None }
+        LoweredCamera { frame, projection: Projection::Lecture { tan_x, tan_y }, lens: None, bumps: None }
     }
 }
 

@@ -1,12 +1,12 @@
-//! `camera`: POV-Ray's (manual, "Camera") and the lecture's; and what a ray needs of them, [`Eye`].
+//! `camera`: POV-Ray's (manual, "Camera") and the lecture's; and what a ray needs of them, [`LoweredCamera`].
 
 mod bokeh;
 mod bumps;
 mod cylinder;
-mod eye;
 mod fisheye;
 mod focal_blur;
 mod lecture;
+mod lowered;
 mod mesh_camera;
 mod omnimax;
 mod orthographic;
@@ -19,9 +19,9 @@ pub mod words;
 
 pub use bokeh::Bokeh;
 pub use bumps::Bumps;
-pub use eye::{Eye, Frame, Projection, View};
 pub use focal_blur::{FocalBlur, Lens};
 pub use lecture::LectureCamera;
+pub use lowered::{Frame, LoweredCamera, Projection, View};
 pub use mesh_camera::{Distribution, MeshCamera, MeshRays, PlacedMesh, ReadMesh};
 pub use perspective::Window;
 pub use povray::{Kind, PovrayCamera};
@@ -142,7 +142,7 @@ impl Camera {
     }
 
     /// As a ray needs it; `noise` and `waves` are the scene's, for a `normal`.
-    pub fn eye(&self, noise: NoiseGenerator, waves: usize) -> Eye {
+    pub fn eye(&self, noise: NoiseGenerator, waves: usize) -> LoweredCamera {
         match self {
             Camera::Povray(camera) => {
                 let bumps = camera.normal.as_deref().map(|normal| Bumps::new(normal, noise, waves));
@@ -150,7 +150,7 @@ impl Camera {
                 if let (Some(lens), Some(pigment)) = (&mut eye.lens, camera.bokeh.as_deref()) {
                     lens.bokeh = Some(Arc::new(Bokeh::new(pigment, noise, waves)));
                 }
-                Eye { bumps, ..eye }
+                LoweredCamera { bumps, ..eye }
             }
             Camera::Lecture(camera) => camera.eye(),
         }

@@ -1,8 +1,8 @@
 //! `omnimax`: half a turn in a disc for cinemas with a dome; what lies more than 45° below the axis is black (manual, "Omnimax"; all
 //! numbers fitted on POV-Ray 3.7).
 
-use super::eye::Sight;
 use super::fisheye::on_disc;
+use super::lowered::LocalRay;
 use crate::math::{DVec2, DVec3};
 
 /// The angle to the axis at a distance from the middle of the disc, which is 1 at its edge: fitted, to 1e-9.
@@ -11,7 +11,7 @@ const ANGLE: [f64; 3] = [1.411_269, -0.094_390, 0.256_740];
 const WIDEST: f64 = 1.283_458;
 
 /// The ray.
-pub(super) fn ray(at: DVec2, lengths: DVec3) -> Option<Sight> {
+pub(super) fn ray(at: DVec2, lengths: DVec3) -> Option<LocalRay> {
     let p = in_disc(at, lengths.x / lengths.y);
     let r = p.length();
     if r > 1.0 {

@@ -1,7 +1,7 @@
 //! POV-Ray's camera. The order of its words does not matter (measured on 3.7): all are collected, then `angle` sets the length of
 //! `direction`, `look_at` turns everything, and transforms come last.
 
-use super::eye::{Eye, Frame, Projection};
+use super::lowered::{Frame, LoweredCamera, Projection};
 use super::{FocalBlur, MeshCamera, MeshRays};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Transform, fp};
@@ -153,7 +153,7 @@ impl PovrayCamera {
     }
 
     /// As a ray needs it.
-    pub fn eye(&self) -> Eye {
+    pub fn eye(&self) -> LoweredCamera {
         let (mut direction, mut right, mut up) = (self.direction, self.right, self.up);
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|_| flat) {
@@ -173,7 +173,7 @@ impl PovrayCamera {
         let frame = Frame { origin: t.point(self.location), direction, right, up };
         let blur = FocalBlur { focal_point: t.point(self.blur.focal_point), ..self.blur };
         let lens = blur.lens(frame.origin, direction.normalize_or_zero());
-        Eye { frame, projection: self.projection(&frame), lens, bumps: None }
+        LoweredCamera { frame, projection: self.projection(&frame), lens, bumps: None }
     }
 
     fn projection(&self, frame: &Frame) -> Projection {

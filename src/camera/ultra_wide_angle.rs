@@ -1,11 +1,11 @@
 //! `ultra_wide_angle`: a fisheye that fills the picture (manual, "Ultra wide angle"; formula fitted on POV-Ray 3.7).
 
-use super::eye::Sight;
+use super::lowered::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
 /// The ray; `angle` is that from left to right. Bumps are asked at the angles.
-pub(super) fn ray(at: DVec2, lengths: DVec3, angle: f64) -> Sight {
+pub(super) fn ray(at: DVec2, lengths: DVec3, angle: f64) -> LocalRay {
     let place = at * angle * DVec2::new(1.0, lengths.y / lengths.x);
     let ((sin_x, cos_x), (sin_y, cos_y)) = (fp::sin_cos(place.x), fp::sin_cos(place.y));
-    Sight::from_eye(DVec3::new(sin_x, sin_y, cos_x * cos_y), place)
+    LocalRay::from_eye(DVec3::new(sin_x, sin_y, cos_x * cos_y), place)
 }

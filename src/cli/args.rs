@@ -71,10 +71,12 @@ pub enum Command {
     /// Write a first scene to change
     New(NewArgs),
     /// Show a scene's picture on a page while you write it
+    #[cfg(feature = "watch")]
     Watch(Box<WatchArgs>),
     /// List a scene's cameras, lights, objects and textures
     Query(QueryArgs),
     /// Serve editors: messages, completion and the like, over standard input and output
+    #[cfg(feature = "lsp")]
     Lsp(LspArgs),
     /// Explain the code of a message, such as E0203
     Explain(ExplainArgs),

@@ -4,7 +4,7 @@ use super::args::{Common, When};
 use super::exit::{Exit, Failure, Result};
 use super::summary::Count;
 use crate::diagnostic::{Diagnostic, Severity, draw, file};
-use crate::source::Sources;
+use crate::source::{Disk, Sources};
 use serde_json::json;
 use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};
@@ -112,7 +112,7 @@ impl Console {
     /// Diagnostics for editors, one a line, to stdout: `a.scene:3:7: error[E0204]: message`.
     pub fn report_short(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         let wanted = |d: &&Diagnostic| !self.quiet || d.severity == Severity::Error;
-        let lines: String = diagnostics.iter().filter(wanted).map(|d| as_line(sources, d)).collect();
+        let lines: String = diagnostics.iter().filter(wanted).map(|d| d.line(sources) + "\n").collect();
         self.data(lines)
     }
 
@@ -146,23 +146,13 @@ fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<()>
     let mut out = io::BufWriter::new(io::stdout().lock());
     write(&mut out).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::NobodyListens,
-        _ => Failure::Fault(Box::new(file::unwritable(Path::new("standard output"), &error))),
+        _ => Failure::Fault(Box::new(file::unwritable(&Disk, Path::new("standard output"), &error))),
     })
 }
 
 /// To stderr; when nobody listens there is nobody to tell.
 pub fn say(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
-}
-
-fn severity(d: &Diagnostic) -> &'static str {
-    if d.severity == Severity::Error { "error" } else { "warning" }
-}
-
-/// What is wrong with no place of a text has none in front.
-fn as_line(sources: &Sources, d: &Diagnostic) -> String {
-    let place = sources.place(d.span()).map(|p| format!("{p}: ")).unwrap_or_default();
-    format!("{place}{}[{}]: {}\n", severity(d), d.code, d.message.replace('\n', " "))
 }
 
 /// `code severity message file line column end{line column} help labels trace`; the place is null where there is none.
@@ -177,7 +167,7 @@ fn as_json(sources: &Sources, d: &Diagnostic) -> serde_json::Value {
     };
     json!({
         "code": d.code.0,
-        "severity": severity(d),
+        "severity": d.severity.name(),
         "message": d.message,
         "file": place.map(|p| &p.file),
         "line": place.map(|p| p.line),

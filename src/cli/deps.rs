@@ -3,21 +3,21 @@
 use super::console::Console;
 use super::exit::Result;
 use crate::diagnostic::file;
-use crate::source;
+use crate::source::{Disk, Files, ReadFiles};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Writes all files that were read so far, as those that the pictures depend on: JSON if the file's name ends so, else a rule for
+/// Writes the files that were read, as those that the pictures depend on: JSON if the file's name ends so, else a rule for
 /// make.
-pub fn write(console: &Console, to: &Path, pictures: &[PathBuf]) -> Result<()> {
-    let mut files: Vec<PathBuf> = source::seen().into_keys().filter(|path| path.is_file()).map(plain).collect();
+pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFiles) -> Result<()> {
+    let mut files: Vec<PathBuf> = read.keys().filter(|path| path.is_file()).cloned().map(plain).collect();
     files.sort();
     let is_json = to.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     let text = if is_json { as_json(pictures, &files) } else { as_rule(pictures, &files) };
     if to == Path::new("-") {
         return console.data(text);
     }
-    source::write_whole(to, &text).map_err(|error| Box::new(file::unwritable(to, &error)).into())
+    Disk.write(to, &text).map_err(|error| Box::new(file::unwritable(&Disk, to, &error)).into())
 }
 
 /// `./a.inc` is `a.inc`, as whoever wrote a rule for it would call it.

@@ -1,7 +1,7 @@
 //! Which frames of an animation are done, in a file beside the first of them: one line of JSON for each.
 
 use super::journal::Work;
-use crate::source::fingerprint;
+use crate::source::ContentHash;
 use serde::{Deserialize, Serialize};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -17,8 +17,8 @@ pub struct Film {
 struct Entry {
     frame: u32,
     picture: PathBuf,
-    /// The fingerprint of the picture's file.
-    print: u64,
+    /// Of the picture's file.
+    hash: ContentHash,
     work: Work,
 }
 
@@ -39,14 +39,14 @@ impl Film {
 
     /// Is this frame done, by the same program with the same options from the same files, and its picture untouched?
     pub fn has(&self, frame: u32, picture: &Path, program: &str, options: &str) -> bool {
-        let print = |path: &Path| std::fs::read(path).ok().map(|bytes| fingerprint(&bytes));
+        let hash = |path: &Path| std::fs::read(path).ok().map(|bytes| ContentHash::of(&bytes));
         self.done.iter().any(|entry| {
             entry.frame == frame
                 && entry.picture == picture
                 && entry.work.program == program
                 && entry.work.options == options
-                && print(picture) == Some(entry.print)
-                && entry.work.files.iter().all(|(path, known)| print(path) == Some(*known))
+                && hash(picture) == Some(entry.hash)
+                && entry.work.files.iter().all(|(path, known)| hash(path) == Some(*known))
         })
     }
 
@@ -58,7 +58,7 @@ impl Film {
     /// This frame is done now. Where it can't be noted, it would be drawn again.
     pub fn add(&self, frame: u32, picture: &Path, work: Work) {
         let Ok(bytes) = std::fs::read(picture) else { return };
-        let entry = Entry { frame, picture: picture.into(), print: fingerprint(&bytes), work };
+        let entry = Entry { frame, picture: picture.into(), hash: ContentHash::of(&bytes), work };
         let line = serde_json::to_string(&entry).unwrap_or_default() + "\n";
         let file = std::fs::OpenOptions::new().create(true).append(true).open(&self.path);
         let _ = file.and_then(|mut file| file.write_all(line.as_bytes()));
@@ -73,7 +73,7 @@ impl Film {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::Seen;
+    use crate::source::ReadFiles;
 
     #[test]
     fn frames_are_done_as_long_as_nothing_changes() {
@@ -81,7 +81,7 @@ mod tests {
         let at = |name: &str| folder.path().join(name);
         std::fs::write(at("a.pov"), "sphere").unwrap();
         std::fs::write(at("a1.png"), "picture").unwrap();
-        let files = Seen::from([(at("a.pov"), fingerprint(b"sphere"))]);
+        let files = ReadFiles::from([(at("a.pov"), ContentHash::of(b"sphere"))]);
         let work = Work { program: "1".into(), options: "o".into(), files };
         Film::new(&at("a.png"), false).add(1, &at("a1.png"), work);
         let done = |program: &str, options: &str| {

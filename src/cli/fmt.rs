@@ -6,7 +6,7 @@ use super::exit::{Exit, Result, usage};
 use super::session;
 use crate::diagnostic::{Diagnostic, codes, file};
 use crate::format::{self, Encoded};
-use crate::source::{Sources, read_bytes, texts_below, write_whole};
+use crate::source::{Disk, Files, Sources, texts_below};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -32,7 +32,7 @@ fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
             // All files of the machine are nobody's scenes.
             session::check_input(path)?;
         }
-        let found = texts_below(path).map_err(|e| Box::new(file::unreadable(path, &e.into())))?;
+        let found = texts_below(&Disk, path).map_err(|e| Box::new(file::unreadable(&Disk, path, &e.into())))?;
         if found.is_empty() {
             return usage(format!("no file in `{}` ends in `.scene`, `.pov` or `.inc`", path.display()));
         }
@@ -49,7 +49,7 @@ fn one(console: &Console, args: &FmtArgs, path: &Path) -> Result {
     let sources = Sources::default();
     let encoded = match bytes(path, piped).map_err(Into::into).and_then(format::decode) {
         Ok(encoded) => encoded,
-        Err(error) => return Ok(tell(console, &sources, &[file::unreadable(path, &error)])),
+        Err(error) => return Ok(tell(console, &sources, &[file::unreadable(&Disk, path, &error)])),
     };
     let Some(place) = sources.add(&name, (!piped).then_some(path), encoded.text.clone()) else {
         let text = format!("`{name}` is too large: a file holds at most 4 GB");
@@ -68,7 +68,7 @@ fn one(console: &Console, args: &FmtArgs, path: &Path) -> Result {
 
 fn bytes(path: &Path, piped: bool) -> std::io::Result<Vec<u8>> {
     if !piped {
-        return read_bytes(path);
+        return Disk.read(path);
     }
     let mut bytes = vec![];
     std::io::stdin().lock().read_to_end(&mut bytes)?;
@@ -99,7 +99,7 @@ fn finish(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded, new: &s
     if name == "-" {
         console.data(old.encode(new))?;
     } else if !same {
-        write_whole(path, &old.encode(new)).map_err(|error| Box::new(file::unwritable(path, &error)))?;
+        Disk.write(path, &old.encode(new)).map_err(|error| Box::new(file::unwritable(&Disk, path, &error)))?;
     }
     Ok(Exit::Fine)
 }

@@ -3,7 +3,7 @@
 use super::exit::{Result, usage};
 use super::session;
 use crate::diagnostic::file;
-use crate::source::scenes_below;
+use crate::source::{Disk, scenes_below};
 use std::path::PathBuf;
 
 /// What is to be drawn or checked.
@@ -29,7 +29,8 @@ impl Inputs {
                 // All files of the machine are nobody's scenes.
                 session::check_input(&input)?;
             }
-            let scenes = scenes_below(&input).map_err(|e| Box::new(file::unreadable(&input, &e.into())))?;
+            let scenes =
+                scenes_below(&Disk, &input).map_err(|e| Box::new(file::unreadable(&Disk, &input, &e.into())))?;
             if scenes.is_empty() {
                 return usage(format!("no file in `{}` ends in `.scene` or `.pov`", input.display()));
             }

@@ -5,7 +5,7 @@
 //! worth nothing.
 
 use crate::render::{Region, Tile};
-use crate::source::Seen;
+use crate::source::ReadFiles;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
@@ -22,7 +22,7 @@ pub struct Work {
     /// All options that change a pixel, and the moment.
     pub options: String,
     /// What was read.
-    pub files: Seen,
+    pub files: ReadFiles,
 }
 
 impl Work {
@@ -213,9 +213,14 @@ fn record(from: &mut impl Read) -> Result<Option<(bool, Region, usize)>, String>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::ContentHash;
 
     fn work(options: &str) -> Work {
-        Work { program: "1".into(), options: options.into(), files: Seen::from([("a.pov".into(), 7)]) }
+        Work {
+            program: "1".into(),
+            options: options.into(),
+            files: ReadFiles::from([("a.pov".into(), ContentHash::of(b"7"))]),
+        }
     }
 
     fn tile(x: usize) -> Tile {
@@ -261,7 +266,7 @@ mod tests {
         let whole = written(&path);
         let reason = |work: &Work| Journal::resume(path.clone(), work).err().unwrap_or_default();
         assert_eq!(reason(&work("b")), "it was drawn with other options");
-        let changed = Work { files: Seen::from([("a.pov".into(), 8)]), ..work("a") };
+        let changed = Work { files: ReadFiles::from([("a.pov".into(), ContentHash::of(b"8"))]), ..work("a") };
         assert_eq!(reason(&changed), "`a.pov` has changed");
         for at in (whole.len() - 36..whole.len()).step_by(5) {
             let mut bytes = whole.clone();

@@ -4,6 +4,7 @@ use super::args::LspArgs;
 use super::exit::{Exit, Failure, Result};
 use crate::diagnostic::file;
 use crate::lsp;
+use crate::source::Disk;
 use std::path::Path;
 
 /// Serves the editor at the other end of standard input and output until it leaves.
@@ -12,6 +13,6 @@ pub fn run(args: &LspArgs) -> Result {
         Ok(true) => Ok(Exit::Fine),
         // It left without a word.
         Ok(false) => Err(Failure::Told(Exit::Scene)),
-        Err(error) => Err(Failure::Fault(Box::new(file::unwritable(Path::new("standard output"), &error)))),
+        Err(error) => Err(Failure::Fault(Box::new(file::unwritable(&Disk, Path::new("standard output"), &error)))),
     }
 }

@@ -17,6 +17,7 @@ mod inputs;
 mod interrupt;
 mod journal;
 mod keeping;
+#[cfg(feature = "lsp")]
 mod lsp;
 pub mod manual;
 mod memory;
@@ -34,11 +35,12 @@ mod target;
 pub mod test;
 mod unknown;
 mod values;
+#[cfg(feature = "watch")]
 mod watch;
 mod watcher;
 
 use crate::diagnostic::Severity;
-use crate::source::Sources;
+use crate::source::{ReadFiles, Sources};
 use args::Command;
 pub use args::{Cli, Common};
 use clap::CommandFactory;
@@ -59,17 +61,17 @@ fn commands() -> &'static clap::Command {
 pub fn main(words: Vec<OsString>) -> ExitCode {
     interrupt::listen();
     let exit = crate::on_big_stack(|| {
-        let (console, cli) = match understand(words) {
+        let (console, cli, ini_files) = match understand(words) {
             Ok(understood) => understood,
             Err(failure) => return Console::plain().tell(failure),
         };
-        dispatch(&console, &cli.command).unwrap_or_else(|failure| console.tell(failure))
+        dispatch(&console, &cli.command, ini_files).unwrap_or_else(|failure| console.tell(failure))
     });
     ExitCode::from(exit as u8)
 }
 
-/// The command line in our own words; POV-Ray's are translated first.
-fn understand(words: Vec<OsString>) -> Result<(Console, Cli)> {
+/// The command line in our own words, and the INI files that it was read from; POV-Ray's words are translated first.
+fn understand(words: Vec<OsString>) -> Result<(Console, Cli, ReadFiles)> {
     unknown::check(&words)?;
     let sources = Sources::default();
     let povray::Translated { words, animation, mut diagnostics, idle } = povray::translate(&sources, words);
@@ -87,19 +89,21 @@ fn understand(words: Vec<OsString>) -> Result<(Console, Cli)> {
         diagnostics.extend(idle);
     }
     console.report(&sources, &diagnostics);
-    Ok((console, cli))
+    Ok((console, cli, sources.read_files()))
 }
 
-fn dispatch(console: &Console, command: &Command) -> Result {
+fn dispatch(console: &Console, command: &Command, ini_files: ReadFiles) -> Result {
     match command {
-        Command::Render(args) => render::run(console, args),
+        Command::Render(args) => render::run(console, args, ini_files),
         Command::Check(args) => check::run(console, args),
         Command::Pick(args) => pick::run(console, args),
         Command::Test(args) => test::run(console, args),
         Command::Fmt(args) => fmt::run(console, args),
         Command::New(args) => new::run(console, args),
+        #[cfg(feature = "watch")]
         Command::Watch(args) => watch::run(console, args),
         Command::Query(args) => query::run(console, args),
+        #[cfg(feature = "lsp")]
         Command::Lsp(args) => lsp::run(args),
         Command::Explain(args) => explain::run(console, args),
         Command::Completions(args) => completions::run(console, args),

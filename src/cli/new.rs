@@ -4,6 +4,7 @@ use super::args::NewArgs;
 use super::console::Console;
 use super::exit::{Exit, Result, usage};
 use crate::diagnostic::file;
+use crate::source::Disk;
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
@@ -20,12 +21,12 @@ pub fn run(console: &Console, args: &NewArgs) -> Result {
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
             return usage(format!("`{name}` is there already and is not overwritten; choose another name"));
         }
-        Err(error) => return Err(Box::new(file::unwritable(&path, &error)).into()),
+        Err(error) => return Err(Box::new(file::unwritable(&Disk, &path, &error)).into()),
     };
     if let Err(error) = new.write_all(STARTER.as_bytes()).and_then(|()| new.sync_all()) {
         // Half a scene helps nobody; if it can't be removed, the message says what is wrong with the folder.
         let _ = std::fs::remove_file(&path);
-        return Err(Box::new(file::unwritable(&path, &error)).into());
+        return Err(Box::new(file::unwritable(&Disk, &path, &error)).into());
     }
     console.note(&format!("`{name}` is a scene now; `durer render {name}` draws it\n"));
     Ok(Exit::Fine)

@@ -52,16 +52,15 @@ pub fn parse(words: Vec<std::ffi::OsString>, animation: Option<Animation>) -> st
 }
 
 /// The arguments with those of the INI file, if the input is one; its faults are told.
-pub fn with_ini(console: &Console, args: &RenderArgs) -> Result<(Console, RenderArgs)> {
-    let sources = Sources::default();
-    let (cli, diagnostics) = match read_ini(&sources, &args.input, !args.warn.is_empty()) {
+pub fn with_ini(console: &Console, sources: &Sources, args: &RenderArgs) -> Result<(Console, RenderArgs)> {
+    let (cli, diagnostics) = match read_ini(sources, &args.input, !args.warn.is_empty()) {
         Ok(None) => return Ok((console.clone(), args.clone())),
         Ok(Some(found)) => found,
-        Err(faults) => return Err(tell(console, &sources, &faults)),
+        Err(faults) => return Err(tell(console, sources, &faults)),
     };
     let mut quieter = console.clone();
     quieter.quiet |= cli.common.quiet;
-    quieter.report(&sources, &diagnostics);
+    quieter.report(sources, &diagnostics);
     match cli.command {
         Command::Render(ini) => Ok((quieter, args.over(*ini))),
         _ => Ok((quieter, args.clone())),
@@ -71,7 +70,7 @@ pub fn with_ini(console: &Console, args: &RenderArgs) -> Result<(Console, Render
 /// The same where no picture is written.
 pub fn scene_with_ini(console: &Console, input: &Path, scene: &SceneArgs) -> Result<(PathBuf, SceneArgs)> {
     let args = RenderArgs { input: input.into(), scene: scene.clone(), ..RenderArgs::default() };
-    let (_, args) = with_ini(console, &args)?;
+    let (_, args) = with_ini(console, &Sources::default(), &args)?;
     Ok((args.input, args.scene))
 }
 

@@ -55,7 +55,7 @@ struct ObjectRow {
     shapes: u32,
     /// Two corners in the world; null for what has no end, and where nothing is left.
     #[serde(rename = "box")]
-    extent: Option<[[f64; 3]; 2]>,
+    pov_bounds: Option<[[f64; 3]; 2]>,
     infinite: bool,
     /// Counts from 0 in `textures`.
     texture: usize,
@@ -104,14 +104,15 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
             out.textures.len() - 1
         });
         out.textures[number].objects += 1;
-        let extent = extent(object);
-        let is_infinite = !extent.is_empty() && !is_finite(&extent);
-        let corners = (is_finite(&extent) && !extent.is_empty()).then(|| [extent.min.into(), extent.max.into()]);
+        let pov_bounds = pov_bounds(object);
+        let is_infinite = !pov_bounds.is_empty() && !is_finite(&pov_bounds);
+        let corners =
+            (is_finite(&pov_bounds) && !pov_bounds.is_empty()).then(|| [pov_bounds.min.into(), pov_bounds.max.into()]);
         out.objects.push(ObjectRow {
             source,
             word: object.word,
             shapes: object.weight().shapes(),
-            extent: corners,
+            pov_bounds: corners,
             infinite: is_infinite,
             texture: number,
         });
@@ -196,15 +197,15 @@ fn name_of(thing: &impl Serialize) -> String {
 }
 
 /// The box around all of its surfaces; what scripts are told where there is no such thing.
-fn extent(object: &Object) -> Aabb {
-    Probe::new(object).map_or_else(|_| object.extent(), |probe| probe.bounds())
+fn pov_bounds(object: &Object) -> Aabb {
+    Probe::new(object).map_or_else(|_| object.pov_bounds(), |probe| probe.bounds())
 }
 
 /// What is further away than this has no end.
 const FAR: f64 = 1e9;
 
-fn is_finite(extent: &Aabb) -> bool {
-    extent.is_finite() && extent.min.min_element() > -FAR && extent.max.max_element() < FAR
+fn is_finite(pov_bounds: &Aabb) -> bool {
+    pov_bounds.is_finite() && pov_bounds.min.min_element() > -FAR && pov_bounds.max.max_element() < FAR
 }
 
 // ------------------------------------------------------------ as a person reads it
@@ -245,8 +246,8 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
     let first = &same[0];
     let count = if same.len() > 1 { format!("{} × ", same.len()) } else { String::new() };
     let corner = |corners: [f64; 3]| DVec3::from_array(corners);
-    let boxes = same.iter().filter_map(|row| row.extent).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
-    let extent = match boxes.reduce(Aabb::union) {
+    let boxes = same.iter().filter_map(|row| row.pov_bounds).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
+    let pov_bounds = match boxes.reduce(Aabb::union) {
         _ if same.iter().any(|row| row.infinite) => "without end".into(),
         Some(all) => format!("{} to {}", vector(&all.min.to_array()), vector(&all.max.to_array())),
         None => "nothing of it is left".into(),
@@ -255,7 +256,7 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
         if first.shapes > 1 { format!(" of {}", counted(first.shapes as usize, "shape")) } else { String::new() };
     let textures = same.iter().map(|row| row.texture + 1);
     let range = (textures.clone().min().unwrap_or(0), textures.max().unwrap_or(0));
-    format!("{count}{}{shapes}, {extent}, {}", first.word, numbers("texture", range))
+    format!("{count}{}{shapes}, {pov_bounds}, {}", first.word, numbers("texture", range))
 }
 
 /// Textures that one text made, the first of which has this number.

@@ -19,7 +19,7 @@ use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::image_io::Format;
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::render::{self, Rays, Region};
-use crate::source::{self, FileId, Sources, Span};
+use crate::source::{FileId, ReadFiles, Sources, Span};
 use crate::world::World;
 use crate::{Built, Keep, advice};
 use std::io::IsTerminal;
@@ -27,23 +27,35 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-/// Draws each scene: one picture, or one for each frame.
-pub fn run(console: &Console, args: &RenderArgs) -> Result {
-    let mut done = Done::default();
+/// Renders each scene: one picture, or one for each frame. `ini_files` are the INI files that the command line was read from.
+pub fn run(console: &Console, args: &RenderArgs, ini_files: ReadFiles) -> Result {
+    run_and_record(console, args, ini_files).0
+}
+
+/// Renders each scene, and returns the files that were read for them, also after a failure.
+pub fn run_and_record(console: &Console, args: &RenderArgs, ini_files: ReadFiles) -> (Result, ReadFiles) {
+    let mut done = Done { read: ini_files.clone(), ini_files, ..Done::default() };
     let exit = draw_all(console, args, &mut done);
-    // Whoever waits for a file to be mended has to know of it.
-    if let (Some(file), Ok(_) | Err(Failure::Told(_) | Failure::Fault(_))) = (&args.deps, &exit) {
-        deps::write(console, file, &done.pictures)?;
-    }
-    exit
+    // A tool that waits for a broken file to be mended needs the list, too.
+    let written = match (&args.deps, &exit) {
+        (Some(file), Ok(_) | Err(Failure::Told(_) | Failure::Fault(_))) => {
+            deps::write(console, file, &done.pictures, &done.read)
+        }
+        _ => Ok(()),
+    };
+    (written.and(exit), done.read)
 }
 
 /// What became of one command's scenes.
 #[derive(Default)]
 struct Done {
     reports: Vec<Report>,
-    /// Those that were begun.
+    /// Pictures that were begun.
     pictures: Vec<PathBuf>,
+    /// INI files that the command line was read from.
+    ini_files: ReadFiles,
+    /// All files that were read.
+    read: ReadFiles,
 }
 
 fn draw_all(console: &Console, args: &RenderArgs, done: &mut Done) -> Result {
@@ -99,8 +111,21 @@ fn check_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
 
 /// One scene; also says what became of it, in a few words.
 fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, done: &mut Done) -> Result<(Exit, String)> {
+    let sources = Sources::default();
+    let drawn = draw_with(console, &sources, args, input, done);
+    done.read.extend(sources.read_files());
+    drawn
+}
+
+fn draw_with(
+    console: &Console,
+    sources: &Sources,
+    args: &RenderArgs,
+    input: &Path,
+    done: &mut Done,
+) -> Result<(Exit, String)> {
     let args = RenderArgs { input: input.to_path_buf(), ..args.clone() };
-    let (console, mut args) = overlay::with_ini(console, &args)?;
+    let (console, mut args) = overlay::with_ini(console, sources, &args)?;
     session::check_input(&args.input)?;
     if args.dump.is_none() {
         check_region(&args)?;
@@ -108,7 +133,7 @@ fn draw_scene(console: &Console, args: &RenderArgs, input: &Path, done: &mut Don
     settle_frames(&mut args)?;
     let target = check_target(&args)?;
     check_stdout(&args, &target)?;
-    let mut job = Job::new(&console, &args, done)?;
+    let mut job = Job::new(&console, sources, &args, done)?;
     let exit = match &args.scene.animation {
         Some(animation) if args.scene.frame.is_none() => {
             let film = target.file().filter(|_| args.dump.is_none()).map(|path| Film::new(path, args.resume));
@@ -211,7 +236,7 @@ fn drawing_options(args: &RenderArgs, timing: Timing) -> render::Options {
 struct Job<'a> {
     console: &'a Console,
     args: &'a RenderArgs,
-    sources: Sources,
+    sources: &'a Sources,
     parsed: ParsedFiles,
     file: FileId,
     /// Of all scenes of the command.
@@ -234,9 +259,9 @@ struct Drawn {
 }
 
 impl<'a> Job<'a> {
-    fn new(console: &'a Console, args: &'a RenderArgs, all: &'a mut Done) -> Result<Self> {
-        let (sources, start) = (Sources::default(), Instant::now());
-        let file = session::open_or_tell(console, &sources, &args.input)?;
+    fn new(console: &'a Console, sources: &'a Sources, args: &'a RenderArgs, all: &'a mut Done) -> Result<Self> {
+        let start = Instant::now();
+        let file = session::open_or_tell(console, sources, &args.input)?;
         let parsed = ParsedFiles::default();
         let program = keeping::program();
         Ok(Self { console, args, sources, parsed, file, all, written: vec![], start, told: vec![], program })
@@ -257,7 +282,7 @@ impl<'a> Job<'a> {
         let options = session::reading_options(&self.args.scene, &self.args.input, timing);
         let options = interpreter::Options { stop: self.args.stop.clone(), ..options };
         let keep = if self.args.dump == Some(Dump::Scene) { Keep::Both } else { Keep::World };
-        let mut built = session::build(self.console, &self.parsed, &self.sources, self.file, &options, keep);
+        let mut built = session::build(self.console, &self.parsed, self.sources, self.file, &options, keep);
         built.diagnostics.retain(|d| d.severity == Severity::Error || !self.told.contains(d));
         let warnings = built.diagnostics.iter().filter(|d| d.severity == Severity::Warning).cloned();
         self.told.extend(warnings);
@@ -271,7 +296,7 @@ impl<'a> Job<'a> {
         }
         let mut advice = advice::of_picture(world, &drawing_options(self.args, timing), circumstances);
         advice.retain(|d| !self.told.contains(d));
-        self.console.report(&self.sources, &advice);
+        self.console.report(self.sources, &advice);
         self.told.extend(advice);
     }
 
@@ -284,7 +309,9 @@ impl<'a> Job<'a> {
     /// What the work is that this picture takes, now that all of its files are read.
     fn work(&self, timing: Timing) -> Work {
         let options = keeping::options(self.args, &drawing_options(self.args, timing), timing);
-        Work { program: self.program.clone(), options, files: source::seen() }
+        let mut files = self.all.ini_files.clone();
+        files.extend(self.sources.read_files());
+        Work { program: self.program.clone(), options, files }
     }
 
     /// A frame of a film, unless it was drawn before.
@@ -333,10 +360,10 @@ impl<'a> Job<'a> {
             return Ok(Exit::Fine);
         }
         let incomplete = advice::is_incomplete(&built.diagnostics);
-        let world = session::settle(console, &self.sources, &mut built)?;
+        let world = session::settle(console, self.sources, &mut built)?;
         match args.dump {
-            Some(Dump::Scene) => return console.data(dump::text(&self.sources, &built.scene)).map(|()| Exit::Fine),
-            Some(Dump::World) => return console.data(dump::text(&self.sources, &world)).map(|()| Exit::Fine),
+            Some(Dump::Scene) => return console.data(dump::text(self.sources, &built.scene)).map(|()| Exit::Fine),
+            Some(Dump::World) => return console.data(dump::text(self.sources, &world)).map(|()| Exit::Fine),
             None => {}
         }
 

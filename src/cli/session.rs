@@ -9,12 +9,13 @@ use super::values::{Frames, Size};
 use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{Sampling, Spread};
-use crate::source::{FileId, ReadError, Sandbox, SearchPath, Sources};
+use crate::source::{Disk, FileId, LocalHost, ReadError, Sandbox, SearchPath, Sources};
 use crate::syntax::Granularity;
 use crate::world::World;
 use crate::{Built, Keep, interpreter, render};
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The input; POV-Ray reads `scene.pov` when told `scene`, and so do we, and other endings too.
 pub fn named(input: &Path) -> PathBuf {
@@ -31,8 +32,8 @@ pub fn check_input(input: &Path) -> Result<()> {
     }
     match std::fs::metadata(input) {
         Ok(meta) if !meta.is_dir() => Ok(()),
-        Ok(_) => Err(Failure::Fault(Box::new(file::unreadable(input, &ReadError::Folder)))),
-        Err(e) => Err(Failure::Fault(Box::new(file::unreadable(input, &e.into())))),
+        Ok(_) => Err(Failure::Fault(Box::new(file::unreadable(&Disk, input, &ReadError::Folder)))),
+        Err(e) => Err(Failure::Fault(Box::new(file::unreadable(&Disk, input, &e.into())))),
     }
 }
 
@@ -44,7 +45,7 @@ pub fn open(sources: &Sources, input: &Path) -> Result<FileId> {
     let mut bytes = Vec::new();
     match std::io::stdin().lock().read_to_end(&mut bytes) {
         Ok(_) => Ok(crate::load_bytes(sources, "<stdin>", bytes)?),
-        Err(e) => Err(Failure::Fault(Box::new(file::unreadable(input, &e.into())))),
+        Err(e) => Err(Failure::Fault(Box::new(file::unreadable(&Disk, input, &e.into())))),
     }
 }
 
@@ -98,6 +99,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         max_steps: args.max_steps,
         max_time: args.max_time.map(|s| s.0),
         max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
+        host: Arc::new(LocalHost::default()),
         stop: None,
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
         origins: false,

@@ -7,7 +7,7 @@ use super::memory;
 use super::values::Stats;
 use crate::diagnostic::file;
 use crate::render::Rays;
-use crate::source;
+use crate::source::{Disk, Files};
 use serde::Serialize;
 use std::time::Duration;
 
@@ -61,7 +61,7 @@ pub fn give(reports: &[Report], console: &Console, stats: &Stats) -> Result<()> 
         Stats::Json => reports.last().map_or(Ok(()), |report| console.json(report)),
         Stats::File(path) => {
             let text: String = reports.iter().filter_map(|r| serde_json::to_string(r).ok()).map(|r| r + "\n").collect();
-            Ok(source::write_whole(path, text.as_bytes()).map_err(|e| Box::new(file::unwritable(path, &e)))?)
+            Ok(Disk.write(path, text.as_bytes()).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?)
         }
     }
 }

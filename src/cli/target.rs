@@ -8,7 +8,7 @@ use super::values::Size;
 use crate::diagnostic::{Diagnostic, codes, file};
 use crate::image_io::{Dither, Encoding, Format, Packing};
 use crate::snapshot;
-use crate::source::{self, Draft, Span};
+use crate::source::{Disk, Draft, Files, Span};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -122,7 +122,7 @@ impl Target {
     pub fn check(&self) -> Result<()> {
         match &self.place {
             Place::File(path) => {
-                Ok(source::check_writable(path).map_err(|e| file::unwritable(path, &e)).map_err(Box::new)?)
+                Ok(Disk.check_writable(path).map_err(|e| file::unwritable(&Disk, path, &e)).map_err(Box::new)?)
             }
             _ => Ok(()),
         }
@@ -132,15 +132,15 @@ impl Target {
     pub fn draft(&self) -> Result<Option<Draft>> {
         Ok(match &self.place {
             Place::Nowhere => None,
-            Place::Stdout => Some(Draft::in_memory()),
-            Place::File(path) => Some(Draft::new(path).map_err(|e| Box::new(file::unwritable(path, &e)))?),
+            Place::Stdout => Some(Draft::in_memory(Path::new("-"))),
+            Place::File(path) => Some(Disk.draft(path).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?),
         })
     }
 
     /// What a picture of this size is drawn on.
     pub fn canvas<'d>(&'d self, draft: Option<&'d mut Draft>, size: Size) -> Result<Canvas<'d>> {
         let path = self.file().unwrap_or(Path::new("standard output"));
-        let unwritable = |e: &std::io::Error| file::unwritable(path, e);
+        let unwritable = |e: &std::io::Error| file::unwritable(&Disk, path, e);
         Ok(Canvas::new(draft, (size.width, size.height), &self.encoding, unwritable)?)
     }
 
@@ -149,7 +149,7 @@ impl Target {
         match (&self.place, draft) {
             (Place::Stdout, Some(draft)) => console.data(draft.into_bytes()).map(|()| None),
             (Place::File(path), Some(draft)) => {
-                draft.place().map_err(|e| Box::new(file::unwritable(path, &e)))?;
+                draft.commit(&Disk).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?;
                 Ok(Some(path))
             }
             _ => Ok(None),

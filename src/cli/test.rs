@@ -13,7 +13,7 @@ use super::watcher::Watcher;
 use crate::diagnostic::file;
 use crate::image_io::{self, Encoding, Format, Frame, Pixels};
 use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};
-use crate::source::{self, Sources};
+use crate::source::{Disk, Files, Sources};
 use clap::Parser;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -70,7 +70,7 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
             return usage(format!("snapshots belong to scenes: name the scene, not `{}`", path.display()));
         }
     }
-    let cases = snapshot::find(paths).map_err(|e| Box::new(file::unreadable(&paths[0], &e.into())))?;
+    let cases = snapshot::find(&Disk, paths).map_err(|e| Box::new(file::unreadable(&Disk, &paths[0], &e.into())))?;
     if cases.is_empty() {
         return usage("no scene here has a snapshot; `durer test --accept NAME.scene` makes the first one");
     }
@@ -138,7 +138,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
         Ok(header) => header,
         Err(error) => return Err(Failure::Usage(Box::new(error))),
     };
-    let expected = if case.picture.is_file() { Some(image_io::decode_file(&case.picture)?) } else { None };
+    let expected = if case.picture.is_file() { Some(image_io::decode_file(&Disk, &case.picture)?) } else { None };
     header.scene.include.extend(setting.include.iter().cloned());
     header.scene.size = header.scene.size.or(expected.as_ref().map(|p| Size { width: p.width, height: p.height }));
     header.look.alpha |= expected.as_ref().is_some_and(|p| p.channels % 2 == 0);
@@ -190,7 +190,7 @@ fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
     };
     let _orderly = Orderly::begin();
     let bytes = image_io::encode(drawn, &outcome.encoding)?;
-    source::write_whole(&case.picture, &bytes).map_err(|e| Box::new(file::unwritable(&case.picture, &e)))?;
+    Disk.write(&case.picture, &bytes).map_err(|e| Box::new(file::unwritable(&Disk, &case.picture, &e)))?;
     outcome.text = format!("accepted: {}", outcome.comparison.map_or("new".into(), |c| c.to_string()));
     outcome.exit = Exit::Fine;
     Ok(())
@@ -244,10 +244,10 @@ fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::
 /// Returns the page.
 fn write_report(args: &TestArgs, folder: &Path, outcomes: &[(Case, Outcome)]) -> Result<PathBuf> {
     let entries: Vec<_> = outcomes.iter().map(|(case, outcome)| entry(args, case, outcome)).collect();
-    std::fs::create_dir_all(folder).map_err(|e| Box::new(file::unwritable(folder, &e)))?;
+    std::fs::create_dir_all(folder).map_err(|e| Box::new(file::unwritable(&Disk, folder, &e)))?;
     for (name, bytes) in snapshot::report(&entries)? {
         let path = folder.join(name);
-        source::write_whole(&path, &bytes).map_err(|e| Box::new(file::unwritable(&path, &e)))?;
+        Disk.write(&path, &bytes).map_err(|e| Box::new(file::unwritable(&Disk, &path, &e)))?;
     }
     Ok(folder.join("index.html"))
 }

@@ -65,9 +65,6 @@ smaller with `--size`. More than 68 719 476 736 pixels are never drawn: that wou
     FORMAT_LIMIT "E0008" "the picture format can't hold this picture"
 "Every format has limits: jpg holds 65535 pixels a side, bmp, tga and jpg hold 8 bits a channel, exr and hdr always hold
 floating-point numbers, and only png, tiff, bmp, tga and exr know transparency. Choose another format, for example png."
-    MESH_BROKEN "E0008" "the mesh's file can't be read"
-"`mesh { file \"NAME\" }` takes PLY, OBJ, STL and glTF files (ply, obj, stl, gltf, glb). The message names the line, or the byte counted
-from 0, where the file stops making sense: it ends early, a corner's number is beyond the list, a place is not a number."
     OUTSIDE_PICTURE "E0010" "this part is not inside the picture"
 "Pixels are counted from the top left, starting with 0: a picture of 640x480 goes from 0,0 to 639,479. `--size` says how large
 the picture is."
@@ -88,6 +85,9 @@ begin with `;` or `#`. What doesn't fit the line can't be found out from the res
 line holds options only; `durer scene.pov low.ini` uses both."
     INI_LOOP "E0017" "an INI file reads itself"
 "An INI file may name another on a line of its own. One that comes back to itself would never end."
+    MESH_BROKEN "E0018" "the mesh's file can't be read"
+"`mesh { file \"NAME\" }` takes PLY, OBJ, STL and glTF files (ply, obj, stl, gltf, glb). The message names the line, or the byte counted
+from 0, where the file stops making sense: it ends early, a corner's number is beyond the list, a place is not a number."
     SYNTAX "E0100" "something stands where nothing of the kind can stand"
 "The text can't be read as a scene from this place on."
     UNCLOSED "E0101" "something is opened and never closed"
@@ -306,4 +306,16 @@ pub const ENDS_RUN: Code = Code("E0999");
 /// The explanation of a code as the user typed it, in any letter case.
 pub fn find(code: &str) -> Option<&'static Explanation> {
     ALL.iter().find(|e| e.code.0.eq_ignore_ascii_case(code.trim()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_unique() {
+        let mut codes: Vec<_> = ALL.iter().map(|e| e.code).chain([FOLLOWS, ENDS_RUN]).collect();
+        codes.sort();
+        assert_eq!(codes.windows(2).find(|pair| pair[0] == pair[1]), None);
+    }
 }

@@ -1,12 +1,12 @@
 //! What is said about files that can't be read or written.
 
 use super::{Diagnostic, codes, nearest};
-use crate::source::{ReadError, Span};
+use crate::source::{Files, ReadError, Span};
 use std::io;
 use std::path::Path;
 
 /// Why a scene or an include was not read; without a place, which only the caller knows.
-pub fn unreadable(path: &Path, error: &ReadError) -> Diagnostic {
+pub fn unreadable(files: &dyn Files, path: &Path, error: &ReadError) -> Diagnostic {
     let name = path.display();
     let say = |code, text: String| Diagnostic::new(code, Span::NONE, text);
     match error {
@@ -15,18 +15,18 @@ pub fn unreadable(path: &Path, error: &ReadError) -> Diagnostic {
             say(codes::NOT_TEXT, format!("`{name}` is not a scene but {kind}")).help(help)
         }
         ReadError::Folder => {
-            say(codes::FILE_UNREADABLE, format!("`{name}` is a folder")).maybe_help(scenes_inside(path))
+            say(codes::FILE_UNREADABLE, format!("`{name}` is a folder")).maybe_help(scenes_inside(files, path))
         }
         ReadError::Io(e) if e.kind() == io::ErrorKind::NotFound => {
-            say(codes::FILE_NOT_FOUND, format!("there is no file `{name}`")).maybe_help(similar_file(path))
+            say(codes::FILE_NOT_FOUND, format!("there is no file `{name}`")).maybe_help(similar_file(files, path))
         }
         ReadError::Io(e) => say(codes::FILE_UNREADABLE, format!("`{name}` can't be read: {}", reason(e))),
     }
 }
 
 /// Why a file was not written.
-pub fn unwritable(path: &Path, error: &io::Error) -> Diagnostic {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty() && !p.exists());
+pub fn unwritable(files: &dyn Files, path: &Path, error: &io::Error) -> Diagnostic {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty() && !files.exists(p));
     let help = folder.map(|f| format!("there is no folder `{}`; make it first", f.display()));
     let message = format!("`{}` can't be written: {}", path.display(), reason(error));
     Diagnostic::new(codes::FILE_UNWRITABLE, Span::NONE, message).maybe_help(help)
@@ -41,9 +41,9 @@ fn reason(error: &io::Error) -> String {
 }
 
 /// "Did you mean" among the files of the folder: a slip of the fingers, or a missing ending.
-fn similar_file(path: &Path) -> Option<String> {
+fn similar_file(files: &dyn Files, path: &Path) -> Option<String> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
-    let names = file_names(folder.unwrap_or(Path::new(".")))?;
+    let names = file_names(files, folder.unwrap_or(Path::new(".")))?;
     let wanted = path.file_name()?.to_str()?;
     let with_ending = || names.iter().find(|n| is_scene(n) && Path::new(n).file_stem().is_some_and(|s| s == wanted));
     let found = with_ending().map(String::as_str).or_else(|| nearest(wanted, names.iter().map(String::as_str)))?;
@@ -52,8 +52,8 @@ fn similar_file(path: &Path) -> Option<String> {
 }
 
 /// Names the scenes of a folder that was given in place of one of them.
-fn scenes_inside(folder: &Path) -> Option<String> {
-    let names = file_names(folder)?;
+fn scenes_inside(files: &dyn Files, folder: &Path) -> Option<String> {
+    let names = file_names(files, folder)?;
     let scenes = names.iter().filter(|n| is_scene(n)).take(3);
     let scenes: Vec<_> = scenes.map(|n| format!("`{}`", folder.join(n).display())).collect();
     (!scenes.is_empty()).then(|| format!("there is {} in it", scenes.join(", ")))
@@ -63,9 +63,9 @@ fn is_scene(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|e| e == "scene" || e == "pov")
 }
 
-fn file_names(folder: &Path) -> Option<Vec<String>> {
-    let entries = std::fs::read_dir(folder).ok()?.flatten();
-    let mut names: Vec<_> = entries.filter_map(|e| e.file_name().into_string().ok()).collect();
+fn file_names(files: &dyn Files, folder: &Path) -> Option<Vec<String>> {
+    let entries = files.list(folder).ok()?.into_iter();
+    let mut names: Vec<_> = entries.filter_map(|entry| entry.name.into_string().ok()).collect();
     names.sort();
     Some(names)
 }

@@ -2,6 +2,7 @@
 
 mod cause;
 pub mod codes;
+#[cfg(feature = "cli")]
 pub mod draw;
 pub mod file;
 mod suggest;
@@ -10,7 +11,7 @@ pub use cause::{Cause, Remedy};
 pub use codes::Code;
 pub use suggest::{did_you_mean, nearest};
 
-use crate::source::Span;
+use crate::source::{Sources, Span};
 
 /// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -19,6 +20,13 @@ pub enum Severity {
     Warning,
     /// The scene can't be drawn.
     Error,
+}
+
+impl Severity {
+    /// `error` or `warning`.
+    pub fn name(self) -> &'static str {
+        if self == Severity::Error { "error" } else { "warning" }
+    }
 }
 
 /// A place with a few words about it.
@@ -109,6 +117,12 @@ impl Diagnostic {
     pub fn at(mut self, span: Span) -> Box<Self> {
         self.labels = vec![Label { span, text: String::new() }];
         Box::new(self)
+    }
+
+    /// Returns the message on one line, as compilers print it and editors read it: `a.scene:3:7: error[E0204]: message`.
+    pub fn line(&self, sources: &Sources) -> String {
+        let place = sources.place(self.span()).map(|place| format!("{place}: ")).unwrap_or_default();
+        format!("{place}{}[{}]: {}", self.severity.name(), self.code, self.message.replace('\n', " "))
     }
 
     /// The place of the fault.

@@ -1,8 +1,9 @@
 //! Fonts by the names that they have themselves: `DejaVu Sans Bold`.
 
 use super::Font;
-use fontdb::{Database, FaceInfo, Family, Query, Source, Stretch, Style, Weight};
-use std::path::{Path, PathBuf};
+use crate::source::Files;
+use fontdb::{Database, FaceInfo, Family, ID, Query, Source, Stretch, Style, Weight};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Where a font is.
@@ -50,14 +51,16 @@ const STYLES: &[(&str, Style)] = &[("italic", Style::Italic), ("oblique", Style:
 const STRETCHES: &[(&str, Stretch)] =
     &[("condensed", Stretch::Condensed), ("narrow", Stretch::Condensed), ("expanded", Stretch::Expanded)];
 
-/// The font of a family in these files, or durer's own, and of those the one that looks as the words behind the family's name say.
-pub fn of_family(name: &str, files: &[PathBuf], may_read: impl Fn(&Path) -> bool) -> Option<Place> {
-    let mut fonts = Database::new();
-    for file in files.iter().filter(|file| may_read(file)) {
-        // (What is no font is none of its family.)
-        let _ = fonts.load_font_file(file);
+/// Returns the font of a family whose weight, style and width are nearest to the words behind the family's name, from the font files
+/// `paths` and durer's own font.
+pub fn of_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<Place> {
+    let (mut fonts, mut places) = (Database::new(), vec![]);
+    for path in paths.iter().filter(|path| files.may_read(path)) {
+        // A file that is no font belongs to no family.
+        let Ok(bytes) = files.inspect(path) else { continue };
+        add_faces(&mut fonts, bytes, &mut places, |number| Place::File(path.clone(), number));
     }
-    fonts.load_font_source(Source::Binary(Arc::new(Font::OWN)));
+    add_faces(&mut fonts, Font::OWN.to_vec(), &mut places, |_| Place::Own);
     let words: Vec<&str> = name.split_whitespace().collect();
     // The longest family: that of `Arial Black` is not `Arial`.
     let (family, looks) = (1..=words.len()).rev().find_map(|count| {
@@ -68,10 +71,16 @@ pub fn of_family(name: &str, files: &[PathBuf], may_read: impl Fn(&Path) -> bool
     })?;
     let Looks { weight, style, stretch } = looks;
     let id = fonts.query(&Query { families: &[Family::Name(&family)], weight, stretch, style })?;
-    let face = fonts.face(id)?;
-    match &face.source {
-        Source::File(path) | Source::SharedFile(path, _) => Some(Place::File(path.clone(), face.index)),
-        Source::Binary(_) => Some(Place::Own),
+    places.into_iter().find(|(face, _)| *face == id).map(|(_, place)| place)
+}
+
+/// Adds the descriptions of a file's fonts, without the file's bytes, to a database.
+fn add_faces(fonts: &mut Database, bytes: Vec<u8>, places: &mut Vec<(ID, Place)>, place: impl Fn(u32) -> Place) {
+    let mut of_file = Database::new();
+    of_file.load_font_source(Source::Binary(Arc::new(bytes)));
+    for face in of_file.faces() {
+        let id = fonts.push_face_info(FaceInfo { source: Source::Binary(Arc::new([])), ..face.clone() });
+        places.push((id, place(face.index)));
     }
 }
 
@@ -96,19 +105,19 @@ fn looks_of(words: &[&str]) -> Option<Looks> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::{Memory, Sandbox, Sandboxed};
 
-    /// The font that durer brings along, in a file.
-    fn roboto() -> (tempfile::TempDir, Vec<PathBuf>) {
-        let folder = tempfile::tempdir().unwrap();
-        let [font, none] = ["a.ttf", "b.ttf"].map(|name| folder.path().join(name));
-        std::fs::write(&font, Font::OWN).unwrap();
-        std::fs::write(&none, "no font").unwrap();
-        (folder, vec![none, font])
+    /// Storage with a broken font and durer's own font, and the paths of both.
+    fn roboto() -> (Memory, [PathBuf; 2]) {
+        let (files, paths) = (Memory::default(), ["b.ttf", "a.ttf"].map(PathBuf::from));
+        files.insert(&paths[0], "no font");
+        files.insert(&paths[1], Font::OWN);
+        (files, paths)
     }
 
     #[test]
     fn families_are_found_in_any_case_and_with_words_for_looks() {
-        let (_folder, files) = roboto();
+        let (files, paths) = roboto();
         for (name, is_there) in [
             ("Roboto", true),
             ("roboto regular", true),
@@ -118,10 +127,11 @@ mod tests {
             ("Bold", false),
             ("", false),
         ] {
-            let found = of_family(name, &files, |_| true);
-            assert_eq!(found, is_there.then(|| Place::first_of(files[1].clone())), "{name}");
+            let found = of_family(&files, name, &paths);
+            assert_eq!(found, is_there.then(|| Place::first_of(paths[1].clone())), "{name}");
         }
-        assert_eq!(of_family("Roboto", &files, |_| false), Some(Place::Own));
+        let nothing = Sandbox::default();
+        assert_eq!(of_family(&Sandboxed::new(&files, &nothing), "Roboto", &paths), Some(Place::Own));
     }
 
     #[test]

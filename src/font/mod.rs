@@ -10,7 +10,7 @@ pub use installed::{Place, of_family};
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::math::DVec2;
-use crate::source::{ReadError, Span, read_bytes};
+use crate::source::{Files, ReadError, Span};
 use std::borrow::Cow;
 use std::path::Path;
 use ttf_parser::{Face, GlyphId, OutlineBuilder, kern};
@@ -48,9 +48,9 @@ impl Font {
     ///
     /// # Errors
     /// E0002 where it is not there, E0003 where it can't be read, E0236 where it is no font.
-    pub fn read(place: &Place) -> Result<Self> {
+    pub fn read(files: &dyn Files, place: &Place) -> Result<Self> {
         let Place::File(path, number) = place else { return Ok(Self::own()) };
-        let data = read_bytes(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+        let data = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         match Face::parse(&data, *number) {
             Ok(_) => Ok(Self { place: place.clone(), data: data.into() }),
             Err(fault) => {

@@ -3,7 +3,7 @@
 use super::{Frame, bmp, netpbm, radiance, tga, tiff_palette};
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
-use crate::source::{ReadError, Span, read_bytes};
+use crate::source::{Files, ReadError, Span};
 use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel};
 use image::{DynamicImage, ImageFormat, ImageReader};
 use std::io::Cursor;
@@ -49,8 +49,8 @@ impl From<Pixels> for Decoded {
 ///
 /// # Errors
 /// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.
-pub fn decode_file(path: &Path) -> Result<Pixels> {
-    let bytes = read_bytes(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+pub fn decode_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
+    let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
     decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
 }
 

@@ -1,7 +1,7 @@
 //! Density files: numbers on a grid in space (manual, "df3 file format").
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
-use crate::source::{ReadError, Span, read_bytes};
+use crate::source::{Files, ReadError, Span};
 use std::path::Path;
 
 /// Numbers from 0 to 1 on a grid.
@@ -24,8 +24,8 @@ impl Voxels {
     ///
     /// # Errors
     /// E0002 where it is not there, E0003 where it can't be read, E0007 where its length does not fit.
-    pub fn read(path: &Path) -> Result<Self> {
-        let bytes = read_bytes(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+    pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
+        let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         Self::decode(&bytes).map_err(|reason| {
             let text = format!("`{}` can't be decoded: {reason}", path.display());
             Box::new(Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text))

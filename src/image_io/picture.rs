@@ -4,7 +4,7 @@ use super::{Decoded, Pixels, Samples, decode_bytes};
 use crate::color::GRAY_WEIGHTS;
 use crate::diagnostic::Result;
 use crate::diagnostic::file;
-use crate::source::{ReadError, read_bytes};
+use crate::source::{Files, ReadError};
 use std::path::Path;
 
 /// How a file's numbers stand to light.
@@ -38,8 +38,8 @@ impl Picture {
     ///
     /// # Errors
     /// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.
-    pub fn read(path: &Path) -> Result<Self> {
-        let bytes = read_bytes(path).map_err(|e| file::unreadable(path, &ReadError::Io(e)))?;
+    pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
+        let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         let Decoded { mut pixels, mut indices } = decode_bytes(&bytes, path)?;
         let (mut stored, mut gray_bytes) = (Stored::Unsaid, false);
         match &bytes[..] {

@@ -19,7 +19,7 @@ mod token_expr;
 
 use crate::diagnostic::{Diagnostic, Label, codes};
 use crate::scene::Scene;
-use crate::source::{FileId, Sandbox, SearchPath, Sources, Span};
+use crate::source::{FileId, Files, Host, LocalHost, Sandbox, Sandboxed, SearchPath, Sources, Span};
 use crate::syntax::ast::Symbol;
 use crate::syntax::{Granularity, Names};
 pub use directive::table as directives;
@@ -63,6 +63,8 @@ pub struct Options {
     pub max_time: Option<f64>,
     /// `--max-memory` in bytes.
     pub max_memory: Option<u64>,
+    /// Clock and memory meter, for the limits and the built-in variable `now`.
+    pub host: Arc<dyn Host>,
     /// Ends the run as a limit does when somebody sets it.
     pub stop: Option<Arc<AtomicBool>>,
     /// How much of the text the parser keeps whole; tests have it taken apart.
@@ -87,6 +89,7 @@ impl Default for Options {
             max_steps: 1_000_000,
             max_time: None,
             max_memory: None,
+            host: Arc::new(LocalHost::default()),
             stop: None,
             granularity: Granularity::Whole,
             origins: false,
@@ -125,7 +128,9 @@ pub fn interpret_with(
     options: &Options,
     debug: &mut dyn FnMut(&str),
 ) -> Outcome {
-    let mut interpreter = Interpreter::new(sources, parsed, options, debug);
+    let files = Sandboxed::new(sources.files(), &options.sandbox);
+    let inputs = Inputs { sources, files: &files, names: &parsed.names, parsed, options };
+    let mut interpreter = Interpreter::new(inputs, debug);
     interpreter.run(file);
     interpreter.outcome()
 }
@@ -134,6 +139,8 @@ pub fn interpret_with(
 #[derive(Clone, Copy)]
 struct Inputs<'a> {
     sources: &'a Sources,
+    /// The storage, restricted by the sandbox.
+    files: &'a dyn Files,
     names: &'a Names,
     parsed: &'a ParsedFiles,
     options: &'a Options,
@@ -147,26 +154,20 @@ pub(crate) struct Interpreter<'a> {
     builder: SceneBuilder,
     reporter: Reporter<'a>,
     /// Files by the numbers in [`evaluator::Slot::File`].
-    files: Vec<directive::OpenFile>,
+    open_files: Vec<directive::OpenFile>,
     /// Bytes that `#write` has written.
     written: u64,
 }
 
 impl<'a> Interpreter<'a> {
-    fn new(
-        sources: &'a Sources,
-        parsed: &'a ParsedFiles,
-        options: &'a Options,
-        debug: &'a mut dyn FnMut(&str),
-    ) -> Self {
-        let inputs = Inputs { sources, names: &parsed.names, parsed, options };
+    fn new(inputs: Inputs<'a>, debug: &'a mut dyn FnMut(&str)) -> Self {
         Self {
             inputs,
             stream: TokenStream::new(inputs),
             evaluator: Evaluator::new(inputs),
             builder: SceneBuilder::new(),
             reporter: Reporter::new(inputs, debug),
-            files: vec![],
+            open_files: vec![],
             written: 0,
         }
     }

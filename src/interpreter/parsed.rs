@@ -1,12 +1,11 @@
 //! The trees of the files that a command has read: frames of an animation share them.
 
-use crate::source::FileId;
+use crate::source::{FileId, Files, Stamp};
 use crate::syntax::Names;
 use crate::syntax::ast::{Ast, Element};
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
 
 /// Parsed files, and the names in them. It belongs to one [`crate::source::Sources`].
 #[derive(Default)]
@@ -17,15 +16,8 @@ pub struct ParsedFiles {
     parts: elsa::FrozenMap<*const (), Box<[Element]>, FxBuildHasher>,
     /// Numbers of trees.
     trees: RefCell<FxHashMap<FileId, usize>>,
+    /// With their stamps: a scene may write a file that its next frame includes.
     files: RefCell<FxHashMap<PathBuf, (FileId, Option<Stamp>)>>,
-}
-
-/// When a file was changed, and its length: a scene may write what its next frame includes.
-type Stamp = (SystemTime, u64);
-
-fn stamp(path: &Path) -> Option<Stamp> {
-    let meta = std::fs::metadata(path).ok()?;
-    Some((meta.modified().ok()?, meta.len()))
 }
 
 impl ParsedFiles {
@@ -50,25 +42,20 @@ impl ParsedFiles {
     }
 
     /// The file that lies there, if it was read and is still the same. Those that are built in have no stamp.
-    pub(super) fn file(&self, path: &Path) -> Option<FileId> {
+    pub(super) fn file(&self, files: &dyn Files, path: &Path) -> Option<FileId> {
         let (file, read) = self.files.borrow().get(path).copied()?;
-        (read == stamp(path)).then_some(file)
+        (read == files.stamp(path)).then_some(file)
     }
 
-    pub(super) fn keep_file(&self, path: &Path, file: FileId) {
-        self.files.borrow_mut().insert(path.to_path_buf(), (file, stamp(path)));
+    pub(super) fn keep_file(&self, files: &dyn Files, path: &Path, file: FileId) {
+        self.files.borrow_mut().insert(path.to_path_buf(), (file, files.stamp(path)));
     }
 
     /// What is written anew must be parsed anew when it is included: two writes may be nearer than the clock of files tells.
-    pub(super) fn forget(&self, path: &Path) {
-        let full = path.canonicalize().ok();
-        let same = |known: &Path| known == path || full.is_some() && known.canonicalize().ok() == full;
+    pub(super) fn forget(&self, files: &dyn Files, path: &Path) {
+        let full = files.canonicalize(path).ok();
+        let same = |known: &Path| known == path || full.is_some() && files.canonicalize(known).ok() == full;
         self.files.borrow_mut().retain(|known, _| !same(known));
-    }
-
-    /// From now on, a text that is at hand stands for the file that lies there.
-    pub fn hold(&self, path: &Path, file: FileId) {
-        self.keep_file(path, file);
     }
 
     /// All trees of files with their files, in the order of reading.

@@ -1,13 +1,13 @@
-//! `light_source` (manual, "Light Source"): what the author said, and what a ray needs of it, [`Lamp`].
+//! `light_source` (manual, "Light Source"): what the author said, and what a ray needs of it, [`LoweredLight`].
 
 mod area;
 mod beam;
-mod lamp;
+mod lowered;
 pub mod words;
 
 pub use area::Area;
 pub use beam::{Beam, Edge};
-pub use lamp::{Arriving, Lamp};
+pub use lowered::{LightSample, LoweredLight};
 
 use crate::color::Rgb;
 use crate::diagnostic::Diagnostic;

@@ -4,12 +4,11 @@ use super::document::{BASE, Document};
 use super::scan::Scan;
 use super::text::Text;
 use crate::library;
-use crate::source::{SearchPath, read_text};
+use crate::source::{Disk, Files as _, SearchPath, Stamp, read_text};
 use crate::syntax::tokens_of;
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::SystemTime;
 
 /// A file that is included.
 pub struct File {
@@ -17,7 +16,7 @@ pub struct File {
     pub text: Arc<Text>,
     /// Its tokens and names.
     pub scan: Arc<Scan>,
-    read: Option<(SystemTime, u64)>,
+    read: Option<Stamp>,
 }
 
 /// Those that were read, by their paths.
@@ -27,20 +26,15 @@ pub struct Files(BTreeMap<PathBuf, File>);
 /// More files than this are not looked at.
 const MOST: usize = 500;
 
-fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
-    let meta = std::fs::metadata(path).ok()?;
-    Some((meta.modified().ok()?, meta.len()))
-}
-
 impl Files {
     /// The file that lies there, or is built in.
     fn get(&mut self, path: &Path) -> Option<&File> {
-        let now = stamp(path);
+        let now = Disk.stamp(path);
         if self.0.get(path).is_none_or(|file| file.read != now) {
             let built_in = path.strip_prefix(library::FOLDER).ok().and_then(Path::to_str).and_then(library::find);
             let text = match built_in {
                 Some(text) => text.to_string(),
-                None => read_text(path).ok()?,
+                None => read_text(&Disk, path).ok()?,
             };
             let scan = Arc::new(Scan::of(&text, BASE, &tokens_of(&text, BASE).0));
             self.0.insert(path.to_path_buf(), File { text: Arc::new(Text::new(text)), scan, read: now });
@@ -63,7 +57,7 @@ pub struct Reached {
 /// Where the file is that a text in `folder` calls so.
 pub fn find(name: &str, folder: &Path, search: &SearchPath) -> Option<PathBuf> {
     let including = folder.join("file");
-    let found = search.resolve(name, Some(&including)).map(|found| found.path);
+    let found = search.resolve(&Disk, name, Some(&including)).map(|found| found.path);
     found.or_else(|| library::find(name).map(|_| Path::new(library::FOLDER).join(name)))
 }
 

@@ -5,7 +5,7 @@ use super::files::same;
 use crate::Keep;
 use crate::diagnostic::Severity;
 use crate::interpreter::{Options, ParsedFiles};
-use crate::source::{Sandbox, SearchPath, Sources};
+use crate::source::{Disk, Overlay, Sandbox, SearchPath, Sources};
 use crate::syntax::lint::{self, Lints};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -29,7 +29,7 @@ pub struct Job {
     /// What stands in it.
     pub text: String,
     /// Other open texts, which stand for their files.
-    pub held: Vec<(PathBuf, String)>,
+    pub open: Vec<(PathBuf, String)>,
     /// Where included files are looked for.
     pub include: Vec<PathBuf>,
     /// Ends it.
@@ -57,14 +57,11 @@ pub fn start(job: Job, done: impl FnOnce(Ran) + Send + 'static) {
 }
 
 fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
-    let (sources, parsed) = (Sources::default(), ParsedFiles::default());
+    let overlay = Overlay::new(Arc::new(Disk));
+    job.open.iter().for_each(|(path, text)| overlay.insert(path, text.as_str()));
+    let (sources, parsed) = (Sources::new(Arc::new(overlay)), ParsedFiles::default());
     let name = job.path.as_deref().unwrap_or(Path::new("untitled")).display().to_string();
     let Some(file) = sources.add(&name, job.path.as_deref(), job.text.clone()) else { return BTreeMap::new() };
-    for (path, text) in &job.held {
-        if let Some(held) = sources.add(&path.display().to_string(), Some(path), text.clone()) {
-            parsed.hold(path, held);
-        }
-    }
     let folder = job.path.as_deref().and_then(Path::parent).unwrap_or(Path::new("."));
     let search = SearchPath::new(folder, &job.include);
     let input = job.path.as_deref().and_then(Path::file_name).unwrap_or_default().to_string_lossy().into_owned();
@@ -103,7 +100,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
     for span in &built.idle {
         let Some((id, bytes)) = sources.locate(*span) else { continue };
         let path = sources.path(id).filter(|_| id != file).map(Path::to_path_buf);
-        if path.as_deref().is_none_or(|path| job.held.iter().any(|(open, _)| same(open, path))) {
+        if path.as_deref().is_none_or(|path| job.open.iter().any(|(open, _)| same(open, path))) {
             told.entry(path).or_default().push(idle(&sources, id, bytes));
         }
     }

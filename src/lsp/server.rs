@@ -211,9 +211,9 @@ impl<S: Out> Server<S> {
         let due: Vec<_> =
             self.open.iter().filter(|(_, d)| d.due.is_some_and(|due| due <= now)).map(|(k, _)| k.clone()).collect();
         for key in due {
-            let held = self.open.iter().filter(|(other, _)| **other != key);
-            let held =
-                held.filter_map(|(_, other)| Some((other.path.clone()?, other.text.as_str().to_string()))).collect();
+            let others = self.open.iter().filter(|(other, _)| **other != key);
+            let open =
+                others.filter_map(|(_, other)| Some((other.path.clone()?, other.text.as_str().to_string()))).collect();
             let Some(document) = self.open.get_mut(&key) else { continue };
             let stop = Arc::new(AtomicBool::new(false));
             (document.due, document.stop) = (None, Some(stop.clone()));
@@ -222,7 +222,7 @@ impl<S: Out> Server<S> {
                 version: document.version,
                 path: document.path.clone(),
                 text: document.text.as_str().to_string(),
-                held,
+                open,
                 include: self.include.clone(),
                 stop,
             };

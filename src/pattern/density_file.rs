@@ -69,7 +69,7 @@ impl Readable for DensityFile {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the density file `{name}` was not found"));
             return d.help("density files are looked for where included files are; -I DIR adds a folder").into();
         };
-        let voxels = Arc::new(Voxels::read(&path).map_err(|fault| fault.at(at))?);
+        let voxels = Arc::new(Voxels::read(r.files(), &path).map_err(|fault| fault.at(at))?);
         Ok(Self { voxels, between: Voxel::Nearest })
     }
 }

@@ -1,6 +1,6 @@
 //! Tells when a file that a scene has read is another one.
 
-use crate::source::{Seen, fingerprint};
+use crate::source::{ContentHash, ReadFiles};
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ struct Shared {
 struct File {
     stamp: Stamp,
     /// What stood in it when the scene read it.
-    content: Option<u64>,
+    content: Option<ContentHash>,
 }
 
 /// Length and age; `None` if there is no file.
@@ -46,8 +46,8 @@ fn stamp(path: &Path) -> Stamp {
     Some((meta.len(), meta.modified().ok()))
 }
 
-fn content(path: &Path) -> Option<u64> {
-    std::fs::read(path).ok().map(|bytes| fingerprint(&bytes))
+fn content(path: &Path) -> Option<ContentHash> {
+    std::fs::read(path).ok().map(|bytes| ContentHash::of(&bytes))
 }
 
 impl Files {
@@ -70,9 +70,9 @@ impl Files {
 
     /// From now on these files count, with what stood in them when they were read. Is one of them another one already, that is told.
     /// `scene` counts too, if it is not among them because it is gone. `missing` says that something may not have been found.
-    pub fn follow(&self, seen: &Seen, scene: &Path, missing: bool) {
+    pub fn follow(&self, seen: &ReadFiles, scene: &Path, missing: bool) {
         let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
-        let file = |path: &Path, read: Option<u64>| {
+        let file = |path: &Path, read: Option<ContentHash>| {
             let old = shared.files.get(path).copied();
             // What was read may be older than what is there now: it is looked at again.
             let known = old.filter(|old| old.content == read);

@@ -15,7 +15,7 @@ mod stream;
 
 pub use files::Files;
 pub use levels::draw;
-pub use screen::{Image, Screen, View};
+pub use screen::Screen;
 pub use serve::serve;
 
 use serde::{Deserialize, Serialize};

@@ -3,7 +3,7 @@
 use super::random::{Purpose, Row};
 use super::trace::{Path, Tracer};
 use crate::color::Rgb;
-use crate::light::{Area, Arriving};
+use crate::light::{Area, LightSample};
 use crate::math::DVec3;
 use crate::world::LightSource;
 use rustc_hash::FxHashMap;
@@ -18,7 +18,7 @@ struct Shadow<'a> {
     light: &'a LightSource,
     area: &'a Area,
     point: DVec3,
-    arriving: &'a Arriving,
+    arriving: &'a LightSample,
     path: &'a Path,
     random: Row,
     known: Known,
@@ -39,7 +39,7 @@ impl Tracer<'_> {
         light: &LightSource,
         area: &Area,
         point: DVec3,
-        arriving: &Arriving,
+        arriving: &LightSample,
         path: &Path,
     ) -> Rgb {
         let [n, m] = area.size;
@@ -82,7 +82,7 @@ impl Tracer<'_> {
         known.unwrap_or_else(|| {
             let toward = -shadow.arriving.from;
             let offset = offset(shadow.area, cell, toward, shadow.random);
-            let ray = shadow.light.lamp.shine_on(shadow.point, offset);
+            let ray = shadow.light.emitter.sample(shadow.point, offset);
             let passed = self.unshadowed(shadow.light, shadow.point, &ray, shadow.path);
             match &mut shadow.known {
                 Known::Few(row) => row[at] = passed,

@@ -6,7 +6,7 @@ use super::random::Purpose;
 use super::shading_point::{ShadedLayer, ShadingPoint};
 use super::trace::{Path, Tracer};
 use crate::color::Rgb;
-use crate::light::Arriving;
+use crate::light::LightSample;
 use crate::math::{DVec3, fp};
 use crate::world::{LightSource, Lobe};
 use std::f64::consts::FRAC_PI_2;
@@ -48,9 +48,9 @@ impl Tracer<'_> {
     /// What it answers to one light.
     fn answer(&mut self, light: &LightSource, path: &Path, shading: &ShadingPoint) -> Rgb {
         let dir = path.ray.dir;
-        let arriving = light.lamp.shine_on(shading.point, DVec3::ZERO);
+        let arriving = light.emitter.sample(shading.point, DVec3::ZERO);
         let extended = self.setup.quality.extended;
-        let Some(area) = light.lamp.area.as_ref().filter(|area| area.illumination && extended) else {
+        let Some(area) = light.emitter.area.as_ref().filter(|area| area.illumination && extended) else {
             let from_light = |tracer: &mut Self| tracer.reaching(light, shading.point, &arriving, path);
             return self.answer_to(&arriving, Source { light, middle: arriving.from }, dir, shading, from_light);
         };
@@ -65,7 +65,7 @@ impl Tracer<'_> {
         for cell in (0..m).flat_map(|j| (0..n).map(move |i| [i, j])) {
             let toward = -arriving.from;
             let offset = offset(area, cell, toward, random);
-            let one = light.lamp.shine_on(shading.point, offset);
+            let one = light.emitter.sample(shading.point, offset);
             sum += self.answer_to(&one, Source { light, middle: arriving.from }, dir, shading, |_| passed);
         }
         sum / (f64::from(n) * f64::from(m))
@@ -74,7 +74,7 @@ impl Tracer<'_> {
     /// What it answers to light that arrives in one way, of which `passed` says how much comes through.
     fn answer_to(
         &mut self,
-        arriving: &Arriving,
+        arriving: &LightSample,
         Source { light, middle }: Source,
         dir: DVec3,
         shading: &ShadingPoint,
@@ -84,7 +84,7 @@ impl Tracer<'_> {
         // (Where grids are drawn as one light, what a whole grid shines on answers on both sides: measured on POV-Ray 3.7 at quality
         // 2, 3 and 4.)
         let shines_through =
-            light.lamp.area.as_ref().is_some_and(|area| area.illumination) && !self.setup.quality.extended;
+            light.emitter.area.as_ref().is_some_and(|area| area.illumination) && !self.setup.quality.extended;
         let both_sides = shading.part.double_illuminate || shines_through;
         if arriving.light == Rgb::ZERO || !l.is_finite() || !answers(shading, l, both_sides) {
             return Rgb::ZERO;
@@ -99,7 +99,7 @@ impl Tracer<'_> {
             let grain = if crand == 0.0 { 0.0 } else { crand * self.random.next(Purpose::Grain) };
             let mut answer = scattered(shaded, &at, grain, both_sides);
             // (What light reaches from behind is bright there, too: measured on POV-Ray 3.7.)
-            if (at.cos > 0.0 || both_sides) && !light.lamp.shadowless {
+            if (at.cos > 0.0 || both_sides) && !light.emitter.shadowless {
                 answer += highlight(shaded, &at);
             }
             answer *= film(shading.point, shaded, middle, self.setup.world);

@@ -6,7 +6,7 @@ use super::trace::Quality;
 use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray};
 use crate::pattern::{Space, TextureContext};
-use crate::shape::{Kernel, Slots};
+use crate::shape::{Kernel, TextureWeights};
 use crate::texture::NormalProgram;
 use crate::world::{Intersection, Layer, Material, Part, PlacedMaterial, SolidNode, Surface, World};
 use smallvec::SmallVec;
@@ -227,11 +227,11 @@ fn of_materials<'w>(
     mut tell: impl FnMut(&'w PlacedMaterial, f64),
 ) {
     let part = &world.parts[found.part() as usize];
-    let Some(rare) = &part.rare else { return tell(&part.outside, 1.0) };
-    if let Some(inside) = rare.inside.as_ref().filter(|_| from_inside != found.keeps_sides()) {
+    let Some(uncommon) = &part.uncommon else { return tell(&part.outside, 1.0) };
+    if let Some(inside) = uncommon.inside.as_ref().filter(|_| from_inside != found.keeps_sides()) {
         return tell(inside, 1.0);
     }
-    if let Some(cut) = rare.cut {
+    if let Some(cut) = uncommon.cut {
         let holds = |(node, placed): &'w (SolidNode, PlacedMaterial)| node.inside(surface.point).then_some(placed);
         let materials: SmallVec<[&PlacedMaterial; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
         if !materials.is_empty() {
@@ -239,13 +239,13 @@ fn of_materials<'w>(
             return materials.into_iter().for_each(|placed| tell(placed, share));
         }
     }
-    if rare.carried.is_empty() {
+    if uncommon.embedded.is_empty() {
         return tell(&part.outside, 1.0);
     }
     // Small shares are not seen, and the others get no more for it; each component and each corner is asked by itself, whether or not
     // others look the same (measured on POV-Ray 3.7, for blobs and meshes).
-    let mut seen = Slots::new();
-    for (slot, share) in found.leaf.shape.slots(surface.object_point, &found.hit) {
+    let mut seen = TextureWeights::new();
+    for (slot, share) in found.leaf.shape.texture_weights(surface.object_point, &found.hit) {
         match seen.iter_mut().find(|(other, _)| *other == slot) {
             _ if share < world.adc_bailout => {}
             Some((_, sum)) => *sum += share,
@@ -253,7 +253,7 @@ fn of_materials<'w>(
         }
     }
     for (slot, share) in seen {
-        let own = slot.checked_sub(1).and_then(|number| rare.carried.get(number as usize));
+        let own = slot.checked_sub(1).and_then(|number| uncommon.embedded.get(number as usize));
         tell(own.unwrap_or(&part.outside), share);
     }
 }
@@ -286,7 +286,7 @@ fn texture_context<'w>(
 pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
     let part = &world.parts[found.part() as usize];
     let outside = &world.materials[part.outside.material as usize];
-    if part.rare.is_none() && outside.solid && !quick {
+    if part.uncommon.is_none() && outside.solid && !quick {
         return outside.pass;
     }
     let surface = found.surface(ray);

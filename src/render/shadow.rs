@@ -4,7 +4,7 @@ use super::refract::{Interface, Interiors};
 use super::shading_point::{self, ShadingPoint};
 use super::trace::{Path, Tracer};
 use crate::color::Rgb;
-use crate::light::Arriving;
+use crate::light::LightSample;
 use crate::math::{DVec3, Range, Ray};
 use crate::world::{Intersection, LightSource, World};
 use std::ops::ControlFlow;
@@ -21,16 +21,16 @@ pub(super) struct ToLight<'a> {
 
 impl Tracer<'_> {
     /// The part of the light that comes through to a point that `path` has come to, in shadows that are soft or hard.
-    pub(super) fn reaching(&mut self, light: &LightSource, point: DVec3, arriving: &Arriving, path: &Path) -> Rgb {
-        match light.lamp.area.as_ref().filter(|_| self.setup.quality.extended) {
+    pub(super) fn reaching(&mut self, light: &LightSource, point: DVec3, arriving: &LightSample, path: &Path) -> Rgb {
+        match light.emitter.area.as_ref().filter(|_| self.setup.quality.extended) {
             Some(area) => self.through_area(light, area, point, arriving, path),
             None => self.unshadowed(light, point, arriving, path),
         }
     }
 
     /// The part of the light that comes through along one ray.
-    pub(super) fn unshadowed(&mut self, light: &LightSource, point: DVec3, arriving: &Arriving, path: &Path) -> Rgb {
-        let near = self.setup.world.nearness.shadow;
+    pub(super) fn unshadowed(&mut self, light: &LightSource, point: DVec3, arriving: &LightSample, path: &Path) -> Rgb {
+        let near = self.setup.world.epsilon.shadow;
         let mut range = Range { min: near, max: arriving.distance - near };
         let ray = Ray::new(point, arriving.from);
         if let Some(through) = light.through.as_ref().filter(|_| self.setup.quality.shadows) {
@@ -38,7 +38,7 @@ impl Tracer<'_> {
             // What lies between it and the light is not in the way, but for air (measured on POV-Ray 3.7).
             range.max = passed.t();
         }
-        if light.lamp.shadowless || !self.setup.quality.shadows || range.max <= range.min {
+        if light.emitter.shadowless || !self.setup.quality.shadows || range.max <= range.min {
             return Rgb::ONE;
         }
         self.rays.shadow += 1;
@@ -59,7 +59,7 @@ impl Tracer<'_> {
         if world.geometry.any_after(ray, range, blocks, &mut self.blockers[light.number]) {
             return Rgb::ZERO;
         }
-        let hazy = light.lamp.attenuated && self.is_hazy();
+        let hazy = light.emitter.attenuated && self.is_hazy();
         if !see_through && !hazy {
             return Rgb::ONE;
         }
@@ -126,7 +126,7 @@ impl Tracer<'_> {
 
     /// What the air leaves of light along a stretch of a ray.
     fn stretch(&mut self, ray: &Ray, from: f64, to: f64, inside: &Interiors) -> Rgb {
-        self.veil(&Ray::new(ray.at(from), ray.dir), to - from, inside).passes
+        self.veil(&Ray::new(ray.at(from), ray.dir), to - from, inside).transmittance
     }
 }
 
@@ -139,9 +139,9 @@ fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32)
         ControlFlow::Continue(())
     });
     surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
-    let (mut last, nearness) = (f64::NEG_INFINITY, &world.nearness);
+    let (mut last, epsilon) = (f64::NEG_INFINITY, &world.epsilon);
     surfaces.retain(|found| {
-        let met = found.t() - last > nearness.shadow.max(nearness.own(found.leaf.shape.quirks().min_distance));
+        let met = found.t() - last > epsilon.shadow.max(epsilon.own(found.leaf.shape.quirks().min_distance));
         if met {
             last = found.t();
         }

@@ -5,14 +5,14 @@ use super::random::Random;
 use super::refract::{Interface, Interiors, copied, reflect};
 use super::shading_point::{Coat, ShadingPoint};
 use super::{Options, Rays, Watch};
-use crate::atmosphere::{Beholder, Veil};
+use crate::atmosphere::{Segment, ViewKind};
 use crate::camera::{Lens, View};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec2, DVec3, Range, Ray};
 use crate::world::{Blocker, Intersection, ObjectInfo, World};
 use smallvec::SmallVec;
 
-/// So many surfaces one ray passes at most; it ends what rounding would keep in one place for ever.
+/// So many surfaces one ray transmittance at most; it ends what rounding would keep in one place for ever.
 const CROSSINGS: usize = 20_000;
 
 /// The watcher is asked once in so many surfaces.
@@ -251,14 +251,14 @@ impl<'w> Tracer<'w> {
                 break;
             }
             let Some(found) = self.closest(&path) else {
-                let veil = self.veil(&path.ray, Veil::FAR, &path.inside).before(self.sky(&path));
-                let open = if path.mirrored && self.setup.alpha { 0.0 } else { gray(veil.passes) };
-                return Sample { rgb: rgb + through * veil.adds, passed: behind + passed * open };
+                let veil = self.veil(&path.ray, Segment::FAR, &path.inside).before(self.sky(&path));
+                let open = if path.mirrored && self.setup.alpha { 0.0 } else { gray(veil.transmittance) };
+                return Sample { rgb: rgb + through * veil.radiance, passed: behind + passed * open };
             };
             let veil = self.veil(&path.ray, found.t(), &path.inside);
-            rgb += through * veil.adds;
-            through *= veil.passes;
-            passed *= gray(veil.passes);
+            rgb += through * veil.radiance;
+            through *= veil.transmittance;
+            passed *= gray(veil.transmittance);
             let world = self.setup.world;
             let own = world.parts[found.part() as usize].interior;
             let mut interface = match self.setup.asks_inside {
@@ -368,7 +368,7 @@ impl<'w> Tracer<'w> {
 
     fn closest(&self, path: &Path) -> Option<Intersection<'w>> {
         let world = self.setup.world;
-        let range = Range { min: world.nearness.surface, max: f64::INFINITY };
+        let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
         if path.mirrored {
             world.geometry.closest(&path.ray, range, |id| world.objects[id as usize].reflection)
         } else if path.passed {
@@ -380,15 +380,15 @@ impl<'w> Tracer<'w> {
     }
 
     /// What lies behind everything.
-    fn sky(&self, path: &Path) -> Veil {
+    fn sky(&self, path: &Path) -> Segment {
         let Setup { world, quality, alpha, .. } = self.setup;
         if *alpha && !path.mirrored && world.sky.leaves_alpha() {
-            return Veil::NONE;
+            return Segment::NONE;
         }
         let beholder = match alpha {
-            true if path.mirrored => Beholder::Mirror,
-            true => Beholder::Alpha,
-            false => Beholder::Opaque,
+            true if path.mirrored => ViewKind::Mirror,
+            true => ViewKind::Alpha,
+            false => ViewKind::Opaque,
         };
         world.sky.toward(path.ray.dir, beholder, !quality.real, world.noise, world.waves)
     }

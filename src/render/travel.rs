@@ -3,7 +3,7 @@
 use super::random::Purpose;
 use super::refract::Interiors;
 use super::trace::Tracer;
-use crate::atmosphere::{self, Veil};
+use crate::atmosphere::{self, Segment};
 use crate::color::Rgb;
 use crate::math::Ray;
 
@@ -11,14 +11,14 @@ impl Tracer<'_> {
     /// What the air does to light that comes towards a ray's origin from as far as `length`. There is none inside of what is not hollow,
     /// nor at low quality; and shadows know nothing of it, but for lights that are said to (all measured on POV-Ray 3.7).
     #[inline]
-    pub(super) fn veil(&mut self, ray: &Ray, length: f64, inside: &Interiors) -> Veil {
-        if self.is_hazy() { self.veil_of_air(ray, length, inside) } else { Veil::NONE }
+    pub(super) fn veil(&mut self, ray: &Ray, length: f64, inside: &Interiors) -> Segment {
+        if self.is_hazy() { self.veil_of_air(ray, length, inside) } else { Segment::NONE }
     }
 
-    fn veil_of_air(&mut self, ray: &Ray, length: f64, inside: &Interiors) -> Veil {
+    fn veil_of_air(&mut self, ray: &Ray, length: f64, inside: &Interiors) -> Segment {
         let world = self.setup.world;
         if inside.iter().any(|&i| world.filled[i as usize]) {
-            return Veil::NONE;
+            return Segment::NONE;
         }
         let fogs = atmosphere::fogs(&world.fogs, ray, length, world.noise);
         let random = &mut self.random;

@@ -1,8 +1,8 @@
 //! What the author said, after all macros and loops ran: plain data.
 
 mod alike;
-mod extent;
 mod object;
+mod pov_bounds;
 mod settings;
 mod surface;
 mod weight;
@@ -10,7 +10,7 @@ pub mod words;
 
 pub use alike::Alike;
 pub use object::{
-    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, Rare, is_object, read_camera,
+    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, Uncommon, is_object, read_camera,
 };
 pub use settings::Settings;
 pub use surface::{Painted, read_layers, read_material};

@@ -295,7 +295,7 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
         Aabb::INFINITE
     }
 
-    fn extent(&self, _: &Transform) -> Aabb {
+    fn pov_bounds(&self, _: &Transform) -> Aabb {
         HUGE
     }
 

@@ -12,8 +12,8 @@ mod component;
 
 pub use component::Component;
 
-use super::extent::NOTHING;
-use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, Readable, Slots, moved_box};
+use super::pov_bounds::NOTHING;
+use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, Readable, TextureWeights, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_between, tolerance};
@@ -203,9 +203,9 @@ impl Kernel for Blob {
     }
 
     /// That of the components which make it stronger. Without any it is inside out, and endless as soon as it is moved.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         let strong = self.components.iter().filter(|component| component.strength > 0.0);
-        match strong.map(Component::extent).reduce(Aabb::union) {
+        match strong.map(Component::pov_bounds).reduce(Aabb::union) {
             Some(all) => moved_box(m, &all),
             None if m.is_identity() => NOTHING,
             None => HUGE,
@@ -242,18 +242,18 @@ impl Kernel for Blob {
         if sum == DVec3::ZERO { DVec3::Y } else { sum }
     }
 
-    fn slots(&self, p: DVec3, _: &Hit) -> Slots {
-        let mut slots = Slots::new();
+    fn texture_weights(&self, p: DVec3, _: &Hit) -> TextureWeights {
+        let mut texture_weights = TextureWeights::new();
         let mut sum = 0.0;
         self.near(p, &mut |component| {
             let field = component.field(p).abs();
             if field > 0.0 {
                 sum += field;
-                slots.push((component.slot, field));
+                texture_weights.push((component.slot, field));
             }
         });
-        slots.iter_mut().for_each(|(_, share)| *share /= sum);
-        slots
+        texture_weights.iter_mut().for_each(|(_, share)| *share /= sum);
+        texture_weights
     }
 
     fn has_uv_mapping(&self) -> bool {

@@ -6,7 +6,7 @@
 //! disc { <0, 1, 0>, <0, 1, 0>, 1, 0.5 pigment { color rgb <0.8, 0.8, 0.2> } }
 //! ```
 
-use super::{HalfSpaces, Hit, Hits, Kernel, Readable, extent, finite};
+use super::{HalfSpaces, Hit, Hits, Kernel, Readable, finite, pov_bounds};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
@@ -79,9 +79,9 @@ impl Kernel for Disc {
         Aabb { min: self.center - reach, max: self.center + reach }
     }
 
-    fn extent(&self, m: &Transform) -> Aabb {
-        let corner = DVec3::new(self.radius, self.radius, extent::THIN);
-        extent::framed(m, self.normal, self.center, &Aabb { min: -corner, max: corner })
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
+        let corner = DVec3::new(self.radius, self.radius, pov_bounds::THIN);
+        pov_bounds::framed(m, self.normal, self.center, &Aabb { min: -corner, max: corner })
     }
 
     fn is_solid_unbounded(&self) -> bool {

@@ -1,6 +1,6 @@
 //! What `cylinder` and `cone` share: the surface around an axis whose radius changes linearly, and its two end discs.
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, extent, nearest};
+use super::{Crossing, End, HalfSpaces, Hit, Hits, nearest, pov_bounds};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair, tolerance};
 use crate::value::words::word;
 use crate::value::{Kind, WordSpec};
@@ -173,11 +173,11 @@ impl Frustum {
         }
     }
 
-    /// See [`super::Kernel::extent`]: that of a cylinder about the same axis.
-    pub fn extent(&self, m: &Transform) -> Aabb {
+    /// See [`super::Kernel::pov_bounds`]: that of a cylinder about the same axis.
+    pub fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
         let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
-        extent::framed(m, axis, self.base, &b)
+        pov_bounds::framed(m, axis, self.base, &b)
     }
 
     /// Those of both ends and some around the wall.
@@ -306,8 +306,8 @@ macro_rules! frustum_kernel {
                 self.0.closest(ray, range)
             }
 
-            fn extent(&self, m: &$crate::math::Transform) -> Aabb {
-                self.0.extent(m)
+            fn pov_bounds(&self, m: &$crate::math::Transform) -> Aabb {
+                self.0.pov_bounds(m)
             }
 
             fn half_spaces(&self) -> $crate::shape::HalfSpaces {

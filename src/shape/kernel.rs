@@ -77,7 +77,7 @@ impl From<End> for Hit {
 }
 
 /// Numbers of the textures that a place shows, and their shares, which make up 1. Number 0 is the object's own texture.
-pub type Slots = smallvec::SmallVec<[(u32, f64); 3]>;
+pub type TextureWeights = smallvec::SmallVec<[(u32, f64); 3]>;
 
 /// All points p with normal·p ≤ distance.
 pub type HalfSpace = (DVec3, f64);
@@ -99,7 +99,7 @@ pub trait Kernel {
     }
 
     /// The box that `min_extent` and `max_extent` tell of its image under M.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         moved_box(m, &self.bounds())
     }
 
@@ -186,7 +186,7 @@ pub trait Kernel {
     }
 
     /// What a place shows, of shapes that carry textures.
-    fn slots(&self, _p: DVec3, _hit: &Hit) -> Slots {
+    fn texture_weights(&self, _p: DVec3, _hit: &Hit) -> TextureWeights {
         smallvec::smallvec![(0, 1.0)]
     }
 

@@ -81,7 +81,7 @@ impl Kernel for Lathe {
     }
 
     /// Of a `bezier_spline`, that of all its points.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         let bezier = self.interpolation == Interpolation::Bezier;
         moved_box(m, &self.box_of(if bezier { self.curve.hull() } else { self.curve.ends() }))
     }
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn extents_and_reading() {
         let arch = made("bezier_spline 4 <0,0> <2,1> <2,2> <0,3>");
-        assert_eq!(arch.extent(&Transform::IDENTITY).max, DVec3::new(2.0, 3.0, 2.0));
+        assert_eq!(arch.pov_bounds(&Transform::IDENTITY).max, DVec3::new(2.0, 3.0, 2.0));
         assert_eq!(arch.bounds().max, DVec3::new(1.5, 3.0, 1.5));
         for few in [
             "1 <0,0>",

@@ -8,7 +8,6 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
-mod extent;
 mod formula;
 mod frustum;
 mod height_field;
@@ -21,6 +20,7 @@ mod ovus;
 mod parametric;
 mod plane;
 mod polygon;
+mod pov_bounds;
 mod prism;
 mod quadric;
 mod quirks;
@@ -44,20 +44,20 @@ pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
-pub use extent::{HUGE, moved_box};
 pub use formula::{Container, Formula};
 pub use frustum::Frustum;
 pub use height_field::HeightField;
 pub use isosurface::Isosurface;
 pub use julia_fractal::{Algebra, Function, JuliaFractal};
 use kernel::nearest;
-pub use kernel::{Crossing, End, HalfSpace, HalfSpaces, Hit, Hits, Kernel, Slots};
+pub use kernel::{Crossing, End, HalfSpace, HalfSpaces, Hit, Hits, Kernel, TextureWeights};
 pub use lathe::Lathe;
 pub use mesh::{Face, Mesh, Mesh2, TriangleMesh};
 pub use ovus::Ovus;
 pub use parametric::Parametric;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
+pub use pov_bounds::{HUGE, moved_box};
 pub use prism::Prism;
 pub use quadric::Quadric;
 pub use quirks::{Bounding, Quirks};
@@ -122,7 +122,7 @@ macro_rules! shapes {
             fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits_in_csg(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
             fn any(&self, ray: &Ray, range: Range) -> bool { match self { $(Shape::$name(s) => s.any(ray, range)),* } }
-            fn extent(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.extent(m)),* } }
+            fn pov_bounds(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.pov_bounds(m)),* } }
             fn as_half_space(&self) -> Option<HalfSpace> { match self { $(Shape::$name(s) => s.as_half_space()),* } }
             fn half_spaces(&self) -> HalfSpaces { match self { $(Shape::$name(s) => s.half_spaces()),* } }
             fn quadratic(&self) -> Option<Quadratic> { match self { $(Shape::$name(s) => s.quadratic()),* } }
@@ -135,7 +135,7 @@ macro_rules! shapes {
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
             fn faces(&self) -> Vec<Face> { match self { $(Shape::$name(s) => s.faces()),* } }
-            fn slots(&self, p: DVec3, hit: &Hit) -> Slots { match self { $(Shape::$name(s) => s.slots(p, hit)),* } }
+            fn texture_weights(&self, p: DVec3, hit: &Hit) -> TextureWeights { match self { $(Shape::$name(s) => s.texture_weights(p, hit)),* } }
             fn has_uv_mapping(&self) -> bool { match self { $(Shape::$name(s) => s.has_uv_mapping()),* } }
             fn is_open(&self) -> bool { match self { $(Shape::$name(s) => s.is_open()),* } }
             fn caches_lazily(&self) -> bool { match self { $(Shape::$name(s) => s.caches_lazily()),* } }

@@ -150,7 +150,7 @@ impl Kernel for Ovus {
     }
 
     /// As wide as all of the arc's circle (measured on POV-Ray 3.7).
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         let Aabb { min, max } = self.bounds();
         let across = (self.arc - self.middle.x).max(max.x);
         moved_box(m, &Aabb { min: DVec3::new(-across, min.y, -across), max: DVec3::new(across, max.y, across) })
@@ -218,7 +218,7 @@ mod tests {
 
     #[test]
     fn extents_and_reading() {
-        let far = |bottom: f64, top: f64| Ovus::new(bottom, top).extent(&Transform::IDENTITY).max;
+        let far = |bottom: f64, top: f64| Ovus::new(bottom, top).pov_bounds(&Transform::IDENTITY).max;
         assert!(far(1.0, 0.5).distance(DVec3::new(1.007843, 1.5, 1.007843)) < 1e-6);
         assert!(far(0.5, 0.8).distance(DVec3::new(0.866788, 1.3, 0.866788)) < 1e-6);
         assert_eq!(far(1.0, 2.2), DVec3::new(2.2, 3.2, 2.2));

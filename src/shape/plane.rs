@@ -165,7 +165,7 @@ impl Kernel for Plane {
         bounds
     }
 
-    fn extent(&self, _: &Transform) -> Aabb {
+    fn pov_bounds(&self, _: &Transform) -> Aabb {
         HUGE
     }
 

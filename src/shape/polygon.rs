@@ -7,7 +7,7 @@
 //! polygon { 10, <0,0> <4,0> <4,4> <0,4> <0,0>  <1,1> <3,1> <3,3> <1,3> <1,1> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, extent, finite, moved_box};
+use super::{Hit, Hits, Kernel, Readable, finite, moved_box, pov_bounds};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
@@ -174,8 +174,8 @@ impl Kernel for Polygon {
         if self.fault.is_some() { Aabb::EMPTY } else { Aabb::from_points(points) }
     }
 
-    fn extent(&self, m: &Transform) -> Aabb {
-        let (thick, b) = (self.normal.abs() * extent::THIN, self.bounds());
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
+        let (thick, b) = (self.normal.abs() * pov_bounds::THIN, self.bounds());
         moved_box(m, &Aabb { min: b.min - thick, max: b.max + thick })
     }
 

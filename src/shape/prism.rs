@@ -221,7 +221,7 @@ impl Kernel for Prism {
     }
 
     /// Of a `bezier_spline`, that of all its points.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         let ends = if self.interpolation == Interpolation::Bezier { self.outlines.hull() } else { self.ends };
         moved_box(m, &self.box_of(ends))
     }
@@ -331,7 +331,7 @@ mod tests {
         let (prism, said) = read::<Prism>("0 1 3 <0,0> <1,1> <0,1> open sturm");
         assert!(prism.unwrap().open && said[0].code == codes::OPEN_OUTLINE);
         let hull = made("bezier_spline 0 1 8 <0,0> <1,1> <2,1> <3,0> <3,0> <2,-1> <1,-1> <0,0>");
-        assert_eq!(hull.extent(&Transform::IDENTITY).max, DVec3::ONE.with_x(3.0));
+        assert_eq!(hull.pov_bounds(&Transform::IDENTITY).max, DVec3::ONE.with_x(3.0));
         assert_eq!(hull.bounds().max, DVec3::new(3.0, 1.0, 0.75));
     }
 }

@@ -160,7 +160,7 @@ impl Kernel for Quadric {
     }
 
     /// That of an ellipsoid along the axes; of all others, POV-Ray knows none.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         match self.centered.ends {
             Some(ends) if self.mixed == DVec3::ZERO && !ends.is_empty() => moved_box(m, &ends),
             _ => HUGE,
@@ -251,7 +251,7 @@ mod tests {
         assert_hits(&all(&bowl, &Ray::new(DVec3::new(-9.0, 4.0, 0.0), DVec3::X)), &[(7.0, 0), (11.0, 0)]);
         assert!(bowl.inside(DVec3::Y) && !bowl.inside(-DVec3::Y) && bowl.bounds() == Aabb::INFINITE);
         assert!(bowl.normal(DVec3::ZERO, &Hit::at(0.0)).normalize().distance(-DVec3::Y) < 1e-15);
-        assert!(bowl.extent(&Transform::IDENTITY) == HUGE);
+        assert!(bowl.pov_bounds(&Transform::IDENTITY) == HUGE);
     }
 
     #[test]

@@ -61,7 +61,7 @@ impl Kernel for Sphere {
     }
 
     /// A sphere that stays one is as wide as before.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         let axes = DVec3::AXES.map(|axis| m.vector(axis));
         let same = |a: DVec3, b: DVec3| {
             (a.length() - b.length()).abs() < 1e-9 * a.length() && a.dot(b).abs() < 1e-9 * a.length_squared()

@@ -336,7 +336,7 @@ impl Kernel for Superellipsoid {
     }
 
     /// A trifle larger than it is.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         moved_box(m, &CUBE.grown(1e-4))
     }
 

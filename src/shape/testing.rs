@@ -204,6 +204,10 @@ impl Reader for Words {
         Ok(None)
     }
 
+    fn files(&self) -> &dyn crate::source::Files {
+        &crate::source::Disk
+    }
+
     fn find_file(&mut self, _: &str, _: Span) -> Result<Option<std::path::PathBuf>> {
         unreachable!()
     }

@@ -1,6 +1,6 @@
 //! Finds scenes with snapshots.
 
-use crate::source::scenes_below;
+use crate::source::{FileKind, Files, scenes_below};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -34,14 +34,14 @@ impl Case {
 ///
 /// # Errors
 /// If a path is not there or a folder can't be read.
-pub fn find(paths: &[PathBuf]) -> io::Result<Vec<Case>> {
+pub fn find(files: &dyn Files, paths: &[PathBuf]) -> io::Result<Vec<Case>> {
     let mut cases = Vec::new();
     for path in paths {
-        if path.metadata()?.is_dir() {
-            let all = scenes_below(path)?.into_iter().map(|scene| Case::of(&scene));
-            cases.extend(all.filter(|case| case.picture.is_file()));
+        if files.metadata(path)?.kind == FileKind::Folder {
+            let all = scenes_below(files, path)?.into_iter().map(|scene| Case::of(&scene));
+            cases.extend(all.filter(|case| files.is_file(&case.picture)));
         } else {
-            cases.push(Case::of(&scene_of(path)));
+            cases.push(Case::of(&scene_of(files, path)));
         }
     }
     cases.sort();
@@ -50,9 +50,9 @@ pub fn find(paths: &[PathBuf]) -> io::Result<Vec<Case>> {
 }
 
 /// The scene that a path means: itself, or the one beside a snapshot.
-fn scene_of(path: &Path) -> PathBuf {
+fn scene_of(files: &dyn Files, path: &Path) -> PathBuf {
     let beside = ["scene", "pov"].map(|ending| path.with_extension("").with_extension(ending));
-    beside.into_iter().find(|scene| is_snapshot(path) && scene.is_file()).unwrap_or(path.to_path_buf())
+    beside.into_iter().find(|scene| is_snapshot(path) && files.is_file(scene)).unwrap_or(path.to_path_buf())
 }
 
 /// The options of a snapshot, where a comment at the start of the scene gives them: `//! test: --size 128x96 --aa off`.
@@ -65,12 +65,11 @@ pub fn header(text: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::Memory;
 
     #[test]
     fn only_scenes_with_a_snapshot_are_found_in_folders() {
-        let folder = tempfile::tempdir().unwrap();
-        let at = |name: &str| folder.path().join(name);
-        std::fs::create_dir_all(at("b/.hidden")).unwrap();
+        let (files, at) = (Memory::default(), |name: &str| Path::new("/work").join(name));
         for name in [
             "a.scene",
             "a.snapshot.png",
@@ -82,13 +81,14 @@ mod tests {
             "b/.hidden/e.scene",
             "b/.hidden/e.snapshot.png",
         ] {
-            std::fs::write(at(name), "").unwrap();
+            files.insert(at(name), "");
         }
-        let names = |paths: &[PathBuf]| -> Vec<PathBuf> { find(paths).unwrap().into_iter().map(|c| c.scene).collect() };
-        assert_eq!(names(&[folder.path().into()]), [at("a.scene"), at("b/c.d.pov")]);
+        let names =
+            |paths: &[PathBuf]| -> Vec<PathBuf> { find(&files, paths).unwrap().into_iter().map(|c| c.scene).collect() };
+        assert_eq!(names(&["/work".into()]), [at("a.scene"), at("b/c.d.pov")]);
         assert_eq!(names(&[at("new.scene")]), [at("new.scene")]);
         assert_eq!(names(&[at("b/c.d.snapshot.png"), at("b")]), [at("b/c.d.pov")]);
-        assert!(find(&[at("missing")]).is_err());
+        assert!(find(&files, &[at("missing")]).is_err());
     }
 
     #[test]

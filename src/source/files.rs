@@ -1,155 +1,159 @@
-//! All text that was read, in one numbering of bytes.
+//! The interface through which everything is read and written.
+//!
+//! The caller of the library chooses an implementation: [`Disk`](super::Disk), [`Memory`](super::Memory) or
+//! [`Overlay`](super::Overlay). No code outside of `source/` and the front ends opens a file in another way.
 
-use super::Span;
+use super::Draft;
+use std::ffi::OsString;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
-/// A file in [`Sources`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct FileId(pub u32);
+/// Storage that a run reads from and writes to. Relative paths start at the current folder, whatever the implementation takes for it.
+pub trait Files: Send + Sync {
+    /// Returns the contents of a file.
+    ///
+    /// # Errors
+    /// If the file does not exist or cannot be read.
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 
-/// A file, line and column, all as a person counts them.
+    /// Returns the contents of a file that is one of several candidates, such as a font whose family is searched for.
+    /// [`Recorder`](super::Recorder) does not count the file as read.
+    ///
+    /// # Errors
+    /// If the file does not exist or cannot be read.
+    fn inspect(&self, path: &Path) -> io::Result<Vec<u8>> {
+        self.read(path)
+    }
+
+    /// Returns kind, length and time of modification of a file or folder; follows symbolic links.
+    ///
+    /// # Errors
+    /// If nothing exists at `path`.
+    fn metadata(&self, path: &Path) -> io::Result<Metadata>;
+
+    /// Returns the entries of a folder in no particular order.
+    ///
+    /// # Errors
+    /// If the folder does not exist or cannot be read.
+    fn list(&self, folder: &Path) -> io::Result<Vec<Entry>>;
+
+    /// Returns the absolute path without symbolic links, `.` and `..`.
+    ///
+    /// # Errors
+    /// If nothing exists at `path`.
+    fn canonicalize(&self, path: &Path) -> io::Result<PathBuf>;
+
+    /// True if `path` itself is a symbolic link, whether or not its target exists.
+    fn is_link(&self, _path: &Path) -> bool {
+        false
+    }
+
+    /// Opens a file that a scene writes piece by piece; creates the file if it does not exist.
+    ///
+    /// # Errors
+    /// If the file cannot be created or written.
+    fn open_writer(&self, path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>>;
+
+    /// Replaces a file, or creates it: the whole of `bytes` or nothing.
+    ///
+    /// # Errors
+    /// If the file cannot be written; then nothing has changed.
+    fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+
+    /// Starts a file whose bytes arrive over a long time and that appears at `path` with [`Draft::commit`].
+    ///
+    /// # Errors
+    /// If the folder cannot be written to.
+    fn draft(&self, path: &Path) -> io::Result<Draft> {
+        Ok(Draft::in_memory(path))
+    }
+
+    /// Checks whether [`Files::write`] is possible, before hours of work.
+    ///
+    /// # Errors
+    /// The error that [`Files::write`] would return.
+    fn check_writable(&self, _path: &Path) -> io::Result<()> {
+        Ok(())
+    }
+
+    /// True if the policy of this storage allows to read `path`. [`Sandboxed`](super::Sandboxed) restricts it.
+    fn may_read(&self, _path: &Path) -> bool {
+        true
+    }
+
+    /// True if the policy of this storage allows to write `path`, which need not exist yet.
+    fn may_write(&self, _path: &Path) -> bool {
+        true
+    }
+
+    /// True if a file, a folder or a device exists at `path`.
+    fn exists(&self, path: &Path) -> bool {
+        self.metadata(path).is_ok()
+    }
+
+    /// True if a regular file exists at `path`.
+    fn is_file(&self, path: &Path) -> bool {
+        self.metadata(path).is_ok_and(|metadata| metadata.kind == FileKind::File)
+    }
+
+    /// True if a folder exists at `path`.
+    fn is_folder(&self, path: &Path) -> bool {
+        self.metadata(path).is_ok_and(|metadata| metadata.kind == FileKind::Folder)
+    }
+
+    /// Returns a value that changes when the file is written; `None` if the file does not exist.
+    fn stamp(&self, path: &Path) -> Option<Stamp> {
+        let metadata = self.metadata(path).ok()?;
+        Some(Stamp { modified: metadata.modified?, length: metadata.length })
+    }
+}
+
+/// Kind of a file system entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileKind {
+    /// A regular file.
+    File,
+    /// A folder.
+    Folder,
+    /// A symbolic link; only [`Files::list`] returns it.
+    Link,
+    /// A device, a pipe or a socket.
+    Special,
+}
+
+/// Properties of a file or folder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Metadata {
+    /// Kind of the target, if `path` was a symbolic link.
+    pub kind: FileKind,
+    /// Length in bytes.
+    pub length: u64,
+    /// Time of the last write, if the system records it.
+    pub modified: Option<SystemTime>,
+}
+
+/// An entry of a folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// As the user named it.
-    pub file: String,
-    /// From 1.
-    pub line: usize,
-    /// From 1, in characters.
-    pub column: usize,
+pub struct Entry {
+    /// Name without the folder.
+    pub name: OsString,
+    /// Kind of the entry itself; links are not followed.
+    pub kind: FileKind,
 }
 
-/// `file:line:column`, as editors take it.
-impl std::fmt::Display for Place {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        write!(f, "{}:{}:{}", self.file, self.line, self.column)
-    }
+/// State of a file, for comparison: two different contents nearly always have different stamps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stamp {
+    modified: SystemTime,
+    length: u64,
 }
 
-struct File {
-    name: String,
-    path: Option<PathBuf>,
-    text: String,
-    base: usize,
-    /// Local offsets at which lines start; CR, LF and CRLF all end a line.
-    lines: std::sync::OnceLock<Vec<u32>>,
-}
-
-/// The registry of files; a [`Span`] means something only together with it.
-#[derive(Default)]
-pub struct Sources {
-    files: elsa::FrozenVec<Box<File>>,
-}
-
-impl Sources {
-    /// Adds a text; `None` when all files together pass 4 GB.
-    pub fn add(&self, name: &str, path: Option<&Path>, text: String) -> Option<FileId> {
-        let base = self.files.iter().last().map_or(1, |f| f.base + f.text.len() + 1);
-        u32::try_from(base + text.len() + 1).ok()?;
-        let file = File { name: name.into(), path: path.map(Into::into), text, base, lines: Default::default() };
-        self.files.push(Box::new(file));
-        Some(FileId(self.files.len() as u32 - 1))
-    }
-
-    /// All files, in the order in which they came.
-    pub fn ids(&self) -> impl Iterator<Item = FileId> + use<> {
-        (0..self.files.len() as u32).map(FileId)
-    }
-
-    /// The text of a file.
-    pub fn text(&self, id: FileId) -> &str {
-        self.files.get(id.0 as usize).map_or("", |f| &f.text)
-    }
-
-    /// The name of a file as the user wrote it.
-    pub fn name(&self, id: FileId) -> &str {
-        self.files.get(id.0 as usize).map_or("", |f| &f.name)
-    }
-
-    /// Where a file lies; `None` for standard input.
-    pub fn path(&self, id: FileId) -> Option<&Path> {
-        self.files.get(id.0 as usize).and_then(|f| f.path.as_deref())
-    }
-
-    /// The global offset of a file's first byte.
-    pub fn base(&self, id: FileId) -> usize {
-        self.files.get(id.0 as usize).map_or(0, |f| f.base)
-    }
-
-    /// The file a place is in, and its local range of bytes.
-    pub fn locate(&self, span: Span) -> Option<(FileId, std::ops::Range<usize>)> {
-        if span.is_none() {
-            return None;
-        }
-        let (lo, hi) = (span.lo as usize, span.hi as usize);
-        let (mut a, mut b) = (0, self.files.len());
-        while b - a > 1 {
-            let mid = (a + b) / 2;
-            if self.files[mid].base <= lo { a = mid } else { b = mid }
-        }
-        let file = self.files.get(a)?;
-        let end = file.text.len();
-        Some((FileId(a as u32), (lo - file.base).min(end)..hi.saturating_sub(file.base).min(end)))
-    }
-
-    /// The text a place covers.
-    pub fn snippet(&self, span: Span) -> &str {
-        match self.locate(span) {
-            Some((id, range)) => self.text(id).get(range).unwrap_or(""),
-            None => "",
-        }
-    }
-
-    /// File, line and column of a place's first byte.
-    pub fn place(&self, span: Span) -> Option<Place> {
-        let (id, range) = self.locate(span)?;
-        let file = self.files.get(id.0 as usize)?;
-        let lines = file.lines.get_or_init(|| line_starts(&file.text));
-        let line = lines.partition_point(|&start| start as usize <= range.start) - 1;
-        let column = file.text.get(lines[line] as usize..range.start).map_or(1, |s| s.chars().count() + 1);
-        Some(Place { file: file.name.clone(), line: line + 1, column })
-    }
-}
-
-fn line_starts(text: &str) -> Vec<u32> {
-    let bytes = text.as_bytes();
-    let ends = memchr::memchr2_iter(b'\n', b'\r', bytes);
-    let starts = ends.filter(|&i| !(bytes[i] == b'\r' && bytes.get(i + 1) == Some(&b'\n'))).map(|i| i as u32 + 1);
-    std::iter::once(0).chain(starts).collect()
-}
-
-/// Bytes to text: UTF-8 (a byte-order mark is dropped), and where they are not, Latin-1.
-pub fn decode_text(bytes: Vec<u8>) -> String {
-    let bytes = match bytes.strip_prefix(b"\xef\xbb\xbf") {
-        Some(rest) => rest.to_vec(),
-        None => bytes,
-    };
-    String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|&b| char::from(b)).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_line_ending_counts_once() {
-        let sources = Sources::default();
-        let id = sources.add("a", None, "1\n2\r\n3\r4".into()).unwrap();
-        let at = |i| sources.place(Span::new(sources.base(id) + i, sources.base(id) + i)).unwrap();
-        assert_eq!([0, 2, 5, 7].map(|i| (at(i).line, at(i).column)), [(1, 1), (2, 1), (3, 1), (4, 1)]);
-    }
-
-    #[test]
-    fn places_of_several_files() {
-        let sources = Sources::default();
-        sources.add("a", None, "abc".into()).unwrap();
-        let b = sources.add("b", None, "xyz".into()).unwrap();
-        let span = Span::new(sources.base(b) + 1, sources.base(b) + 2);
-        assert_eq!(sources.snippet(span), "y");
-        assert_eq!(sources.place(span).unwrap().file, "b");
-    }
-
-    #[test]
-    fn latin1_is_read() {
-        assert_eq!(decode_text(b"D\xfcrer".to_vec()), "Dürer");
-    }
+/// What happens to the old contents of a file that is opened for writing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WriteMode {
+    /// The old contents are removed.
+    Truncate,
+    /// New bytes follow the old contents.
+    Append,
 }

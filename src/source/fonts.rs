@@ -1,5 +1,6 @@
 //! Fonts that stand for those that a scene names and that are not there.
 
+use super::Files;
 use std::path::{Path, PathBuf};
 
 /// How letters look, as far as the name of a file tells.
@@ -84,18 +85,18 @@ fn plain(name: &str) -> String {
 }
 
 /// All files of fonts in these folders and below them, in an order of their own.
-pub fn files(folders: &[PathBuf]) -> Vec<PathBuf> {
-    let mut files = vec![];
-    folders.iter().for_each(|folder| collect(folder, MAX_DEPTH, &mut files));
-    files
+pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
+    let mut found = vec![];
+    folders.iter().for_each(|folder| collect(files, folder, MAX_DEPTH, &mut found));
+    found
 }
 
 /// The font in these folders and below them that is most like the one of this name; the same one wherever the same files
-/// lie. `may_read` says which files count.
-pub fn similar(name: &str, folders: &[PathBuf], may_read: impl Fn(&Path) -> bool) -> Option<PathBuf> {
-    let (mut files, wanted) = (files(folders), Style::of(name));
-    files.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));
-    files.into_iter().find(|file| may_read(file))
+/// lie. Only files that may be read count.
+pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
+    let (mut found, wanted) = (font_files(files, folders), Style::of(name));
+    found.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));
+    found.into_iter().find(|file| files.may_read(file))
 }
 
 /// Folders inside of each other.
@@ -103,14 +104,14 @@ const MAX_DEPTH: usize = 6;
 /// Files are enough to choose from.
 const MAX_FILES: usize = 20_000;
 
-fn collect(folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+fn collect(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {
+    let entries = files.list(folder).unwrap_or_default();
+    let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| folder.join(entry.name)).collect();
     paths.sort();
     for path in paths {
-        if path.is_dir() && depth > 0 {
-            collect(&path, depth - 1, out);
-        } else if is_file_name(&path) && path.is_file() && out.len() < MAX_FILES {
+        if files.is_folder(&path) && depth > 0 {
+            collect(files, &path, depth - 1, out);
+        } else if is_file_name(&path) && files.is_file(&path) && out.len() < MAX_FILES {
             out.push(path);
         }
     }
@@ -147,6 +148,7 @@ const SYSTEM: &[&str] = &["/usr/share/fonts", "/usr/local/share/fonts", "/Librar
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::{Disk, Sandbox, Sandboxed};
 
     const DEJAVU: &[&str] = &[
         "DejaVuMathTeXGyre",
@@ -174,7 +176,7 @@ mod tests {
 
     fn found(name: &str, folders: &[&tempfile::TempDir]) -> Option<String> {
         let folders: Vec<PathBuf> = folders.iter().map(|f| f.path().to_path_buf()).collect();
-        let file = similar(name, &folders, |_| true)?;
+        let file = similar(&Disk, name, &folders)?;
         Some(file.file_stem()?.to_str()?.to_string())
     }
 
@@ -211,6 +213,7 @@ mod tests {
     fn without_fonts_there_is_none() {
         assert_eq!(found("arial.ttf", &[&folder(&[])]), None);
         let fonts = folder(DEJAVU);
-        assert_eq!(similar("arial.ttf", &[fonts.path().into()], |_| false), None);
+        let nothing = Sandbox::default();
+        assert_eq!(similar(&Sandboxed::new(&Disk, &nothing), "arial.ttf", &[fonts.path().into()]), None);
     }
 }

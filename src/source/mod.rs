@@ -1,20 +1,26 @@
-//! The files of a scene: their text, places in them, and where they may be looked for.
+//! The files of a scene: storage, texts, positions in texts, the search path and the sandbox.
 
+mod disk;
 mod files;
 pub mod fonts;
+mod host;
+mod memory;
 mod read;
+mod recorder;
 mod sandbox;
 mod scenes;
 mod search;
-mod seen;
+mod sources;
 mod span;
-mod write;
 
-pub use files::{FileId, Place, Sources, decode_text};
+pub use disk::{Disk, Draft};
+pub use files::{Entry, FileKind, Files, Metadata, Stamp, WriteMode};
+pub use host::{Host, LocalHost};
+pub use memory::{Memory, Overlay};
 pub use read::{ReadError, read_text, text_of};
-pub use sandbox::Sandbox;
+pub use recorder::{ContentHash, ReadFiles, Recorder};
+pub use sandbox::{Sandbox, Sandboxed};
 pub use scenes::{scenes_below, texts_below};
 pub use search::{Found, SearchPath};
-pub use seen::{Seen, fingerprint, forget, note, read_bytes, seen};
+pub use sources::{FileId, Place, Sources, decode_text};
 pub use span::Span;
-pub use write::{Draft, check_writable, write_whole};

@@ -1,6 +1,6 @@
 //! Reads a text file, and tells a text from a picture, an archive or a program.
 
-use super::decode_text;
+use super::{Files, decode_text};
 use std::io;
 use std::path::Path;
 
@@ -25,11 +25,11 @@ impl From<io::Error> for ReadError {
 ///
 /// # Errors
 /// If it can't be read, is too long, or is no text.
-pub fn read_text(path: &Path) -> Result<String, ReadError> {
-    if path.is_dir() {
+pub fn read_text(files: &dyn Files, path: &Path) -> Result<String, ReadError> {
+    if files.is_folder(path) {
         return Err(ReadError::Folder);
     }
-    text_of(super::read_bytes(path)?)
+    text_of(files.read(path)?)
 }
 
 /// The text that these bytes are.

@@ -1,5 +1,6 @@
 //! The scenes in a folder.
 
+use super::{Entry, FileKind, Files};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -7,33 +8,32 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// If one of the folders can't be read.
-pub fn scenes_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    below(folder, &["scene", "pov"])
+pub fn scenes_below(files: &dyn Files, folder: &Path) -> io::Result<Vec<PathBuf>> {
+    below(files, folder, &["scene", "pov"])
 }
 
 /// Include files too.
 ///
 /// # Errors
 /// If one of the folders can't be read.
-pub fn texts_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    below(folder, &["scene", "pov", "inc"])
+pub fn texts_below(files: &dyn Files, folder: &Path) -> io::Result<Vec<PathBuf>> {
+    below(files, folder, &["scene", "pov", "inc"])
 }
 
-fn below(folder: &Path, endings: &[&str]) -> io::Result<Vec<PathBuf>> {
+fn below(files: &dyn Files, folder: &Path, endings: &[&str]) -> io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
-    search(folder, endings, &mut found)?;
+    search(files, folder, endings, &mut found)?;
     found.sort();
     Ok(found)
 }
 
-fn search(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in std::fs::read_dir(folder)? {
-        let entry = entry?;
-        let (path, name) = (entry.path(), entry.file_name());
-        // A link to a folder may lead in a circle.
-        if entry.file_type()?.is_dir() {
+fn search(files: &dyn Files, folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) -> io::Result<()> {
+    for Entry { name, kind } in files.list(folder)? {
+        let path = folder.join(&name);
+        // Links to folders are not followed: they may form a cycle.
+        if kind == FileKind::Folder {
             if !name.to_string_lossy().starts_with('.') && name != "target" {
-                search(&path, endings, found)?;
+                search(files, &path, endings, found)?;
             }
         } else if path.extension().is_some_and(|e| endings.iter().any(|ending| e == *ending)) {
             found.push(path.strip_prefix("./").unwrap_or(&path).to_path_buf());

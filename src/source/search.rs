@@ -1,5 +1,6 @@
 //! Where included files are looked for.
 
+use super::{Disk, Files};
 use std::path::{Component, Path, PathBuf};
 
 /// The folders in which an `#include` is looked for, in order.
@@ -33,7 +34,7 @@ impl SearchPath {
         if let Some(list) = std::env::var_os("DURER_INCLUDE") {
             folders.extend(std::env::split_paths(&list));
         }
-        folders.extend(INSTALLED.iter().map(PathBuf::from).filter(|p| p.is_dir()));
+        folders.extend(INSTALLED.iter().map(PathBuf::from).filter(|folder| Disk.is_folder(folder)));
         let installed = folders.iter().filter(|folder| is_installed(folder)).cloned();
         let fonts = super::fonts::folders().into_iter().chain(installed).collect();
         Self { folders, fonts }
@@ -47,16 +48,16 @@ impl SearchPath {
     }
 
     /// The first file or folder of that very name: what `file_exists` tells, as POV-Ray does.
-    pub fn find(&self, name: &str) -> Option<PathBuf> {
-        self.look(name, None, Path::exists)
+    pub fn find(&self, files: &dyn Files, name: &str) -> Option<PathBuf> {
+        self.look(name, None, |path| files.exists(path))
     }
 
     /// A file that is to be read. `including` is the file that names it; its folder comes last, since POV-Ray doesn't look there.
     /// A name without ending may stand for an `.inc`. What isn't there under its own name is looked for as other systems would:
     /// without regard to letter case, with `\` for `/`, and where nothing else helps by the last name of a DOS path.
-    pub fn resolve(&self, name: &str, including: Option<&Path>) -> Option<Found> {
+    pub fn resolve(&self, files: &dyn Files, name: &str, including: Option<&Path>) -> Option<Found> {
         let beside = including.and_then(Path::parent);
-        let exact = |name: &str| self.look(name, beside, Path::is_file);
+        let exact = |name: &str| self.look(name, beside, |path| files.is_file(path));
         let plain = |path| Found { path, portable: None };
         if let Some(path) = exact(name) {
             return Some(plain(path));
@@ -71,7 +72,7 @@ impl SearchPath {
         let names = [Some(slashed.as_str()), Some(last).filter(|_| is_dos)];
         names.into_iter().flatten().filter(|name| !name.is_empty()).find_map(|name| {
             let folders = self.folders.iter().map(PathBuf::as_path).chain(beside);
-            folders.into_iter().find_map(|folder| folded(folder, name))
+            folders.into_iter().find_map(|folder| folded(files, folder, name))
         })
     }
 
@@ -89,7 +90,7 @@ impl SearchPath {
 }
 
 /// A file below a folder by a name in which letter case counts nothing; never outside of the folder.
-fn folded(folder: &Path, name: &str) -> Option<Found> {
+fn folded(files: &dyn Files, folder: &Path, name: &str) -> Option<Found> {
     let (mut path, mut portable) = (folder.to_path_buf(), PathBuf::new());
     for part in Path::new(name).components() {
         let part = match part {
@@ -102,17 +103,16 @@ fn folded(folder: &Path, name: &str) -> Option<Found> {
             }
             _ => return None,
         };
-        let part = if path.join(part).exists() { part.to_string() } else { same_letters(&path, part)? };
+        let part = if files.exists(&path.join(part)) { part.to_string() } else { same_letters(files, &path, part)? };
         path.push(&part);
         portable.push(&part);
     }
-    path.is_file().then(|| Found { path, portable: Some(portable.to_string_lossy().replace('\\', "/")) })
+    files.is_file(&path).then(|| Found { path, portable: Some(portable.to_string_lossy().replace('\\', "/")) })
 }
 
 /// The first entry of a folder, by the alphabet, that differs in letter case only.
-fn same_letters(folder: &Path, name: &str) -> Option<String> {
-    let entries = std::fs::read_dir(folder).ok()?.flatten();
-    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+fn same_letters(files: &dyn Files, folder: &Path, name: &str) -> Option<String> {
+    let names = files.list(folder).ok()?.into_iter().filter_map(|entry| entry.name.into_string().ok());
     names.filter(|entry| entry.to_lowercase() == name.to_lowercase()).min()
 }
 
@@ -147,7 +147,7 @@ mod tests {
     fn names_are_found_as_other_systems_would() {
         let (folder, search) = search(&["Sub Dir/My Shapes.inc", "low.inc", "a.pov", "b.h", "Old.INC"]);
         let found = |name: &str| {
-            let found = search.resolve(name, None)?;
+            let found = search.resolve(&Disk, name, None)?;
             let path = found.path.strip_prefix(folder.path()).unwrap().to_str().unwrap().to_string();
             Some((path, found.portable))
         };
@@ -172,7 +172,7 @@ mod tests {
     fn the_folder_of_the_including_file_comes_last() {
         let (folder, search) = search(&["b.inc", "sub/b.inc", "sub/c.inc"]);
         let including = folder.path().join("sub/a.inc");
-        let found = |name: &str| search.resolve(name, Some(&including)).unwrap().path;
+        let found = |name: &str| search.resolve(&Disk, name, Some(&including)).unwrap().path;
         assert_eq!(found("b.inc"), folder.path().join("b.inc"));
         assert_eq!(found("c.inc"), folder.path().join("sub/c.inc"));
     }
@@ -180,9 +180,9 @@ mod tests {
     #[test]
     fn file_exists_wants_the_very_name() {
         let (_folder, search) = search(&["sub/low.inc"]);
-        assert!(search.find("sub/low.inc").is_some() && search.find("sub").is_some());
+        assert!(search.find(&Disk, "sub/low.inc").is_some() && search.find(&Disk, "sub").is_some());
         for name in ["sub/LOW.inc", "sub\\low.inc", "sub/low", ""] {
-            assert!(search.find(name).is_none(), "{name}");
+            assert!(search.find(&Disk, name).is_none(), "{name}");
         }
     }
 }

@@ -50,12 +50,12 @@ pub struct Finish {
     pub conserve_energy: bool,
     /// What few finishes say.
     #[serde(flatten)]
-    pub rare: SharedDefault<Rare>,
+    pub uncommon: SharedDefault<Uncommon>,
 }
 
 /// What few finishes say.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Rare {
+pub struct Uncommon {
     /// Of old scenes: the interior's, before what that says itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
@@ -117,14 +117,14 @@ impl Default for Finish {
             reflection: SharedDefault::DEFAULT,
             irid: None,
             conserve_energy: false,
-            rare: SharedDefault::DEFAULT,
+            uncommon: SharedDefault::DEFAULT,
         }
     }
 }
 
-impl StaticDefault for Rare {
+impl StaticDefault for Uncommon {
     fn static_default() -> &'static Self {
-        static NOTHING: Rare = Rare { ior: None, caustics: None, refraction: 1.0, unsupported: vec![] };
+        static NOTHING: Uncommon = Uncommon { ior: None, caustics: None, refraction: 1.0, unsupported: vec![] };
         &NOTHING
     }
 }
@@ -160,7 +160,7 @@ impl Finish {
                     r.leave()?;
                 }
                 Next::Word(word) | Next::Block(word) if FINISH.is_unsupported(word) => {
-                    f.rare.unsupported.push(r.read_unsupported(word)?)
+                    f.uncommon.unsupported.push(r.read_unsupported(word)?)
                 }
                 next if f.read_word(next, r)? => {}
                 _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),

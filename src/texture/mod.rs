@@ -17,7 +17,7 @@ pub mod words;
 pub use blend::{Blend, Map, Shares};
 pub use color_map::ColorMap;
 pub use doubts::tell_bytes;
-pub use finish::{Finish, Irid, Rare, Reflection};
+pub use finish::{Finish, Irid, Reflection, Uncommon};
 pub use image_map::ImageMap;
 pub use interior::Interior;
 pub use layers::{Choice, Layer, Material, Texture};

@@ -164,16 +164,16 @@ pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
     word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through")
         .sets(|s, r| set(&mut s.conserve_energy, r.flag())),
     word("ior", Float, "", "as in `interior`, which is newer; that of the topmost layer goes before the interior's")
-        .sets(|s, r| set(&mut s.rare.ior, r.float().map(Some))),
+        .sets(|s, r| set(&mut s.uncommon.ior, r.float().map(Some))),
     word("caustics", Float, "", "45 times what it is in `interior`, which is newer; the topmost layer's goes before")
-        .sets(|s, r| set(&mut s.rare.caustics, r.float().map(|x| Some(x / 45.0)))),
+        .sets(|s, r| set(&mut s.uncommon.caustics, r.float().map(|x| Some(x / 45.0)))),
     word(
         "refraction",
         Float,
         "1",
         "in old scenes: factor of the light that passes the topmost layer, but not of shadows",
     )
-    .sets(|s, r| set(&mut s.rare.refraction, r.float())),
+    .sets(|s, r| set(&mut s.uncommon.refraction, r.float())),
 ];
 
 /// `finish { … }`

@@ -8,7 +8,7 @@ use crate::font::Font;
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::mesh_io::MeshFile;
-use crate::source::Span;
+use crate::source::{Files, Span};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -149,6 +149,8 @@ pub trait Reader {
     fn pass(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
     /// The file of this name where scenes look for theirs, if it is there and may be read; `at` is the name's place.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
+    /// The storage that the scene may read from.
+    fn files(&self) -> &dyn Files;
     /// The font of this name, whose place is `at`, or one that looks like it, which is told.
     fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
     /// Consumes a picture file's name, and decodes the file; fails where it is not found or not understood.

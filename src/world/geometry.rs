@@ -1,6 +1,6 @@
 //! Everything that a ray can hit.
 
-use super::copied::Copied;
+use super::instance::Instance;
 use super::leaf::{Intersection, Intersections, Leaf};
 use super::node::{NodeParts, SolidKind, SolidNode};
 use crate::math::bvh::{self, Bvh};
@@ -26,7 +26,7 @@ pub struct Geometry {
 enum Item {
     Solid(SolidNode),
     /// Several solids that many objects share; all rays that see one of them see the others.
-    Copied(Copied),
+    Instance(Instance),
 }
 
 /// What was in the way of a ray.
@@ -35,20 +35,20 @@ pub struct Blocker(usize);
 
 /// A solid where it stands.
 #[derive(Clone, Copy, Debug)]
-pub struct Standing<'a> {
+pub struct PlacedSolid<'a> {
     /// In the space of `copied`, if it is a part of that.
     node: &'a SolidNode,
-    copied: Option<&'a Copied>,
+    copied: Option<&'a Instance>,
 }
 
 /// Objects before there is a hierarchy over them.
 #[derive(Debug, Default)]
-pub(super) struct Heap {
+pub(super) struct GeometryBuilder {
     finite: Vec<Item>,
     infinite: Vec<SolidNode>,
 }
 
-impl Heap {
+impl GeometryBuilder {
     /// Adds an object. Unions that keep all surfaces of their children are taken apart, so that each child has its own place
     /// in the hierarchy: what holds for the union as a whole must be said of each child.
     pub fn add(&mut self, object: SolidNode) {
@@ -64,19 +64,19 @@ impl Heap {
     }
 
     /// Adds what shares its parts with others, whose box [`bvh::fits`].
-    pub fn add_copied(&mut self, copied: Copied) {
-        self.finite.push(Item::Copied(copied));
+    pub fn add_copied(&mut self, copied: Instance) {
+        self.finite.push(Item::Instance(copied));
     }
 }
 
-impl Extend<SolidNode> for Heap {
+impl Extend<SolidNode> for GeometryBuilder {
     fn extend<T: IntoIterator<Item = SolidNode>>(&mut self, objects: T) {
         objects.into_iter().for_each(|object| self.add(object));
     }
 }
 
-impl From<Heap> for Geometry {
-    fn from(Heap { finite: mut items, infinite }: Heap) -> Self {
+impl From<GeometryBuilder> for Geometry {
+    fn from(GeometryBuilder { finite: mut items, infinite }: GeometryBuilder) -> Self {
         let (bvh, order) = Bvh::build(items.iter().map(Item::bounds));
         put_in_order(&mut items, order);
         let finite = items.len();
@@ -90,9 +90,9 @@ impl From<Heap> for Geometry {
 impl Geometry {
     /// Over these objects; unions among them are taken apart.
     pub fn new(roots: Vec<SolidNode>) -> Self {
-        let mut heap = Heap::default();
-        heap.extend(roots);
-        heap.into()
+        let mut builder = GeometryBuilder::default();
+        builder.extend(roots);
+        builder.into()
     }
 
     /// Is there nothing?
@@ -101,16 +101,16 @@ impl Geometry {
     }
 
     /// All objects, in no particular order.
-    pub fn items(&self) -> impl Iterator<Item = Standing<'_>> {
+    pub fn items(&self) -> impl Iterator<Item = PlacedSolid<'_>> {
         self.items.iter().flat_map(|item| {
             let (solid, copied) = match item {
-                Item::Solid(node) => (Some(Standing { node, copied: None }), None),
-                Item::Copied(copied) => (None, Some(copied)),
+                Item::Solid(node) => (Some(PlacedSolid { node, copied: None }), None),
+                Item::Instance(copied) => (None, Some(copied)),
             };
             // (What is shared holds no copies itself.)
             let shared = copied
                 .into_iter()
-                .flat_map(|copied| copied.shared().solids().map(|node| Standing { node, copied: Some(copied) }));
+                .flat_map(|copied| copied.shared().solids().map(|node| PlacedSolid { node, copied: Some(copied) }));
             solid.into_iter().chain(shared)
         })
     }
@@ -119,7 +119,7 @@ impl Geometry {
     pub(super) fn solids(&self) -> impl Iterator<Item = &SolidNode> {
         self.items.iter().filter_map(|item| match item {
             Item::Solid(node) => Some(node),
-            Item::Copied(_) => None,
+            Item::Instance(_) => None,
         })
     }
 
@@ -209,14 +209,14 @@ impl Geometry {
 
     /// Hands every shape that the ray meets in the range to `visit` with the object that it is a part of, whether or not the object
     /// keeps its surface there.
-    pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Standing<'a>, Intersection<'a>)) {
+    pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(PlacedSolid<'a>, Intersection<'a>)) {
         self.meet(ray, range, |i, range| {
             match &self.items[i] {
                 Item::Solid(node) => {
-                    node.shapes_at(ray, range, &mut |found| visit(Standing { node, copied: None }, found));
+                    node.shapes_at(ray, range, &mut |found| visit(PlacedSolid { node, copied: None }, found));
                 }
-                Item::Copied(copied) => copied.shared().shapes_at(&copied.local(ray), range, &mut |part, found| {
-                    visit(Standing { copied: Some(copied), ..part }, copied.own(found));
+                Item::Instance(copied) => copied.shared().shapes_at(&copied.local(ray), range, &mut |part, found| {
+                    visit(PlacedSolid { copied: Some(copied), ..part }, copied.own(found));
                 }),
             }
             ControlFlow::Continue(range.max)
@@ -224,12 +224,12 @@ impl Geometry {
     }
 
     /// Tells `visit` every object that the point is inside of, in no particular order.
-    pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(Standing<'a>)) {
+    pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
         let mut ask = |item: &'a Item| match item {
-            Item::Solid(node) if node.inside(p) => visit(Standing { node, copied: None }),
+            Item::Solid(node) if node.inside(p) => visit(PlacedSolid { node, copied: None }),
             Item::Solid(_) => {}
-            Item::Copied(copied) => copied.shared().containing(copied.local_point(p), &mut |part| {
-                visit(Standing { copied: Some(copied), ..part });
+            Item::Instance(copied) => copied.shared().containing(copied.local_point(p), &mut |part| {
+                visit(PlacedSolid { copied: Some(copied), ..part });
             }),
         };
         self.items[self.finite..].iter().for_each(&mut ask);
@@ -260,14 +260,14 @@ impl Item {
     fn object(&self) -> u32 {
         match self {
             Self::Solid(node) => node.object,
-            Self::Copied(copied) => copied.object(),
+            Self::Instance(copied) => copied.object(),
         }
     }
 
     fn bounds(&self) -> Aabb {
         match self {
             Self::Solid(node) => node.bounds(),
-            Self::Copied(copied) => copied.bounds(),
+            Self::Instance(copied) => copied.bounds(),
         }
     }
 
@@ -279,26 +279,26 @@ impl Item {
     fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match self {
             Self::Solid(node) => node.closest(ray, range),
-            Self::Copied(copied) => copied.closest(ray, range),
+            Self::Instance(copied) => copied.closest(ray, range),
         }
     }
 
     fn any(&self, ray: &Ray, range: Range) -> bool {
         match self {
             Self::Solid(node) => node.any(ray, range),
-            Self::Copied(copied) => copied.shared().any(&copied.local(ray), range, |_| true),
+            Self::Instance(copied) => copied.shared().any(&copied.local(ray), range, |_| true),
         }
     }
 
     fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         match self {
             Self::Solid(node) => node.hits(ray, range, out),
-            Self::Copied(copied) => copied.hits(ray, range, out),
+            Self::Instance(copied) => copied.hits(ray, range, out),
         }
     }
 }
 
-impl<'a> Standing<'a> {
+impl<'a> PlacedSolid<'a> {
     /// The caller's number for the object.
     pub fn object(&self) -> u32 {
         self.copied.map_or(self.node.object, |copied| copied.object_of(self.node))

@@ -1,6 +1,6 @@
 //! A shape in the world, and the hits that are found on it.
 
-use super::copied::Copied;
+use super::instance::Instance;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
 use crate::shape::{Hit, Hits, Kernel, Shape};
 use crate::value::SharedDefault;
@@ -31,7 +31,7 @@ pub struct Intersection<'a> {
     /// [`super::SolidNode::object`] of the outermost node that was asked.
     pub object: u32,
     /// What the shape is a part of, if that is a copy.
-    pub(super) copied: Option<&'a Copied>,
+    pub(super) copied: Option<&'a Instance>,
 }
 
 /// Hits of a tree.
@@ -188,7 +188,7 @@ impl Intersection<'_> {
         let local = self.copied.map_or(*ray, |copied| copied.local(ray));
         let object_point = self.leaf.local(&local).at(self.hit.t);
         let normal = shape.normal(object_point, &self.hit);
-        let around = self.copied.and_then(Copied::place);
+        let around = self.copied.and_then(Instance::place);
         let places = [place.as_deref(), around].into_iter().flatten();
         let (point, normal) = places.fold((object_point, normal), |(p, n), m| (m.point(p), m.normal(n)));
         let normal = if *inverse { -normal } else { normal };

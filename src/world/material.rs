@@ -230,7 +230,7 @@ impl LoweredFinish {
             crand: f.crand,
             irid: f.irid.clone().filter(|irid| irid.amount > 0.0),
             mirror: (!f.reflection.is_none()).then(|| Box::new((*f.reflection).clone())),
-            refraction: f.rare.refraction,
+            refraction: f.uncommon.refraction,
             conserve_energy: f.conserve_energy,
         }
     }

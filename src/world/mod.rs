@@ -2,31 +2,31 @@
 
 mod child_bvh;
 mod convex_interval;
-mod copied;
 mod geometry;
 mod halfspace;
+mod instance;
 mod leaf;
 mod lower;
 mod material;
-mod nearness;
 mod node;
 mod probe;
+mod ray_epsilon;
 mod sky;
 
-pub use geometry::{Blocker, Geometry, Standing};
+pub use geometry::{Blocker, Geometry, PlacedSolid};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
-pub use nearness::Nearness;
 pub use node::{SolidKind, SolidNode};
 pub use probe::Probe;
+pub use ray_epsilon::RayEpsilon;
 pub use sky::Sky;
 
 use crate::atmosphere::{Fog, Rainbow};
-use crate::camera::Eye;
+use crate::camera::LoweredCamera;
 use crate::color::Gamma;
 use crate::color::Rgb;
-use crate::light::Lamp;
+use crate::light::LoweredLight;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
@@ -38,19 +38,19 @@ use std::sync::Arc;
 #[derive(Debug, Serialize)]
 pub struct World {
     /// Where rays begin.
-    pub eye: Eye,
+    pub eye: LoweredCamera,
     /// The text of the camera; none of the one that stands for a missing one.
     #[serde(skip)]
     pub camera_source: Span,
     /// All objects.
     pub geometry: Geometry,
     /// Nearer to where they begin, rays meet nothing.
-    pub nearness: Nearness,
+    pub epsilon: RayEpsilon,
     /// By [`Intersection::part`].
     pub parts: Vec<Part>,
     /// By [`SolidNode::object`].
     pub objects: Vec<ObjectInfo>,
-    /// By [`RarePart::cut`]: what can be cut. At a point, all that hold it are seen in equal parts, and [`Part::outside`] where none does.
+    /// By [`UncommonPart::cut`]: what can be cut. At a point, all that hold it are seen in equal parts, and [`Part::outside`] where none does.
     pub cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
     /// By [`PlacedMaterial::material`].
     pub materials: Vec<Material>,
@@ -64,7 +64,7 @@ pub struct World {
     pub filled: Vec<bool>,
     /// All lights.
     pub lights: Vec<LightSource>,
-    /// By [`RarePart::lights`]: which lights shine on it.
+    /// By [`UncommonPart::lights`]: which lights shine on it.
     pub lit_by: Vec<Box<[u32]>>,
     /// What rays see that hit nothing.
     pub sky: Sky,
@@ -99,7 +99,7 @@ pub struct Part {
     pub outside: PlacedMaterial,
     /// What few of them have.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub rare: Option<Box<RarePart>>,
+    pub uncommon: Option<Box<UncommonPart>>,
     /// Number of what fills it.
     pub interior: u32,
     /// Light from behind counts as light from the front.
@@ -115,12 +115,12 @@ pub struct Part {
 
 /// What else may be seen of a leaf than its own materials.
 #[derive(Clone, Debug, Default, Serialize)]
-pub struct RarePart {
+pub struct UncommonPart {
     /// Seen from inside, if that differs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inside: Option<PlacedMaterial>,
     /// The textures that the shape carries itself; number 1 is the first.
-    pub carried: Box<[PlacedMaterial]>,
+    pub embedded: Box<[PlacedMaterial]>,
     /// Number of the set of lights that shine on it; 0: those of no group.
     pub lights: u32,
     /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
@@ -139,7 +139,7 @@ pub struct PlacedMaterial {
 impl Part {
     /// Number of the set of lights that shine on it.
     pub fn lights(&self) -> u32 {
-        self.rare.as_ref().map_or(0, |rare| rare.lights)
+        self.uncommon.as_ref().map_or(0, |uncommon| uncommon.lights)
     }
 }
 
@@ -179,7 +179,7 @@ pub struct LightSource {
     #[serde(skip)]
     pub number: usize,
     /// How it shines.
-    pub lamp: Lamp,
+    pub emitter: LoweredLight,
     /// Only what passes this shines, and nothing between the two is in the way (`projected_through`).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub through: Option<Box<Geometry>>,

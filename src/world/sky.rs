@@ -1,7 +1,7 @@
 //! What lies behind everything: asked by direction.
 
 use super::LayerColor;
-use crate::atmosphere::{Background, Beholder, SkySphere, Veil};
+use crate::atmosphere::{Background, Segment, SkySphere, ViewKind};
 use crate::color::{Color, Rgb};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
@@ -52,8 +52,8 @@ impl Sky {
         self.by_share
     }
 
-    /// Its light from a direction of length 1, and what passes of what is behind the picture.
-    pub fn toward(&self, dir: DVec3, beholder: Beholder, quick: bool, noise: NoiseGenerator, waves: usize) -> Veil {
+    /// Its light from a direction of length 1, and what transmittance of what is behind the picture.
+    pub fn toward(&self, dir: DVec3, beholder: ViewKind, quick: bool, noise: NoiseGenerator, waves: usize) -> Segment {
         let behind = self.background.seen_by(beholder);
         if self.layers.is_empty() {
             return behind;
@@ -70,17 +70,17 @@ impl Sky {
     }
 
     /// Each layer, from the topmost on, over what lies below it.
-    fn layered(&self, colors: impl Iterator<Item = Color>, behind: Veil) -> Veil {
-        let veil = |color: Color| Veil {
-            adds: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
-            passes: color.passing(),
+    fn layered(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
+        let veil = |color: Color| Segment {
+            radiance: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
+            transmittance: color.passing(),
         };
-        colors.fold(Veil::NONE, |above, color| above.before(veil(color))).before(behind)
+        colors.fold(Segment::NONE, |above, color| above.before(veil(color))).before(behind)
     }
 
-    /// As before 3.7: each by its share; what passes them all takes the colour of all at once (measured on POV-Ray 3.7 with
+    /// As before 3.7: each by its share; what transmittance them all takes the colour of all at once (measured on POV-Ray 3.7 with
     /// `#version 3.6`).
-    fn by_share(&self, colors: impl Iterator<Item = Color>, behind: Veil) -> Veil {
+    fn by_share(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let (mut light, mut share) = (Rgb::ZERO, 1.0);
         let (mut transmit, mut filter, mut tint) = (1.0, 1.0, Rgb::ONE);
         for color in colors {
@@ -88,7 +88,7 @@ impl Sky {
             share *= color.filter + color.transmit;
             (transmit, filter, tint) = (transmit * color.transmit, filter * color.filter, tint * color.rgb);
         }
-        Veil { adds: self.emission * light, passes: Rgb::splat(transmit) + filter * tint }.before(behind)
+        Segment { radiance: self.emission * light, transmittance: Rgb::splat(transmit) + filter * tint }.before(behind)
     }
 }
 
@@ -106,7 +106,7 @@ mod tests {
             ..Scene::default()
         };
         scene.settings.sky_by_share = by_share;
-        Sky::new(&scene).toward(DVec3::Y, Beholder::Opaque, false, NoiseGenerator::default(), 10).adds
+        Sky::new(&scene).toward(DVec3::Y, ViewKind::Opaque, false, NoiseGenerator::default(), 10).radiance
     }
 
     #[test]

@@ -150,7 +150,8 @@ fn pictures(folder: &Path) -> Vec<PathBuf> {
 /// A scene beside POV-Ray's picture of it.
 fn looks_alike(path: &Path) -> Result<(), Failed> {
     let found = durer::on_big_stack(|| draw(path))?;
-    let wanted = decode_file(&path.with_extension("png")).map_err(|e| e.message.clone())?.to_frame();
+    let wanted =
+        decode_file(&durer::source::Disk, &path.with_extension("png")).map_err(|e| e.message.clone())?.to_frame();
     if (wanted.width, wanted.height) != SIZE {
         return Err(format!("POV-Ray's picture is {} by {}", wanted.width, wanted.height).into());
     }

@@ -8,7 +8,7 @@ use std::path::Path;
 
 pub fn group() -> Group {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let cases = durer::snapshot::find(&[root.join("scenes")]).unwrap_or_default();
+    let cases = durer::snapshot::find(&durer::source::Disk, &[root.join("scenes")]).unwrap_or_default();
     let trial = |case: durer::snapshot::Case| {
         let name = case.scene.strip_prefix(root).unwrap_or(&case.scene).display().to_string();
         Trial::test(format!("snapshots::{name}"), move || {

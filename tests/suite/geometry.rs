@@ -5,7 +5,7 @@ mod dice;
 use dice::Dice;
 use durer::math::{DVec3, Range, Ray, Transform};
 use durer::shape::*;
-use durer::world::{Geometry, Intersection, Intersections, Leaf, SolidNode, Standing};
+use durer::world::{Geometry, Intersection, Intersections, Leaf, PlacedSolid, SolidNode};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
@@ -307,8 +307,8 @@ proptest! {
             let mut inside = vec![];
             geometry.containing(p, &mut |item| inside.push(item.object()));
             // Of a disc, or a ball that is solid all around, whether points beyond its box count is left open.
-            let plate = |n: &Standing| matches!(n.node().kind(), durer::world::SolidKind::Leaf(l) if l.shape.is_solid_unbounded());
-            let all = |n: &Standing| n.inside(p) && !plate(n);
+            let plate = |n: &PlacedSolid| matches!(n.node().kind(), durer::world::SolidKind::Leaf(l) if l.shape.is_solid_unbounded());
+            let all = |n: &PlacedSolid| n.inside(p) && !plate(n);
             let mut want: Vec<u32> = geometry.items().filter(all).map(|n| n.object()).collect();
             let plates: Vec<u32> = geometry.items().filter(|n| plate(n)).map(|n| n.object()).collect();
             inside.retain(|object| !plates.contains(object));

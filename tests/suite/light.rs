@@ -58,7 +58,7 @@ fn light_from_behind() {
     assert_gray(&behind(Finish { diffuse_back: 0.0, ..back.clone() }), 0.0);
     // `double_illuminate` takes the front's diffuse and no highlight
     let mut both = behind(back);
-    both.objects[0].rare.flags.double_illuminate = true;
+    both.objects[0].uncommon.flags.double_illuminate = true;
     assert_gray(&both, 0.5 * 0.5 * cos);
 }
 
@@ -128,7 +128,7 @@ fn shadows_through_layers() {
     assert_gray(&with(ball.clone().painted(rgbft([1.0, 1.0, 1.0, 0.0, 0.5]), dull())), 0.25 * 0.5f64.sqrt());
     assert_gray(&with(ball.clone().painted(rgb(1.0, 1.0, 1.0), dull())), 0.0);
     let mut ghost = ball.painted(rgb(1.0, 1.0, 1.0), dull());
-    ghost.rare.flags.no_shadow = true;
+    ghost.uncommon.flags.no_shadow = true;
     assert_gray(&with(ghost), 0.5f64.sqrt());
 }
 
@@ -136,7 +136,7 @@ fn shadows_through_layers() {
 fn mirrors() {
     let mut scene = wall(rgb(1.0, 1.0, 1.0), mirror(0.4), vec![plane(Z, -9.0).painted(rgb(0.5, 0.2, 1.0), glowing())]);
     assert_near(look(&scene), [0.2, 0.08, 0.4]);
-    scene.objects[1].rare.flags.no_reflection = true;
+    scene.objects[1].uncommon.flags.no_reflection = true;
     assert_gray(&scene, 0.0);
     // an exponent bends what is reflected
     let mut finish = mirror(0.4);
@@ -228,7 +228,7 @@ fn snell() {
     let inner = (angle.sin() / n).asin();
     assert_near(look(&scene), [(50.0 + 2.0 * inner.tan() + 8.0 * angle.tan()) / 100.0; 3]);
     // without bending
-    scene.objects[0].rare.interior = None;
+    scene.objects[0].uncommon.interior = None;
     assert_near(look(&scene), [(50.0 + 10.0 * angle.tan()) / 100.0; 3]);
     // begun in the glass
     let inside = crate::scene_builder::scene(v(0.0, 50.0, 1.0), dir, {
@@ -336,7 +336,7 @@ fn what_fades_inside_is_less_see_through() {
     // background of transmit 0.4)
     let interior = Interior { fade_distance: 2.0, fade_power: 3.0, ..Interior::default() };
     let mut glass = sphere(DVec3::ZERO, 1.0).painted(CLEAR, dull());
-    glass.rare.interior = Some(std::sync::Arc::new(interior));
+    glass.uncommon.interior = Some(std::sync::Arc::new(interior));
     let mut scene = scene(-5.0 * Z, Z, vec![glass]);
     assert_near(look_with(&scene, |o| o.alpha = true), [0.0, 0.0, 0.0, 0.5]);
     scene.background = Some(Background { color: rgbft([1.0, 0.8, 0.3, 0.0, 0.4]), by_picture: false });

@@ -31,7 +31,7 @@ fn texts() -> Vec<(PathBuf, String)> {
     gather(Path::new("/usr/share/povray-3.7/include"), &mut files);
     gather(Path::new("/usr/share/doc/povray/examples"), &mut files);
     files.sort();
-    let read = |path: PathBuf| durer::source::read_text(&path).ok().map(|text| (path, text));
+    let read = |path: PathBuf| durer::source::read_text(&durer::source::Disk, &path).ok().map(|text| (path, text));
     // Half a megabyte of numbers is like another.
     files.into_iter().filter_map(read).filter(|(_, text)| text.len() < 500_000).collect()
 }

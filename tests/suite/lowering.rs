@@ -138,7 +138,7 @@ fn textures_move_with_their_blocks() {
 #[test]
 fn what_a_group_says_holds_for_its_parts() {
     let mut group = csg(CsgOp::Union, vec![sphere(DVec3::ZERO, 1.0)]);
-    group.rare.flags.no_image = true;
+    group.uncommon.flags.no_image = true;
     assert_gray(&scene(-5.0 * Z, Z, vec![group.painted(rgb(1.0, 1.0, 1.0), glowing())]), 0.0);
     // a part without texture beside one that has one gets the default
     let base = sphere(DVec3::ZERO, 2.0).painted(rgb(1.0, 0.0, 0.0), glowing());
@@ -148,16 +148,16 @@ fn what_a_group_says_holds_for_its_parts() {
     let mut cut = csg(CsgOp::Difference, vec![base, hole]);
     cut.default_texture = default;
     assert_near(look(&scene(-5.0 * Z, Z, vec![cut.clone()])), [1.0, 1.0, 1.0]);
-    cut.rare.flags.cutaway_textures = true;
+    cut.uncommon.flags.cutaway_textures = true;
     assert_near(look(&scene(-5.0 * Z, Z, vec![cut])), [1.0, 0.0, 0.0]);
 }
 
 #[test]
 fn inverse_and_inside_textures() {
     let mut ball = sphere(-5.0 * Z, 1.0).painted(rgb(1.0, 0.0, 0.0), glowing());
-    ball.rare.interior_texture = Some(texture([(Pigment::solid(rgb(0.0, 1.0, 0.0)), glowing())]));
+    ball.uncommon.interior_texture = Some(texture([(Pigment::solid(rgb(0.0, 1.0, 0.0)), glowing())]));
     assert_near(look(&scene(-5.0 * Z, Z, vec![ball.clone()])), [0.0, 1.0, 0.0]);
-    ball.rare.flags.inverse = true;
+    ball.uncommon.flags.inverse = true;
     assert_near(look(&scene(-5.0 * Z, Z, vec![ball])), [1.0, 0.0, 0.0]);
 }
 
@@ -165,7 +165,7 @@ fn inverse_and_inside_textures() {
 fn clipped_objects() {
     let mut ball = sphere(DVec3::ZERO, 1.0);
     // only what is behind z = 0; and what clips moves along
-    ball.rare.clipped_by = Some([plane(-Z, 0.0)].into());
+    ball.uncommon.clipped_by = Some([plane(-Z, 0.0)].into());
     let at = |o: Object| pick(&lower(&scene(-5.0 * Z, Z, vec![o])).unwrap(), &Options::new(1, 1), 0, 0).unwrap().t;
     assert_near([at(ball.clone()), at(ball.moved(Transform::translate(2.0 * Z)))], [6.0, 8.0]);
 }

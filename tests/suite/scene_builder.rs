@@ -105,7 +105,7 @@ impl Looks for Object {
     }
 
     fn filled(mut self, ior: f64) -> Self {
-        self.rare.interior = Some(Arc::new(Interior { ior, ..Interior::default() }));
+        self.uncommon.interior = Some(Arc::new(Interior { ior, ..Interior::default() }));
         self
     }
 }

@@ -93,7 +93,7 @@ fn parting(a: &str, b: &str) -> String {
 
 /// What differs, if anything.
 fn compare(path: &Path, max_steps: u64) -> Option<String> {
-    let text = durer::source::read_text(path).ok()?;
+    let text = durer::source::read_text(&durer::source::Disk, path).ok()?;
     let whole = run(path, &text, Granularity::Whole, max_steps);
     let single = run(path, &text, Granularity::Tokens, max_steps);
     if std::env::var_os("WHOLES_SHOW").is_some() {

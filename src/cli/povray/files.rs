@@ -34,7 +34,8 @@ impl<'s> Files<'s> {
             fault.labels.extend((!span.is_none()).then_some(crate::diagnostic::Label { span, text: String::new() }));
             Box::new(fault)
         };
-        let text = read_text(&path).map_err(|e| here(file::unreadable(&path, &e)))?;
+        let text = read_text(self.sources.files(), &path)
+            .map_err(|e| here(file::unreadable(self.sources.files(), &path, &e)))?;
         let name = path.display().to_string();
         let Some(file) = self.sources.add(&name, Some(&path), text) else {
             return Diagnostic::err(codes::FILE_UNREADABLE, span, format!("`{name}` is too large"));

@@ -12,7 +12,7 @@ use super::values::Seconds;
 use super::{render, session};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::preview::{Files, Screen, serve};
-use crate::source::{self, Span};
+use crate::source::{ReadFiles, Span};
 use desk::Desk;
 use std::path::Path;
 use std::sync::Arc;
@@ -55,8 +55,8 @@ fn redraw(console: &Console, args: &WatchArgs) -> Result {
     let files = files(&desk);
     loop {
         let stop = desk.next().stop;
-        source::forget();
-        let drawn = render::run(console, &RenderArgs { stop: Some(stop.clone()), ..as_render(args) });
+        let args_of_run = RenderArgs { stop: Some(stop.clone()), ..as_render(args) };
+        let (drawn, read) = render::run_and_record(console, &args_of_run, ReadFiles::new());
         let failed = match drawn {
             Err(Failure::Told(Exit::Interrupted)) => return Ok(Exit::Interrupted),
             Ok(exit) => exit != Exit::Fine,
@@ -65,7 +65,7 @@ fn redraw(console: &Console, args: &WatchArgs) -> Result {
         if !failed && !Desk::is_stopped(&stop) {
             console.note(&format!("{}: drawn; waiting for the next change\n", args.input.display()));
         }
-        files.follow(&source::seen(), &args.input, failed);
+        files.follow(&read, &args.input, failed);
     }
 }
 

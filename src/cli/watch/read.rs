@@ -9,7 +9,7 @@ use crate::cli::{overlay, session};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::preview::{Link, Message, Settings};
-use crate::source::{Sandbox, Sources, Span};
+use crate::source::{ReadFiles, Sandbox, Sources, Span};
 use crate::world::World;
 use crate::{Keep, render};
 use std::path::Path;
@@ -37,6 +37,8 @@ pub struct Read {
     pub failed: bool,
     pub size: Option<Size>,
     pub clock: [f64; 3],
+    /// The files that were read.
+    pub files: ReadFiles,
     /// For text → Scene, and Scene → World.
     pub times: [Duration; 2],
 }
@@ -55,6 +57,7 @@ pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, stop: &Arc
         }
         Err(told) => told,
     };
+    out.files = sources.read_files();
     if super::Desk::is_stopped(stop) {
         return out;
     }

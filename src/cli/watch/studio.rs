@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Rows;
 use crate::preview::{self, Change, Files, Message, Screen, Settings, Spot, Told};
 use crate::render::{self, Rays, Region, Stopped};
-use crate::source::{self, Sources, Span};
+use crate::source::{Sources, Span};
 use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -67,13 +67,12 @@ impl Studio {
             if wish == Wish::Scene || scene.is_none() {
                 told.status = "reading";
                 self.screen.tell(told.clone());
-                source::forget();
                 let read = self.read(console, &told.settings, &stop);
-                let failed = read.failed;
+                let (failed, files_read) = (read.failed, read.files.clone());
                 if !Desk::is_stopped(&stop) {
                     scene = take(&mut told, read);
                 }
-                files.follow(&source::seen(), &self.args.input, failed);
+                files.follow(&files_read, &self.args.input, failed);
             }
             if Desk::is_stopped(&stop) {
                 continue;

@@ -39,9 +39,9 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `min_extent(Object)`, `max_extent(Object)`
-    pub(super) fn extent(&mut self, object: &Argument<'a>, max: bool) -> Result<Value> {
-        let extent = self.object_argument(object)?.extent();
-        Ok(Value::Vector(if max { extent.max } else { extent.min }.into()))
+    pub(super) fn pov_bounds(&mut self, object: &Argument<'a>, max: bool) -> Result<Value> {
+        let pov_bounds = self.object_argument(object)?.pov_bounds();
+        Ok(Value::Vector(if max { pov_bounds.max } else { pov_bounds.min }.into()))
     }
 
     /// Gives a name or an array's element a value.

@@ -80,14 +80,14 @@ pub(super) const TABLE: &[Special] = &[
         usage: "(Object)",
         summary: "the corner of the box around it with the smallest x, y and z",
         arity: 1..=1,
-        run: Some(|me, a, _| me.extent(&a[0], false)),
+        run: Some(|me, a, _| me.pov_bounds(&a[0], false)),
     },
     Special {
         name: "max_extent",
         usage: "(Object)",
         summary: "the opposite corner",
         arity: 1..=1,
-        run: Some(|me, a, _| me.extent(&a[0], true)),
+        run: Some(|me, a, _| me.pov_bounds(&a[0], true)),
     },
     Special {
         name: "seed",
@@ -116,7 +116,8 @@ impl<'a> Interpreter<'a> {
     /// A file that may not be read is not there.
     fn file_exists(&mut self, path: &Argument<'a>) -> Result<Value> {
         let name = self.argument_text(path)?;
-        let found = self.inputs.options.search.find(&name).filter(|path| self.inputs.options.sandbox.may_read(path));
+        let found =
+            self.inputs.options.search.find(self.inputs.files, &name).filter(|path| self.inputs.files.may_read(path));
         Ok(Value::Float(f64::from(found.is_some())))
     }
 

@@ -6,10 +6,10 @@ use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
 use crate::interpreter::evaluator::Slot;
 use crate::interpreter::stream::Token;
-use crate::source::{FileId, Span};
+use crate::source::{FileId, Files, Span, WriteMode};
 use crate::syntax::ast::{ElementKind, Expr, ExprKind, Symbol};
 use crate::value::Value;
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -17,7 +17,6 @@ use std::rc::Rc;
 const MAX_WRITTEN: u64 = 4 << 30;
 
 /// A file between its `#fopen` and its `#fclose`.
-#[derive(Debug)]
 pub(in crate::interpreter) struct OpenFile {
     /// As the scene calls it.
     name: String,
@@ -27,14 +26,13 @@ pub(in crate::interpreter) struct OpenFile {
     span: Span,
 }
 
-#[derive(Debug)]
 enum Access {
     /// How far its text has been read.
     Read {
         file: FileId,
         at: usize,
     },
-    Write(std::io::BufWriter<std::fs::File>),
+    Write(BufWriter<Box<dyn Write + Send>>),
     Closed,
 }
 
@@ -62,8 +60,8 @@ impl<'a> Interpreter<'a> {
         // What is done with a file that could not be opened is no fault of its own.
         let file =
             file.inspect_err(|_| self.evaluator.scopes_mut().set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
-        self.files.push(file);
-        self.evaluator.scopes_mut().set_global(symbol, Slot::File(self.files.len() - 1), vec![]);
+        self.open_files.push(file);
+        self.evaluator.scopes_mut().set_global(symbol, Slot::File(self.open_files.len() - 1), vec![]);
         Ok(())
     }
 
@@ -119,20 +117,20 @@ impl<'a> Interpreter<'a> {
 
     fn open_to_write(&mut self, name: &str, append: bool, span: Span) -> Result<OpenFile> {
         let path = PathBuf::from(name);
-        if !self.inputs.options.sandbox.may_write(&path) {
+        if !self.inputs.files.may_write(&path) {
             let message = format!("the scene may not write `{name}`");
             return Diagnostic::new(codes::FORBIDDEN_FILE, span, message)
                 .help("scenes write below the current folder only; --allow-write DIR allows another one")
                 .into();
         }
-        let file = std::fs::OpenOptions::new().create(true).write(true).append(append).truncate(!append).open(&path);
-        match file {
+        let mode = if append { WriteMode::Append } else { WriteMode::Truncate };
+        match self.inputs.files.open_writer(&path, mode) {
             Ok(file) => {
-                self.inputs.parsed.forget(&path);
-                let access = Access::Write(std::io::BufWriter::new(file));
+                self.inputs.parsed.forget(self.inputs.files, &path);
+                let access = Access::Write(BufWriter::new(file));
                 Ok(OpenFile { name: name.into(), path, access, span })
             }
-            Err(error) => Err(unwritable(&path, &error, span).into()),
+            Err(error) => Err(unwritable(self.inputs.files, &path, &error, span).into()),
         }
     }
 
@@ -147,19 +145,19 @@ impl<'a> Interpreter<'a> {
 
     /// Closes a file; what was written last reaches it only now, or not.
     fn flush(&mut self, index: usize, span: Span) {
-        let file = &mut self.files[index];
+        let file = &mut self.open_files[index];
         let written = match std::mem::replace(&mut file.access, Access::Closed) {
             Access::Write(mut out) => out.flush(),
             _ => Ok(()),
         };
-        let fault = written.err().map(|error| unwritable(&file.path, &error, span));
-        self.inputs.parsed.forget(&file.path);
+        let fault = written.err().map(|error| unwritable(self.inputs.files, &file.path, &error, span));
+        self.inputs.parsed.forget(self.inputs.files, &file.path);
         fault.into_iter().for_each(|fault| self.reporter.report(fault));
     }
 
     /// Closes what the scene has left open.
     pub(in crate::interpreter) fn close_files(&mut self) {
-        (0..self.files.len()).for_each(|index| self.flush(index, self.files[index].span));
+        (0..self.open_files.len()).for_each(|index| self.flush(index, self.open_files[index].span));
     }
 
     fn file_number(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
@@ -214,7 +212,7 @@ impl<'a> Interpreter<'a> {
 
     /// The next number, vector or string of a file, and whether anything follows it.
     fn next_value(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
-        let file = &mut self.files[index];
+        let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {
             let message = format!("`{}` is open for writing: it can't be read", file.name);
             return Diagnostic::err(codes::WRONG_TYPE, span, message);
@@ -277,7 +275,7 @@ impl<'a> Interpreter<'a> {
             let message = format!("the scene writes more than {} GB", MAX_WRITTEN >> 30);
             return self.reporter.limit(codes::MEMORY_LIMIT, span, message, "does a loop write without end?");
         }
-        let file = &mut self.files[index];
+        let file = &mut self.open_files[index];
         let written = match &mut file.access {
             Access::Write(out) => out.write_all(bytes),
             _ => {
@@ -285,11 +283,11 @@ impl<'a> Interpreter<'a> {
                 return Diagnostic::err(codes::WRONG_TYPE, span, message);
             }
         };
-        written.map_err(|error| Box::new(unwritable(&file.path, &error, span)))
+        written.map_err(|error| Box::new(unwritable(self.inputs.files, &file.path, &error, span)))
     }
 }
 
-fn unwritable(path: &Path, error: &std::io::Error, span: Span) -> Diagnostic {
-    let d = crate::diagnostic::file::unwritable(path, error);
+fn unwritable(files: &dyn Files, path: &Path, error: &std::io::Error, span: Span) -> Diagnostic {
+    let d = crate::diagnostic::file::unwritable(files, path, error);
     Diagnostic::new(d.code, span, d.message).maybe_help(d.help)
 }

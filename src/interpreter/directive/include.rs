@@ -37,7 +37,8 @@ impl<'a> Interpreter<'a> {
         let typed = self.inputs.sources.snippet(span);
         let typed = typed.strip_prefix('"').and_then(|t| t.strip_suffix('"')).filter(|t| t.contains('\\'));
         let search = &self.inputs.options.search;
-        let found = search.resolve(name, including).or_else(|| search.resolve(typed?, including));
+        let found = search.resolve(self.inputs.files, name, including);
+        let found = found.or_else(|| search.resolve(self.inputs.files, typed?, including));
         let name = typed.unwrap_or(name);
         if let Some(Found { portable: Some(portable), .. }) = &found {
             let message = format!("there is no file `{name}`; `{portable}` is read instead");
@@ -45,7 +46,7 @@ impl<'a> Interpreter<'a> {
             self.report_here(d.help(format!("write \"{portable}\", which every system finds")));
         }
         match found.map(|found| found.path) {
-            Some(path) if !self.inputs.options.sandbox.may_read(&path) => {
+            Some(path) if !self.inputs.files.may_read(&path) => {
                 let folder = path.parent().unwrap_or(Path::new(".")).display().to_string();
                 Diagnostic::new(codes::FORBIDDEN_FILE, span, format!("the scene may not read `{name}`"))
                     .help(format!("scenes read below their own folder and the include paths; `--allow-read {folder}` allows this one"))
@@ -63,11 +64,11 @@ impl<'a> Interpreter<'a> {
 
     /// A file's text: read once, as long as nobody changes it.
     pub(in crate::interpreter) fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
-        if let Some(file) = self.inputs.parsed.file(path) {
+        if let Some(file) = self.inputs.parsed.file(self.inputs.files, path) {
             return Ok(file);
         }
-        let text = read_text(path).map_err(|e| {
-            let message = file::unreadable(path, &e).message;
+        let text = read_text(self.inputs.files, path).map_err(|e| {
+            let message = file::unreadable(self.inputs.files, path, &e).message;
             Box::new(Diagnostic::new(codes::UNREADABLE_INCLUDE, span, message))
         })?;
         let Some(file) = self.inputs.sources.add(name, Some(path), text) else {
@@ -78,14 +79,16 @@ impl<'a> Interpreter<'a> {
                 "split it",
             );
         };
-        self.inputs.parsed.keep_file(path, file);
+        self.inputs.parsed.keep_file(self.inputs.files, path, file);
         Ok(file)
     }
 
     /// The same for a file of the program's own library, under a path that no file has.
     fn load_built_in(&mut self, name: &str, text: &str, span: Span) -> Result<(PathBuf, &'a Ast)> {
         let path = Path::new(library::FOLDER).join(name);
-        if let Some(ast) = self.inputs.parsed.file(&path).and_then(|file| self.inputs.parsed.tree(file)) {
+        if let Some(ast) =
+            self.inputs.parsed.file(self.inputs.files, &path).and_then(|file| self.inputs.parsed.tree(file))
+        {
             return Ok((path, ast));
         }
         let Some(file) = self.inputs.sources.add(&path.to_string_lossy(), None, text.to_string()) else {
@@ -97,7 +100,7 @@ impl<'a> Interpreter<'a> {
             );
         };
         let ast = self.parse_file(file)?;
-        self.inputs.parsed.keep_file(&path, file);
+        self.inputs.parsed.keep_file(self.inputs.files, &path, file);
         Ok((path, ast))
     }
 
@@ -128,7 +131,8 @@ impl<'a> Interpreter<'a> {
     fn missing_include(&self, name: &str, span: Span) -> Diagnostic {
         let folders = &self.inputs.options.search.folders;
         let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
-        let there: Vec<String> = folders.iter().flat_map(files_in).collect();
+        let there = folders.iter().flat_map(|folder| self.inputs.files.list(folder).unwrap_or_default());
+        let there: Vec<String> = there.filter_map(|entry| entry.name.into_string().ok()).collect();
         if let Some(found) = similar_file(name, &there) {
             return d.help(format!("did you mean `{found}`?"));
         }
@@ -150,9 +154,4 @@ fn similar_file<'a>(name: &str, there: &'a [String]) -> Option<&'a str> {
     let meant = stems().find(|known| *known == typed).or_else(|| nearest(typed, stems()))?;
     let files = there.iter().map(String::as_str).filter(|file| stem(file) == meant);
     files.min_by_key(|file| !file.ends_with(".inc"))
-}
-
-fn files_in(folder: &PathBuf) -> Vec<String> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    entries.filter_map(|e| e.file_name().into_string().ok()).collect()
 }

@@ -2,6 +2,7 @@
 
 use crate::interpreter::Inputs;
 use crate::math::DVec3;
+use crate::source::Host;
 use crate::syntax::ast::Symbol;
 use crate::syntax::word;
 use crate::value::{Value, VecN};
@@ -37,9 +38,9 @@ impl Constants {
         self.set(self.version, Some(Value::Float(f64::from(version) / 100.0)));
     }
 
-    pub(super) fn get(&self, symbol: Symbol) -> Option<Value> {
+    pub(super) fn get(&self, symbol: Symbol, host: &dyn Host) -> Option<Value> {
         if symbol == self.now {
-            return Some(Value::Float(days_since_2000()));
+            return Some(Value::Float(host.since_1970().as_secs_f64() / 86_400.0 - DAYS_TO_2000));
         }
         self.fixed(symbol).cloned()
     }
@@ -72,8 +73,5 @@ fn value_of(name: &str, inputs: Inputs) -> Option<Value> {
     }
 }
 
-/// Days since the beginning of the year 2000 (manual, "now").
-fn days_since_2000() -> f64 {
-    let since_1970 = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    since_1970.map_or(0.0, |d| d.as_secs_f64() / 86_400.0 - 10_957.0)
-}
+/// Days from the beginning of the year 1970 to that of 2000, where `now` starts (manual, "now").
+const DAYS_TO_2000: f64 = 10_957.0;

@@ -80,11 +80,11 @@ impl<'a> Evaluator<'a> {
 
     /// The built-in constant of this name.
     pub(super) fn constant(&self, symbol: Symbol) -> Option<Value> {
-        self.constants.get(symbol)
+        self.constants.get(symbol, &*self.inputs.options.host)
     }
 
     pub(super) fn is_constant(&self, symbol: Symbol) -> bool {
-        self.constants.get(symbol).is_some()
+        self.constants.get(symbol, &*self.inputs.options.host).is_some()
     }
 
     /// Sets the constant `version`.

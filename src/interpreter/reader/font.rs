@@ -23,7 +23,7 @@ impl Interpreter<'_> {
         if let Some(font) = self.evaluator.assets().fonts.get(&place) {
             return Ok(font.clone());
         }
-        let font = Arc::new(Font::read(&place).map_err(|fault| fault.at(at))?);
+        let font = Arc::new(Font::read(self.inputs.files, &place).map_err(|fault| fault.at(at))?);
         self.evaluator.assets().fonts.insert(place, font.clone());
         Ok(font)
     }
@@ -36,8 +36,8 @@ impl Interpreter<'_> {
         if let Some(known) = self.evaluator.assets().families.get(name) {
             return known.clone();
         }
-        let files = fonts::files(&self.inputs.options.search.fonts);
-        let found = font::of_family(name, &files, |path| self.inputs.options.sandbox.may_read(path));
+        let files = fonts::font_files(self.inputs.files, &self.inputs.options.search.fonts);
+        let found = font::of_family(self.inputs.files, name, &files);
         self.evaluator.assets().families.insert(name.to_string(), found.clone());
         found
     }
@@ -45,7 +45,7 @@ impl Interpreter<'_> {
     /// A font of the system: the one of this name, or one that looks like it, which is told.
     fn substitute_font(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
         let search = &self.inputs.options.search.fonts;
-        let found = fonts::similar(name, search, |path| self.inputs.options.sandbox.may_read(path));
+        let found = fonts::similar(self.inputs.files, name, search);
         let file = found.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
         if file.as_ref().is_some_and(|file| file.eq_ignore_ascii_case(full)) {
             return found;

@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::image_io::Picture;
 use crate::interpreter::Interpreter;
 use crate::mesh_io::{self, MeshFile, Reading};
-use crate::source::{ReadError, Span, read_bytes};
+use crate::source::{ReadError, Span};
 use crate::value::{BuildMesh, Reader, Thing};
 use std::path::Path;
 use std::sync::Arc;
@@ -32,18 +32,18 @@ impl Interpreter<'_> {
     }
 
     fn read_mesh(&self, path: &Path, at: Span) -> Result<MeshFile> {
-        let bytes = match read_bytes(path) {
+        let bytes = match self.inputs.files.read(path) {
             Ok(bytes) => bytes,
-            Err(error) => return Err(file::unreadable(path, &ReadError::Io(error)).at(at)),
+            Err(error) => return Err(file::unreadable(self.inputs.files, path, &ReadError::Io(error)).at(at)),
         };
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut open = |name: &str| -> Reading<Vec<u8>> {
             let beside = folder.join(name);
-            if beside.exists() && !self.inputs.options.sandbox.may_read(&beside) {
+            if self.inputs.files.exists(&beside) && !self.inputs.files.may_read(&beside) {
                 return Err(format!("the file `{name}` may not be read by the scene"));
             }
-            read_bytes(&beside).map_err(|_| format!("there is no file `{name}` that can be read"))
+            self.inputs.files.read(&beside).map_err(|_| format!("there is no file `{name}` that can be read"))
         };
         mesh_io::read(&bytes, ending, &mut open).map_err(|why| {
             let message = format!("the mesh's file `{}` can't be read: {why}", path.display());
@@ -54,7 +54,7 @@ impl Interpreter<'_> {
     /// The picture of a material, if it is there; else that is told.
     fn material_picture(&mut self, mesh: &Path, name: &str, at: Span) -> Option<Arc<Picture>> {
         let path = mesh.parent().unwrap_or(Path::new("")).join(name);
-        let is_open = path.is_file() && self.inputs.options.sandbox.may_read(&path);
+        let is_open = self.inputs.files.is_file(&path) && self.inputs.files.may_read(&path);
         let picture = if is_open {
             self.picture_at(path, at).map_err(|fault| fault.message)
         } else {

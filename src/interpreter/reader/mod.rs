@@ -18,7 +18,7 @@ use crate::font::Font;
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
-use crate::source::Span;
+use crate::source::{Files, Span};
 use crate::syntax::ast::*;
 use crate::value::{BuildMesh, FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupported, Value};
 use crate::world::Probe;
@@ -277,6 +277,10 @@ impl Reader for Interpreter<'_> {
         self.builder.language()
     }
 
+    fn files(&self) -> &dyn Files {
+        self.inputs.files
+    }
+
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>> {
         self.find_read_file(name, at)
     }
@@ -335,7 +339,7 @@ impl Interpreter<'_> {
         if let Some(picture) = self.evaluator.assets().pictures.get(&path) {
             return Ok(picture.clone());
         }
-        let picture = Arc::new(Picture::read(&path).map_err(|fault| fault.at(at))?);
+        let picture = Arc::new(Picture::read(self.inputs.files, &path).map_err(|fault| fault.at(at))?);
         self.evaluator.assets().pictures.insert(path, picture.clone());
         Ok(picture)
     }

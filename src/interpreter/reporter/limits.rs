@@ -2,9 +2,9 @@
 
 use super::Reporter;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::source::Span;
+use crate::source::{Host, Span};
 use std::sync::atomic::Ordering;
-use std::time::Instant;
+use std::time::Duration;
 
 /// Macro calls inside each other.
 pub(in crate::interpreter) const MAX_CALLS: usize = 5_000;
@@ -25,12 +25,13 @@ pub(super) struct Usage {
     steps: u64,
     /// Bytes of strings made since the limits were last checked.
     text_made: usize,
-    started: Instant,
+    /// Time on the host's clock when the run began.
+    started: Duration,
 }
 
-impl Default for Usage {
-    fn default() -> Self {
-        Self { steps: 0, text_made: 0, started: Instant::now() }
+impl Usage {
+    pub fn new(host: &dyn Host) -> Self {
+        Self { steps: 0, text_made: 0, started: host.elapsed() }
     }
 }
 
@@ -63,13 +64,13 @@ impl Reporter<'_> {
             return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "it is of no use any more");
         }
         if let Some(seconds) = self.inputs.options.max_time
-            && self.usage.started.elapsed().as_secs_f64() > seconds
+            && self.inputs.options.host.elapsed().saturating_sub(self.usage.started).as_secs_f64() > seconds
         {
             let message = format!("the scene took more than {seconds} seconds");
             return self.limit(codes::TIME_LIMIT, span, message, "--max-time SECONDS allows more");
         }
         if let Some(bytes) = self.inputs.options.max_memory
-            && resident_bytes().is_some_and(|used| used > bytes)
+            && self.inputs.options.host.resident_bytes().is_some_and(|used| used > bytes)
         {
             let message = format!("the scene needs more than {} MiB of memory", bytes >> 20);
             return self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more");
@@ -83,7 +84,7 @@ impl Reporter<'_> {
         let fits = match self.inputs.options.max_memory {
             Some(bytes) => {
                 let needed = points.saturating_mul(PER_POINT);
-                resident_bytes().unwrap_or(0).saturating_add(needed) <= bytes
+                self.inputs.options.host.resident_bytes().unwrap_or(0).saturating_add(needed) <= bytes
             }
             None => points <= MAX_POINTS,
         };
@@ -105,10 +106,4 @@ impl Reporter<'_> {
         self.limit_reached = true;
         Diagnostic::new(code, span, message).help(help).into()
     }
-}
-
-/// What the process holds in memory now, where the system tells.
-fn resident_bytes() -> Option<u64> {
-    let pages = std::fs::read_to_string("/proc/self/statm").ok()?;
-    Some(pages.split(' ').nth(1)?.parse::<u64>().ok()? * 4096)
 }

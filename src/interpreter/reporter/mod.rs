@@ -46,7 +46,7 @@ impl<'a> Reporter<'a> {
             deferred: vec![],
             fault_count: 0,
             mistakes: Mistakes::default(),
-            usage: Usage::default(),
+            usage: Usage::new(&*inputs.options.host),
             limit_reached: false,
             branches: BTreeMap::new(),
         }

@@ -100,12 +100,12 @@ impl Object {
                 _ => return Err(r.unknown_word("light_group", &LIGHT_GROUP.names()).into()),
             }
         }
-        let extent = Self::parts_box(CsgOp::Union, &parts);
+        let pov_bounds = Self::parts_box(CsgOp::Union, &parts);
         let kind = ObjectKind::Csg(CsgOp::Union, parts.into());
         let mut object = Box::new(Self::new(kind, "light_group", source, defaults));
         object.weight().check(source)?;
-        object.bulk.get_or_insert_default().extent = Some(extent);
-        object.rare.light_group = Some(global);
+        object.bulk.get_or_insert_default().pov_bounds = Some(pov_bounds);
+        object.uncommon.light_group = Some(global);
         for step in steps {
             object.transform_by(&step);
         }

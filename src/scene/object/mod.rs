@@ -1,7 +1,7 @@
 //! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
 
 mod camera;
-mod carried;
+mod embedded;
 mod light;
 mod read;
 
@@ -99,7 +99,7 @@ pub struct ObjectBody {
     pub texture: Option<Painted>,
     /// What most objects do not say.
     #[serde(flatten)]
-    pub rare: SharedDefault<Rare>,
+    pub uncommon: SharedDefault<Uncommon>,
     /// The word it was written with.
     pub word: &'static str,
     /// How large it is, if it is more than a shape.
@@ -110,25 +110,25 @@ pub struct ObjectBody {
 /// How large an object is that is more than a shape.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bulk {
-    /// The box that [`Object::extent`] tells of a CSG object; moved along with the object.
-    pub extent: Option<Aabb>,
+    /// The box that [`Object::pov_bounds`] tells of a CSG object; moved along with the object.
+    pub pov_bounds: Option<Aabb>,
     /// What is in it.
     pub weight: Weight,
 }
 
 /// What few objects say.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Rare {
+pub struct Uncommon {
     /// What it looks like from inside.
     pub interior_texture: Option<Painted>,
     /// The textures that its shape carries itself; number 1 is the first.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub carried: Option<Arc<[Painted]>>,
+    pub embedded: Option<Arc<[Painted]>>,
     /// What fills it.
     pub interior: Option<Arc<Interior>>,
     /// Only what lies inside all of these is there; moved along with the object.
     pub clipped_by: Option<Arc<[Object]>>,
-    /// A hint about its extent.
+    /// A hint about its pov_bounds.
     pub bounded_by: Option<Arc<[Object]>>,
     /// Of a group of lights: do lights outside shine on it too?
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -140,11 +140,11 @@ pub struct Rare {
     pub unsupported: Option<Arc<Vec<Unsupported>>>,
 }
 
-impl StaticDefault for Rare {
+impl StaticDefault for Uncommon {
     fn static_default() -> &'static Self {
-        static NOTHING: Rare = Rare {
+        static NOTHING: Uncommon = Uncommon {
             interior_texture: None,
-            carried: None,
+            embedded: None,
             interior: None,
             clipped_by: None,
             bounded_by: None,
@@ -156,7 +156,7 @@ impl StaticDefault for Rare {
     }
 }
 
-impl Rare {
+impl Uncommon {
     fn transform_by(&mut self, step: &Transform) {
         if let Some(painted) = &mut self.interior_texture {
             painted.transform_by(step);
@@ -177,11 +177,11 @@ impl ObjectBody {
     pub fn new(kind: ObjectKind, word: &'static str) -> Self {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
-                Some(Box::new(Bulk { extent: None, weight: Weight::default().around(parts) }))
+                Some(Box::new(Bulk { pov_bounds: None, weight: Weight::default().around(parts) }))
             }
             _ => None,
         };
-        Self { kind, texture: None, rare: SharedDefault::DEFAULT, word, bulk }
+        Self { kind, texture: None, uncommon: SharedDefault::DEFAULT, word, bulk }
     }
 
     /// How much is in it.
@@ -192,9 +192,9 @@ impl ObjectBody {
     /// Does it hold places that are moved when the object is?
     fn holds_places(&self) -> bool {
         let moved = |painted: &Option<Painted>| painted.as_ref().is_some_and(|p| p.moved.is_some());
-        let bound = self.rare.clipped_by.is_some() || self.rare.bounded_by.is_some();
-        let boxed = self.bulk.as_ref().is_some_and(|bulk| bulk.extent.is_some());
-        boxed || bound || moved(&self.texture) || moved(&self.rare.interior_texture)
+        let bound = self.uncommon.clipped_by.is_some() || self.uncommon.bounded_by.is_some();
+        let boxed = self.bulk.as_ref().is_some_and(|bulk| bulk.pov_bounds.is_some());
+        boxed || bound || moved(&self.texture) || moved(&self.uncommon.interior_texture)
     }
 }
 
@@ -238,7 +238,7 @@ impl Object {
 
     /// Does `uv_mapping` of the group around it hold for it too? (Measured on POV-Ray 3.7.)
     pub fn follows_uv(&self) -> bool {
-        self.rare.interior_texture.is_none()
+        self.uncommon.interior_texture.is_none()
     }
 
     /// Moves the object with its textures and what clips it.
@@ -248,14 +248,14 @@ impl Object {
             return;
         }
         let body = Arc::make_mut(&mut self.body);
-        if let Some(extent) = body.bulk.as_mut().and_then(|bulk| bulk.extent.as_mut()) {
-            *extent = moved_box(step, extent);
+        if let Some(pov_bounds) = body.bulk.as_mut().and_then(|bulk| bulk.pov_bounds.as_mut()) {
+            *pov_bounds = moved_box(step, pov_bounds);
         }
         if let Some(painted) = &mut body.texture {
             painted.transform_by(step);
         }
-        if body.rare.explicit().is_some() {
-            body.rare.transform_by(step);
+        if body.uncommon.explicit().is_some() {
+            body.uncommon.transform_by(step);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Reads objects: the blocks that make them, and the modifiers that may stand in each (manual, "Object Modifiers").
 
-use super::carried::Carried;
+use super::embedded::Carried;
 use super::{CsgOp, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
@@ -131,10 +131,10 @@ impl Object {
                 _ => break,
             }
         }
-        let extent = Self::parts_box(op, &parts);
+        let pov_bounds = Self::parts_box(op, &parts);
         let mut object = Box::new(Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults));
         object.weight().check(source)?;
-        object.bulk.get_or_insert_default().extent = Some(extent);
+        object.bulk.get_or_insert_default().pov_bounds = Some(pov_bounds);
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
     }
@@ -148,12 +148,12 @@ impl Object {
         defaults: &Defaults,
     ) -> Result<bool> {
         let mut is_somewhere = true;
-        let mut carried = Carried::new(defaults);
+        let mut embedded = Carried::new(defaults);
         loop {
             let next = r.next()?;
             if next == Next::End {
-                if let Some(painted) = carried.painted() {
-                    self.rare.carried = Some(painted);
+                if let Some(painted) = embedded.painted() {
+                    self.uncommon.embedded = Some(painted);
                 }
                 // (A copy that nothing was said of shares all it has.)
                 if let Some(ObjectBody { texture: Some(painted), .. }) = Arc::get_mut(&mut self.body) {
@@ -162,7 +162,7 @@ impl Object {
                 return Ok(is_somewhere);
             }
             if let Some(shape) = shape.as_deref_mut()
-                && shape.read_own(next, r, &mut carried)?
+                && shape.read_own(next, r, &mut embedded)?
             {
                 continue;
             }
@@ -193,7 +193,7 @@ impl Object {
         defaults: &Defaults,
     ) -> Result<bool> {
         if is_row(FLAGS, next) {
-            return read_row(FLAGS, &mut self.rare.flags, next, r);
+            return read_row(FLAGS, &mut self.uncommon.flags, next, r);
         }
         match next {
             next if next.moves() => {
@@ -208,13 +208,13 @@ impl Object {
             }
             Next::Block("interior") => {
                 r.take()?;
-                self.rare.interior = Some(Arc::new(Interior::read(r, self.rare.interior.as_deref())?));
+                self.uncommon.interior = Some(Arc::new(Interior::read(r, self.uncommon.interior.as_deref())?));
                 r.leave()?;
             }
-            Next::Thing("interior") => self.rare.interior = r.thing::<Interior>()?,
+            Next::Thing("interior") => self.uncommon.interior = r.thing::<Interior>()?,
             Next::Block("material") => {
                 r.take()?;
-                let material = read_material(r, defaults, self.rare.interior.clone())?;
+                let material = read_material(r, defaults, self.uncommon.interior.clone())?;
                 r.leave()?;
                 self.set_material(&material);
             }
@@ -224,7 +224,7 @@ impl Object {
                 }
             }
             Next::Word(word) | Next::Block(word) if MODIFIERS.is_unsupported(word) => {
-                Arc::make_mut(self.rare.unsupported.get_or_insert_default()).push(r.read_unsupported(word)?);
+                Arc::make_mut(self.uncommon.unsupported.get_or_insert_default()).push(r.read_unsupported(word)?);
             }
             _ => return self.read_surface(next, r, defaults),
         }
@@ -242,7 +242,8 @@ impl Object {
                 r.take()?;
                 let texture = Texture::read(r, &defaults.texture)?;
                 r.leave()?;
-                self.rare.interior_texture = Some(self.layered(self.rare.interior_texture.as_ref(), Arc::new(texture)));
+                self.uncommon.interior_texture =
+                    Some(self.layered(self.uncommon.interior_texture.as_ref(), Arc::new(texture)));
             }
             _ => {
                 let mut texture = match &self.texture {
@@ -262,7 +263,7 @@ impl Object {
     fn taken_along(&self, painted: &Painted) -> Texture {
         let mut texture = (*painted.texture).clone();
         let place = painted.place(&self.transform);
-        if !self.rare.flags.uv_mapping && *place != Transform::IDENTITY {
+        if !self.uncommon.flags.uv_mapping && *place != Transform::IDENTITY {
             texture.transform(place);
         }
         texture
@@ -291,7 +292,8 @@ impl Object {
                 Next::Word(other @ ("clipped_by" | "bounded_by")) if other != word => {
                     r.take()?;
                     borrows = true;
-                    let other = if word == "clipped_by" { &self.rare.bounded_by } else { &self.rare.clipped_by };
+                    let other =
+                        if word == "clipped_by" { &self.uncommon.bounded_by } else { &self.uncommon.clipped_by };
                     parts.extend(other.iter().flat_map(|o| o.iter().cloned()));
                 }
                 _ => parts.push(*Self::read(r, defaults)?),
@@ -309,8 +311,8 @@ impl Object {
         let weight = self.weight().around(&parts);
         weight.check(at)?;
         self.bulk.get_or_insert_default().weight = weight;
-        let rare = &mut *self.rare;
-        let field = if word == "clipped_by" { &mut rare.clipped_by } else { &mut rare.bounded_by };
+        let uncommon = &mut *self.uncommon;
+        let field = if word == "clipped_by" { &mut uncommon.clipped_by } else { &mut uncommon.bounded_by };
         let before = field.take().into_iter().flat_map(|b| b.to_vec());
         *field = Some(before.chain(parts).collect());
         Ok(())
@@ -321,10 +323,11 @@ impl Object {
             self.texture = Some(self.layered(self.texture.as_ref(), texture.clone()));
         }
         if let Some(texture) = &material.interior_texture {
-            self.rare.interior_texture = Some(self.layered(self.rare.interior_texture.as_ref(), texture.clone()));
+            self.uncommon.interior_texture =
+                Some(self.layered(self.uncommon.interior_texture.as_ref(), texture.clone()));
         }
         if let Some(interior) = &material.interior {
-            self.rare.interior = Some(interior.clone());
+            self.uncommon.interior = Some(interior.clone());
         }
     }
 }

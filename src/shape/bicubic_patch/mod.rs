@@ -223,7 +223,7 @@ impl Kernel for BicubicPatch {
     }
 
     /// That of its points.
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         Aabb::from_points(self.points.iter().map(|p| m.point(*p)))
     }
 

@@ -24,7 +24,7 @@ pub struct Component {
     pub place: Option<Box<Transform>>,
     /// Its texture (see [`Paints`]).
     pub slot: u32,
-    /// How many radii wide POV-Ray 3.7 believes it to be (see [`Component::extent`]).
+    /// How many radii wide POV-Ray 3.7 believes it to be (see [`Component::pov_bounds`]).
     #[serde(skip)]
     widening: f64,
 }
@@ -112,7 +112,7 @@ impl Component {
 
     /// As POV-Ray 3.7 sees it (as was measured): cubes around its balls, as wide as the longest side of the image of a cube; a rod
     /// without its ends lies in a ball, too.
-    pub(super) fn extent(&self) -> Aabb {
+    pub(super) fn pov_bounds(&self) -> Aabb {
         let cube = |center: DVec3, radius: f64| {
             let center = self.place.as_ref().map_or(center, |m| m.point(center));
             Aabb::from_corners(center, center).grown(radius * self.widening)

@@ -340,7 +340,7 @@ impl Kernel for JuliaFractal {
         }
     }
 
-    fn extent(&self, m: &Transform) -> Aabb {
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
         moved_box(m, &Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.radius()))
     }
 
@@ -460,9 +460,9 @@ mod tests {
 
     #[test]
     fn extents_and_reading() {
-        let extent = |text: &str| read::<JuliaFractal>(text).0.unwrap().extent(&Transform::IDENTITY).max.x;
-        assert!((extent(C) - 1.834514).abs() < 1e-6 && extent(&format!("{C} hypercomplex exp")) == 4.0);
-        assert!((extent("0.1") - 1.2).abs() < 1e-12 && (extent("<0.3,0.4,0>") - 1.5).abs() < 1e-12);
+        let pov_bounds = |text: &str| read::<JuliaFractal>(text).0.unwrap().pov_bounds(&Transform::IDENTITY).max.x;
+        assert!((pov_bounds(C) - 1.834514).abs() < 1e-6 && pov_bounds(&format!("{C} hypercomplex exp")) == 4.0);
+        assert!((pov_bounds("0.1") - 1.2).abs() < 1e-12 && (pov_bounds("<0.3,0.4,0>") - 1.5).abs() < 1e-12);
         let code = |text: &str| read::<JuliaFractal>(text).0.unwrap_err().code;
         assert_eq!(code("0 slice <1,0,0,0> 0"), codes::BAD_ARGUMENT);
         assert_eq!(code("0 slice <0,0,0,0> 0"), codes::BAD_ARGUMENT);

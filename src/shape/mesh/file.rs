@@ -44,7 +44,7 @@ impl FileMesh {
     }
 
     /// The object's numbers of the file's textures.
-    pub fn slots(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
+    pub fn texture_weights(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
         self.looks.iter().map(|(look, picture)| paints.of_file(look, picture.as_ref(), r)).collect()
     }
 }

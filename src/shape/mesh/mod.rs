@@ -11,7 +11,7 @@ mod read;
 pub use face::Face;
 pub use read::{Mesh, Mesh2};
 
-use super::{Hit, Slots};
+use super::{Hit, TextureWeights};
 use crate::math::{DVec3, Ray};
 use ordered::Ordered;
 use serde::Serialize;
@@ -28,7 +28,7 @@ pub struct TriangleMesh {
     inside_vector: Option<DVec3>,
     /// The object's numbers of the textures that the triangles show; empty if they are the same.
     #[serde(skip)]
-    slots: Vec<u32>,
+    texture_weights: Vec<u32>,
 }
 
 impl TriangleMesh {
@@ -36,11 +36,11 @@ impl TriangleMesh {
         self.inside_vector.is_some_and(|dir| self.triangles.is_crossed_oddly(&Ray::new(p, dir)))
     }
 
-    fn slots(&self, hit: &Hit) -> Slots {
+    fn texture_weights(&self, hit: &Hit) -> TextureWeights {
         let Some(painted) = self.triangles.painted(hit) else { return smallvec![(0, 1.0)] };
         let each = painted[0] & EACH_CORNER != 0;
         let [a, b, c] = painted.map(|slot| slot & !EACH_CORNER).map(|slot| match slot.checked_sub(1) {
-            Some(look) if !self.slots.is_empty() => self.slots[look as usize],
+            Some(look) if !self.texture_weights.is_empty() => self.texture_weights[look as usize],
             _ => slot,
         });
         if a == b && b == c && !each {
@@ -97,8 +97,8 @@ macro_rules! mesh_kernel {
                 self.0.triangles.faces()
             }
 
-            fn slots(&self, _: DVec3, hit: &Hit) -> Slots {
-                self.0.slots(hit)
+            fn texture_weights(&self, _: DVec3, hit: &Hit) -> TextureWeights {
+                self.0.texture_weights(hit)
             }
 
             fn is_open(&self) -> bool {

@@ -15,7 +15,7 @@ use super::{TriangleMesh, mesh_kernel};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::mesh_io::{NONE, Triangles};
-use crate::shape::{Hit, Hits, Paints, Readable, Slots, Triangle};
+use crate::shape::{Hit, Hits, Paints, Readable, TextureWeights, Triangle};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Spec, Value, WordSpec};
@@ -101,7 +101,7 @@ impl Readable for Mesh {
                 let at = r.take()?;
                 self.1.must_be_empty(at)?;
                 let file = FileMesh::read(r)?;
-                self.0.slots = file.slots(paints, r)?;
+                self.0.texture_weights = file.texture_weights(paints, r)?;
                 self.1.file = Some(file);
                 Ok(true)
             }
@@ -152,7 +152,7 @@ impl Mesh {
     }
 
     fn read_triangle(&mut self, smooth: bool, span: Span, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
-        let (mut corners, mut normals, mut uvs, mut slots) = (NONE, NONE, NONE, [0; 3]);
+        let (mut corners, mut normals, mut uvs, mut texture_weights) = (NONE, NONE, NONE, [0; 3]);
         let mut points = [DVec3::ZERO; 3];
         let Draft { triangles, known, .. } = &mut self.1;
         for i in 0..3 {
@@ -176,7 +176,7 @@ impl Mesh {
                 }
                 Next::Block("texture_list") => {
                     r.take()?;
-                    for slot in &mut slots {
+                    for slot in &mut texture_weights {
                         let next = r.next()?;
                         *slot = match paints.read_one(next, r)? {
                             Some(slot) => slot,
@@ -184,12 +184,12 @@ impl Mesh {
                         };
                     }
                     r.leave()?;
-                    slots = each(slots);
+                    texture_weights = each(texture_weights);
                 }
                 Next::Block("texture") | Next::Thing("texture") => {
                     let mut slot = 0;
                     paints.read(&mut slot, next, r)?;
-                    slots = [slot; 3];
+                    texture_weights = [slot; 3];
                 }
                 _ => return Err(r.unknown_word("triangle", &["uv_vectors", "texture", "texture_list"]).into()),
             }
@@ -198,7 +198,7 @@ impl Mesh {
         if Triangle::new(a, b, c).is_degenerate() {
             r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
         }
-        triangles.push(corners, normals, uvs, slots);
+        triangles.push(corners, normals, uvs, texture_weights);
         Ok(())
     }
 }
@@ -399,15 +399,15 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
                 }
                 let slot = texture(number, textures, span)?;
                 painted.resize(faces.len(), [0; 3]);
-                if let Some(slots) = painted.last_mut() {
+                if let Some(texture_weights) = painted.last_mut() {
                     // One is for all corners, until another one comes.
                     if given == 0 {
-                        *slots = [slot; 3]
+                        *texture_weights = [slot; 3]
                     } else {
-                        slots[given] = slot
+                        texture_weights[given] = slot
                     }
                     if given == 2 {
-                        *slots = each(*slots);
+                        *texture_weights = each(*texture_weights);
                     }
                 }
                 given += 1;

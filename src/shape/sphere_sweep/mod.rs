@@ -52,7 +52,7 @@ pub struct SphereSweep {
     bounds: Aabb,
     /// What POV-Ray tells.
     #[serde(skip)]
-    extent: Aabb,
+    pov_bounds: Aabb,
 }
 
 const KINDS: [WordSpec; 3] = [
@@ -103,8 +103,8 @@ impl SphereSweep {
         let reach = if kind == Sweep::Cubic { 2.0 } else { 1.0 };
         let around =
             |(center, radius): &(DVec3, f64)| Aabb { min: *center - reach * radius, max: *center + reach * radius };
-        let extent = balls.iter().map(around).fold(Aabb::EMPTY, Aabb::union);
-        Self { kind, pieces, bvh, bounds, extent }
+        let pov_bounds = balls.iter().map(around).fold(Aabb::EMPTY, Aabb::union);
+        Self { kind, pieces, bvh, bounds, pov_bounds }
     }
 
     /// What is covered of a ray, ascending and without overlaps. Of a range that begins outside of everything, `first` alone may be
@@ -204,8 +204,8 @@ impl Kernel for SphereSweep {
         self.bounds
     }
 
-    fn extent(&self, m: &Transform) -> Aabb {
-        moved_box(m, &self.extent)
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
+        moved_box(m, &self.pov_bounds)
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -303,11 +303,11 @@ mod tests {
 
     #[test]
     fn extents_as_measured() {
-        let extent =
-            |kind: &str| read::<SphereSweep>(&format!("{kind} {BALLS}")).0.unwrap().extent(&Transform::IDENTITY);
-        assert_eq!(extent("b_spline").min, DVec3::new(-2.4, -1.3, -0.5));
-        assert_eq!(extent("cubic_spline").min, DVec3::new(-2.8, -1.6, -1.0));
-        assert_eq!(extent("linear_spline").max, DVec3::new(2.2, 2.0, 1.2));
+        let pov_bounds =
+            |kind: &str| read::<SphereSweep>(&format!("{kind} {BALLS}")).0.unwrap().pov_bounds(&Transform::IDENTITY);
+        assert_eq!(pov_bounds("b_spline").min, DVec3::new(-2.4, -1.3, -0.5));
+        assert_eq!(pov_bounds("cubic_spline").min, DVec3::new(-2.8, -1.6, -1.0));
+        assert_eq!(pov_bounds("linear_spline").max, DVec3::new(2.2, 2.0, 1.2));
     }
 
     #[test]

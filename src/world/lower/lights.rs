@@ -2,7 +2,7 @@
 
 use super::{Group, Inherited, Lowering, Solid, lower_alone};
 use crate::diagnostic::Result;
-use crate::light::Lamp;
+use crate::light::LoweredLight;
 use crate::scene::{Flags, LightSource};
 use crate::world;
 use crate::world::lower::place::not_finite;
@@ -29,8 +29,7 @@ impl Lowering {
             None => None,
         };
         let number = self.lights.len() as u32;
-        let lamp = Lamp::new(&light);
-        self.lights.push(world::LightSource { number: number as usize, lamp, through });
+        self.lights.push(world::LightSource { number: number as usize, emitter: LoweredLight::new(&light), through });
         // A light in a union within a group is one of all lights (measured on POV-Ray 3.7).
         match inherited.lights_here {
             true => self.groups[inherited.lights as usize - 1].lights.push(number),

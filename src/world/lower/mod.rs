@@ -1,16 +1,17 @@
 //! From what the author said to what a ray needs: nested blocks become one M and M⁻¹ per shape, what a group says goes
 //! down to its parts, textures are lowered once however often they are used.
 
-mod copies;
+mod instances;
 mod lights;
 mod place;
 mod shared;
 mod views;
 
-use super::geometry::Heap;
+use super::geometry::GeometryBuilder;
 use super::leaf::place;
 use super::{
-    Geometry, Leaf, LightSource, Material, Nearness, ObjectInfo, Part, PlacedMaterial, RarePart, Sky, SolidNode, World,
+    Geometry, Leaf, LightSource, Material, ObjectInfo, Part, PlacedMaterial, RayEpsilon, Sky, SolidNode, UncommonPart,
+    World,
 };
 use crate::color::Gamma;
 use crate::color::Rgb;
@@ -18,9 +19,9 @@ use crate::diagnostic::Result;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Bounding, Kernel, Shape, moved_box};
 use crate::source::Span;
-use crate::texture::{Interior, Rare, Texture};
+use crate::texture::{Interior, Texture, Uncommon};
 use crate::value::SharedDefault;
-use copies::Copies;
+use instances::Copies;
 use place::{Look, Place, not_finite};
 use shared::{Lowered, Shared};
 use std::sync::Arc;
@@ -45,7 +46,7 @@ pub fn lower_away(mut scene: Scene) -> Result<World> {
 
 fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result<World> {
     let mut lowering = Lowering::under(scene.settings.ambient_light);
-    let mut heap = Heap::default();
+    let mut builder = GeometryBuilder::default();
     for object in objects {
         lowering.default_texture = object.default_texture.clone();
         let before = lowering.mark();
@@ -53,18 +54,18 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
             // Of most shapes by themselves, POV-Ray 3.7 takes but the box.
             let node = match &object.kind {
                 ObjectKind::Shape(shape)
-                    if object.rare.bounded_by.is_some() && shape.quirks().bounding != Bounding::Exact =>
+                    if object.uncommon.bounded_by.is_some() && shape.quirks().bounding != Bounding::Exact =>
                 {
                     solid
                         .node
-                        .bounded_by_box(Some(object.extent()).filter(|_| shape.quirks().bounding == Bounding::Box))
+                        .bounded_by_box(Some(object.pov_bounds()).filter(|_| shape.quirks().bounding == Bounding::Box))
                 }
                 _ => solid.node,
             };
             let number = node.is_dissolved().then_some(node.object);
             match lowering.copied(&object, &node, before)? {
-                Some(copied) => heap.add_copied(copied),
-                None => lowering.add_views(node, before.objects, &mut heap),
+                Some(copied) => builder.add_copied(copied),
+                None => lowering.add_views(node, before.objects, &mut builder),
             }
             lowering.forget_dissolved(number);
         }
@@ -75,9 +76,9 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let noise = scene.settings.noise_generator.unwrap_or_default();
     let Lowering { parts, objects, cuts, materials, interiors, filled, lights, .. } = lowering;
     let eye = scene.camera.eye(noise, scene.settings.number_of_waves);
-    let geometry = Geometry::from(heap);
+    let geometry = Geometry::from(builder);
     Ok(World {
-        nearness: Nearness::of(&geometry, eye.frame.origin),
+        epsilon: RayEpsilon::of(&geometry, eye.frame.origin),
         eye,
         camera_source: scene.cameras.last().copied().unwrap_or(Span::NONE),
         geometry,
@@ -111,9 +112,9 @@ pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
     let texture = object.default_texture.clone();
     let mut lowering = Lowering { default_texture: texture, ..Lowering::default() };
     let solid = lowering.lower_object(object, &Inherited::default())?;
-    let mut heap = Heap::default();
-    heap.extend(solid.map(|solid| solid.node));
-    Ok(heap.into())
+    let mut builder = GeometryBuilder::default();
+    builder.extend(solid.map(|solid| solid.node));
+    Ok(builder.into())
 }
 
 /// What the blocks around an object say.
@@ -139,10 +140,10 @@ struct Inherited {
 /// What fills the object. Old scenes name some of it in the finish; what the topmost layer says goes before the interior
 /// (measured on POV-Ray 3.7).
 fn interior_of(object: &Object) -> Option<Arc<Interior>> {
-    let said = object.rare.interior.clone();
+    let said = object.uncommon.interior.clone();
     let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
-    match finish.map(|finish| &*finish.rare) {
-        Some(&Rare { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
+    match finish.map(|finish| &*finish.uncommon) {
+        Some(&Uncommon { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
             let inside = said.unwrap_or_default();
             let (ior, caustics) = (ior.unwrap_or(inside.ior), caustics.unwrap_or(inside.caustics));
             Some(Arc::new(Interior { ior, caustics, ..(*inside).clone() }))
@@ -230,9 +231,9 @@ impl Lowering {
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
         if matches!(object.kind, ObjectKind::Csg(CsgOp::Intersection | CsgOp::Difference, _)) {
-            node = node.visible_within(moved_box(&inherited.place.now, &object.extent()));
+            node = node.visible_within(moved_box(&inherited.place.now, &object.pov_bounds()));
         }
-        if object.rare.flags.inverse {
+        if object.uncommon.flags.inverse {
             node = node.inverted();
         }
         let clips = !matches!(&object.kind, ObjectKind::Shape(shape) if shape.quirks().ignores_clipping);
@@ -247,10 +248,10 @@ impl Lowering {
         let place = inherited.place.inside(object)?;
         let look = |painted: &Option<Painted>| inherited.place.look(painted.as_ref(), object, &place);
         let texture = look(&object.texture)?;
-        let inside = look(&object.rare.interior_texture)?;
+        let inside = look(&object.uncommon.interior_texture)?;
         let interior = interior_of(object);
         let flags = joined(object, inherited.flags);
-        let lights = object.rare.light_group.map(|global| self.add_group(global));
+        let lights = object.uncommon.light_group.map(|global| self.add_group(global));
         let hollow = || hollow_inside(object, inherited.flags.hollow).unwrap_or(flags.hollow);
         Ok(Inherited {
             hollow_air: inherited.hollow_air.or_else(|| interior.is_none().then(hollow)),
@@ -259,7 +260,7 @@ impl Lowering {
             inside: inside.or_else(|| inherited.inside.clone()),
             texture: texture.or_else(|| inherited.texture.clone()),
             cut: inherited.cut,
-            inverted: inherited.inverted != object.rare.flags.inverse,
+            inverted: inherited.inverted != object.uncommon.flags.inverse,
             interior: interior.map(|i| self.add_interior(i, hollow())).or(inherited.interior),
             lights: lights.unwrap_or(inherited.lights),
             lights_here: lights.is_some(),
@@ -286,12 +287,12 @@ impl Lowering {
 
     /// The objects that clip this one.
     fn lower_clip(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
-        self.lower_around(object.rare.clipped_by.as_deref(), inherited)
+        self.lower_around(object.uncommon.clipped_by.as_deref(), inherited)
     }
 
     /// The objects that bound it, unless they clip it too.
     fn lower_bounds(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
-        let (clipped_by, bounded_by) = (&object.rare.clipped_by, &object.rare.bounded_by);
+        let (clipped_by, bounded_by) = (&object.uncommon.clipped_by, &object.uncommon.bounded_by);
         self.lower_around(bounded_by.as_deref().filter(|_| bounded_by != clipped_by), inherited)
     }
 
@@ -311,11 +312,11 @@ impl Lowering {
         }
         let look = own.texture.clone().unwrap_or_else(|| self.default_look());
         let outside = self.lower_look(&look);
-        let hides_inside = shape.quirks().embedded_textures_on_both_sides && object.rare.carried.is_some();
+        let hides_inside = shape.quirks().embedded_textures_on_both_sides && object.uncommon.embedded.is_some();
         let inside = own.inside.as_ref().filter(|_| !hides_inside);
         let inside = inside.map(|look| self.lower_look(look));
-        let carried = object.rare.carried.iter().flat_map(|all| all.iter());
-        let carried: Box<[PlacedMaterial]> = carried
+        let embedded = object.uncommon.embedded.iter().flat_map(|all| all.iter());
+        let embedded: Box<[PlacedMaterial]> = embedded
             .map(|painted| {
                 let along = shape.quirks().moves_embedded_textures;
                 let transform = if along { own.place.now.clone() } else { own.place.of_textures(object) };
@@ -328,15 +329,15 @@ impl Lowering {
             .into_iter()
             .flatten()
             .chain(others.into_iter().flatten())
-            .chain(carried.iter())
+            .chain(embedded.iter())
             .all(|placed| self.materials[placed.material as usize].opaque);
         let interior = own.interior.unwrap_or_else(|| self.add_air(own.has_hollow_air()));
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, no_shadow, .. } = own.flags;
         let lights = own.lights;
-        let is_rare = inside.is_some() || cut.is_some() || lights != 0 || !carried.is_empty();
-        let rare = is_rare.then(|| Box::new(RarePart { inside, carried, lights, cut }));
-        self.parts.push(Part { outside, rare, interior, double_illuminate, uv, no_shadow, source: object.source });
+        let is_rare = inside.is_some() || cut.is_some() || lights != 0 || !embedded.is_empty();
+        let uncommon = is_rare.then(|| Box::new(UncommonPart { inside, embedded, lights, cut }));
+        self.parts.push(Part { outside, uncommon, interior, double_illuminate, uv, no_shadow, source: object.source });
         let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
         let number = self.add_object(own, opaque, interior);
         Ok(Solid { node: SolidNode::leaf(leaf, number), opaque })
@@ -390,7 +391,7 @@ impl Lowering {
                 (ObjectKind::Shape(shape), look) if look.is_some() || any => {
                     let placed = self.lower_look(&look.cloned().unwrap_or_else(|| self.default_look()));
                     let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place.now, 0), 0);
-                    out.push((if part.rare.flags.inverse { node.inverted() } else { node }, placed));
+                    out.push((if part.uncommon.flags.inverse { node.inverted() } else { node }, placed));
                 }
                 _ => {}
             }
@@ -451,7 +452,7 @@ impl Lowering {
 /// Is it hollow where blocks within it do not say what is in there? The last shape of all tells, of a union too (measured on POV-Ray
 /// 3.7). `None` where there is no such shape.
 fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
-    let hollow = object.rare.flags.hollow || inherited;
+    let hollow = object.uncommon.flags.hollow || inherited;
     match &object.kind {
         ObjectKind::Shape(_) => Some(hollow),
         ObjectKind::Light(_) => None,
@@ -464,7 +465,7 @@ fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
 
 /// Switches of a part and of the group around it. `inverse` is each one's own.
 fn joined(object: &Object, inherited: Flags) -> Flags {
-    let own = object.rare.flags;
+    let own = object.uncommon.flags;
     Flags {
         no_shadow: own.no_shadow || inherited.no_shadow,
         no_image: own.no_image || inherited.no_image,

@@ -31,14 +31,14 @@ impl Place {
     /// Where textures lie that move with the object in whose block this is: those of what has `uv_mapping` do not (measured on POV-Ray
     /// 3.7).
     pub fn of_textures(&self, object: &Object) -> SharedDefault<Transform> {
-        if object.rare.flags.uv_mapping { SharedDefault::DEFAULT } else { self.now.clone() }
+        if object.uncommon.flags.uv_mapping { SharedDefault::DEFAULT } else { self.now.clone() }
     }
 
     /// What is painted on an object that stands here; `inside` is the space in its block.
     pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
         let Some(Painted { texture, moved: since }) = painted else { return Ok(None) };
         let transform = match since {
-            Some(own) if !object.rare.flags.uv_mapping => {
+            Some(own) if !object.uncommon.flags.uv_mapping => {
                 let own = if own.is_identity() { SharedDefault::DEFAULT } else { (**own).into() };
                 moved(&own, &self.now, object.source)?
             }

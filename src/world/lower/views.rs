@@ -2,24 +2,24 @@
 
 use super::Lowering;
 use crate::world::ObjectInfo;
-use crate::world::geometry::Heap;
+use crate::world::geometry::GeometryBuilder;
 use crate::world::node::{NodeParts, SolidKind, SolidNode};
 
 impl Lowering {
     /// Adds an object of the scene, whose parts have the numbers from `first` on.
-    pub(super) fn add_views(&mut self, node: SolidNode, first: usize, heap: &mut Heap) {
+    pub(super) fn add_views(&mut self, node: SolidNode, first: usize, builder: &mut GeometryBuilder) {
         match self.objects[first..].iter().all(|object| object.image && object.reflection) {
-            true => heap.add(node),
-            false => self.add_each_view(node, heap),
+            true => builder.add(node),
+            false => self.add_each_view(node, builder),
         }
     }
 
     /// Adds a node; where parts in it are seen by some rays only, one for rays from the camera, one for those that have passed something,
     /// one for those from mirrors, and one for all others. (Which parts such rays see was measured on POV-Ray 3.7: a union hides its
     /// parts with `no_image` behind others only.)
-    fn add_each_view(&mut self, node: SolidNode, heap: &mut Heap) {
+    fn add_each_view(&mut self, node: SolidNode, builder: &mut GeometryBuilder) {
         let mut node = match node.into_parts() {
-            NodeParts::Many(parts) => return parts.into_iter().for_each(|part| self.add_each_view(part, heap)),
+            NodeParts::Many(parts) => return parts.into_iter().for_each(|part| self.add_each_view(part, builder)),
             NodeParts::One(node) => node,
         };
         let info = |object: u32| self.objects[object as usize];
@@ -48,9 +48,9 @@ impl Lowering {
         for (view, info) in [(for_camera, of_camera), (for_passed, of_passed), (for_mirrors, of_mirrors)] {
             if let Some(mut view) = view {
                 view.object = self.add_info(info);
-                heap.add(view);
+                builder.add(view);
             }
         }
-        heap.add(node);
+        builder.add(node);
     }
 }

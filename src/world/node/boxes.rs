@@ -1,6 +1,6 @@
 //! Where solids are: the boxes around their surfaces and insides, and where POV-Ray looks for what a camera starts in.
 
-use super::{More, SolidKind, SolidNode};
+use super::{CompositeData, SolidKind, SolidNode};
 use crate::math::Aabb;
 use crate::shape::Kernel;
 use crate::world::child_bvh::ChildBvh;
@@ -21,8 +21,8 @@ pub(super) struct Boxes {
 impl SolidNode {
     /// A shape's are computed: it is asked for them but a few times, when the world is built.
     pub(super) fn boxes(&self) -> Boxes {
-        match (&self.more, &self.kind) {
-            (Some(more), _) => more.boxes,
+        match (&self.composite, &self.kind) {
+            (Some(composite), _) => composite.boxes,
             (None, SolidKind::Leaf(leaf)) => {
                 let (surface, solid) = leaf.bounds();
                 Boxes { surface, solid }
@@ -48,7 +48,7 @@ impl SolidNode {
         let (surface, solid) = match &self.kind {
             SolidKind::Leaf(leaf) => {
                 if clip.is_empty() && bounds.is_empty() {
-                    self.more = None;
+                    self.composite = None;
                     return;
                 }
                 leaf.bounds()
@@ -93,10 +93,10 @@ impl SolidNode {
         // Many are quicker found by their boxes.
         let convex_parts = known && child_bvh.is_none();
         let boxes = Boxes { surface, solid };
-        self.more = Some(Box::new(More { clip, bounds, unseen, boxes, convex_parts, child_bvh }));
+        self.composite = Some(Box::new(CompositeData { clip, bounds, unseen, boxes, convex_parts, child_bvh }));
     }
 
-    /// The same when its parts are others, or more clips it.
+    /// The same when its parts are others, or composite clips it.
     pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
         let bounds = self.take_bounds().into_iter().chain(bounds).collect();
         let clip = self.take_clip().into_iter().chain(by).collect();

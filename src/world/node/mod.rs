@@ -25,12 +25,12 @@ pub struct SolidNode {
     pub object: u32,
     /// What there is nothing to say of, if it is a shape that nothing clips.
     #[serde(flatten)]
-    more: Option<Box<More>>,
+    composite: Option<Box<CompositeData>>,
 }
 
 /// What there is to say of a solid that is made of others or clipped.
 #[derive(Clone, Debug, Serialize)]
-struct More {
+struct CompositeData {
     /// Only what lies inside all of these is there.
     clip: Box<[SolidNode]>,
     /// What a ray has to meet first; see [`SolidNode::bounded`].
@@ -103,7 +103,7 @@ impl SolidNode {
     }
 
     fn new(kind: SolidKind, object: u32) -> Self {
-        let mut node = Self { kind, object, more: None };
+        let mut node = Self { kind, object, composite: None };
         node.measure(Box::default(), Box::default(), Box::default());
         node
     }
@@ -144,7 +144,7 @@ impl SolidNode {
             SolidKind::Intersection(_) => SolidKind::Intersection(shown),
             SolidKind::Merge(_) => SolidKind::Merge(shown),
         };
-        let mut node = Self { kind, object: self.object, more: None };
+        let mut node = Self { kind, object: self.object, composite: None };
         node.measure(self.clip().into(), self.bounds_before().into(), unseen.into());
         Some(node)
     }
@@ -163,7 +163,7 @@ impl SolidNode {
     pub(super) fn into_parts(mut self) -> NodeParts {
         match (self.clip().is_empty(), self.kind) {
             (true, SolidKind::Union(children)) => {
-                let bounds = self.more.take().map_or_else(Box::default, |more| more.bounds);
+                let bounds = self.composite.take().map_or_else(Box::default, |composite| composite.bounds);
                 // What bounds all of them bounds each.
                 let bounded = |child: SolidNode| if bounds.is_empty() { child } else { child.bounded(bounds.to_vec()) };
                 NodeParts::Many(children.into_iter().map(bounded).collect())
@@ -178,30 +178,30 @@ impl SolidNode {
     }
 
     fn bounds_before(&self) -> &[SolidNode] {
-        self.more.as_ref().map_or(&[], |more| &more.bounds)
+        self.composite.as_ref().map_or(&[], |composite| &composite.bounds)
     }
 
     fn take_bounds(&mut self) -> Box<[SolidNode]> {
-        self.more.as_mut().map_or_else(Box::default, |more| std::mem::take(&mut more.bounds))
+        self.composite.as_mut().map_or_else(Box::default, |composite| std::mem::take(&mut composite.bounds))
     }
 
     pub(super) fn clip(&self) -> &[SolidNode] {
-        self.more.as_ref().map_or(&[], |more| &more.clip)
+        self.composite.as_ref().map_or(&[], |composite| &composite.clip)
     }
 
     fn unseen(&self) -> &[SolidNode] {
-        self.more.as_ref().map_or(&[], |more| &more.unseen)
+        self.composite.as_ref().map_or(&[], |composite| &composite.unseen)
     }
 
     fn take_clip(&mut self) -> Box<[SolidNode]> {
-        self.more.take().map_or_else(Box::default, |more| more.clip)
+        self.composite.take().map_or_else(Box::default, |composite| composite.clip)
     }
 
     /// Is the point inside?
     pub fn inside(&self, p: DVec3) -> bool {
         let is_near = match &self.kind {
             SolidKind::Leaf(_) => true,
-            _ => self.more.as_ref().is_some_and(|more| more.boxes.solid.contains(p)),
+            _ => self.composite.as_ref().is_some_and(|composite| composite.boxes.solid.contains(p)),
         };
         if !is_near || !self.in_clip(p) {
             return false;
@@ -278,7 +278,7 @@ impl SolidNode {
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match &self.kind {
-            SolidKind::Leaf(leaf) if self.more.is_none() => {
+            SolidKind::Leaf(leaf) if self.composite.is_none() => {
                 leaf.closest(ray, range).map(|hit| Intersection::new(hit, leaf, self.object))
             }
             _ => self.closest_of_many(ray, range),
@@ -293,7 +293,7 @@ impl SolidNode {
         }
     }
 
-    /// The nearest hit of what is more than a shape.
+    /// The nearest hit of what is composite than a shape.
     fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         if !self.is_met(ray) {
             return None;
@@ -309,7 +309,9 @@ impl SolidNode {
             }
             SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_all(ray, range),
             SolidKind::Union(_) => self.closest_of_clipped(ray, range),
-            _ if self.more.as_ref().is_some_and(|more| more.convex_parts) => self.closest_of_convex(ray, range),
+            _ if self.composite.as_ref().is_some_and(|composite| composite.convex_parts) => {
+                self.closest_of_convex(ray, range)
+            }
             _ => self.closest_survivor(ray, range),
         }
     }
@@ -425,8 +427,8 @@ impl SolidNode {
 
     /// Where a ray is in the box around all hits, of a solid that is made of others.
     fn enter(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
-        let more = self.more.as_ref()?;
-        more.boxes.surface.slabs(ray, range)
+        let composite = self.composite.as_ref()?;
+        composite.boxes.surface.slabs(ray, range)
     }
 
     fn in_clip(&self, p: DVec3) -> bool {
@@ -441,7 +443,7 @@ impl SolidNode {
     }
 
     fn child_bvh(&self) -> Option<&ChildBvh> {
-        self.more.as_ref().and_then(|more| more.child_bvh.as_deref())
+        self.composite.as_ref().and_then(|composite| composite.child_bvh.as_deref())
     }
 
     fn children(&self) -> &[SolidNode] {

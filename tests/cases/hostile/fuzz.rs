@@ -27,7 +27,7 @@ fn corpus() -> Vec<(PathBuf, String)> {
         gather(&root.join(folder), &mut files);
     }
     files.sort();
-    let text = |path: PathBuf| durer::source::read_text(&path).ok().map(|text| (path, text));
+    let text = |path: PathBuf| durer::source::read_text(&durer::source::Disk, &path).ok().map(|text| (path, text));
     files.into_iter().filter_map(text).collect()
 }
 

@@ -55,7 +55,7 @@ fn check(files: &[&PathBuf]) -> (usize, Vec<String>) {
     let all = std::env::var_os("DURER_FUZZ").is_some();
     let (mut count, mut wrong) = (0, vec![]);
     for path in files.iter().take_while(|_| all || start.elapsed() < TIME) {
-        let Ok(text) = durer::source::read_text(path) else { continue };
+        let Ok(text) = durer::source::read_text(&durer::source::Disk, path) else { continue };
         let run = Run { path, steps: 100_000, draw: false };
         match std::panic::catch_unwind(AssertUnwindSafe(|| run.check(text))) {
             Ok(verdict) => wrong.extend(verdict.wrong.into_iter().map(|w| format!("{}: {w}", path.display()))),

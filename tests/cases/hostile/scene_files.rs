@@ -26,14 +26,14 @@ pub fn cases() -> Vec<Case> {
         case("read_open_vector", "#fopen F \"b.dat\" read\n#read (F, A)\n", 1, &["E0236"]).with("b.dat", "<1, 2"),
         case("mesh_of_secrets", "mesh { file \"/etc/passwd\" }\n", 1, &["E0235", "--allow-read"]),
         case("mesh_folder", "mesh { file \".\" }\n", 1, &["E0230", "a.scene:1:13"]),
-        case("mesh_of_nothing", "mesh { file \"a.obj\" }\n", 1, &["E0008", "no triangles"]).with("a.obj", ""),
-        case("mesh_that_ends", "mesh { file \"a.stl\" }\n", 1, &["E0008", "byte 84"]).with("a.stl", [255; 84]),
-        case("mesh_of_zeros", "mesh { file \"a.ply\" }\n", 1, &["E0008", "line 1"]).with("a.ply", [0; 999]),
-        case("mesh_of_billions", "mesh { file \"a.ply\" }\n", 1, &["E0008", "line 4"]).with(
+        case("mesh_of_nothing", "mesh { file \"a.obj\" }\n", 1, &["E0018", "no triangles"]).with("a.obj", ""),
+        case("mesh_that_ends", "mesh { file \"a.stl\" }\n", 1, &["E0018", "byte 84"]).with("a.stl", [255; 84]),
+        case("mesh_of_zeros", "mesh { file \"a.ply\" }\n", 1, &["E0018", "line 1"]).with("a.ply", [0; 999]),
+        case("mesh_of_billions", "mesh { file \"a.ply\" }\n", 1, &["E0018", "line 4"]).with(
             "a.ply",
             "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nelement face 99999999999999999999\nend_header\n",
         ),
-        case("mesh_of_empty_elements", "mesh { file \"a.ply\" }\n", 1, &["E0008"]).with(
+        case("mesh_of_empty_elements", "mesh { file \"a.ply\" }\n", 1, &["E0018"]).with(
             "a.ply",
             "ply\nformat binary_little_endian 1.0\nelement edge 18446744073709551615\nelement vertex 18446744073709551615\nend_header\n",
         ),
@@ -43,7 +43,7 @@ pub fn cases() -> Vec<Case> {
             .with("a.obj", "v 0 0 1e37\nv 1e33 0 0\nv 0 1e33 0\nf 1 2 3\n"),
         case("mesh_names_secrets", "mesh { file \"a.obj\" }\n", 0, &["W0214", "may not be read"])
             .with("a.obj", "mtllib /etc/passwd\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-        case("mesh_of_itself", "mesh { file \"a.gltf\" }\n", 1, &["E0008", "node 0 hangs in the tree twice"])
+        case("mesh_of_itself", "mesh { file \"a.gltf\" }\n", 1, &["E0018", "node 0 hangs in the tree twice"])
             .with("a.gltf", "{\"nodes\": [{\"children\": [1]}, {\"children\": [0, 0]}]}"),
         case("read_empty", "#fopen F \"b.dat\" read\n#while (defined(F)) #read (F, A) #end\n", 0, &[])
             .with("b.dat", ""),

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// A lowered camera.
 #[derive(Clone, Debug, Serialize)]
-pub struct Eye {
+pub struct LoweredCamera {
     /// Where it is and where it looks.
     pub frame: Frame,
     /// How it projects.
@@ -103,7 +103,7 @@ struct Bent {
     lengths: DVec3,
 }
 
-impl Eye {
+impl LoweredCamera {
     /// The rays of a picture of so many pixels.
     pub fn view(&self, width: usize, height: usize) -> View {
         let frame = self.frame;
@@ -194,7 +194,7 @@ impl Bent {
                 return Some((Ray::new(self.origin, dir.try_normalize()?), place));
             }
         };
-        let Sight { origin, dir, place } = sight;
+        let LocalRay { origin, dir, place } = sight;
         let [right, up, ahead] = self.axes;
         let world = right * dir.x + up * dir.y + ahead * dir.z;
         Some((Ray::new(self.origin + right * origin.x + up * origin.y, world.try_normalize()?), place))
@@ -202,7 +202,7 @@ impl Bent {
 }
 
 /// What a projection makes of a place of the picture.
-pub(super) struct Sight {
+pub(super) struct LocalRay {
     /// Where the ray begins, along right and up.
     pub(super) origin: DVec2,
     /// Along right, up and ahead; of any length.
@@ -211,7 +211,7 @@ pub(super) struct Sight {
     pub(super) place: DVec2,
 }
 
-impl Sight {
+impl LocalRay {
     /// A ray that begins at the eye.
     pub(super) fn from_eye(dir: DVec3, place: DVec2) -> Self {
         Self { origin: DVec2::ZERO, dir, place }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// One of many objects that share their shapes.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Copied {
+pub(super) struct Instance {
     /// The shapes, whose numbers begin at 0, in the space of this object.
     shared: Arc<Geometry>,
     /// World from this space; `None` is the identity.
@@ -23,7 +23,7 @@ pub(super) struct Copied {
     first_object: u32,
 }
 
-impl Copied {
+impl Instance {
     pub fn new(shared: Arc<Geometry>, place: Option<Arc<Transform>>, first_part: u32, first_object: u32) -> Self {
         Self { shared, place, first_part, first_object }
     }

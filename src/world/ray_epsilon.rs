@@ -6,7 +6,7 @@ use serde::Serialize;
 
 /// In units of the world.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Nearness {
+pub struct RayEpsilon {
     /// By rays that look.
     pub surface: f64,
     /// By those to lights, at both of their ends.
@@ -16,7 +16,7 @@ pub struct Nearness {
 /// A usual scene is as large as this, in which tolerances are as they were measured.
 const USUAL: f64 = 10.0;
 
-impl Nearness {
+impl RayEpsilon {
     /// As in POV-Ray 3.7.
     pub const MEASURED: Self = Self { surface: tolerance::SURFACE, shadow: tolerance::SHADOW };
 

@@ -6,8 +6,8 @@ use crate::math::bvh;
 use crate::scene::{Object, ObjectKind};
 use crate::value::SharedDefault;
 use crate::world::ObjectInfo;
-use crate::world::copied::Copied;
-use crate::world::geometry::{Geometry, Heap};
+use crate::world::geometry::{Geometry, GeometryBuilder};
+use crate::world::instance::Instance;
 use crate::world::leaf::place;
 use crate::world::node::{SolidKind, SolidNode};
 use rustc_hash::FxHashMap;
@@ -44,7 +44,7 @@ impl Lowering {
     }
 
     /// The object that was lowered to this node, as a copy of an earlier one like it, if many are alike.
-    pub(super) fn copied(&mut self, object: &Object, node: &SolidNode, before: Mark) -> Result<Option<Copied>> {
+    pub(super) fn copied(&mut self, object: &Object, node: &SolidNode, before: Mark) -> Result<Option<Instance>> {
         let ObjectKind::Csg(_, parts) = &object.kind else { return Ok(None) };
         if !is_seen_as_one(&self.objects[before.objects..]) {
             return Ok(None);
@@ -65,7 +65,7 @@ impl Lowering {
             return Ok(None);
         }
         let shared = original.shared.clone();
-        let copied = Copied::new(shared, place(&object.transform), before.parts as u32, before.objects as u32);
+        let copied = Instance::new(shared, place(&object.transform), before.parts as u32, before.objects as u32);
         Ok(Some(copied).filter(|copied| bvh::fits(&copied.bounds())))
     }
 }
@@ -76,9 +76,9 @@ impl Original {
         let mut alone = Lowering::default();
         let object = Object { transform: SharedDefault::DEFAULT, ..object.clone() };
         let Some(solid) = alone.lower_object(&object, &Inherited::default())? else { return Ok(None) };
-        let mut heap = Heap::default();
-        heap.add(solid.node.clone());
-        let shared = Geometry::from(heap);
+        let mut builder = GeometryBuilder::default();
+        builder.add(solid.node.clone());
+        let shared = Geometry::from(builder);
         let original = Self { _parts: parts.clone(), node: solid.node, shared: Arc::new(shared) };
         let is_more = |node: &SolidNode| !matches!(node.kind(), SolidKind::Leaf(_));
         let fits =

@@ -8,13 +8,13 @@ use crate::shape::{HUGE, Kernel};
 
 impl Object {
     /// The box around the object where it is now.
-    pub fn extent(&self) -> Aabb {
+    pub fn pov_bounds(&self) -> Aabb {
         let own = match &self.kind {
-            ObjectKind::Shape(shape) => shape.extent(&self.transform),
-            ObjectKind::Csg(..) => self.bulk.as_ref().and_then(|bulk| bulk.extent).unwrap_or(HUGE),
+            ObjectKind::Shape(shape) => shape.pov_bounds(&self.transform),
+            ObjectKind::Csg(..) => self.bulk.as_ref().and_then(|bulk| bulk.pov_bounds).unwrap_or(HUGE),
             ObjectKind::Light(_) => HUGE,
         };
-        let bounds = [&self.rare.clipped_by, &self.rare.bounded_by].into_iter().flatten();
+        let bounds = [&self.uncommon.clipped_by, &self.uncommon.bounded_by].into_iter().flatten();
         bounds.fold(own, |own, parts| {
             let clip = shared(parts.iter().map(side));
             if !clip.is_empty() && volume(&clip) < volume(&own) { clip } else { own }
@@ -25,7 +25,7 @@ impl Object {
     pub(super) fn parts_box(op: CsgOp, parts: &[Object]) -> Aabb {
         match op {
             CsgOp::Union | CsgOp::Merge => {
-                let all = parts.iter().map(Object::extent).reduce(Aabb::union);
+                let all = parts.iter().map(Object::pov_bounds).reduce(Aabb::union);
                 all.map_or(Aabb::from_corners(DVec3::ZERO, DVec3::ZERO), |b| b.intersection(HUGE))
             }
             CsgOp::Intersection => or_huge(shared(parts.iter().map(side))),
@@ -57,19 +57,19 @@ fn side(part: &Object) -> Aabb {
 }
 
 fn outer_side(part: &Object, taken_away: bool) -> Aabb {
-    let inverse = part.rare.flags.inverse != taken_away;
+    let inverse = part.uncommon.flags.inverse != taken_away;
     match &part.kind {
         ObjectKind::Shape(shape) => match shape.as_half_space() {
-            Some((normal, distance)) if part.rare.clipped_by.is_none() => {
+            Some((normal, distance)) if part.uncommon.clipped_by.is_none() => {
                 let point = part.transform.point(normal * distance);
                 let normal = part.transform.normal(normal).normalize();
                 half_space(if inverse { -normal } else { normal }, point)
             }
             _ if inverse || shape.solid_bounds().is_some() => Aabb::INFINITE,
-            _ => part.extent(),
+            _ => part.pov_bounds(),
         },
         _ if inverse => Aabb::INFINITE,
-        _ => part.extent(),
+        _ => part.pov_bounds(),
     }
 }
 

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// A lowered light.
 #[derive(Clone, Debug, Serialize)]
-pub struct Lamp {
+pub struct LoweredLight {
     /// In world space.
     pub location: DVec3,
     /// Negative ones darken.
@@ -32,7 +32,7 @@ pub struct Lamp {
 
 /// Light that arrives at a place, if nothing is in between.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arriving {
+pub struct LightSample {
     /// Where it comes from; length 1.
     pub from: DVec3,
     /// How far it comes; negative behind a parallel light, which shines there too.
@@ -41,7 +41,7 @@ pub struct Arriving {
     pub light: Rgb,
 }
 
-impl Lamp {
+impl LoweredLight {
     /// Lowers a light that has been moved to its place.
     pub fn new(light: &Light) -> Self {
         let fade =
@@ -61,7 +61,7 @@ impl Lamp {
     }
 
     /// What arrives at a point from the light that stands at `offset` from its location.
-    pub fn shine_on(&self, p: DVec3, offset: DVec3) -> Arriving {
+    pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
         // (A tube is that of the middle of a grid: measured on POV-Ray 3.7.)
         let ahead = (p - self.location).dot(self.axis);
         let way = self.location + offset - p;
@@ -83,7 +83,7 @@ impl Lamp {
             profile => profile.share(-from.dot(self.axis), beside(), ahead),
         };
         let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };
-        Arriving { from, distance, light: self.strength(distance) * lit }
+        LightSample { from, distance, light: self.strength(distance) * lit }
     }
 
     /// The light at a distance when nothing is in between; behind a parallel light that is below 0, and an odd power brightens and
@@ -117,18 +117,18 @@ mod tests {
             fade_power: 2.0,
             ..Light::default()
         };
-        let lamp = Lamp::new(&light);
-        let arriving = lamp.shine_on(DVec3::new(5.0, 0.0, 0.0), DVec3::ZERO);
+        let lamp = LoweredLight::new(&light);
+        let arriving = lamp.sample(DVec3::new(5.0, 0.0, 0.0), DVec3::ZERO);
         assert_eq!((arriving.from, arriving.distance), (DVec3::NEG_Z, 4.0));
         assert!((arriving.light.x - 0.4).abs() < 1e-15);
-        let behind = lamp.shine_on(DVec3::new(5.0, 0.0, -8.0), DVec3::ZERO);
+        let behind = lamp.sample(DVec3::new(5.0, 0.0, -8.0), DVec3::ZERO);
         assert_eq!((behind.from, behind.distance), (DVec3::NEG_Z, -4.0));
     }
 
     #[test]
     fn round_light_comes_from_its_place() {
         let light = Light { location: DVec3::Y * 3.0, color: Rgb::ONE, ..Light::default() };
-        let arriving = Lamp::new(&light).shine_on(DVec3::X * 4.0, DVec3::ZERO);
+        let arriving = LoweredLight::new(&light).sample(DVec3::X * 4.0, DVec3::ZERO);
         assert_eq!((arriving.from, arriving.distance), (DVec3::new(-0.8, 0.6, 0.0), 5.0));
     }
 }

@@ -1,0 +1,252 @@
+//! The disk, and files that appear whole or not at all.
+
+use super::{Entry, FileKind, Files, Metadata, WriteMode};
+use std::fs::{File, FileType, OpenOptions};
+use std::io::{self, Cursor, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// The file system of the machine.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Disk;
+
+impl Files for Disk {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        std::fs::read(path)
+    }
+
+    fn metadata(&self, path: &Path) -> io::Result<Metadata> {
+        let metadata = std::fs::metadata(path)?;
+        let kind = kind_of(metadata.file_type());
+        Ok(Metadata { kind, length: metadata.len(), modified: metadata.modified().ok() })
+    }
+
+    fn list(&self, folder: &Path) -> io::Result<Vec<Entry>> {
+        let entries = std::fs::read_dir(folder)?;
+        entries
+            .map(|entry| entry.and_then(|e| Ok(Entry { name: e.file_name(), kind: kind_of(e.file_type()?) })))
+            .collect()
+    }
+
+    fn canonicalize(&self, path: &Path) -> io::Result<PathBuf> {
+        path.canonicalize()
+    }
+
+    fn is_link(&self, path: &Path) -> bool {
+        path.is_symlink()
+    }
+
+    fn open_writer(&self, path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {
+        let append = mode == WriteMode::Append;
+        let file = OpenOptions::new().create(true).write(true).append(append).truncate(!append).open(path)?;
+        Ok(Box::new(file))
+    }
+
+    /// Writes a temporary file in the same folder, which then replaces the old file. Devices and pipes are written directly; a symbolic
+    /// link remains one.
+    fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let path = resolve(path)?;
+        if is_special(&path) {
+            return OpenOptions::new().write(true).open(&path)?.write_all(bytes);
+        }
+        let mut file = temporary(&path)?;
+        file.write_all(bytes)?;
+        file.persist(&path).map_err(|e| e.error)?;
+        Ok(())
+    }
+
+    fn draft(&self, path: &Path) -> io::Result<Draft> {
+        let path = resolve(path)?;
+        if is_special(&path) {
+            return Ok(Draft::in_memory(&path));
+        }
+        let file = tempfile::tempfile_in(folder(&path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))?;
+        Ok(Draft { path, bytes: Bytes::Disk(io::BufWriter::with_capacity(1 << 16, file)) })
+    }
+
+    fn check_writable(&self, path: &Path) -> io::Result<()> {
+        let path = resolve(path)?;
+        if is_special(&path) {
+            return OpenOptions::new().write(true).open(&path).map(drop);
+        }
+        temporary(&path).map(drop)
+    }
+}
+
+/// A file whose bytes arrive over a long time. Nothing appears at its path before [`Draft::commit`], and a draft that is not committed
+/// vanishes, however the program ends.
+pub struct Draft {
+    path: PathBuf,
+    bytes: Bytes,
+}
+
+enum Bytes {
+    /// A file without a name in the folder of `path`.
+    Disk(io::BufWriter<File>),
+    Memory(Cursor<Vec<u8>>),
+}
+
+impl Draft {
+    /// A draft whose bytes stay in memory until [`Draft::commit`].
+    pub fn in_memory(path: &Path) -> Self {
+        Self { path: path.to_path_buf(), bytes: Bytes::Memory(Cursor::default()) }
+    }
+
+    /// Returns the bytes of a draft in memory; none for a draft on disk.
+    pub fn into_bytes(self) -> Vec<u8> {
+        match self.bytes {
+            Bytes::Memory(bytes) => bytes.into_inner(),
+            Bytes::Disk(_) => vec![],
+        }
+    }
+
+    /// Creates or replaces the file at the draft's path in `files`, the storage that started the draft.
+    ///
+    /// # Errors
+    /// If the file cannot be written; then nothing has changed.
+    pub fn commit(self, files: &dyn Files) -> io::Result<()> {
+        match self.bytes {
+            Bytes::Memory(bytes) => files.write(&self.path, bytes.get_ref()),
+            Bytes::Disk(bytes) => {
+                let mut bytes = bytes.into_inner().map_err(io::IntoInnerError::into_error)?;
+                bytes.seek(SeekFrom::Start(0))?;
+                let mut file = temporary(&self.path)?;
+                io::copy(&mut bytes, file.as_file_mut())?;
+                file.persist(&self.path).map_err(|e| e.error)?;
+                Ok(())
+            }
+        }
+    }
+}
+
+impl Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.bytes {
+            Bytes::Disk(file) => file.write(bytes),
+            Bytes::Memory(memory) => memory.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.bytes {
+            Bytes::Disk(file) => file.flush(),
+            Bytes::Memory(_) => Ok(()),
+        }
+    }
+}
+
+impl Seek for Draft {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        match &mut self.bytes {
+            Bytes::Disk(file) => file.seek(to),
+            Bytes::Memory(memory) => memory.seek(to),
+        }
+    }
+}
+
+fn kind_of(kind: FileType) -> FileKind {
+    match kind {
+        kind if kind.is_file() => FileKind::File,
+        kind if kind.is_dir() => FileKind::Folder,
+        kind if kind.is_symlink() => FileKind::Link,
+        _ => FileKind::Special,
+    }
+}
+
+/// Returns the file behind symbolic links; an error for a folder.
+fn resolve(path: &Path) -> io::Result<PathBuf> {
+    if path.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
+    }
+    Ok(if path.is_symlink() { path.canonicalize()? } else { path.to_path_buf() })
+}
+
+/// True if `path` exists and is neither file nor folder (`/dev/null`, a named pipe).
+fn is_special(path: &Path) -> bool {
+    path.metadata().is_ok_and(|m| !m.is_file() && !m.is_dir())
+}
+
+/// Creates a file in the folder of `path` that vanishes unless it is persisted. It has the permissions of any new file; by default,
+/// only its owner could read a temporary file.
+fn temporary(path: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".durer-").suffix(".part");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder(path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// The error's text without the path of the temporary file, which the user does not know.
+fn system_text(error: &io::Error) -> String {
+    let text = error.to_string();
+    text.split(" at path \"").next().unwrap_or_default().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn write_replaces_the_old_file_and_leaves_no_temporary_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        Disk.write(&path, b"one").unwrap();
+        Disk.write(&path, b"two").unwrap();
+        Disk.check_writable(&path).unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"two");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn write_keeps_links_and_devices() {
+        let folder = tempfile::tempdir().unwrap();
+        let (target, link) = (folder.path().join("target"), folder.path().join("link"));
+        std::fs::write(&target, "old").unwrap();
+        std::os::unix::fs::symlink(&target, &link).unwrap();
+        Disk.write(&link, b"new").unwrap();
+        assert!(link.is_symlink());
+        assert_eq!(std::fs::read(&target).unwrap(), b"new");
+        Disk.write(Path::new("/dev/null"), b"gone").unwrap();
+        assert!(!Path::new("/dev/null").is_file());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn written_files_have_default_permissions() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (written, plain) = (folder.path().join("ours"), folder.path().join("plain"));
+        Disk.write(&written, b"").unwrap();
+        std::fs::write(&plain, b"").unwrap();
+        let mode = |p: &Path| p.metadata().unwrap().permissions().mode();
+        assert_eq!(mode(&written), mode(&plain));
+    }
+
+    #[test]
+    fn drafts_appear_with_their_commit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        let mut draft = Disk.draft(&path).unwrap();
+        draft.write_all(b"one two").unwrap();
+        draft.flush().unwrap();
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+        draft.seek(SeekFrom::Start(4)).unwrap();
+        draft.write_all(b"2").unwrap();
+        draft.commit(&Disk).unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"one 2wo");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+        assert!(Disk.draft(&folder.path().join("none/a.txt")).is_err());
+    }
+
+    #[test]
+    fn write_fails_for_folders_and_missing_folders() {
+        assert!(Disk.write(Path::new("/nowhere/at/all.png"), b"").is_err());
+        let folder = tempfile::tempdir().unwrap();
+        assert!(Disk.write(folder.path(), b"").is_err());
+    }
+}

@@ -1,0 +1,183 @@
+//! All text that was read, in one numbering of bytes.
+
+use super::{Disk, Files, ReadFiles, Recorder, Span};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A file in [`Sources`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct FileId(pub u32);
+
+/// A file, line and column, all as a person counts them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// As the user named it.
+    pub file: String,
+    /// From 1.
+    pub line: usize,
+    /// From 1, in characters.
+    pub column: usize,
+}
+
+/// `file:line:column`, as editors take it.
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "{}:{}:{}", self.file, self.line, self.column)
+    }
+}
+
+struct File {
+    name: String,
+    path: Option<PathBuf>,
+    text: String,
+    base: usize,
+    /// Local offsets at which lines start; CR, LF and CRLF all end a line.
+    lines: std::sync::OnceLock<Vec<u32>>,
+}
+
+/// Texts of a run and the storage they come from. A [`Span`] has a meaning only together with its `Sources`.
+pub struct Sources {
+    files: Recorder,
+    texts: elsa::FrozenVec<Box<File>>,
+}
+
+/// Reads from the disk.
+impl Default for Sources {
+    fn default() -> Self {
+        Self::new(Arc::new(Disk))
+    }
+}
+
+impl Sources {
+    /// No texts yet; those to come are read from `files`.
+    pub fn new(files: Arc<dyn Files>) -> Self {
+        Self { files: Recorder::new(files), texts: elsa::FrozenVec::new() }
+    }
+
+    /// The storage that the run reads from and writes to.
+    pub fn files(&self) -> &dyn Files {
+        &self.files
+    }
+
+    /// Records contents that came from elsewhere, such as standard input, among [`Sources::read_files`].
+    pub fn record(&self, name: &Path, bytes: &[u8]) {
+        self.files.record(name, bytes);
+    }
+
+    /// Returns the files that were read so far, texts and others, with hashes of their contents.
+    pub fn read_files(&self) -> ReadFiles {
+        self.files.read_files()
+    }
+
+    /// Adds a text; `None` when all files together pass 4 GB.
+    pub fn add(&self, name: &str, path: Option<&Path>, text: String) -> Option<FileId> {
+        let base = self.texts.iter().last().map_or(1, |f| f.base + f.text.len() + 1);
+        u32::try_from(base + text.len() + 1).ok()?;
+        let file = File { name: name.into(), path: path.map(Into::into), text, base, lines: Default::default() };
+        self.texts.push(Box::new(file));
+        Some(FileId(self.texts.len() as u32 - 1))
+    }
+
+    /// All files, in the order in which they came.
+    pub fn ids(&self) -> impl Iterator<Item = FileId> + use<> {
+        (0..self.texts.len() as u32).map(FileId)
+    }
+
+    /// The text of a file.
+    pub fn text(&self, id: FileId) -> &str {
+        self.texts.get(id.0 as usize).map_or("", |f| &f.text)
+    }
+
+    /// The name of a file as the user wrote it.
+    pub fn name(&self, id: FileId) -> &str {
+        self.texts.get(id.0 as usize).map_or("", |f| &f.name)
+    }
+
+    /// Where a file lies; `None` for standard input.
+    pub fn path(&self, id: FileId) -> Option<&Path> {
+        self.texts.get(id.0 as usize).and_then(|f| f.path.as_deref())
+    }
+
+    /// The global offset of a file's first byte.
+    pub fn base(&self, id: FileId) -> usize {
+        self.texts.get(id.0 as usize).map_or(0, |f| f.base)
+    }
+
+    /// The file a place is in, and its local range of bytes.
+    pub fn locate(&self, span: Span) -> Option<(FileId, std::ops::Range<usize>)> {
+        if span.is_none() {
+            return None;
+        }
+        let (lo, hi) = (span.lo as usize, span.hi as usize);
+        let (mut a, mut b) = (0, self.texts.len());
+        while b - a > 1 {
+            let mid = (a + b) / 2;
+            if self.texts[mid].base <= lo { a = mid } else { b = mid }
+        }
+        let file = self.texts.get(a)?;
+        let end = file.text.len();
+        Some((FileId(a as u32), (lo - file.base).min(end)..hi.saturating_sub(file.base).min(end)))
+    }
+
+    /// The text a place covers.
+    pub fn snippet(&self, span: Span) -> &str {
+        match self.locate(span) {
+            Some((id, range)) => self.text(id).get(range).unwrap_or(""),
+            None => "",
+        }
+    }
+
+    /// File, line and column of a place's first byte.
+    pub fn place(&self, span: Span) -> Option<Place> {
+        let (id, range) = self.locate(span)?;
+        let file = self.texts.get(id.0 as usize)?;
+        let lines = file.lines.get_or_init(|| line_starts(&file.text));
+        let line = lines.partition_point(|&start| start as usize <= range.start) - 1;
+        let column = file.text.get(lines[line] as usize..range.start).map_or(1, |s| s.chars().count() + 1);
+        Some(Place { file: file.name.clone(), line: line + 1, column })
+    }
+}
+
+fn line_starts(text: &str) -> Vec<u32> {
+    let bytes = text.as_bytes();
+    let ends = memchr::memchr2_iter(b'\n', b'\r', bytes);
+    let starts = ends.filter(|&i| !(bytes[i] == b'\r' && bytes.get(i + 1) == Some(&b'\n'))).map(|i| i as u32 + 1);
+    std::iter::once(0).chain(starts).collect()
+}
+
+/// Bytes to text: UTF-8 (a byte-order mark is dropped), and where they are not, Latin-1.
+pub fn decode_text(bytes: Vec<u8>) -> String {
+    let bytes = match bytes.strip_prefix(b"\xef\xbb\xbf") {
+        Some(rest) => rest.to_vec(),
+        None => bytes,
+    };
+    String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|&b| char::from(b)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_ending_counts_once() {
+        let sources = Sources::default();
+        let id = sources.add("a", None, "1\n2\r\n3\r4".into()).unwrap();
+        let at = |i| sources.place(Span::new(sources.base(id) + i, sources.base(id) + i)).unwrap();
+        assert_eq!([0, 2, 5, 7].map(|i| (at(i).line, at(i).column)), [(1, 1), (2, 1), (3, 1), (4, 1)]);
+    }
+
+    #[test]
+    fn places_of_several_files() {
+        let sources = Sources::default();
+        sources.add("a", None, "abc".into()).unwrap();
+        let b = sources.add("b", None, "xyz".into()).unwrap();
+        let span = Span::new(sources.base(b) + 1, sources.base(b) + 2);
+        assert_eq!(sources.snippet(span), "y");
+        assert_eq!(sources.place(span).unwrap().file, "b");
+    }
+
+    #[test]
+    fn latin1_is_read() {
+        assert_eq!(decode_text(b"D\xfcrer".to_vec()), "Dürer");
+    }
+}
