@@ -1,4 +1,4 @@
-//! What the built-in functions are given that look at more than values: names, elements of arrays, objects.
+//! Arguments of macros and of those built-in functions that take names, array elements or objects.
 
 use super::Interpreter;
 use super::evaluator::{LValue, Slot, as_float, as_vector, is_callable, not_text};
@@ -9,13 +9,13 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::Value;
 
-/// An argument with its place in the text.
+/// An argument with its span.
 pub(super) struct Argument<'a> {
     pub(super) given: Given<'a>,
     pub(super) span: Span,
 }
 
-/// See [`Argument`].
+/// Contents of an [`Argument`].
 pub(super) enum Given<'a> {
     /// A name alone, which need not be declared.
     Name(Symbol),
@@ -26,7 +26,7 @@ pub(super) enum Given<'a> {
 }
 
 impl<'a> Interpreter<'a> {
-    /// An argument that stands whole.
+    /// The argument that a parsed expression represents.
     pub(super) fn whole_argument(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
         let given = match &e.kind {
             ExprKind::Name(symbol) => Given::Name(*symbol),
@@ -39,13 +39,13 @@ impl<'a> Interpreter<'a> {
         Ok(Argument { given, span: e.span })
     }
 
-    /// The argument that comes next.
+    /// Reads the next argument.
     pub(super) fn read_argument(&mut self) -> Result<Argument<'a>> {
         let token = self.peek()?;
         let span = self.stream.here();
         match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
-                // (Looking at what follows may end the macro whose name it is.)
+                // The look-ahead may end the macro that holds the name.
                 let (slot, depth) = (self.evaluator.scopes().get(*symbol).cloned(), self.stream.call_depth());
                 let level =
                     self.evaluator.scopes().resolve(*symbol).map(|lvalue| self.evaluator.scopes().level_of(&lvalue));
@@ -104,7 +104,7 @@ impl<'a> Interpreter<'a> {
         Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
     }
 
-    /// Has the value that was just read come to its end?
+    /// True if nothing that follows continues the value that was just read.
     pub(super) fn value_ends(&mut self) -> Result<bool> {
         Ok(match self.peek_after()? {
             None | Some(Token::Sign(Sign::Close(_)) | Token::End) => true,
@@ -116,7 +116,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// What a name, an element or anything else holds.
+    /// Contents of the name, element or value that an argument is.
     pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
         match &argument.given {
             Given::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
@@ -156,7 +156,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Is there something under this name, or in this place?
+    /// True if the name or the element that an argument is has a value.
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
             Given::Name(symbol) => self.evaluator.is_declared(*symbol),

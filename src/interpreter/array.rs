@@ -1,4 +1,4 @@
-//! `array[2][3] { … }` and its elements (manual, "Arrays").
+//! `array[2][3] { … }`, `dictionary { … }` and their elements (manual, "Arrays").
 
 use super::Interpreter;
 use super::argument::Argument;
@@ -13,17 +13,18 @@ use crate::value::{Reader, Value};
 use smallvec::SmallVec;
 use std::rc::Rc;
 
-/// The most elements that an array may have.
+/// Maximum number of elements of an array.
 const MAX_ELEMENTS: usize = 50_000_000;
-/// The most dimensions: POV-Ray has five.
+/// Maximum number of dimensions, as in POV-Ray.
 const MAX_DIMENSIONS: usize = 5;
 
 impl<'a> Interpreter<'a> {
-    /// `array[2][3] { {1, 2, 3}, {4, 5, 6} }`; the word comes next. Without sizes they are those of the braces (3.8).
+    /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }`; the word comes next. Without sizes the braces determine them
+    /// (3.8).
     pub(super) fn read_array(&mut self) -> Result<Slot<'a>> {
         let span = self.stream.here();
         self.stream.advance();
-        // 3.8 asks for the word `mixed` where kinds are mixed; nobody needs it here.
+        // 3.8 requires the word `mixed` where types are mixed. durer accepts mixed types without it.
         if let Some(ElementKind::Expr(e)) = self.stream.raw().map(|e| &e.kind) {
             if matches!(&e.kind, ExprKind::Index(word, _) if self.inputs.sources.snippet(word.span) == "mixed") {
                 self.stream.split_next();
@@ -57,7 +58,7 @@ impl<'a> Interpreter<'a> {
         Ok(Slot::Array(Rc::new(array)))
     }
 
-    /// `[3]`, or `[]` for what the braces tell.
+    /// Reads `[3]`, or `[]` for a size that the braces determine.
     fn read_array_size(&mut self) -> Result<Option<usize>> {
         let at = self.open()?;
         let mut size = None;
@@ -79,7 +80,7 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::BAD_INDEX, at, format!("an array can't have {size} elements"))
     }
 
-    /// Reads `{ … }` into as many elements as the sizes say; fewer leave the rest without a value.
+    /// Reads `{ … }` into an array of the given sizes. Elements that are left out have no value.
     fn fill(&mut self, sizes: &[usize], items: &mut [Option<Slot<'a>>]) -> Result<()> {
         let Token::Open(Bracket::Brace, _) = self.peek()? else {
             return Err(self.unexpected_token("`{` with a row of the array").into());
@@ -107,7 +108,7 @@ impl<'a> Interpreter<'a> {
         self.close("`}`")
     }
 
-    /// An element; without sizes, braces in braces make arrays of arrays.
+    /// Reads an element. In an array without sizes, braces make an array of arrays.
     fn read_array_item(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
             Token::Open(Bracket::Brace, _) => self.read_braced_array(self.stream.here()),
@@ -115,7 +116,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `array { 1, 2, 3 }` (3.8): as many elements as there are.
+    /// Reads `array { 1, 2, 3 }` (3.8): the braces determine the size.
     pub(super) fn read_braced_array(&mut self, span: Span) -> Result<Slot<'a>> {
         match self.peek_continuation()? {
             Token::Open(Bracket::Brace, _) => {}
@@ -134,7 +135,7 @@ impl<'a> Interpreter<'a> {
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
     }
 
-    /// `dictionary { .Name: 1, ["other name"]: 2 }` (3.8), whose braces come next.
+    /// Reads `dictionary { .Name: 1, ["other name"]: 2 }` (3.8), whose braces come next.
     pub(super) fn dictionary(&mut self) -> Result<Slot<'a>> {
         self.open()?;
         let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
@@ -157,7 +158,7 @@ impl<'a> Interpreter<'a> {
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: Some(keys) })))
     }
 
-    /// `.Name` or `["name"]`
+    /// Reads a key: `.Name` or `["name"]`.
     fn read_dictionary_key(&mut self) -> Result<Rc<str>> {
         match self.peek()? {
             Token::Sign(Sign::Dot) => {
@@ -175,11 +176,12 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// An array's name has been seen, perhaps with an index behind it: where that element is kept, or the array itself.
+    /// Reads an array's name and the indices after it, and pushes back one token: the element, or the name if no index
+    /// follows.
     pub(super) fn element_by_tokens(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
         let before = self.stream.has_comma();
-        // The comma between the name and its indices, if there is one, ends the value.
+        // A comma between the name and its indices ends the value.
         let comma = self.stream.innermost().and_then(StackFrame::next).is_some_and(|e| e.comma);
         self.stream.set_comma(comma);
         self.stream.skip_element();
@@ -193,7 +195,7 @@ impl<'a> Interpreter<'a> {
         Ok(self.stream.push_back(Token::Element(whole), whole, before))
     }
 
-    /// The indices and keys that come next, behind an array's name.
+    /// Reads the indices and keys that follow an array's name.
     pub(super) fn indices_of(&mut self, symbol: Symbol) -> Result<Vec<(Value, Span)>> {
         let mut indices = vec![];
         loop {
@@ -213,7 +215,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What comes directly behind an array's name: no directive and no macro runs in between, and none ends, as in POV-Ray.
+    /// The token directly after an array's name. As in POV-Ray, no directive and no macro runs between the two, and no
+    /// macro ends (quirk: `index_follows_name`).
     fn index_ahead(&mut self) -> Result<Option<Token<'a>>> {
         loop {
             if self.stream.has_comma() {
@@ -234,7 +237,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The place that `D.Key`, `D["key"].Key` and the like name, if D is a dictionary.
+    /// Location of the element that `D.Key`, `D["key"].Key` and the like name, if `D` is a dictionary.
     pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<LValue>> {
         let base = match &e.kind {
             ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
@@ -254,13 +257,13 @@ impl<'a> Interpreter<'a> {
         self.evaluator.dictionary_element(&lvalue, e)
     }
 
-    /// What `A[i][j]` is.
+    /// Evaluates `A[i][j]`.
     pub(super) fn evaluate_index(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
         let lvalue = self.element_lvalue(base, indices)?;
         self.evaluator.slot_at(&lvalue, span)
     }
 
-    /// What [`Token::Element`] announced, which is consumed.
+    /// Consumes a [`Token::Element`], and returns the contents of the element.
     pub(super) fn take_element(&mut self) -> Result<Slot<'a>> {
         let span = self.stream.here();
         let lvalue = self.stream.take_element();
@@ -271,7 +274,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Where `A[i][j]` is kept; that element need not have a value yet.
+    /// Location of the element `A[i][j]`, which need not have a value yet.
     pub(super) fn element_lvalue(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<LValue> {
         match base.kind {
             ExprKind::Name(symbol) => self.lvalue_of(symbol, base.span, indices),
@@ -279,7 +282,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The same for a name and its place in the text.
+    /// Location of an element that is about to be declared; a new key is added to a dictionary.
     pub(super) fn target_lvalue(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
         let indices = self.index_values(indices)?;
         self.lvalue_at(symbol, span, &indices, true)
@@ -294,7 +297,7 @@ impl<'a> Interpreter<'a> {
         indices.iter().map(|e| Ok((self.evaluate(e)?, e.span))).collect()
     }
 
-    /// Where the element with these indices or keys is kept; a dictionary's last key is added if it is new and `adds` says so.
+    /// Location of the element at these indices or keys. With `adds`, a new last key is added to a dictionary.
     pub(super) fn lvalue_at(
         &mut self,
         symbol: Symbol,
@@ -344,7 +347,7 @@ impl<'a> Interpreter<'a> {
         Ok(lvalue.element(&path))
     }
 
-    /// Has the dictionary that is kept here a value under these keys?
+    /// True if the dictionary at a location has a value at these keys.
     pub(super) fn has_keys(&mut self, mut lvalue: LValue, indices: &'a [Expr]) -> Result<bool> {
         for e in indices {
             let key = self.evaluate_text(e)?;
@@ -356,7 +359,7 @@ impl<'a> Interpreter<'a> {
         Ok(self.evaluator.scopes().at(&lvalue).is_some())
     }
 
-    /// How many elements a dimension has; the first is 1.
+    /// Number of elements of a dimension; the first dimension is 1.
     pub(super) fn dimension_size(&mut self, array: &Argument<'a>, dimension: &Argument<'a>) -> Result<Value> {
         let array = self.array_argument(array)?;
         let n = self.argument_number(dimension)?;

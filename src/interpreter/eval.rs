@@ -1,5 +1,5 @@
-//! Expressions that stand whole: no macro gives a part of them, and nothing that follows goes on with them. All others are
-//! read token by token, in [`super::pieces`].
+//! Evaluation of parsed expressions in which no macro gives tokens and which nothing that follows continues. All others
+//! are read token by token in [`super::token_expr`].
 
 use super::Interpreter;
 use super::evaluator::{SMALL, apply_prefix, as_float, combine, component, divides_by_zero, not_text, vector_value};
@@ -12,7 +12,7 @@ use crate::value::Value;
 use smallvec::SmallVec;
 
 impl<'a> Interpreter<'a> {
-    /// The value of an expression.
+    /// Evaluates an expression.
     pub(super) fn evaluate(&mut self, e: &'a Expr) -> Result<Value> {
         match self.evaluator.quick(e) {
             Some(Quick::Float(x)) => return Ok(Value::Float(x)),
@@ -52,7 +52,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `A.x`; a component of a component is no recursion, however many there are.
+    /// Evaluates components such as `A.x`. Components of components do not recurse, however many there are.
     fn evaluate_components(&mut self, e: &'a Expr) -> Result<Value> {
         if let Some(lvalue) = self.dictionary_lvalue(e)? {
             let slot = self.evaluator.slot_at(&lvalue, e.span)?;
@@ -67,12 +67,12 @@ impl<'a> Interpreter<'a> {
         names.iter().rev().try_fold(value, |value, (name, span)| component(&value, name, *span))
     }
 
-    /// Is the number not 0?
+    /// True if a number is not 0.
     pub(super) fn is_true(&mut self, e: &'a Expr) -> Result<bool> {
         Ok(self.evaluate_number(e)?.abs() > SMALL)
     }
 
-    /// A number.
+    /// Evaluates an expression to a number.
     pub(super) fn evaluate_number(&mut self, e: &'a Expr) -> Result<f64> {
         if let Some(x) = self.evaluator.quick_number(e) {
             return Ok(x);
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
         as_float(&value, e.span)
     }
 
-    /// A string.
+    /// Evaluates an expression to a string.
     pub(super) fn evaluate_text(&mut self, e: &'a Expr) -> Result<String> {
         match self.evaluate(e)? {
             Value::Text(text) => Ok(text.to_string()),
@@ -89,7 +89,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What a name stands for, as a value.
+    /// The value of a name. Its first use reports the warnings that waited for it.
     pub(super) fn name_value(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
         match self.evaluator.scopes().get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => {
@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What a name or an array's element holds, where a value is needed.
+    /// The value in a slot; a fault for an array, a file, a macro and a failed declaration.
     pub(super) fn slot_value(&mut self, slot: Slot<'a>, span: Span) -> Result<Value> {
         match slot {
             Slot::Value(value) => Ok(value),
@@ -144,7 +144,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Tells the warnings that waited for the use of a declared thing.
+    /// Reports the warnings that waited for the use of a declared thing.
     pub(super) fn first_use(&mut self, symbol: Symbol, span: Span) {
         for warning in self.evaluator.scopes().pending(symbol).iter().flat_map(|p| p.iter()) {
             self.reporter.report(warning.clone());
@@ -155,7 +155,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Applies a binary operator; a division by zero is reported.
+    /// Applies a binary operator, and reports a division by zero.
     pub(super) fn combine(&mut self, op: Operator, left: (Value, Span), right: (Value, Span)) -> Result<Value> {
         if divides_by_zero(op, &right.0) {
             let value = combine(op, left.0, right.0, left.1, right.1)?;
@@ -165,7 +165,7 @@ impl<'a> Interpreter<'a> {
         combine(op, left.0, right.0, left.1, right.1)
     }
 
-    /// Operands of one precedence from left to right.
+    /// Evaluates operators of one precedence from left to right.
     fn evaluate_chain(&mut self, chain: &'a Chain) -> Result<Value> {
         let mut span = chain.first.span;
         let mut left = self.evaluate(&chain.first)?;
@@ -177,7 +177,7 @@ impl<'a> Interpreter<'a> {
         Ok(left)
     }
 
-    /// `< … >` of expressions that stand whole.
+    /// Evaluates a vector `< … >`.
     fn evaluate_vector(&mut self, parts: &'a [Element], span: Span) -> Result<Value> {
         let mut data = SmallVec::<[f64; 5]>::new();
         for part in parts {
@@ -188,7 +188,7 @@ impl<'a> Interpreter<'a> {
         vector_value(&data, span)
     }
 
-    /// The numbers of arguments that stand whole.
+    /// Evaluates a list of numbers, such as the arguments of a function.
     pub(super) fn evaluate_numbers(&mut self, parts: &'a [Element]) -> Result<Vec<f64>> {
         let mut all = Vec::with_capacity(parts.len());
         for part in parts {

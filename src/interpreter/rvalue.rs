@@ -1,4 +1,4 @@
-//! What may stand behind `#declare X =` and as a macro's argument: anything that can have a name.
+//! Values of `#declare X = …` and of macro arguments: anything that can have a name.
 
 use super::Interpreter;
 use super::evaluator::Slot;
@@ -14,12 +14,12 @@ use crate::texture::{ColorMap, Finish, Interior, Normal, NormalMap, Pigment, Pig
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
 
-/// Blocks that may be declared, and whose kind is not read yet.
+/// Blocks that can be declared but that durer does not render yet.
 pub const LATER: &[&str] =
     &["media", "density", "density_map", "warp", "radiosity", "photons", "pattern", "array", "texture_list"];
 
 impl<'a> Interpreter<'a> {
-    /// The next complete value. No directive and no macro behind it runs.
+    /// Reads a complete value. Directives and macros after the value do not run.
     pub(super) fn read_rvalue(&mut self) -> Result<Slot<'a>> {
         self.in_mode(|mode| mode.defers = true, Self::read_deferring_rvalue)
     }
@@ -70,12 +70,12 @@ impl<'a> Interpreter<'a> {
         self.read_value().map(|(value, _)| Slot::Value(value))
     }
 
-    /// A function's name alone, or its call.
+    /// Returns a function's name alone, or reads its call.
     fn call_or_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
         if self.call_follows()? { self.rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
     }
 
-    /// What was read may be the first operand of more, or be called.
+    /// Continues a value whose first operand was read.
     fn rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
         if matches!(&value, Value::Thing(_)) && !is_callable(&value) {
             return Ok(Slot::Value(value));
@@ -83,7 +83,7 @@ impl<'a> Interpreter<'a> {
         self.continue_value(value, span).map(|(value, _)| Slot::Value(value))
     }
 
-    /// A block that has a kind of value.
+    /// Reads a block that can be declared.
     fn thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().clone();
         if word == "spline" {
@@ -119,7 +119,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Opens the block that comes next, at the place that `read` is told, and closes it.
+    /// Opens the block that comes next, calls `read` with the block's span, and closes the block.
     fn inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
         let at = self.take()?;
         let thing = read(self, at)?;
@@ -127,7 +127,7 @@ impl<'a> Interpreter<'a> {
         Ok(Arc::new(thing))
     }
 
-    /// `#default { … }` and `default { … }`, between the braces.
+    /// Reads the inside of `#default { … }` or `default { … }`.
     pub(super) fn read_defaults(&mut self) -> Result<()> {
         loop {
             let next = Reader::next(self)?;

@@ -11,7 +11,7 @@ use crate::texture::tell_bytes;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Vocabulary};
 
-/// Everything that can stand at the outermost level, beside shapes.
+/// Words of the outermost level, except shapes.
 pub const STATEMENTS: Vocabulary = Vocabulary {
     block: "scene",
     summary: "what stands in a scene outside of all braces",
@@ -138,7 +138,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// A directive whose `#` is left out, as POV-Ray takes some of them between statements.
+    /// Runs a directive without its `#`, which POV-Ray accepts for some directives between statements.
     fn bare_directive(&mut self, word: &'static str) -> Result<()> {
         let span = self.stream.here();
         self.stream.advance();
@@ -154,7 +154,7 @@ impl Interpreter<'_> {
         self.stream.raw().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
     }
 
-    /// A setting that POV-Ray takes outside of `global_settings` too.
+    /// Reads `max_trace_level`, which POV-Ray also accepts outside of `global_settings`.
     fn stray_trace_level(&mut self) -> Result<()> {
         let at = self.stream.here();
         let mut settings = self.builder.settings().clone();
@@ -167,7 +167,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// A block that does not stand by itself.
+    /// The error for a block at the outermost level that belongs inside another block.
     fn stray_block(&mut self, word: &'static str) -> Diagnostic {
         let span = match self.peek() {
             Ok(Token::Block(name)) => name.span,
@@ -180,7 +180,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.
+    /// The error for a value at the outermost level: mostly a misspelt word or a missing `#declare`.
     fn stray_value(&mut self) -> Diagnostic {
         if let Ok(Token::Expr(e)) = self.peek() {
             if let Some(at) = self.comparison_ahead() {
@@ -203,7 +203,7 @@ impl Interpreter<'_> {
             .help("to give it a name, write `#declare Name = …;`")
     }
 
-    /// Does a value begin with this sign, which comes in pieces? (Behind an operand, `<` compares.)
+    /// True if a value begins with this sign, which is a token by itself. After an operand, `<` is a comparison.
     fn begins_value(&self, sign: Sign, span: Span) -> bool {
         let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
         let (before, behind) = self.inputs.sources.text(file).split_at(range.start);
@@ -216,14 +216,14 @@ impl Interpreter<'_> {
             _ => false,
         };
         let rest = &behind[range.len()..];
-        // (A `<` that nothing closes compares too.)
+        // A `<` without a `>` in the same line is a comparison too.
         let line = rest.split(['\n', '\r', ';']).next().unwrap_or_default();
         let compares = sign == Sign::Operator(Operator::Less) && !line.contains('>');
         let operand = rest.trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
         begins && !compares && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
     }
 
-    /// `Size = 3`: a sign that compares, in the row of operands that comes next.
+    /// Span of a comparison sign in the operands that come next, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
         if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
@@ -237,7 +237,7 @@ impl Interpreter<'_> {
         row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)
     }
 
-    /// What is settled only when the whole text has run.
+    /// Sets what depends on the whole text, and closes open files.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
         self.builder.finish();

@@ -16,7 +16,7 @@ impl<'a> Interpreter<'a> {
         Ok(self.head_number(condition, span)?.abs() > SMALL)
     }
 
-    /// The number in the parentheses behind a directive's word.
+    /// Evaluates the number in the parentheses after a directive's word.
     fn head_number(&mut self, head: &'a Head, span: Span) -> Result<f64> {
         match head {
             Head::Whole(e) if !self.evaluator.splits(e) => self.evaluate_number(e),
@@ -69,8 +69,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// A condition that a body begins with: its `(` is closed by what a macro or a branch gives. What follows it there comes
-    /// next.
+    /// Reads a condition whose `(` begins the branch's body, because a macro or a branch gives the `)`. The rest of the
+    /// body is read next.
     fn read_head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
         if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
             return Err(self.misplaced(span).into());
@@ -93,7 +93,7 @@ impl<'a> Interpreter<'a> {
         match head {
             Head::Whole(e) => self.is_declared(e),
             Head::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| {
-                // (The name may be a macro's, which is not called here.)
+                // The name may be a macro's, which is not called here.
                 match me.stream.bare_name() {
                     Some((symbol, _)) => Ok(me.evaluator.is_declared(symbol)),
                     None => {
@@ -114,7 +114,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Over what is left between the brackets.
+    /// Skips the rest of the tokens inside a bracket.
     fn skip_to_end(&mut self) -> Result<()> {
         while !self.peek()?.ends() {
             self.stream.advance();
@@ -124,7 +124,7 @@ impl<'a> Interpreter<'a> {
 
     pub(super) fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
         match &e.kind {
-            // The language's own constants are not declared.
+            // Built-in constants are not declared.
             ExprKind::Name(symbol) => Ok(self.evaluator.is_declared(*symbol)),
             ExprKind::Index(array, indices) => {
                 if !self.is_declared(array)? {
@@ -186,9 +186,9 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// `I, 0, 10, 2`; the commas may be left out.
+    /// Reads `I, 0, 10, 2`. The commas are optional.
     fn read_for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
-        // `J -1, 1`, `J (0), 1`: the comma behind the name may be left out.
+        // Without the comma after the name, `J -1, 1` and `J (0), 1` parse as expressions.
         if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
         {
             self.stream.split_next();
@@ -207,7 +207,7 @@ impl<'a> Interpreter<'a> {
         Ok((counter, numbers, at))
     }
 
-    /// Runs the first arm that fits and all after it until a `#break`.
+    /// Runs the first arm that matches, and all arms after it up to a `#break`.
     pub(in crate::interpreter) fn switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
         let value = self.head_number(value, span)?;
         for (i, arm) in arms.iter().enumerate() {
@@ -222,16 +222,16 @@ impl<'a> Interpreter<'a> {
                 When::Range(None) => return Err(self.misplaced(arm.span).into()),
                 When::Otherwise => true,
             };
-            // What a head in pieces has left of its body.
+            // The part of an arm's body that follows a head read from the body.
             let begun = self.stream.split_off_frames(mark.frame_count());
             if let (true, When::Otherwise, Some(next)) = (fits, &arm.when, arms.get(i + 1)) {
                 return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
             }
-            // (Where an arm ends is known when it runs: those behind it are not called idle.)
+            // The `#break` of an arm is found only when the arm runs: the arms after it count as run.
             self.reporter.record_branch(&arm.body, fits);
             arms[i + 1..].iter().filter(|_| fits).for_each(|other| self.reporter.record_branch(&other.body, true));
             if fits {
-                // Fall-through, also into `#else`: later arms lie below on the stack.
+                // Later arms are below on the stack, so that reading falls through to them and to `#else`.
                 self.stream.push_frame(&[], FrameKind::Switch, span);
                 for arm in arms[i + usize::from(!begun.is_empty())..].iter().rev() {
                     self.stream.push_frame(&arm.body, FrameKind::Branch, span);
@@ -250,7 +250,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// `==`, `&&` and `||`, as other languages have them: the place of the second sign.
+/// Span of the second sign of `==`, `&&` or `||`.
 fn doubled_operator(elements: &[Element]) -> Option<Span> {
     let sign = |e: &Element| match e.kind {
         ElementKind::Sign(Sign::Operator(op)) => Some(op),
@@ -260,7 +260,7 @@ fn doubled_operator(elements: &[Element]) -> Option<Span> {
     elements.windows(2).find(doubled).map(|pair| pair[1].span)
 }
 
-/// What stands behind an `#else` that is run.
+/// The error for a part of `#if` or `#switch` after its `#else`.
 fn continues_nothing(span: Span, text: &str) -> Fault {
     let word = text.split(|c: char| !c.is_ascii_alphabetic() && c != '#').next().unwrap_or("#else");
     let at = Span { hi: span.lo + word.len() as u32, ..span };

@@ -11,19 +11,19 @@ use crate::syntax::word::{self, Category};
 use crate::value::Value;
 use std::rc::Rc;
 
-/// What gets a value.
+/// Target of a declaration.
 struct Declared {
     symbol: Symbol,
-    /// The element of an array.
+    /// Location of an array element; `None` for the name itself.
     lvalue: Option<LValue>,
 }
 
-/// `deprecated "why"`; the flag is `once`.
+/// Contents of `deprecated once "why"`; the flag is `once`.
 type Deprecated<'a> = Option<(bool, &'a str)>;
 
 impl<'a> Interpreter<'a> {
-    /// Takes the next complete value from the stream. A thing that can't be built is declared all the same: the
-    /// errors are told where it is used, because standard includes declare hundreds of which a scene uses one.
+    /// Runs `#declare` and `#local`. A thing that cannot be built is declared all the same, and its errors are reported
+    /// where it is used: standard include files declare hundreds of things of which a scene uses a few.
     pub(in crate::interpreter) fn declare(&mut self, declare: &'a Declare) -> Result<()> {
         let target = &declare.target;
         if let Some(word) = target.keyword {
@@ -57,7 +57,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn reserved_name(&mut self, word: &str, span: Span) -> Result<()> {
-        // Its value is read all the same, so that what follows is no second fault.
+        // The value is read all the same, so that its tokens are no further faults.
         self.read_rvalue().ok();
         Diagnostic::new(codes::RESERVED_NAME, span, format!("`{word}` is a word of the language"))
             .help(format!("call it `{}`: names with a capital letter can never collide with one", capitalized(word)))
@@ -74,7 +74,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `#declare` where what stands before the `=` comes in pieces.
+    /// Runs `#declare` and `#local` where the target before the `=` comes token by token.
     pub(in crate::interpreter) fn declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         let mark = self.stream.checkpoint();
         self.declare_tokens(local, span).map_err(|fault| self.skip_fault(mark, *fault))
@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
         self.declare_one(local, deprecated, declared)
     }
 
-    /// `(` as a token, if it comes next.
+    /// Returns a `(` that comes next as a token; [`Token::End`] if none does.
     fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
         match self.stream.raw().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next(),
@@ -125,7 +125,7 @@ impl<'a> Interpreter<'a> {
         self.peek()
     }
 
-    /// `deprecated once "why"`
+    /// Reads `deprecated once "why"`, if it comes next.
     fn deprecated_tokens(&mut self) -> Result<Deprecated<'a>> {
         let word = |me: &Self, name: &str| matches!(me.stream.raw().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
         if !word(self, "deprecated") {
@@ -145,10 +145,10 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A name, perhaps with indices.
+    /// Reads the target: a name, perhaps with indices.
     fn declared_tokens(&mut self, directive: Span) -> Result<Declared> {
         self.pop_spent();
-        // `declare A = 3` without `#` reads as a comparison.
+        // A `declare A = 3` without `#` was parsed as a comparison.
         if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
@@ -206,7 +206,7 @@ impl<'a> Interpreter<'a> {
                 let fault = self.stream.with_trace(*fault);
                 self.skip_statement(mark);
                 self.stream.skip_layers(mark);
-                // What POV-Ray could not even read is an error at once.
+                // Text that POV-Ray cannot even tokenize is an error at once.
                 if matches!(fault.code, codes::SYNTAX | codes::UNCLOSED | codes::UNMATCHED_CLOSER) {
                     self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);
                     return fault.into();
@@ -216,7 +216,7 @@ impl<'a> Interpreter<'a> {
                 Slot::Faulty(Rc::new(faults))
             }
         };
-        // Warnings about a thing wait until it is used; those about a number are told here.
+        // Warnings about a thing wait until the thing is used; those about a number are reported here.
         let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
         let pending = if waits { self.reporter.take_since(first) } else { vec![] };
         self.bind(local, &declared, slot, pending);
@@ -234,7 +234,7 @@ impl<'a> Interpreter<'a> {
         Ok(Declared { symbol: target.symbol, lvalue })
     }
 
-    /// Gives the target its value; `pending` are the warnings that wait for its use.
+    /// Assigns a value to the target; `pending` are the warnings that wait for its use.
     fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match &declared.lvalue {
             Some(lvalue) => {
@@ -246,8 +246,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
-    /// `(A, B) = (B, A)` swaps them.
+    /// Reads `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8). All values are computed before the first name is assigned,
+    /// so that `(A, B) = (B, A)` swaps them.
     fn read_values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
         self.expose_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
@@ -268,7 +268,7 @@ impl<'a> Interpreter<'a> {
 
     pub(in crate::interpreter) fn undef(&mut self, span: Span) -> Result<()> {
         self.pop_spent();
-        // (Nothing behind the name runs before it is forgotten, and a macro's is not called.)
+        // The name is removed before anything after it runs, and a macro's name is not called.
         let next = self.stream.innermost().and_then(StackFrame::following).map(|e| &e.kind);
         if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Sign(_)))
             && let Some((symbol, _)) = self.stream.raw_name()
@@ -287,7 +287,7 @@ impl<'a> Interpreter<'a> {
             return Ok(());
         }
         let argument = match self.read_argument() {
-            // What is not there need not be forgotten.
+            // Removing an undeclared name has no effect.
             Err(fault) if fault.code == codes::UNDECLARED => return Ok(()),
             argument => argument?,
         };
@@ -311,7 +311,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// With a capital letter at its start.
+/// The word with a capital first letter.
 fn capitalized(word: &str) -> String {
     let mut letters = word.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())

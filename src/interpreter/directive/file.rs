@@ -13,21 +13,21 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-/// The most bytes that one scene may write.
+/// Maximum number of bytes that one scene may write.
 const MAX_WRITTEN: u64 = 4 << 30;
 
-/// A file between its `#fopen` and its `#fclose`.
+/// A file that `#fopen` opened, until its `#fclose`.
 pub(in crate::interpreter) struct OpenFile {
-    /// As the scene calls it.
+    /// Name in the scene.
     name: String,
     path: PathBuf,
     access: Access,
-    /// Where it was opened.
+    /// Span of the name in the `#fopen`.
     span: Span,
 }
 
 enum Access {
-    /// How far its text has been read.
+    /// A text file with the offset up to which it has been read.
     Read {
         file: FileId,
         at: usize,
@@ -37,7 +37,7 @@ enum Access {
 }
 
 impl<'a> Interpreter<'a> {
-    /// `#fopen Name "file" read`
+    /// Runs `#fopen Name "file" read`.
     pub(in crate::interpreter) fn open_file(&mut self, span: Span) -> Result<()> {
         let Some((symbol, _)) = self.read_name()? else {
             let message = "`#fopen` takes a name, a file and `read`, `write` or `append`";
@@ -57,7 +57,7 @@ impl<'a> Interpreter<'a> {
                 return d.help(format!("`#fopen {} \"{name}\" read`", self.inputs.names.text(symbol))).into();
             }
         };
-        // What is done with a file that could not be opened is no fault of its own.
+        // Uses of a file that could not be opened are no further faults.
         let file =
             file.inspect_err(|_| self.evaluator.scopes_mut().set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
         self.open_files.push(file);
@@ -65,7 +65,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// A name that comes next, which need not be declared.
+    /// Reads a name, which need not be declared.
     pub(in crate::interpreter) fn read_name(&mut self) -> Result<Option<(Symbol, Span)>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
@@ -76,7 +76,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The word behind the file's name, or nothing. It is the last one: no directive behind it may run before the file is open.
+    /// Reads the word after the file's name; empty if there is none. No directive after it runs before the file is
+    /// open.
     fn last_word(&mut self) -> &'static str {
         while let Some(ElementKind::Comma) = self.stream.raw().map(|e| &e.kind) {
             self.stream.advance();
@@ -94,7 +95,7 @@ impl<'a> Interpreter<'a> {
         word
     }
 
-    /// `#fclose Name`
+    /// Runs `#fclose Name`.
     pub(in crate::interpreter) fn close_named_file(&mut self, span: Span) -> Result<()> {
         if let Some((symbol, _)) = self.read_name()? {
             self.close_file(symbol, span);
@@ -143,7 +144,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Closes a file; what was written last reaches it only now, or not.
+    /// Closes a file, and reports an error in writing the rest of its buffer.
     fn flush(&mut self, index: usize, span: Span) {
         let file = &mut self.open_files[index];
         let written = match std::mem::replace(&mut file.access, Access::Closed) {
@@ -155,7 +156,7 @@ impl<'a> Interpreter<'a> {
         fault.into_iter().for_each(|fault| self.reporter.report(fault));
     }
 
-    /// Closes what the scene has left open.
+    /// Closes the files that the scene has left open.
     pub(in crate::interpreter) fn close_files(&mut self) {
         (0..self.open_files.len()).for_each(|index| self.flush(index, self.open_files[index].span));
     }
@@ -172,7 +173,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `#read (Name, A, B)`: a file that has been read to its end is closed, which `defined` tells.
+    /// Runs `#read (Name, A, B)`. At the end of its text the file is closed, which `defined` then reports.
     pub(in crate::interpreter) fn read_file(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#read")?;
         let Some((file, at)) = self.read_name()? else {
@@ -182,7 +183,7 @@ impl<'a> Interpreter<'a> {
         let mut more = true;
         while !self.peek()?.ends() {
             let target = self.read_argument()?;
-            // What comes behind the file's end keeps what it has.
+            // Names after the end of the file keep their values.
             if !more {
                 continue;
             }
@@ -210,7 +211,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// The next number, vector or string of a file, and whether anything follows it.
+    /// Reads the next number, vector or string of a file; true if more follows.
     fn next_value(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
         let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {
@@ -236,14 +237,14 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `#write (Name, A, B)`
+    /// Runs `#write (Name, A, B)`.
     pub(in crate::interpreter) fn write_file(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#write")?;
         let index = match self.read_name()? {
             Some((symbol, at)) => self.file_number(symbol, at)?,
             None => return Err(self.unexpected_token("an open file").into()),
         };
-        // The binary form of the values that follow the word up to a comma; with one behind the word itself it says nothing.
+        // Binary format of the values up to the next comma. A comma directly after the word cancels it.
         let mut form = None;
         loop {
             let token = self.peek()?;

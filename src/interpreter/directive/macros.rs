@@ -22,7 +22,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Evaluates the arguments, opens a scope and puts the body next in the stream, then perhaps a comma.
+    /// Calls a macro: evaluates the arguments, opens a scope and reads the body next, then a comma if `comma` is set.
     pub(in crate::interpreter) fn call_macro(
         &mut self,
         name: Symbol,
@@ -40,7 +40,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// The same for a name that has been consumed, whose `(` comes next.
+    /// Calls a macro whose name has been consumed and whose `(` comes next.
     pub(in crate::interpreter) fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
@@ -84,7 +84,8 @@ impl<'a> Interpreter<'a> {
         self.stream.push_call(definition, span, comma);
     }
 
-    /// The common case, without a frame: as many expressions as parameters, none of them a macro's or of several values.
+    /// Evaluates arguments without a frame, which is the common case: one expression for each parameter, without macro
+    /// calls. `None` for other arguments.
     fn plain_arguments(
         &mut self,
         definition: &'a Macro,
@@ -95,7 +96,7 @@ impl<'a> Interpreter<'a> {
         {
             return Ok(None);
         }
-        // (A list that was used before: calls are many, and evaluating expressions makes none.)
+        // The list is reused: calls are many, and evaluation itself does not allocate.
         let mut slots = self.evaluator.argument_list();
         slots.clear();
         for element in arguments {
@@ -149,7 +150,8 @@ impl<'a> Interpreter<'a> {
         Ok(slots)
     }
 
-    /// A bare name is passed by reference, all else as a copy; so is a local name of a macro that gives it.
+    /// Reads an argument. A name alone is passed by reference, unless it is local to a macro that ends with the
+    /// argument; any other value is copied.
     fn argument(&mut self, level: u32) -> Result<Slot<'a>> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
             return self.read_rvalue();

@@ -1,5 +1,4 @@
-//! All directives: what runs them, and what the manual says of them. Those with a body are nodes of the tree; the tree knows how
-//! to run them.
+//! Table of all directives, with their manual texts. Directives with a body are nodes of the syntax tree.
 
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
@@ -10,33 +9,33 @@ use std::sync::LazyLock;
 /// A directive.
 #[derive(Debug)]
 pub struct Entry {
-    /// Behind the `#`; several share an entry.
+    /// Words after the `#`; related directives share an entry.
     pub names: &'static [&'static str],
-    /// How it is written.
+    /// Syntax.
     pub form: &'static str,
-    /// One line.
+    /// Summary in one line.
     pub summary: &'static str,
-    /// A few lines that run.
+    /// Example of a few lines, which runs.
     pub example: &'static str,
-    /// What runs one that has no body: it gets its name and place, and reads what follows.
+    /// Function that runs a directive without a body.
     pub(in crate::interpreter) run: Option<Run>,
 }
 
-/// See [`Entry::run`].
+/// Function that runs a directive: receives the word and its span, and reads what follows.
 pub(in crate::interpreter) type Run = for<'a> fn(&mut Interpreter<'a>, &'static str, Span) -> Result<()>;
 
-/// The row of a directive without a body, and its name there.
+/// The word and the function of a directive without a body.
 pub(in crate::interpreter) fn find(name: &str) -> Option<(&'static str, Run)> {
     RUNNERS.get(name).copied()
 }
 
-/// (Some stand in loops that write a million times.)
+/// A hash map, because scripts may run `#write` a million times.
 static RUNNERS: LazyLock<FxHashMap<&'static str, (&'static str, Run)>> = LazyLock::new(|| {
     let runners = |row: &'static Entry| row.names.iter().filter_map(|name| Some((*name, (*name, row.run?))));
     TABLE.iter().flat_map(runners).collect()
 });
 
-/// The names of all directives.
+/// Words of all directives.
 pub(in crate::interpreter) fn names() -> impl Iterator<Item = &'static str> {
     TABLE.iter().flat_map(|row| row.names).copied()
 }
@@ -56,7 +55,7 @@ impl Entry {
     }
 }
 
-/// All directives, in the order in which one learns them.
+/// All directives, in the order in which a beginner learns them.
 pub const TABLE: &[Entry] = &[
     entry(
         &["declare"],

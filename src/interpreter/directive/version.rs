@@ -7,7 +7,7 @@ use crate::syntax::ast::{Expr, ExprKind};
 
 impl Interpreter<'_> {
     pub(in crate::interpreter) fn version(&mut self) -> Result<()> {
-        // `#version unofficial patch 3.7;`: the names of MegaPOV and its kin say nothing here.
+        // In `#version unofficial patch 3.7;` the words of MegaPOV are ignored.
         while let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
             && self.evaluator.is_unknown(*symbol)
         {

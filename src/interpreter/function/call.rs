@@ -10,7 +10,7 @@ use crate::syntax::ast::*;
 use crate::value::{Reader, Value, VecN, downcast};
 
 impl<'a> Interpreter<'a> {
-    /// A call of a function or spline in a script.
+    /// Calls a declared function or spline.
     pub(in crate::interpreter) fn evaluate_call(
         &mut self,
         name: Symbol,
@@ -31,7 +31,7 @@ impl<'a> Interpreter<'a> {
         Ok(answer(&function, &numbers))
     }
 
-    /// A call of an array's element.
+    /// Calls a function or spline that is an array's element.
     pub(in crate::interpreter) fn evaluate_call_of(
         &mut self,
         thing: &Value,
@@ -54,7 +54,7 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("{} can't be called", thing.describe()))
     }
 
-    /// `S(0.5)`, `S(0.5, cubic_spline)`
+    /// Calls a spline: `S(0.5)` or `S(0.5, cubic_spline)`.
     fn call_spline(&mut self, spline: &Spline, arguments: &'a [Element], span: Span) -> Result<Value> {
         self.within(arguments, Bracket::Paren, span, |me| me.read_spline_arguments(spline))
     }
@@ -74,7 +74,7 @@ impl<'a> Interpreter<'a> {
         Err(self.unexpected_token("one number and, at most, the kind of spline").into())
     }
 
-    /// Reads the arguments of a function or spline, whose `(` has been read, up to the `)`.
+    /// Reads the arguments of a function or spline up to the `)`, and calls it. The `(` has been consumed.
     pub(in crate::interpreter) fn read_arguments_and_call(&mut self, callee: &Value, span: Span) -> Result<Value> {
         if let Value::Thing(thing) = callee {
             if let Some(spline) = downcast::<Spline>(thing) {

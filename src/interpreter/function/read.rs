@@ -1,4 +1,4 @@
-//! `function (…) { … }`, as a whole or in pieces.
+//! Reading of `function (…) { … }`, parsed or token by token.
 
 use super::token_function::Compiled;
 use super::{Compiler, internal_function};
@@ -12,16 +12,16 @@ use crate::syntax::ast::{Bracket, Expr, ExprKind, Symbol};
 use crate::value::{SizedFunction, Thing};
 use std::sync::Arc;
 
-/// A function, with the width and the height of the picture that it makes if it says them.
+/// A function, with the width and height in pixels if it is the function of a picture.
 type PerhapsSized = (Option<[usize; 2]>, Arc<dyn Thing>);
 
 impl<'a> Interpreter<'a> {
-    /// The function that comes next in the stream.
+    /// Reads a function.
     pub(in crate::interpreter) fn read_function(&mut self) -> Result<Arc<dyn Thing>> {
         self.read_any_function().map(|(_, function)| function)
     }
 
-    /// The function that comes next, if it says how large the picture is that it makes: `function 200, 100 { … }`.
+    /// Reads a function with the size of its picture, as in `function 200, 100 { … }`; `None` if it has none.
     pub(in crate::interpreter) fn read_sized_function(&mut self) -> Result<Option<SizedFunction>> {
         if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
             return Ok(None);
@@ -46,7 +46,7 @@ impl<'a> Interpreter<'a> {
         Ok((size, function))
     }
 
-    /// The same behind the word `function`.
+    /// Reads a function token by token; the word `function` has been consumed.
     fn read_function_by_tokens(&mut self, span: Span) -> Result<PerhapsSized> {
         let (mut parameters, mut size) = (vec![], vec![]);
         self.expose_parenthesis()?;
@@ -75,7 +75,7 @@ impl<'a> Interpreter<'a> {
         Ok((size, function))
     }
 
-    /// How many points the picture that a function makes has across and down.
+    /// Width and height of a function's picture in pixels.
     fn picture_size(&mut self, size: &[(f64, Span)], span: Span) -> Result<Option<[usize; 2]>> {
         let &[(width, at), (height, end)] = size else {
             return match size.len() {
@@ -91,7 +91,7 @@ impl<'a> Interpreter<'a> {
         Ok(Some(size))
     }
 
-    /// What stands between the braces.
+    /// Reads the inside of a function's braces.
     fn read_function_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
         if let Token::Block(name) = self.peek()? {
             return self.read_sampled_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
@@ -117,7 +117,7 @@ impl<'a> Interpreter<'a> {
         compiler.finish(self, span)
     }
 
-    /// `internal(61)` alone: one of the functions behind functions.inc.
+    /// Reads `internal(61)` alone: one of the functions in functions.inc.
     fn read_internal_call(&mut self) -> Result<Option<Arc<dyn Thing>>> {
         let token = self.peek()?;
         let mut span = self.stream.here();

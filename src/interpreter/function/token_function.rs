@@ -1,4 +1,4 @@
-//! Functions whose tokens come one by one.
+//! Compilation of functions whose tokens come one by one.
 
 use super::{Compiler, series};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -13,7 +13,7 @@ use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
 use crate::value::Value;
 
-/// Makes operations of operands and operators.
+/// Compiles operands and operators.
 pub(super) struct Compiled<'c>(pub(super) &'c mut Compiler);
 
 impl<'a> Operands<'a> for Compiled<'_> {
@@ -46,14 +46,14 @@ impl<'a> Operands<'a> for Compiled<'_> {
 }
 
 impl<'a> Interpreter<'a> {
-    /// A number, parameter, call … without signs.
+    /// Compiles a number, parameter or call without signs.
     fn compile_primary(&mut self, c: &mut Compiler) -> Result<(Id, Span)> {
         loop {
             let token = self.peek()?;
             let span = self.stream.here();
             return match token {
                 Token::Expr(e) => match &e.kind {
-                    // A component or more may follow.
+                    // A component may follow the call.
                     ExprKind::Call(..) | ExprKind::Apply(..) if !self.is_whole(true) => {
                         self.stream.split_next();
                         continue;
@@ -107,7 +107,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The arguments of a function or spline, whose `(` comes next, and perhaps a component behind them.
+    /// Compiles the call of a function or spline, whose `(` comes next, with a component after it.
     fn compile_call_by_tokens(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
         self.open()?;
         let mut ids = vec![];
@@ -126,7 +126,7 @@ impl<'a> Interpreter<'a> {
         Ok((self.compile_call_of(c, callee, ids, component.as_ref(), whole)?, whole))
     }
 
-    /// What stands in the parentheses of a built-in function.
+    /// Compiles the arguments of a built-in function.
     fn compile_builtin_by_tokens(&mut self, c: &mut Compiler, word: &str, span: Span) -> Result<Id> {
         if word == "sum" || word == "prod" {
             return self.compile_series_by_tokens(c, word == "prod", span);
@@ -138,7 +138,7 @@ impl<'a> Interpreter<'a> {
         self.compile_builtin_of(c, word, &ids, span)
     }
 
-    /// `I, 1, 10, x/I`
+    /// Compiles the arguments `I, 1, 10, x/I` of `sum` or `prod`.
     fn compile_series_by_tokens(&mut self, c: &mut Compiler, product: bool, span: Span) -> Result<Id> {
         let Token::Expr(Expr { kind: ExprKind::Name(counter), .. }) = self.peek()? else {
             return Diagnostic::err(

@@ -1,5 +1,5 @@
-//! Values in pieces: expressions of which macros, branches, loops or files give the tokens one by one. The rules and the table
-//! of precedences are those of the expressions that stand whole.
+//! Expressions whose tokens come one by one, from macros, branches, loops or files. Rules and precedences are those of
+//! parsed expressions.
 
 mod call;
 mod skipped;
@@ -15,15 +15,15 @@ use crate::syntax::{SignRow, begins_with_sign};
 use crate::value::{Reader, Value, VecN};
 use skipped::Skipped;
 
-/// What is done with operands and operators as they come: values are computed, functions compiled, or nothing is done.
+/// Action on operands and operators: evaluation, compilation of functions, or skipping.
 pub(super) trait Operands<'a> {
-    /// What an operand is.
+    /// Result of an operand.
     type Value;
 
-    /// The next operand with its signs, components and indices.
+    /// Reads the next operand with its signs, components and indices.
     fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Self::Value, Span)>;
 
-    /// Two operands and what stands between them.
+    /// Applies a binary operator.
     fn combine(
         &mut self,
         me: &mut Interpreter<'a>,
@@ -32,20 +32,21 @@ pub(super) trait Operands<'a> {
         right: (Self::Value, Span),
     ) -> Result<Self::Value>;
 
-    /// What follows a `?`: both branches with the `:` between them.
+    /// Reads the two branches after a `?`, with the `:` between them, and selects one.
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Self::Value, Span)) -> Result<(Self::Value, Span)>;
 
-    /// How strongly an operator binds.
+    /// Precedence of an operator.
     fn precedence(&self, op: Operator) -> u8 {
         op.precedence()
     }
 }
 
-/// Operators that bind at least so strongly are read: all of them.
+/// Precedence below that of all operators.
 const LOOSEST: u8 = 0;
 
 impl<'a> Interpreter<'a> {
-    /// Operands and operators in a row (precedence climbing). Where it `compares`, `<`, `&`, `?` and their kin are operators.
+    /// Reads operands and operators by precedence climbing. With `compares`, comparisons, `&`, `|` and `?` are
+    /// operators, too.
     pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
         if self.stream.mode().nesting >= MAX_NESTED {
             let message = format!("more than {MAX_NESTED} values are read inside each other here");
@@ -82,7 +83,7 @@ impl<'a> Interpreter<'a> {
         Ok((left, span))
     }
 
-    /// The operator that goes on with the value that was just read.
+    /// The operator that continues the value that was just read.
     fn operator_ahead(&mut self, compares: bool) -> Result<Option<Operator>> {
         loop {
             return Ok(match self.peek_after()? {
@@ -100,12 +101,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The next value that is a number, vector, colour or text, with its place.
+    /// Reads a number, vector, colour or string, and returns it with its span.
     pub(super) fn read_value(&mut self) -> Result<(Value, Span)> {
         self.read_expression(false)
     }
 
-    /// The same; where it `compares`, as in a colour or a condition, `<` is no vector behind an operand.
+    /// Reads a value; with `compares`, as in a colour or a condition, `<` after an operand is a comparison and no
+    /// vector.
     pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
         if self.is_whole(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
@@ -125,12 +127,12 @@ impl<'a> Interpreter<'a> {
         self.climb(&mut Computed::default(), compares)
     }
 
-    /// A value whose first operand has been read.
+    /// Reads the rest of a value whose first operand has been read.
     pub(super) fn continue_value(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
         self.climb(&mut Computed(Some((first, span))), false)
     }
 
-    /// A number, vector, text, name, call … without signs.
+    /// Reads a number, vector, string, name or call without signs.
     pub(super) fn read_primary(&mut self) -> Result<(Value, Span)> {
         self.expose_operand()?;
         let token = self.peek()?;
@@ -166,7 +168,7 @@ impl<'a> Interpreter<'a> {
                 let color = self.color()?;
                 Ok((Value::Color(color), span))
             }
-            // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
+            // One of durer's own words may also be a declared name: `camera { eye eye }`.
             Token::Word(word)
                 if let Some(symbol) = self.inputs.names.find(word).filter(|s| self.evaluator.is_declared(*s)) =>
             {
@@ -177,7 +179,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Takes apart what comes next, until an operand or its sign is a token.
+    /// Splits the next expression until an operand or its sign is a token.
     fn expose_operand(&mut self) -> Result<()> {
         let holds_more = |e: &Expr| matches!(e.kind, ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..));
         while matches!(self.peek()?, Token::Expr(e) if holds_more(e)) {
@@ -186,7 +188,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Components and arguments behind a value.
+    /// Reads the components and arguments after a value.
     fn postfix(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
         loop {
             match self.peek_after()? {
@@ -204,7 +206,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The word behind a `.`.
+    /// Reads the word after a `.`.
     pub(super) fn component_name(&mut self) -> Result<Name> {
         self.expose_operand()?;
         let token = self.peek()?;
@@ -220,13 +222,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A vector, whose `<` comes next.
+    /// Reads a vector, whose `<` comes next.
     fn read_vector(&mut self) -> Result<(Value, Span)> {
         let (data, span) = self.read_vector_numbers()?;
         Ok((vector_value(&data, span)?, span))
     }
 
-    /// The numbers of a vector of any length, whose `<` comes next.
+    /// Reads the components of a vector of any length, whose `<` comes next.
     pub(super) fn read_vector_numbers(&mut self) -> Result<(Vec<f64>, Span)> {
         let start = self.stream.here();
         self.stream.advance();
@@ -236,7 +238,7 @@ impl<'a> Interpreter<'a> {
         Ok((data, joined(start, end)))
     }
 
-    /// Reads the numbers of the vector whose `<` is at `start`, up to its `>`; returns the span of that.
+    /// Reads the components of the vector whose `<` is at `start`, up to its `>`; returns the span of the `>`.
     fn read_vector_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
         loop {
             match self.peek()? {
@@ -244,7 +246,7 @@ impl<'a> Interpreter<'a> {
                 token if token.ends() || matches!(token, Token::Sign(_)) && !self.at_sign() => {
                     return Err(self.open_vector(start).into());
                 }
-                // A colour is a value, although none fits into a vector.
+                // A colour is a value, although no vector can hold one.
                 Token::Word(word) if self.evaluator.ends_vector(word) => return Err(self.open_vector(start).into()),
                 Token::Block(_) => return Err(self.open_vector(start).into()),
                 _ => {
@@ -258,7 +260,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Does a sign come next that may stand before an operand?
+    /// True if a sign comes next that can precede an operand.
     fn at_sign(&mut self) -> bool {
         matches!(
             self.peek(),
@@ -267,10 +269,10 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// Values inside values: parentheses, choices, arguments.
+/// Maximum depth of values inside values: parentheses, choices, arguments.
 const MAX_NESTED: usize = 3_000;
 
-/// A span from one place to another, if both lie in one piece of text.
+/// The span from `from` to `to` if both are in one piece of text; else `from`.
 pub(super) fn joined(from: Span, to: Span) -> Span {
     if to.hi >= from.lo && to.hi - from.lo < 1 << 16 { from.to(to) } else { from }
 }
@@ -305,7 +307,7 @@ pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     Ok(row.0)
 }
 
-/// Computes. The first operand may have been read already.
+/// Evaluates operands and operators. The first operand may have been read already.
 #[derive(Default)]
 struct Computed(Option<(Value, Span)>);
 
