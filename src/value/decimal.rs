@@ -1,6 +1,6 @@
-//! Numbers as a person writes them.
+//! Formatting of numbers without superfluous digits.
 
-/// With at most so many digits behind the point: no zeros at the end, and no sign of a zero.
+/// Formats a number with at most `digits` decimals, without trailing zeros and without the sign of a zero.
 pub fn decimal(x: f64, digits: usize) -> String {
     let text = format!("{x:.digits$}");
     match without_zeros(&text) {
@@ -9,7 +9,7 @@ pub fn decimal(x: f64, digits: usize) -> String {
     }
 }
 
-/// The digits of a number without the zeros at the end of its fraction.
+/// Removes the trailing zeros of a formatted number's fraction.
 pub fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }

@@ -1,9 +1,10 @@
-//! Values from outside of any scene, as `--declare NAME=VALUE` gives them: `2.5`, `"text"`, `<1, 2, 3>`, `rgb <1, 0, 0>`.
+//! Parsing of values given outside of a scene, as by `--declare NAME=VALUE`: `2.5`, `"text"`, `<1, 2, 3>`, `rgb <1, 0,
+//! 0>`.
 
 use super::{Value, VecN};
 use crate::color::{Color, transfer};
 
-/// The words of a colour, how many numbers follow, and which of `rgbft` they are.
+/// Colour words with the components of `rgbft` that they set.
 const COLORS: &[(&str, &[usize])] = &[
     ("rgb", &[0, 1, 2]),
     ("rgbf", &[0, 1, 2, 3]),
@@ -15,10 +16,10 @@ const COLORS: &[(&str, &[usize])] = &[
     ("srgbft", &[0, 1, 2, 3, 4]),
 ];
 
-/// Reads such a value, or says what is wrong with it.
+/// Parses a number, string, vector or colour.
 ///
 /// # Errors
-/// What is wrong, in words.
+/// A description of what is wrong with the text.
 pub fn given(text: &str) -> Result<Value, String> {
     let text = text.trim();
     if let Some(x) = number(text) {
@@ -47,7 +48,7 @@ fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite())
 }
 
-/// Two to five numbers between `<` and `>`.
+/// Parses two to five components between `<` and `>`.
 fn vector(text: &str) -> Result<VecN, String> {
     let inner = text.strip_prefix('<').and_then(|text| text.strip_suffix('>'));
     let inner = inner.ok_or_else(|| format!("`{text}` is no vector: `>` is missing at its end"))?;
@@ -60,7 +61,7 @@ fn vector(text: &str) -> Result<VecN, String> {
     Ok(VecN::from_slice(&numbers))
 }
 
-/// A colour word and what follows it: a vector, or one number for all of them.
+/// Parses a colour: its word and a vector, or one number for all components.
 fn color(word: &str, rest: &str) -> Result<Value, String> {
     let slots = COLORS.iter().find(|(name, _)| *name == word).map_or(&[0, 1, 2][..], |(_, slots)| slots);
     let given = match number(rest) {
@@ -68,7 +69,7 @@ fn color(word: &str, rest: &str) -> Result<Value, String> {
         None if rest.starts_with('<') => vector(rest)?,
         None => return Err(format!("`{word}` needs numbers behind it: {word} <{}>", example(slots.len()))),
     };
-    // `color <1, 0, 0>` says less than it may.
+    // `color <1, 0, 0>` may have fewer components than five.
     if usize::from(given.len) != slots.len() && !(word == "rgbft" && given.len >= 3) {
         let example = example(slots.len());
         return Err(format!("`{word}` has {} numbers, not {}: {word} <{example}>", slots.len(), given.len));

@@ -1,5 +1,5 @@
-//! Values of the language, the words a block takes, and the reader through which a family of things
-//! reads its own words.
+//! Values of the language, tables of the words in blocks, and the [`Reader`] trait through which the families of blocks
+//! read.
 
 mod decimal;
 mod given;

@@ -1,32 +1,32 @@
-//! Parts that most things leave as they are: a transform, a pattern, a mirror. A scene of a hundred thousand objects has no
-//! room for what none of them says.
+//! Parts that mostly have their default value: transforms, patterns, reflections. The default takes no memory, which
+//! matters for scenes of a hundred thousand objects.
 
 use crate::math::Transform;
 use serde::{Serialize, Serializer};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-/// What a part is like if nobody says anything of it.
+/// A type with a static default value.
 pub trait StaticDefault: Clone + 'static {
-    /// Equal to the default.
+    /// The default value.
     fn static_default() -> &'static Self;
 }
 
-/// A part that seldom is anything but the usual one, which takes no room. Copies share it until one of them is changed.
-/// It is read, changed, compared and printed as the part itself.
+/// A value that is mostly the default, which takes no memory. Copies share the value until one of them is changed;
+/// reading, comparison and printing are those of the value.
 #[derive(Debug)]
 pub struct SharedDefault<T>(Option<Arc<T>>);
 
 impl<T> SharedDefault<T> {
-    /// The usual one.
+    /// The default value.
     pub const DEFAULT: Self = Self(None);
 
-    /// One of its own.
+    /// A value of its own.
     pub fn new(part: T) -> Self {
         Self(Some(Arc::new(part)))
     }
 
-    /// Do both share one part, or are both the usual one?
+    /// True if both share one value, or both are the default.
     pub fn shares_with(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
@@ -34,17 +34,17 @@ impl<T> SharedDefault<T> {
         }
     }
 
-    /// The part, if it is another than the usual one. (It may have been changed to what equals it.)
+    /// The value, if one was set. It may equal the default.
     pub fn explicit(&self) -> Option<&Arc<T>> {
         self.0.as_ref()
     }
 }
 
 impl<T: StaticDefault> SharedDefault<T> {
-    /// Lets `change` change it, which says whether it did: what stays the usual one takes no room.
+    /// Modifies the value if `change` returns true. The default stays without memory if it is not changed.
     ///
     /// # Errors
-    /// That of `change`.
+    /// The error of `change`.
     pub fn modify_if<E>(&mut self, change: impl FnOnce(&mut T) -> Result<bool, E>) -> Result<bool, E> {
         if self.0.is_some() {
             return change(self);
@@ -88,7 +88,7 @@ impl<T: StaticDefault> Deref for SharedDefault<T> {
 }
 
 impl<T: StaticDefault> DerefMut for SharedDefault<T> {
-    /// Its own from now on.
+    /// Makes the value its own before the change.
     fn deref_mut(&mut self) -> &mut T {
         Arc::make_mut(self.0.get_or_insert_with(|| Arc::new(T::static_default().clone())))
     }

@@ -1,34 +1,34 @@
-//! What the author said and durer does not draw yet, evaluated and kept as plain data.
+//! Contents of blocks that durer does not render yet, evaluated and kept as plain data.
 
 use super::{Thing, Value, VecN};
 use crate::color::Color;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// A word, a value or a block, as it was said. `area_light x*4, z*4, 5, 5` prints as
-/// `{"area_light": [[4, 0, 0], [0, 0, 4], 5, 5]}`.
+/// A word, a value or a block. `area_light x*4, z*4, 5, 5` serializes as `{"area_light": [[4, 0, 0], [0, 0, 4], 5,
+/// 5]}`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unsupported {
     /// A word alone.
     Word(&'static str),
-    /// Numbers that follow one another, or vectors of one length: a mesh has millions.
+    /// Consecutive numbers, or consecutive vectors of one length: a mesh has millions.
     Numbers {
-        /// How many belong together: 1, or a vector's length.
+        /// Components per item: 1 for numbers.
         width: usize,
-        /// All of them in a row.
+        /// Components of all items.
         all: Vec<f64>,
     },
-    /// A colour, however it was written.
+    /// A colour.
     Color(Color),
     /// A string.
     Text(Box<str>),
-    /// A declared thing of this kind.
+    /// A declared thing, with the word of its block.
     Declared(&'static str),
-    /// A word with what belongs to it: its block, or the values behind it. `[ … ]` is an `entry`, `{ … }` alone a `group`.
+    /// A word with its block or the values after it. `[ … ]` has the word `entry`, `{ … }` the word `group`.
     Block(&'static str, Box<[Unsupported]>),
 }
 
 impl Unsupported {
-    /// Adds a number, or a vector of any length, to what was said before it.
+    /// Appends a number, or a vector of any length.
     pub fn push_numbers(row: &mut Vec<Unsupported>, c: &[f64]) {
         match row.last_mut() {
             Some(Unsupported::Numbers { width, all }) if *width == c.len() => all.extend(c),
@@ -36,7 +36,7 @@ impl Unsupported {
         }
     }
 
-    /// Adds a value to what was said before it.
+    /// Appends a value.
     pub fn push_value(row: &mut Vec<Unsupported>, value: &Value) {
         match value {
             Value::Float(x) => Self::push_numbers(row, &[*x]),
@@ -50,15 +50,15 @@ impl Unsupported {
         }
     }
 
-    /// Prints a block's contents: numbers and vectors stand one by one among the rest.
+    /// Serializes the contents of a block: numbers and vectors become single items.
     ///
     /// # Errors
-    /// The serializer's.
+    /// The serializer's error.
     pub fn print_row<S: Serializer>(row: &[Unsupported], s: S) -> Result<S::Ok, S::Error> {
         s.collect_seq(items(row))
     }
 
-    /// Walks all vectors of two to five numbers in it, in order.
+    /// Calls `visit` with each vector of two to five components, in order.
     pub fn visit_vectors(&self, visit: &mut dyn FnMut(VecN)) {
         match self {
             Unsupported::Numbers { width: n @ 2..=5, all } => all.chunks(*n).for_each(|c| visit(VecN::from_slice(c))),
@@ -68,7 +68,7 @@ impl Unsupported {
     }
 }
 
-/// A declared fog, media, rainbow …
+/// A declared media, radiosity or the like.
 impl Thing for Unsupported {
     fn kind(&self) -> &'static str {
         match self {
@@ -106,10 +106,10 @@ impl<'s> Item<'s> {
     }
 }
 
-/// The contents of a block.
+/// Contents of a block, for serialization.
 struct Row<'s>(&'s [Unsupported]);
 
-/// One of them.
+/// One item of a block's contents.
 enum Item<'s> {
     Number(f64),
     Vector(&'s [f64]),

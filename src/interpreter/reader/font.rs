@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Interpreter<'_> {
-    /// See [`crate::value::Reader::font`]. A name without ending means ttf, or else a family of the system's fonts.
+    /// Finds and parses a font. A name without extension is a TrueType file, or else a family installed on the system.
     pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {
@@ -28,7 +28,7 @@ impl Interpreter<'_> {
         Ok(font)
     }
 
-    /// A font of the system by its family: an addition of durer's.
+    /// The installed font of a family: an extension of durer's.
     fn installed_font(&mut self, name: &str) -> Option<Place> {
         if fonts::is_file_name(Path::new(name)) {
             return None;
@@ -42,7 +42,7 @@ impl Interpreter<'_> {
         found
     }
 
-    /// A font of the system: the one of this name, or one that looks like it, which is told.
+    /// An installed font of this name, or one with a similar design, with a warning.
     fn substitute_font(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
         let search = &self.inputs.options.search.fonts;
         let found = fonts::similar(self.inputs.files, name, search);

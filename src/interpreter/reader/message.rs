@@ -1,4 +1,4 @@
-//! "expected …, found …", and which words a block takes.
+//! Errors about the next token: "expected …, found …", unclosed brackets, unknown words.
 
 use super::super::evaluator::Slot;
 use super::super::stream::{BlockName, OpenBracket, Token};
@@ -18,7 +18,7 @@ use crate::value::words::TRANSFORMS;
 use crate::value::{Kind, Next, Reader};
 
 impl Interpreter<'_> {
-    /// "expected …, found …" about what comes next.
+    /// The error "expected …, found …" about the next token.
     pub(in crate::interpreter) fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
         let span = self.stream.here();
         let found = match self.peek() {
@@ -77,7 +77,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// `A(2)` where A is a value: nothing that could be called.
+    /// The error for a call of a value that is no function, as in `A(2)`.
     pub(in crate::interpreter) fn called_value(&mut self) -> Option<Diagnostic> {
         let opens = matches!(
             self.peek(),
@@ -98,7 +98,7 @@ impl Interpreter<'_> {
         Some(Diagnostic::new(codes::NOT_CALLABLE, Span::new(lo, lo + name.len()), message))
     }
 
-    /// A sign that can't stand where it does.
+    /// The syntax error for a token that cannot be at its position.
     pub(in crate::interpreter) fn misplaced(&self, span: Span) -> Diagnostic {
         let Some((file, range)) = self.inputs.sources.locate(span) else {
             return Diagnostic::new(codes::SYNTAX, span, "something can't stand here");
@@ -106,7 +106,7 @@ impl Interpreter<'_> {
         fault::explain(self.inputs.sources.text(file), range.start, self.inputs.sources.base(file))
     }
 
-    /// What was opened last is not closed where something further out is, or where the text ends.
+    /// The error for the innermost open bracket where an outer bracket closes or the text ends.
     pub(in crate::interpreter) fn not_closed(&mut self) -> Diagnostic {
         let token = self.peek();
         let here = self.stream.here();
@@ -136,7 +136,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The `<` at `start` opens a vector that something else than `>` ends, which comes next.
+    /// The error for a vector without `>` whose `<` is at `start`; the next token cannot be part of the vector.
     pub(in crate::interpreter) fn open_vector(&mut self, start: Span) -> Diagnostic {
         let here = self.stream.here();
         let found = match self.peek() {
@@ -161,7 +161,7 @@ impl Interpreter<'_> {
         Diagnostic::new(codes::EXPECTED, span, format!("expected {expected}, found {found}"))
     }
 
-    /// Must a value come next? Says which one is missing.
+    /// Fails if no value comes next, and reports which one is missing.
     pub(super) fn at_value(&mut self, wanted: &str) -> Result<()> {
         match self.peek()? {
             Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => {
@@ -172,7 +172,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The word that comes next is none of those that `block` takes.
+    /// The error for the next word, which `block` does not take.
     pub(super) fn unknown_word_message(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
         let span = self.stream.here();
         let word = match self.peek() {
@@ -215,11 +215,11 @@ impl Interpreter<'_> {
         d.maybe_help(near).maybe_help(home).maybe_help(hints::in_block(block, &word).map(String::from))
     }
 
-    /// A name of nothing where a word of the block could stand.
+    /// The error for an undeclared name where a word of the block could be.
     fn unknown_name(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
         let name = self.inputs.names.text(symbol);
         let near = did_you_mean(name, takes.iter().copied());
-        // A name with a capital letter is the author's, or one of an include file.
+        // A capitalized name is the author's own, or that of an include file.
         if name.starts_with(char::is_uppercase)
             || hints::other_tools(name).is_none() && self.reporter.is_in_include(name)
         {
@@ -232,7 +232,7 @@ impl Interpreter<'_> {
         refused(name, span, block, takes).maybe_help(near).maybe_help(hint)
     }
 
-    /// A word that the block does take, with something else behind it than it needs.
+    /// The error for a word that the block takes, but that is followed by something else than the word needs.
     fn wrong_form(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
         let rest =
             self.inputs.sources.locate(span).map_or("", |(file, range)| &self.inputs.sources.text(file)[range.end..]);
@@ -243,7 +243,7 @@ impl Interpreter<'_> {
         let (wanted, usage) = match (brace, opens_block(word)) {
             (true, false) => value_behind(word),
             (false, true) => ("`{`".to_string(), block_usage(word)),
-            // It has what it needs, and stands where it may not.
+            // The word has what it needs, but is not allowed at this position.
             _ => {
                 let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` can't stand here in a `{block}`"));
                 return d.help("it belongs to another kind of this block, or to another place in it");
@@ -254,21 +254,21 @@ impl Interpreter<'_> {
     }
 }
 
-/// Every word that some block takes, as far as a table tells what belongs behind it.
+/// Type of the value after a word, if one of the tables defines it.
 fn kind_of(word: &str) -> Option<Kind> {
     let tables = [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
     let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
 }
 
-/// Does a brace belong behind this word?
+/// True if a `{` follows the word.
 fn opens_block(word: &str) -> bool {
     is_object(word)
         || matches!(word, "camera" | "background" | "global_settings")
         || kind_of(word) == Some(Kind::Block) && word != "matrix"
 }
 
-/// `word` is none that the block takes.
+/// The error for a word that the block does not take.
 fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
     let message = match block {
         "scene" => format!("`{word}` can't stand outside of all braces"),
@@ -277,7 +277,7 @@ fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagn
     Diagnostic::new(codes::UNKNOWN_WORD, span, message).help(format!("it takes {}", list(takes)))
 }
 
-/// What a word needs that takes no block, and how it is written.
+/// Description and example of the value after a word that opens no block.
 fn value_behind(word: &str) -> (String, String) {
     let (what, value) = match kind_of(word) {
         _ if word == "matrix" => ("twelve numbers", "<…>"),
@@ -293,7 +293,7 @@ fn value_behind(word: &str) -> (String, String) {
     (what.into(), format!("{word} {value}").trim_end().to_string())
 }
 
-/// How a block is written.
+/// Syntax of a block.
 fn block_usage(word: &str) -> String {
     match SPECS.iter().find(|spec| spec.name == word) {
         Some(spec) => {
@@ -305,13 +305,13 @@ fn block_usage(word: &str) -> String {
     }
 }
 
-/// The block that a word belongs into, the likeliest first.
+/// The block that takes a word; the most likely one of several.
 fn home_of(word: &str) -> Option<&'static str> {
     let homes = [&INTERIOR, &FINISH, &PIGMENT, &POVRAY, &SETTINGS, &LIGHT];
     homes.into_iter().find(|table| table.obeys(word)).map(|table| table.block)
 }
 
-/// Words in backticks, the first twelve of many.
+/// Lists the first twelve words in backticks.
 fn list(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().take(12).map(|w| format!("`{w}`")).collect();
     if words.len() > 12 { format!("{} …", quoted.join(" ")) } else { quoted.join(" ") }

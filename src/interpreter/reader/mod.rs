@@ -1,4 +1,4 @@
-//! The interpreter as a [`Reader`]: what a family sees of the stream.
+//! The interpreter's implementation of [`Reader`], through which the families of blocks read their words.
 
 mod color;
 mod font;
@@ -28,9 +28,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
-    /// A text, with its place.
+    /// Reads a string, and returns it with its span.
     pub(super) fn read_text_value(&mut self) -> Result<(String, Span)> {
-        // (A sign behind it is no operator: strings have none.)
+        // A sign after a string is no operator: strings have none.
         let (value, span) = self.read_primary()?;
         match value {
             Value::Text(text) => Ok((text.to_string(), span)),
@@ -38,7 +38,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A number behind a directive's word, with its place.
+    /// Reads a number, and returns it with its span.
     pub(super) fn read_number(&mut self) -> Result<(f64, Span)> {
         let (value, span) = self.read_value()?;
         Ok((as_float(&value, span)?, span))
@@ -80,7 +80,7 @@ impl Reader for Interpreter<'_> {
             Token::Word(word) => Next::Word(word),
             Token::Open(Bracket::Square, _) => Next::Entry,
             Token::Open(Bracket::Brace, _) => Next::Group,
-            // Whoever asks for a value says what is wrong with it.
+            // The reader of the value reports what is wrong with it.
             Token::Open(Bracket::Paren, _) => Next::Value,
             Token::Sign(Sign::Close(_)) | Token::End => Next::End,
             Token::Sign(_) => Next::Value,
@@ -88,7 +88,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn span(&mut self) -> Span {
-        // Whoever asks for a place can't fail: a fault in a directive on the way is told here, or nobody would tell it.
+        // This method cannot fail, so it reports a fault in a directive before the token.
         if let Err(fault) = self.peek() {
             let fault = self.stream.with_trace(*fault);
             self.reporter.report(fault);
@@ -287,7 +287,7 @@ impl Reader for Interpreter<'_> {
 
     fn picture(&mut self) -> Result<Arc<Picture>> {
         let (at, name) = (self.span(), self.text()?);
-        // A name without ending means png, as POV-Ray's own output does.
+        // A name without extension is a PNG file, as POV-Ray's own output is.
         let full = if name.contains('.') { name.clone() } else { format!("{name}.png") };
         let Some(path) = self.find_read_file(&full, at)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the picture `{name}` was not found"));
@@ -334,7 +334,7 @@ impl Reader for Interpreter<'_> {
 }
 
 impl Interpreter<'_> {
-    /// A picture's file, decoded once.
+    /// A picture file, decoded once per run.
     fn picture_at(&mut self, path: PathBuf, at: Span) -> Result<Arc<Picture>> {
         if let Some(picture) = self.evaluator.assets().pictures.get(&path) {
             return Ok(picture.clone());
@@ -344,7 +344,7 @@ impl Interpreter<'_> {
         Ok(picture)
     }
 
-    /// How many points a picture that a function makes has along a side.
+    /// Checks the width or height of a function's picture.
     pub(super) fn picture_side(&self, n: f64, span: Span) -> Result<usize> {
         if (1.0..=16384.0).contains(&n) {
             return Ok(n as usize);

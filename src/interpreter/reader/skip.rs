@@ -1,4 +1,4 @@
-//! Passing over what is known and not drawn yet; what was said is kept.
+//! Reading of blocks that durer does not render yet; their contents are kept as plain data.
 
 use super::super::Interpreter;
 use super::super::evaluator::Slot;
@@ -10,7 +10,7 @@ use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Sign};
 use crate::value::{Next, Reader, Unsupported};
 
 impl Interpreter<'_> {
-    /// A word or block with all that belongs to it.
+    /// Reads a word or block with its contents, and warns that it has no effect.
     pub(super) fn read_unsupported_item(&mut self, what: &'static str) -> Result<Unsupported> {
         let token = self.peek()?;
         let (word, span) = match token {
@@ -34,7 +34,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The values, entries and texts after a word.
+    /// Reads the values, entries and strings after a word.
     fn read_values_after_word(&mut self) -> Result<Vec<Unsupported>> {
         let mut row = vec![];
         loop {
@@ -47,7 +47,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A block, entry or group to its end.
+    /// Reads a block, entry or group to its end.
     fn read_enclosed(&mut self, word: &'static str) -> Result<Unsupported> {
         self.take()?;
         let mut row = vec![];
@@ -58,7 +58,8 @@ impl Interpreter<'_> {
         Ok(Unsupported::Block(word, row.into()))
     }
 
-    /// Whatever comes next, with all that is in it. Directives run and values are computed, so that mistakes are found.
+    /// Reads the next token with its contents, and appends it. Directives run and values are evaluated, so that errors
+    /// are found.
     pub(super) fn read_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
         match self.peek()? {
             Token::Block(name) => {
@@ -69,12 +70,12 @@ impl Interpreter<'_> {
             Token::Numbers(data) if data.len() > 5 || self.is_whole(false) => {
                 self.stream.advance();
                 Unsupported::push_numbers(row, data);
-                // Most of a list of literals is no matter of what follows it.
+                // Items inside a literal list cannot be continued by what follows the list.
                 while let Some(data) = self.stream.inner_literal() {
                     Unsupported::push_numbers(row, data);
                 }
             }
-            // `<a, b, … >` of a quartic has more numbers than a vector.
+            // `<a, b, … >` of a quartic has more components than a vector.
             Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 || self.is_whole(false) => {
                 self.stream.advance();
                 Unsupported::push_numbers(row, data);

@@ -1,6 +1,6 @@
-//! Words that people bring along from other tools.
+//! Hints for words from other tools.
 
-/// What to say about a word that is unknown here and known elsewhere.
+/// Hint for a word that is unknown in POV-Ray's language, but known in others.
 pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {
         "cube" | "cuboid" => "a box is `box { <corner>, <opposite corner> }`",
@@ -34,7 +34,7 @@ pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
     })
 }
 
-/// What to say about a word that another block takes, or that this one calls otherwise.
+/// Hint for a word that this block calls otherwise, or that another block takes.
 pub(in crate::interpreter) fn in_block(block: &str, word: &str) -> Option<&'static str> {
     Some(match (block, word.to_lowercase().as_str()) {
         ("camera", "position" | "pos" | "from" | "origin" | "place") => {
