@@ -102,7 +102,7 @@ impl<'a> Interpreter<'a> {
             return Diagnostic::err(
                 codes::WRONG_COUNT,
                 self.stream.here(),
-                format!("there is room for {rows} elements only"),
+                format!("there are more than {rows} elements"),
             );
         }
         self.close("`}`")
@@ -367,7 +367,7 @@ impl<'a> Interpreter<'a> {
             Some(size) => Ok(Value::Float(*size as f64)),
             None => {
                 let message =
-                    format!("this array has {} dimensions, there is none with the number {n}", array.sizes.len());
+                    format!("this array has {} dimensions, but dimension {n} was asked for", array.sizes.len());
                 Diagnostic::err(codes::BAD_INDEX, dimension.span, message)
             }
         }

@@ -65,11 +65,8 @@ impl Interpreter<'_> {
             }
             Next::Thing(kind) => {
                 let span = self.stream.here();
-                let d = Diagnostic::new(
-                    codes::EXPECTED,
-                    span,
-                    format!("a {kind} can't stand alone at the outermost level"),
-                );
+                let d =
+                    Diagnostic::new(codes::EXPECTED, span, format!("a {kind} is not allowed at the outermost level"));
                 return d.help("only objects do; a `texture` or `pigment` belongs inside one").into();
             }
             Next::Value => return Err(self.stray_value().into()),
@@ -142,7 +139,7 @@ impl Interpreter<'_> {
     fn bare_directive(&mut self, word: &'static str) -> Result<()> {
         let span = self.stream.here();
         self.stream.advance();
-        let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` stands without its `#`"));
+        let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` is missing its `#`"));
         self.report_here(d.help(format!("write `#{word}`")));
         match crate::interpreter::directives::find(word) {
             Some((name, run)) => self.run_plain(name, run, span),
@@ -162,7 +159,7 @@ impl Interpreter<'_> {
         let read = settings.read_max_trace_level(self);
         self.builder.set_settings(settings);
         read?;
-        let d = Diagnostic::new(codes::MISPLACED, at, "`max_trace_level` stands outside of `global_settings`");
+        let d = Diagnostic::new(codes::MISPLACED, at, "`max_trace_level` is outside of `global_settings`");
         self.report_here(d.help("write `global_settings { max_trace_level … }`"));
         Ok(())
     }
@@ -173,10 +170,10 @@ impl Interpreter<'_> {
             Ok(Token::Block(name)) => name.span,
             _ => self.stream.here(),
         };
-        let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` can't stand by itself"));
+        let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` is not a statement of its own"));
         match hints::other_tools(word) {
             Some(hint) => d.help(hint),
-            None => d.help(format!("it belongs inside another block, or behind `#declare Name = {word} {{…}}`")),
+            None => d.help(format!("it belongs inside another block, or after `#declare Name = {word} {{…}}`")),
         }
     }
 
@@ -242,7 +239,7 @@ impl Interpreter<'_> {
         self.close_files();
         self.builder.finish();
         if !self.builder.has_camera() && self.reporter.error_count() == 0 {
-            let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
+            let message = "the scene has no camera: the default one at <0, 0, 0> looks along z";
             self.reporter.report(
                 Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)
                     .help("`camera { location <0, 2, -5> look_at 0 }`"),

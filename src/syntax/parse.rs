@@ -116,7 +116,7 @@ fn parse_piece(
             Err(Box::new(Diagnostic::new(
                 codes::SYNTAX,
                 Span::new(base + lo, base + hi),
-                format!("`{found}` can't stand here"),
+                format!("`{found}` is not allowed here"),
             )))
         }
     }

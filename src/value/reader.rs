@@ -195,7 +195,7 @@ impl<R: Reader + ?Sized> ReaderExt for R {
             None => Diagnostic::err(
                 crate::diagnostic::codes::WRONG_TYPE,
                 span,
-                format!("{} can't stand here", Value::Thing(thing).describe()),
+                format!("{} is not allowed here", Value::Thing(thing).describe()),
             ),
         }
     }

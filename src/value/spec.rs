@@ -32,7 +32,7 @@ pub struct WordSpec {
     pub name: &'static str,
     /// Type of the value after the word.
     pub kind: Kind,
-    /// Default value as typed; empty if there is none.
+    /// Default value as typed; empty without a default.
     pub default: &'static str,
     /// Summary for the manual.
     pub summary: &'static str,

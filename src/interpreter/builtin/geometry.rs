@@ -72,7 +72,7 @@ impl<'a> Interpreter<'a> {
             return Ok(object);
         }
         let d = Diagnostic::new(codes::WRONG_TYPE, argument.span, format!("expected an object, found {found}"));
-        d.help("`#declare Thing = sphere { … }` makes one that has a name").into()
+        d.help("`#declare Thing = sphere { … }` declares one").into()
     }
 
     /// The object that an argument names, prepared for ray queries and cached.

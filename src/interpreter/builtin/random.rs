@@ -25,7 +25,7 @@ impl<'a> Interpreter<'a> {
                 Ok(Value::Float(f64::from(*state) / f64::from(u32::MAX)))
             }
             None => Diagnostic::new(codes::BAD_ARGUMENT, stream.span, format!("there is no random stream {number}"))
-                .help("`#declare R = seed(1);` makes one, and `rand(R)` takes numbers from it")
+                .help("`#declare R = seed(1);` opens one, and `rand(R)` returns its next number")
                 .into(),
         }
     }

@@ -265,5 +265,5 @@ fn continues_nothing(span: Span, text: &str) -> Fault {
     let word = text.split(|c: char| !c.is_ascii_alphabetic() && c != '#').next().unwrap_or("#else");
     let at = Span { hi: span.lo + word.len() as u32, ..span };
     let d = Diagnostic::new(codes::UNMATCHED_CLOSER, at, format!("`{word}` continues nothing"));
-    Box::new(d.help("it stands behind an `#else`, which is the last part"))
+    Box::new(d.help("it follows an `#else`, which is the last part"))
 }

@@ -301,7 +301,7 @@ impl<'a> Interpreter<'a> {
 
     pub(in crate::interpreter) fn default_block(&mut self, span: Span) -> Result<()> {
         if !matches!(self.peek()?, Token::Open(Bracket::Brace, _)) {
-            let d = self.unexpected_token("`{` behind `#default`");
+            let d = self.unexpected_token("`{` after `#default`");
             return d.help("`#default { finish { ambient 0 } }`").into();
         }
         self.open()?;

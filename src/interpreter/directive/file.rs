@@ -52,7 +52,7 @@ impl<'a> Interpreter<'a> {
                 let d = Diagnostic::new(
                     codes::EXPECTED,
                     at.end(),
-                    "expected `read`, `write` or `append` behind the file's name",
+                    "expected `read`, `write` or `append` after the file's name",
                 );
                 return d.help(format!("`#fopen {} \"{name}\" read`", self.inputs.names.text(symbol))).into();
             }
@@ -76,7 +76,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads the word after the file's name; empty if there is none. No directive after it runs before the file is
+    /// Reads the word after the file's name; empty if no word follows. No directive after it runs before the file is
     /// open.
     fn last_word(&mut self) -> &'static str {
         while let Some(ElementKind::Comma) = self.stream.raw().map(|e| &e.kind) {

@@ -15,7 +15,7 @@ impl<'a> Interpreter<'a> {
         if let Some(at) = definition.fault {
             let found = self.inputs.sources.snippet(at);
             let found = if found.is_empty() { "nothing".into() } else { format!("`{found}`") };
-            let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name behind `#macro`, found {found}"));
+            let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name after `#macro`, found {found}"));
             return d.help("`#macro Name(A, B) … #end`").into();
         }
         self.evaluator.scopes_mut().set_global(definition.name, Slot::Macro(definition), vec![]);

@@ -16,7 +16,7 @@ impl Interpreter<'_> {
         let (number, value_span) = self.read_number()?;
         let version = compat::version_number(number);
         if version > compat::NEWEST_VERSION {
-            let message = format!("this scene asks for version {number} of the language; durer knows up to 3.8");
+            let message = format!("this scene states version {number} of the language; durer supports up to 3.8");
             self.reporter.report(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
         }
         self.set_version(version);

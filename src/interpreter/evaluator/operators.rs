@@ -187,8 +187,8 @@ pub(in crate::interpreter) fn as_float(value: &Value, span: Span) -> Result<f64>
         other => {
             let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("expected a number, found {}", other.describe()));
             match other {
-                Value::Vector(_) => d.help("`.x`, `.y` or `.z` takes one of its numbers").into(),
-                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` takes one number of it").into(),
+                Value::Vector(_) => d.help("`.x`, `.y` or `.z` selects one of its components").into(),
+                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` selects one of its components").into(),
                 _ => d.into(),
             }
         }

@@ -1,4 +1,4 @@
-//! Which parsed expressions can be evaluated as they are, and which must be split into tokens.
+//! Tests whether parsed expressions can be evaluated as they are, or must be split into tokens.
 
 use super::{Evaluator, Slot};
 use crate::interpreter::reader::begins_color;
@@ -49,7 +49,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// True if a macro argument is one expression that neither calls a macro nor can stand for several values.
+    /// True if a macro argument is one expression that neither calls a macro nor gives several values.
     pub(in crate::interpreter) fn is_plain_argument(&self, element: &Element) -> bool {
         let ElementKind::Expr(e) = &element.kind else { return false };
         match &e.kind {

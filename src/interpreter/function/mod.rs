@@ -348,11 +348,11 @@ impl<'a> Interpreter<'a> {
                 Gives::Number => Ok(Component::Of(0)),
                 Gives::Vector(_) => {
                     Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a vector"))
-                        .help("`.x`, `.y` or `.z` behind the call takes one of its numbers")
+                        .help("`.x`, `.y` or `.z` after the call selects one of its components")
                         .into()
                 }
                 Gives::Color => Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a colour"))
-                    .help("`.red`, `.green`, `.blue` or `.gray` behind the call takes one number of it")
+                    .help("`.red`, `.green`, `.blue` or `.gray` after the call selects one of its components")
                     .into(),
             };
         };

@@ -1,4 +1,4 @@
-//! What follows a value: whether it continues the value.
+//! Tests whether the tokens after a value continue it.
 
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;

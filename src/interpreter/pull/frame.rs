@@ -58,7 +58,7 @@ impl Interpreter<'_> {
                 }
                 Ok(())
             }
-            _ => Diagnostic::new(codes::BREAK_OUTSIDE, span, "`#break` stands in no loop, no `#switch` and no macro")
+            _ => Diagnostic::new(codes::BREAK_OUTSIDE, span, "`#break` is not inside a loop, a `#switch` or a macro")
                 .help("it leaves the innermost `#while`, `#for`, `#switch` or `#macro`")
                 .into(),
         }

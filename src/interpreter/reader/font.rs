@@ -51,11 +51,11 @@ impl Interpreter<'_> {
             return found;
         }
         let what = match file {
-            Some(file) => format!(": `{file}` stands for it"),
-            None => ": durer's own one, Roboto, stands for it".into(),
+            Some(file) => format!(": `{file}` is used instead"),
+            None => ": durer's own font, Roboto, is used instead".into(),
         };
         let d = Diagnostic::new(codes::FONT_MISSING, at, format!("the font `{name}` was not found{what}"));
-        self.report_here(d.help("fonts are looked for where included files are; -I DIR adds a folder"));
+        self.report_here(d.help("fonts are searched in the same folders as included files; -I DIR adds a folder"));
         found
     }
 }

@@ -15,7 +15,9 @@ impl Interpreter<'_> {
         let (at, name) = (self.span(), self.text()?);
         let Some(path) = self.find_read_file(&name, at)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the mesh's file `{name}` was not found"));
-            return d.help("such files are looked for where included files are; -I DIR adds a folder").into();
+            return d
+                .help("mesh files are searched in the same folders as included files; -I DIR adds a folder")
+                .into();
         };
         if let Some(mesh) = self.evaluator.assets().meshes.get(&path) {
             return Ok(mesh.clone());
@@ -64,6 +66,6 @@ impl Interpreter<'_> {
     }
 
     fn warn_partly_read(&mut self, name: &str, what: &str, at: Span) {
-        self.report(Diagnostic::new(codes::MESH_PARTLY, at, format!("of the mesh's file `{name}`: {what}")));
+        self.report(Diagnostic::new(codes::MESH_PARTLY, at, format!("in the mesh file `{name}`: {what}")));
     }
 }

@@ -73,7 +73,7 @@ impl Interpreter<'_> {
 
     fn expected_no_parenthesis(&mut self, span: Span, expected: &str) -> Diagnostic {
         self.called_value().unwrap_or_else(|| {
-            self.expected(span, expected, "`(`").help("vectors stand in angle brackets: `<1, 2, 3>`")
+            self.expected(span, expected, "`(`").help("vectors are written in angle brackets: `<1, 2, 3>`")
         })
     }
 
@@ -101,7 +101,7 @@ impl Interpreter<'_> {
     /// The syntax error for a token that cannot be at its position.
     pub(in crate::interpreter) fn misplaced(&self, span: Span) -> Diagnostic {
         let Some((file, range)) = self.inputs.sources.locate(span) else {
-            return Diagnostic::new(codes::SYNTAX, span, "something can't stand here");
+            return Diagnostic::new(codes::SYNTAX, span, "this is not allowed here");
         };
         fault::explain(self.inputs.sources.text(file), range.start, self.inputs.sources.base(file))
     }
@@ -152,7 +152,7 @@ impl Interpreter<'_> {
             Ok(Token::End) => return self.stream.unclosed_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
             Ok(_) => format!("`{}`", self.inputs.sources.snippet(here)),
         };
-        Diagnostic::new(codes::SYNTAX, here, format!("{found} can't stand here"))
+        Diagnostic::new(codes::SYNTAX, here, format!("{found} is not allowed here"))
             .also(Span { hi: start.lo + 1, ..start }, "the vector that begins here is not closed")
             .help("a vector ends with `>`; comparisons need parentheses around them")
     }
@@ -197,7 +197,7 @@ impl Interpreter<'_> {
                 let d = self.unexpected_token(&format!("a word of `{block}`"));
                 if is_object && matches!(block, "union" | "merge" | "intersection" | "difference") {
                     let help = format!(
-                        "the words of the `{block}` come behind all its objects; to move one of these, write `object {{ … }}`"
+                        "the words of the `{block}` follow all its objects; to move one of these, write `object {{ … }}`"
                     );
                     return d.help(help);
                 }
@@ -211,7 +211,7 @@ impl Interpreter<'_> {
             return d.help(help);
         }
         let home =
-            home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs into `{home} {{ {word} … }}`"));
+            home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs in `{home} {{ {word} … }}`"));
         d.maybe_help(near).maybe_help(home).maybe_help(hints::in_block(block, &word).map(String::from))
     }
 
@@ -245,11 +245,12 @@ impl Interpreter<'_> {
             (false, true) => ("`{`".to_string(), block_usage(word)),
             // The word has what it needs, but is not allowed at this position.
             _ => {
-                let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` can't stand here in a `{block}`"));
+                let d =
+                    Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` is not allowed here in a `{block}`"));
                 return d.help("it belongs to another kind of this block, or to another place in it");
             }
         };
-        let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("expected {wanted} behind `{word}`, found {found}"));
+        let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("expected {wanted} after `{word}`, found {found}"));
         d.help(format!("it is written `{usage}`"))
     }
 }
@@ -271,7 +272,7 @@ fn opens_block(word: &str) -> bool {
 /// The error for a word that the block does not take.
 fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
     let message = match block {
-        "scene" => format!("`{word}` can't stand outside of all braces"),
+        "scene" => format!("`{word}` is not allowed outside of all braces"),
         _ => format!("`{word}` is not something a `{block}` takes"),
     };
     Diagnostic::new(codes::UNKNOWN_WORD, span, message).help(format!("it takes {}", list(takes)))

@@ -291,7 +291,7 @@ impl Reader for Interpreter<'_> {
         let full = if name.contains('.') { name.clone() } else { format!("{name}.png") };
         let Some(path) = self.find_read_file(&full, at)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the picture `{name}` was not found"));
-            return d.help("pictures are looked for where included files are; -I DIR adds a folder").into();
+            return d.help("pictures are searched in the same folders as included files; -I DIR adds a folder").into();
         };
         self.picture_at(path, at)
     }

@@ -18,7 +18,11 @@ impl Interpreter<'_> {
             Token::Word(word) => (word, self.stream.here()),
             _ => (what, self.stream.here()),
         };
-        self.report(Diagnostic::new(codes::UNSUPPORTED, span, format!("`{word}` is not drawn yet: it is left out")));
+        self.report(Diagnostic::new(
+            codes::UNSUPPORTED,
+            span,
+            format!("`{word}` is not supported yet and has no effect"),
+        ));
         match token {
             Token::Block(_) => self.read_enclosed(word),
             Token::Function(_) | Token::Expr(_) => {

@@ -61,7 +61,7 @@ impl Reporter<'_> {
 
     fn look_at_clock(&mut self, span: Span) -> Result<()> {
         if self.inputs.options.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
-            return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "it is of no use any more");
+            return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "its result is no longer needed");
         }
         if let Some(seconds) = self.inputs.options.max_time
             && self.inputs.options.host.elapsed().saturating_sub(self.usage.started).as_secs_f64() > seconds

@@ -85,7 +85,7 @@ impl<'a> Reporter<'a> {
         if d.severity == Severity::Warning && self.diagnostics.len() >= MAX_WARNINGS {
             // A loop that warns in each pass would fill the memory.
             if let Some(last) = self.diagnostics.last_mut() {
-                last.help = Some("there are more warnings, which are not told".into());
+                last.help = Some("further warnings are not shown".into());
             }
             return;
         }

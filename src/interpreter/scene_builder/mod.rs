@@ -72,7 +72,7 @@ impl SceneBuilder {
         &self.noise_generator
     }
 
-    /// What `#default` has set for the text that follows.
+    /// Defaults that `#default` has set for the text that follows.
     pub(super) fn defaults(&self) -> &Defaults {
         &self.defaults
     }

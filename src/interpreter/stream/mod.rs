@@ -49,7 +49,7 @@ pub(super) struct TokenStream<'a> {
     literal_spans: RefCell<ListPlaces>,
 }
 
-/// How the text is being read. `Interpreter::in_mode` changes it and restores it as a whole.
+/// Mode of reading. `Interpreter::in_mode` changes it and restores it as a whole.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Mode {
     /// True if directives and macro calls after a value wait until the value has been used: in declarations, array

@@ -62,7 +62,7 @@ impl<'a> Interpreter<'a> {
         self.expose_parenthesis()?;
         match self.peek()? {
             Token::Open(Bracket::Paren, _) => self.open().map(drop),
-            _ => Err(self.unexpected_token(&format!("`(` behind `{word}`")).into()),
+            _ => Err(self.unexpected_token(&format!("`(` after `{word}`")).into()),
         }
     }
 

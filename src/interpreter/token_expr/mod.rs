@@ -157,7 +157,7 @@ impl<'a> Interpreter<'a> {
                 let next = self.peek()?;
                 if !next.ends() && !matches!(next, Token::Sign(_)) {
                     let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
-                    return d.help("vectors stand in angle brackets: `<1, 2, 3>`").into();
+                    return d.help("vectors are written in angle brackets: `<1, 2, 3>`").into();
                 }
                 let end = self.stream.here();
                 self.close("`)`")?;

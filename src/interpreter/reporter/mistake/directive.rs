@@ -143,7 +143,7 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
         return None;
     }
     let habit = Habit::help(format!("write `#include \"{name}\"`"));
-    let habit = habit.message("the name of a file stands in double quotes").at(source.range_of(typed));
+    let habit = habit.message("the name of a file is written in double quotes").at(source.range_of(typed));
     Some(Habit { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
 
@@ -183,7 +183,7 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit>
             let head = value_text(statement.split('{').next().unwrap_or_default());
             let rest = if statement.contains('{') { " … #end" } else { "" };
             let help = format!("write `#{head}{rest}`");
-            Habit::help(help).message(format!("the directive `{word}` stands without its `#`"))
+            Habit::help(help).message(format!("the directive `{word}` is missing its `#`"))
         }
         _ => return None,
     };

@@ -117,7 +117,7 @@ impl Reporter<'_> {
     /// Help for the name of an include file's thing outside of all blocks.
     pub(in crate::interpreter) fn include_hint(&self, name: &str) -> Option<String> {
         self.include_missing_for(name).map(|file| {
-            format!("`{name}` is declared in `{file}`; it goes inside a block, behind `#include \"{file}\"`")
+            format!("`{name}` is declared in `{file}`; it is used inside a block, after `#include \"{file}\"`")
         })
     }
 

@@ -138,7 +138,7 @@ impl Reporter<'_> {
             } else {
                 format!("{unreported} more errors were found")
             };
-            let d = Diagnostic::new(codes::MORE_ERRORS, first, format!("{more}, and not told")).label("the next one");
+            let d = Diagnostic::new(codes::MORE_ERRORS, first, format!("{more}, and not shown")).label("the next one");
             self.diagnostics.push(d.help("mend the first ones: others often follow from them"));
         }
     }

@@ -34,7 +34,7 @@ pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
         "==" => "a single `=` compares",
         _ => return None,
     };
-    Some(Habit::help(help).message(format!("`{typed}` can't stand here")))
+    Some(Habit::help(help).message(format!("`{typed}` is not allowed here")))
 }
 
 /// `A + ;` without a right operand.
@@ -42,7 +42,7 @@ pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Hab
     let before = source.text[..source.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
     let habit = Habit::help("an operator needs a value on both sides");
-    Some(habit.message(format!("expected a value behind `{sign}`, found `;`")).at(before.len()..before.len() + 1))
+    Some(habit.message(format!("expected a value after `{sign}`, found `;`")).at(before.len()..before.len() + 1))
 }
 
 /// `A and B`, `not A` or `A mod 2`.
@@ -58,7 +58,7 @@ pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
             Habit::help(format!("the remainder is `mod({}, {})`", trailing_operand(left), operand(right)))
         }
         "then" if left.ends_with(')') => {
-            Habit::help("behind the condition comes at once what it is for, and then `#end`")
+            Habit::help("the condition is followed by what depends on it, and then `#end`")
         }
         _ => return None,
     };
@@ -81,8 +81,8 @@ pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<H
     let (before, word) = trailing_name(source.before().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
     let value = value_text(value.split(['}', ';']).next().unwrap_or_default());
-    let habit = Habit::help(format!("a value stands right behind its word: `{word} {value}`"));
-    plain.then(|| habit.message(format!("`=` can't stand behind `{word}`")))
+    let habit = Habit::help(format!("a value directly follows its word: `{word} {value}`"));
+    plain.then(|| habit.message(format!("`=` is not allowed after `{word}`")))
 }
 
 /// `A[0,1]` with two indices in one bracket.
@@ -102,7 +102,7 @@ pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     let written: String = indices.iter().map(|index| format!("[{index}]")).collect();
     let start = source.line.start + open - name.len();
     let habit = Habit::help(format!("write `{name}{written}`"));
-    let habit = habit.message("each index of an array stands in brackets of its own");
+    let habit = habit.message("each index of an array has its own brackets");
     Some(habit.at(start..source.line.start + close + 1))
 }
 
@@ -137,8 +137,10 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     let rest = code_of(source.after());
     let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
     let numbers = format!("{}, {rest}", before[start..].trim());
-    let habit =
-        Habit::help(format!("a vector stands in angle brackets: `{word} <{}>`", numbers.trim_end_matches([',', ' '])));
+    let habit = Habit::help(format!(
+        "a vector is written in angle brackets: `{word} <{}>`",
+        numbers.trim_end_matches([',', ' '])
+    ));
     Some(habit.message(format!("`{word}` takes one value, found a list")))
 }
 
@@ -149,7 +151,7 @@ pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option
     let plain = numbers.contains(',') && !numbers.contains('(');
     let word = trailing_name(source.before().trim_end()).map_or("", |(_, word)| word);
     let space = if word.is_empty() { "" } else { " " };
-    let help = format!("vectors stand in angle brackets: `{word}{space}<{}>`", numbers.trim());
+    let help = format!("vectors are written in angle brackets: `{word}{space}<{}>`", numbers.trim());
     (plain && (word.is_empty() || lookup(word).is_some())).then(|| Habit::help(help))
 }
 
@@ -158,5 +160,5 @@ pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<Habit
     let inside =
         source.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
     let (numbers, _) = inside.split_once(']')?;
-    Some(Habit::help(format!("vectors stand in angle brackets: `<{}>`", numbers.trim())))
+    Some(Habit::help(format!("vectors are written in angle brackets: `<{}>`", numbers.trim())))
 }

@@ -63,7 +63,7 @@ pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let sign = source.range_of(value).start - 1;
     let inside = source.at <= sign + 1 && d.code != codes::UNKNOWN_DIRECTIVE;
     let habit = Habit::help(format!("to give `{name}` a value, write `#declare {name} = {};`", value_text(value)));
-    let habit = habit.message("`=` can't stand here").at(sign..sign + 1);
+    let habit = habit.message("`=` is not allowed here").at(sign..sign + 1);
     inside.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
@@ -76,7 +76,7 @@ pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Habit
     let known = crate::scene::words::MODIFIERS;
     let modifies = known.obeys(word) || crate::value::words::TRANSFORMS.iter().any(|w| w.name == word);
     let before = source.text[..source.at].trim_end();
-    let message = |what: &str| format!("`{word}` stands behind {what}, which is finished there");
+    let message = |what: &str| format!("`{word}` follows {what}, which is complete");
     if let Some((_, name)) = trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
         let rest = value_text(source.after());
         let habit = Habit::help(format!("write `object {{ {name} {rest} }}`"));
