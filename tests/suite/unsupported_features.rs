@@ -74,11 +74,11 @@ fn a_text_names_the_font_that_is_there() {
         told.unwrap().message.clone()
     };
     let with = outcome(text, vec![folder.path().into()]);
-    assert_eq!(told(&with), "the font `timesbd` was not found: `DejaVuSerif-Bold.ttf` stands for it");
+    assert_eq!(told(&with), "the font `timesbd` was not found: `DejaVuSerif-Bold.ttf` is used instead");
     let json = serde_json::to_string(&with.scene.unwrap()).unwrap();
     let file = folder.path().join("DejaVuSerif-Bold.ttf");
     let file = serde_json::to_string(&file).unwrap();
     holds(&json, &format!(r#""font":"timesbd","file":{file},"string":"Dürer","depth":0.25"#));
     let without = outcome(text, vec![]);
-    assert_eq!(told(&without), "the font `timesbd` was not found: durer's own one, Roboto, stands for it");
+    assert_eq!(told(&without), "the font `timesbd` was not found: durer's own font, Roboto, is used instead");
 }

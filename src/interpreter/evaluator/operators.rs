@@ -7,8 +7,8 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
-/// Tolerance of comparisons: numbers closer to each other are equal, numbers closer to 0 are false (quirk:
-/// `comparison_tolerance`).
+/// Tolerance of comparisons: numbers closer to each other are equal, numbers closer to 0 are false
+/// (quirk: `comparison_tolerance`).
 pub(in crate::interpreter) const SMALL: f64 = 1e-10;
 
 pub(in crate::interpreter) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {

@@ -362,8 +362,8 @@ impl<'a> Interpreter<'a> {
         }
         match (self.inputs.sources.snippet(component.span), gives) {
             ("gray" | "grey", Gives::Color) => Ok(Component::Weighted(weights)),
-            // The 16 bits of a height field: red is the upper byte, green the lower one (quirk:
-            // `hf_component_weights`).
+            // The 16 bits of a height field: red is the upper byte, green the lower one
+            // (quirk: `hf_component_weights`).
             ("hf", Gives::Color) => Ok(Component::Weighted([0.996093, 0.003906, 0.0])),
             _ => {
                 let message = format!("`.{}` is no component of this", self.inputs.sources.snippet(component.span));

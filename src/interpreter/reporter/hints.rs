@@ -11,7 +11,9 @@ pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
         "hsv" | "hsl" => "`CHSV2RGB` and `CHSL2RGB` of colors.inc convert such colours",
         "import" | "require" | "use" => "other files are read by `#include \"name.inc\"`",
         "let" | "var" | "const" | "def" | "set" => "names get values by `#declare Name = value;` or `#local`",
-        "blend_mode" | "blend_gamma" => "this is of POV-Ray 3.8; durer blends colour components without gamma, as 3.7 does",
+        "blend_mode" | "blend_gamma" => {
+            "this is of POV-Ray 3.8; durer blends colour components without gamma, as 3.7 does"
+        }
         "func" | "fn" | "proc" => "`#macro Name(A, B) … #end` defines a macro",
         "rotation" | "rotatex" | "rotatey" | "rotatez" => "`rotate <x, y, z>` takes degrees",
         "and" => "the logical and is `&`",

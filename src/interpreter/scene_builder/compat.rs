@@ -28,8 +28,8 @@ pub fn has_srgb_files(version: u32) -> bool {
     version >= 370
 }
 
-/// True if a surface keeps back the colour that its filter absorbs; `version` is that at the end of the scene (quirk:
-/// `opacity_by_version`).
+/// True if a surface keeps back the colour that its filter absorbs; `version` is that at the end of the scene
+/// (quirk: `opacity_by_version`).
 pub fn has_opacity_by_color(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
