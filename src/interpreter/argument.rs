@@ -42,7 +42,7 @@ impl<'a> Interpreter<'a> {
     /// Reads the next argument.
     pub(super) fn read_argument(&mut self) -> Result<Argument<'a>> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 // The look-ahead may end the macro that holds the name.
@@ -54,7 +54,7 @@ impl<'a> Interpreter<'a> {
                 let ends = !called && self.value_ends()?;
                 let lasting = level.is_some_and(|level| level <= self.evaluator.scopes().level());
                 if !ends {
-                    self.first_use(*symbol, span);
+                    self.report_first_use(*symbol, span);
                 }
                 match slot {
                     _ if ends && depth == self.stream.call_depth() => {
@@ -64,7 +64,7 @@ impl<'a> Interpreter<'a> {
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
                     Some(slot) => self.continue_argument(slot, span),
                     None => {
-                        let value = self.name_value(*symbol, span)?;
+                        let value = self.evaluate_name(*symbol, span)?;
                         self.continue_argument(Slot::Value(value), span)
                     }
                 }
@@ -121,7 +121,7 @@ impl<'a> Interpreter<'a> {
         match &argument.given {
             Given::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
                 Some(slot) => Ok(slot.clone()),
-                None => self.name_value(*symbol, argument.span).map(Slot::Value),
+                None => self.evaluate_name(*symbol, argument.span).map(Slot::Value),
             },
             Given::LValue(lvalue) => self.evaluator.slot_at(lvalue, argument.span),
             Given::Slot(slot) => Ok(slot.clone()),
@@ -130,7 +130,7 @@ impl<'a> Interpreter<'a> {
 
     pub(super) fn argument_value(&mut self, argument: &Argument<'a>) -> Result<Value> {
         match &argument.given {
-            Given::Name(symbol) => self.name_value(*symbol, argument.span),
+            Given::Name(symbol) => self.evaluate_name(*symbol, argument.span),
             Given::Slot(Slot::Value(value)) => Ok(value.clone()),
             _ => {
                 let slot = self.argument_slot(argument)?;

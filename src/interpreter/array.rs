@@ -22,14 +22,14 @@ impl<'a> Interpreter<'a> {
     /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }`; the word comes next. Without sizes the braces determine them
     /// (3.8).
     pub(super) fn read_array(&mut self) -> Result<Slot<'a>> {
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         self.stream.advance();
         // 3.8 requires the word `mixed` where types are mixed. durer accepts mixed types without it.
-        if let Some(ElementKind::Expr(e)) = self.stream.raw().map(|e| &e.kind) {
+        if let Some(ElementKind::Expr(e)) = self.stream.next_element().map(|e| &e.kind) {
             if matches!(&e.kind, ExprKind::Index(word, _) if self.inputs.sources.snippet(word.span) == "mixed") {
                 self.stream.split_next();
             }
-            if self.stream.raw().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
+            if self.stream.next_element().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
                 self.stream.advance();
             }
         }
@@ -53,7 +53,7 @@ impl<'a> Interpreter<'a> {
         let mut array = Array { sizes, items: vec![None; count], keys: None };
         if let Token::Open(Bracket::Brace, _) = self.peek_continuation()? {
             let rows = array.sizes.clone();
-            self.fill(&rows, &mut array.items)?;
+            self.read_array_rows(&rows, &mut array.items)?;
         }
         Ok(Slot::Array(Rc::new(array)))
     }
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads `{ … }` into an array of the given sizes. Elements that are left out have no value.
-    fn fill(&mut self, sizes: &[usize], items: &mut [Option<Slot<'a>>]) -> Result<()> {
+    fn read_array_rows(&mut self, sizes: &[usize], items: &mut [Option<Slot<'a>>]) -> Result<()> {
         let Token::Open(Bracket::Brace, _) = self.peek()? else {
             return Err(self.unexpected_token("`{` with a row of the array").into());
         };
@@ -93,7 +93,7 @@ impl<'a> Interpreter<'a> {
                 break;
             }
             if sizes.len() > 1 {
-                self.fill(&sizes[1..], &mut items[i * stride..(i + 1) * stride])?;
+                self.read_array_rows(&sizes[1..], &mut items[i * stride..(i + 1) * stride])?;
             } else {
                 items[i] = Some(self.read_array_item()?);
             }
@@ -101,7 +101,7 @@ impl<'a> Interpreter<'a> {
         if !self.peek()?.ends() {
             return Diagnostic::err(
                 codes::WRONG_COUNT,
-                self.stream.here(),
+                self.stream.next_span(),
                 format!("there are more than {rows} elements"),
             );
         }
@@ -111,7 +111,7 @@ impl<'a> Interpreter<'a> {
     /// Reads an element. In an array without sizes, braces make an array of arrays.
     fn read_array_item(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
-            Token::Open(Bracket::Brace, _) => self.read_braced_array(self.stream.here()),
+            Token::Open(Bracket::Brace, _) => self.read_braced_array(self.stream.next_span()),
             _ => self.read_rvalue(),
         }
     }
@@ -136,7 +136,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads `dictionary { .Name: 1, ["other name"]: 2 }` (3.8), whose braces come next.
-    pub(super) fn dictionary(&mut self) -> Result<Slot<'a>> {
+    pub(super) fn read_dictionary(&mut self) -> Result<Slot<'a>> {
         self.open()?;
         let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
         while !self.peek()?.ends() {
@@ -222,7 +222,7 @@ impl<'a> Interpreter<'a> {
             if self.stream.has_comma() {
                 return Ok(None);
             }
-            return match self.stream.raw().map(|e| &e.kind) {
+            return match self.stream.next_element().map(|e| &e.kind) {
                 Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot)) => {
                     self.peek().map(Some)
                 }
@@ -265,7 +265,7 @@ impl<'a> Interpreter<'a> {
 
     /// Consumes a [`Token::Element`], and returns the contents of the element.
     pub(super) fn take_element(&mut self) -> Result<Slot<'a>> {
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let lvalue = self.stream.take_element();
         self.stream.advance();
         match lvalue {
@@ -306,7 +306,7 @@ impl<'a> Interpreter<'a> {
         adds: bool,
     ) -> Result<LValue> {
         let Some(lvalue) = self.evaluator.scopes().resolve(symbol) else {
-            self.name_value(symbol, span)?;
+            self.evaluate_name(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
         if self.evaluator.scopes().dictionary(&lvalue).is_some() {

@@ -22,7 +22,7 @@ impl<'a> Interpreter<'a> {
         match &e.kind {
             ExprKind::Number(x) => Ok(Value::Float(*x)),
             ExprKind::Text(text) => Ok(Value::Text((**text).into())),
-            ExprKind::Name(symbol) => self.name_value(*symbol, e.span),
+            ExprKind::Name(symbol) => self.evaluate_name(*symbol, e.span),
             ExprKind::Literal(data) => vector_value(data, e.span),
             ExprKind::Vector(parts) => self.evaluate_vector(parts, e.span),
             ExprKind::Paren(inner) => self.evaluate(inner),
@@ -90,17 +90,17 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The value of a name. Its first use reports the warnings that waited for it.
-    pub(super) fn name_value(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
+    pub(super) fn evaluate_name(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
         match self.evaluator.scopes().get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => {
                 let thing = thing.clone();
-                self.first_use(symbol, span);
+                self.report_first_use(symbol, span);
                 Ok(Value::Thing(thing))
             }
             Some(Slot::Value(value)) => {
                 let value = value.clone();
                 if self.evaluator.has_deprecations() {
-                    self.first_use(symbol, span);
+                    self.report_first_use(symbol, span);
                 }
                 Ok(value)
             }
@@ -145,7 +145,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reports the warnings that waited for the use of a declared thing.
-    pub(super) fn first_use(&mut self, symbol: Symbol, span: Span) {
+    pub(super) fn report_first_use(&mut self, symbol: Symbol, span: Span) {
         for warning in self.evaluator.scopes().pending(symbol).iter().flat_map(|p| p.iter()) {
             self.reporter.report(warning.clone());
         }

@@ -32,51 +32,51 @@ impl<'a> Interpreter<'a> {
                     self.stream.advance();
                     return Ok(slot);
                 }
-                let value = self.name_value(*symbol, *span)?;
-                let whole = self.is_whole(false);
+                let value = self.evaluate_name(*symbol, *span)?;
+                let whole = self.next_is_complete(false);
                 self.stream.advance();
                 match is_callable(&value) {
-                    true => self.call_or_value(value, *span),
+                    true => self.read_call_or_value(value, *span),
                     false if whole => Ok(Slot::Value(value)),
-                    false => self.rest_of_value(value, *span),
+                    false => self.read_rest_of_value(value, *span),
                 }
             }
             Token::Function(_) => Ok(Slot::Value(Value::Thing(self.read_function()?))),
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => {
-                self.plain_value()
+                self.read_plain_value()
             }
-            Token::Sign(Sign::Not | Sign::Operator(_)) => self.plain_value(),
+            Token::Sign(Sign::Not | Sign::Operator(_)) => self.read_plain_value(),
             Token::Element(span) => {
                 let slot = self.take_element()?;
                 match slot {
-                    Slot::Value(value) => self.rest_of_value(value, span),
+                    Slot::Value(value) => self.read_rest_of_value(value, span),
                     slot => Ok(slot),
                 }
             }
             Token::Word("array") => self.read_array(),
-            Token::Block(BlockName { word: Some("array"), .. }) => self.read_braced_array(self.stream.here()),
+            Token::Block(BlockName { word: Some("array"), .. }) => self.read_braced_array(self.stream.next_span()),
             Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
-                self.dictionary()
+                self.read_dictionary()
             }
-            Token::Word(_) if self.at_color()? => self.plain_value(),
+            Token::Word(_) if self.at_color()? => self.read_plain_value(),
             _ => match Reader::next(self)? {
-                Next::Block(word) => self.thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
+                Next::Block(word) => self.read_thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),
             },
         }
     }
 
-    fn plain_value(&mut self) -> Result<Slot<'a>> {
+    fn read_plain_value(&mut self) -> Result<Slot<'a>> {
         self.read_value().map(|(value, _)| Slot::Value(value))
     }
 
     /// Returns a function's name alone, or reads its call.
-    fn call_or_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
-        if self.call_follows()? { self.rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
+    fn read_call_or_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
+        if self.call_follows()? { self.read_rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
     }
 
     /// Continues a value whose first operand was read.
-    fn rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
+    fn read_rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
         if matches!(&value, Value::Thing(_)) && !is_callable(&value) {
             return Ok(Slot::Value(value));
         }
@@ -84,7 +84,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads a block that can be declared.
-    fn thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
+    fn read_thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().clone();
         if word == "spline" {
             return Ok(self.read_spline()?);
@@ -100,27 +100,27 @@ impl<'a> Interpreter<'a> {
         }
         let base = &defaults.texture.layers[0];
         match word {
-            "pigment" => self.inside(|r, _| Pigment::read(r, &base.pigment, &defaults.texture)),
-            "normal" => self.inside(|r, _| Normal::read(r, base.normal.as_deref(), &defaults.texture)),
-            "finish" => self.inside(|r, _| Finish::read(r, &base.finish)),
-            "color_map" | "colour_map" => self.inside(|r, _| ColorMap::read(r)),
-            "pigment_map" => self.inside(|r, _| PigmentMap::read_entries(r, &defaults.texture, false)),
-            "normal_map" => self.inside(|r, _| NormalMap::read_entries(r, &defaults.texture, false)),
-            "slope_map" => self.inside(|r, _| SlopeMap::read_entries(r, &defaults.texture, false)),
-            "texture_map" => self.inside(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
-            "interior" => self.inside(|r, _| Interior::read(r, None)),
-            "material" => self.inside(|r, _| read_material(r, &defaults, None)),
-            "fog" => self.inside(|r, _| Fog::read(r)),
-            "rainbow" => self.inside(|r, at| Rainbow::read(r, at)),
-            "sky_sphere" => self.inside(|r, at| SkySphere::read(r, &defaults.texture, at)),
-            "camera" => self.inside(|r, at| read_camera(r, at, &defaults)),
-            "transform" => self.inside(|r, _| Ok(TransformThing(r.transform_block()?))),
+            "pigment" => self.read_inside(|r, _| Pigment::read(r, &base.pigment, &defaults.texture)),
+            "normal" => self.read_inside(|r, _| Normal::read(r, base.normal.as_deref(), &defaults.texture)),
+            "finish" => self.read_inside(|r, _| Finish::read(r, &base.finish)),
+            "color_map" | "colour_map" => self.read_inside(|r, _| ColorMap::read(r)),
+            "pigment_map" => self.read_inside(|r, _| PigmentMap::read_entries(r, &defaults.texture, false)),
+            "normal_map" => self.read_inside(|r, _| NormalMap::read_entries(r, &defaults.texture, false)),
+            "slope_map" => self.read_inside(|r, _| SlopeMap::read_entries(r, &defaults.texture, false)),
+            "texture_map" => self.read_inside(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
+            "interior" => self.read_inside(|r, _| Interior::read(r, None)),
+            "material" => self.read_inside(|r, _| read_material(r, &defaults, None)),
+            "fog" => self.read_inside(|r, _| Fog::read(r)),
+            "rainbow" => self.read_inside(|r, at| Rainbow::read(r, at)),
+            "sky_sphere" => self.read_inside(|r, at| SkySphere::read(r, &defaults.texture, at)),
+            "camera" => self.read_inside(|r, at| read_camera(r, at, &defaults)),
+            "transform" => self.read_inside(|r, _| Ok(TransformThing(r.transform_block()?))),
             _ => Err(self.unexpected_token("something that can be declared").into()),
         }
     }
 
     /// Opens the block that comes next, calls `read` with the block's span, and closes the block.
-    fn inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
+    fn read_inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
         let at = self.take()?;
         let thing = read(self, at)?;
         self.leave()?;

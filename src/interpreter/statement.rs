@@ -45,7 +45,7 @@ impl Interpreter<'_> {
     pub(super) fn read_statement(&mut self) -> Result<bool> {
         match Reader::next(self)? {
             Next::End if !matches!(self.peek()?, Token::End) => {
-                let span = self.stream.here();
+                let span = self.stream.next_span();
                 self.stream.advance();
                 let message = format!("`{}` closes nothing", self.inputs.sources.snippet(span));
                 let d = Diagnostic::new(codes::UNMATCHED_CLOSER, span, message);
@@ -53,9 +53,9 @@ impl Interpreter<'_> {
             }
             Next::End => return Ok(false),
             Next::Block(word) => self.read_top_block(word)?,
-            Next::Word("max_trace_level") => self.stray_trace_level()?,
-            Next::Word(word @ ("declare" | "include")) => self.bare_directive(word)?,
-            Next::Value if self.at_bare_version() => self.bare_directive("version")?,
+            Next::Word("max_trace_level") => self.read_stray_trace_level()?,
+            Next::Word(word @ ("declare" | "include")) => self.run_bare_directive(word)?,
+            Next::Value if self.at_bare_version() => self.run_bare_directive("version")?,
             Next::Word(word) if STATEMENTS.ignores(word) => {
                 self.take()?;
                 self.float()?;
@@ -64,12 +64,12 @@ impl Interpreter<'_> {
                 self.read_top_object()?;
             }
             Next::Thing(kind) => {
-                let span = self.stream.here();
+                let span = self.stream.next_span();
                 let d =
                     Diagnostic::new(codes::EXPECTED, span, format!("a {kind} is not allowed at the outermost level"));
                 return d.help("only objects do; a `texture` or `pigment` belongs inside one").into();
             }
-            Next::Value => return Err(self.stray_value().into()),
+            Next::Value => return Err(self.stray_value_error().into()),
             _ => return Err(self.unknown_word("scene", &statement_names()).into()),
         }
         Ok(true)
@@ -87,7 +87,7 @@ impl Interpreter<'_> {
         const OTHERS: [&str; 7] =
             ["camera", "background", "sky_sphere", "fog", "rainbow", "global_settings", "default"];
         if !OTHERS.contains(&word) {
-            return Err(self.stray_block(word).into());
+            return Err(self.stray_block_error(word).into());
         }
         let at = self.take()?;
         match word {
@@ -136,24 +136,24 @@ impl Interpreter<'_> {
     }
 
     /// Runs a directive without its `#`, which POV-Ray accepts for some directives between statements.
-    fn bare_directive(&mut self, word: &'static str) -> Result<()> {
-        let span = self.stream.here();
+    fn run_bare_directive(&mut self, word: &'static str) -> Result<()> {
+        let span = self.stream.next_span();
         self.stream.advance();
         let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` is missing its `#`"));
         self.report_here(d.help(format!("write `#{word}`")));
         match crate::interpreter::directives::find(word) {
             Some((name, run)) => self.run_plain(name, run, span),
-            None => self.declare_by_tokens(false, span),
+            None => self.run_declare_by_tokens(false, span),
         }
     }
 
     fn at_bare_version(&self) -> bool {
-        self.stream.raw().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
+        self.stream.next_element().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
     }
 
     /// Reads `max_trace_level`, which POV-Ray also accepts outside of `global_settings`.
-    fn stray_trace_level(&mut self) -> Result<()> {
-        let at = self.stream.here();
+    fn read_stray_trace_level(&mut self) -> Result<()> {
+        let at = self.stream.next_span();
         let mut settings = self.builder.settings().clone();
         self.take()?;
         let read = settings.read_max_trace_level(self);
@@ -165,10 +165,10 @@ impl Interpreter<'_> {
     }
 
     /// The error for a block at the outermost level that belongs inside another block.
-    fn stray_block(&mut self, word: &'static str) -> Diagnostic {
+    fn stray_block_error(&mut self, word: &'static str) -> Diagnostic {
         let span = match self.peek() {
             Ok(Token::Block(name)) => name.span,
-            _ => self.stream.here(),
+            _ => self.stream.next_span(),
         };
         let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` is not a statement of its own"));
         match hints::other_tools(word) {
@@ -178,10 +178,10 @@ impl Interpreter<'_> {
     }
 
     /// The error for a value at the outermost level: mostly a misspelt word or a missing `#declare`.
-    fn stray_value(&mut self) -> Diagnostic {
+    fn stray_value_error(&mut self) -> Diagnostic {
         if let Ok(Token::Expr(e)) = self.peek() {
             if let Some(at) = self.comparison_ahead() {
-                return self.misplaced(at);
+                return self.syntax_error_at(at);
             }
             if let Err(fault) = self.evaluate(e) {
                 return *fault;
@@ -189,8 +189,8 @@ impl Interpreter<'_> {
         }
         let (at, is_value) = match self.peek() {
             Ok(Token::Expr(e)) => (e.span, !self.inputs.sources.snippet(e.span).starts_with('(')),
-            Ok(Token::Numbers(_)) => (self.stream.here(), true),
-            Ok(Token::Sign(sign)) => (self.stream.here(), self.begins_value(sign, self.stream.here())),
+            Ok(Token::Numbers(_)) => (self.stream.next_span(), true),
+            Ok(Token::Sign(sign)) => (self.stream.next_span(), self.begins_value(sign, self.stream.next_span())),
             _ => (Span::NONE, false),
         };
         if !is_value {
@@ -222,7 +222,7 @@ impl Interpreter<'_> {
 
     /// Span of a comparison sign in the operands that come next, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
-        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
         let row = self.stream.innermost()?.rest().iter();

@@ -55,7 +55,7 @@ impl<'a> Interpreter<'a> {
                 self.evaluator.scopes_mut().set_element(lvalue, Some(Slot::Value(value)));
                 Ok(())
             }
-            Given::Name(symbol) => self.name_value(*symbol, target.span).map(drop),
+            Given::Name(symbol) => self.evaluate_name(*symbol, target.span).map(drop),
             Given::Slot(_) => Diagnostic::new(codes::WRONG_TYPE, target.span, "the normal is given to a name")
                 .help("`#declare N = <0, 0, 0>; #declare P = trace(Thing, From, Direction, N);`")
                 .into(),

@@ -12,46 +12,46 @@ use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn condition(&mut self, condition: &'a Head, span: Span) -> Result<bool> {
-        Ok(self.head_number(condition, span)?.abs() > SMALL)
+    pub(in crate::interpreter) fn evaluate_condition(&mut self, condition: &'a Head, span: Span) -> Result<bool> {
+        Ok(self.evaluate_head(condition, span)?.abs() > SMALL)
     }
 
     /// Evaluates the number in the parentheses after a directive's word.
-    fn head_number(&mut self, head: &'a Head, span: Span) -> Result<f64> {
+    fn evaluate_head(&mut self, head: &'a Head, span: Span) -> Result<f64> {
         match head {
-            Head::Whole(e) if !self.evaluator.splits(e) => self.evaluate_number(e),
+            Head::Whole(e) if !self.evaluator.must_split(e) => self.evaluate_number(e),
             Head::Whole(e) => {
                 let elements = self.inputs.as_elements(e);
-                self.number_within(elements, e.span)
+                self.read_number_within(elements, e.span)
             }
-            Head::Pieces(Some(elements)) => self.number_within(elements, span),
-            Head::Pieces(None) => Err(self.misplaced(span).into()),
+            Head::Pieces(Some(elements)) => self.read_number_within(elements, span),
+            Head::Pieces(None) => Err(self.syntax_error_at(span).into()),
         }
     }
 
-    fn number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
+    fn read_number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
         let number = self.within(elements, Bracket::Paren, span, |me| {
             let (value, at) = me.read_expression(true)?;
             as_float(&value, at)
         });
         number.map_err(|fault| match doubled_operator(elements) {
-            Some(at) => Box::new(self.misplaced(at)),
+            Some(at) => Box::new(self.syntax_error_at(at)),
             None => fault,
         })
     }
 
-    pub(in crate::interpreter) fn branch(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_if(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
         for (i, branch) in branches.iter().enumerate() {
             if let Condition::True(Head::Pieces(None)) = &branch.condition {
-                let mark = self.stream.checkpoint();
+                let checkpoint = self.stream.checkpoint();
                 if self.read_head_in_body(&branch.body, branch.span)?.abs() > SMALL {
                     break;
                 }
-                self.unwind(mark);
+                self.unwind(checkpoint);
                 continue;
             }
             let taken = match &branch.condition {
-                Condition::True(head) => self.condition(head, branch.span)?,
+                Condition::True(head) => self.evaluate_condition(head, branch.span)?,
                 Condition::Declared(head) => self.head_is_declared(head, branch.span)?,
                 Condition::NotDeclared(head) => !self.head_is_declared(head, branch.span)?,
                 Condition::Always => true,
@@ -73,9 +73,9 @@ impl<'a> Interpreter<'a> {
     /// body is read next.
     fn read_head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
         if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
-            return Err(self.misplaced(span).into());
+            return Err(self.syntax_error_at(span).into());
         }
-        let mark = self.stream.checkpoint();
+        let checkpoint = self.stream.checkpoint();
         self.stream.push_frame(body, FrameKind::Branch, span);
         let read = self.open().and_then(|_| {
             let (value, at) = self.read_expression(true)?;
@@ -84,7 +84,7 @@ impl<'a> Interpreter<'a> {
         });
         read.map_err(|fault| {
             let fault = self.stream.with_trace(*fault);
-            self.unwind(mark);
+            self.unwind(checkpoint);
             Box::new(fault)
         })
     }
@@ -94,7 +94,7 @@ impl<'a> Interpreter<'a> {
             Head::Whole(e) => self.is_declared(e),
             Head::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| {
                 // The name may be a macro's, which is not called here.
-                match me.stream.bare_name() {
+                match me.stream.take_closed_name() {
                     Some((symbol, _)) => Ok(me.evaluator.is_declared(symbol)),
                     None => {
                         let argument = match me.read_argument() {
@@ -110,7 +110,7 @@ impl<'a> Interpreter<'a> {
                     }
                 }
             }),
-            Head::Pieces(None) => Err(self.misplaced(span).into()),
+            Head::Pieces(None) => Err(self.syntax_error_at(span).into()),
         }
     }
 
@@ -148,22 +148,22 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    pub(in crate::interpreter) fn while_loop(
+    pub(in crate::interpreter) fn run_while(
         &mut self,
         condition: &'a Head,
         body: &'a [Element],
         span: Span,
     ) -> Result<()> {
-        if self.condition(condition, span)? {
+        if self.evaluate_condition(condition, span)? {
             self.stream.push_frame(body, FrameKind::While(condition), span);
         }
         Ok(())
     }
 
-    pub(in crate::interpreter) fn for_loop(&mut self, f: &'a For, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_for(&mut self, f: &'a For, span: Span) -> Result<()> {
         let (counter, [first, last, step], at) = match &f.head {
             ForHead::Whole(counter, range) => {
-                let [first, last, rest @ ..] = &**range else { return Err(self.misplaced(span).into()) };
+                let [first, last, rest @ ..] = &**range else { return Err(self.syntax_error_at(span).into()) };
                 let (first, last) = (self.evaluate_number(first)?, self.evaluate_number(last)?);
                 let (step, at) = match rest {
                     [step, ..] => (self.evaluate_number(step)?, step.span),
@@ -174,7 +174,7 @@ impl<'a> Interpreter<'a> {
             ForHead::Pieces(Some(elements)) => {
                 self.within(elements, Bracket::Paren, span, |me| me.read_for_head(span))?
             }
-            ForHead::Pieces(None) => return Err(self.misplaced(span).into()),
+            ForHead::Pieces(None) => return Err(self.syntax_error_at(span).into()),
         };
         if step.is_nan() || step.abs() < SMALL {
             return Diagnostic::err(codes::ZERO_STEP, at, format!("a step of {step} would never reach the last value"));
@@ -189,11 +189,11 @@ impl<'a> Interpreter<'a> {
     /// Reads `I, 0, 10, 2`. The commas are optional.
     fn read_for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
         // Without the comma after the name, `J -1, 1` and `J (0), 1` parse as expressions.
-        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
+        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
         {
             self.stream.split_next();
         }
-        let Some((counter, _)) = self.stream.raw_name() else { return Err(self.unexpected_token("a name").into()) };
+        let Some((counter, _)) = self.stream.take_name() else { return Err(self.unexpected_token("a name").into()) };
         let (mut numbers, mut at) = ([0.0, 0.0, 1.0], span);
         let mut count = 0;
         while count < 3 && !self.peek()?.ends() {
@@ -208,22 +208,22 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs the first arm that matches, and all arms after it up to a `#break`.
-    pub(in crate::interpreter) fn switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
-        let value = self.head_number(value, span)?;
+    pub(in crate::interpreter) fn run_switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
+        let value = self.evaluate_head(value, span)?;
         for (i, arm) in arms.iter().enumerate() {
-            let mark = self.stream.checkpoint();
+            let checkpoint = self.stream.checkpoint();
             let fits = match &arm.when {
                 When::Case(Head::Pieces(None)) => (self.read_head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
-                When::Case(head) => (self.head_number(head, arm.span)? - value).abs() < SMALL,
+                When::Case(head) => (self.evaluate_head(head, arm.span)? - value).abs() < SMALL,
                 When::Range(Some(elements)) => {
                     let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.read_two_numbers())?;
                     value >= low - SMALL && value <= high + SMALL
                 }
-                When::Range(None) => return Err(self.misplaced(arm.span).into()),
+                When::Range(None) => return Err(self.syntax_error_at(arm.span).into()),
                 When::Otherwise => true,
             };
             // The part of an arm's body that follows a head read from the body.
-            let begun = self.stream.split_off_frames(mark.frame_count());
+            let begun = self.stream.split_off_frames(checkpoint.frame_count());
             if let (true, When::Otherwise, Some(next)) = (fits, &arm.when, arms.get(i + 1)) {
                 return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
             }

@@ -24,10 +24,10 @@ type Deprecated<'a> = Option<(bool, &'a str)>;
 impl<'a> Interpreter<'a> {
     /// Runs `#declare` and `#local`. A thing that cannot be built is declared all the same, and its errors are reported
     /// where it is used: standard include files declare hundreds of things of which a scene uses a few.
-    pub(in crate::interpreter) fn declare(&mut self, declare: &'a Declare) -> Result<()> {
+    pub(in crate::interpreter) fn run_declare(&mut self, declare: &'a Declare) -> Result<()> {
         let target = &declare.target;
         if let Some(word) = target.keyword {
-            return self.reserved_name(word, target.span);
+            return self.refuse_reserved_name(word, target.span);
         }
         if declare.others.is_empty()
             && target.indices.is_empty()
@@ -47,16 +47,16 @@ impl<'a> Interpreter<'a> {
             let targets: Vec<&'a Target> = std::iter::once(target).chain(&declare.others).collect();
             let values = self.read_values_in_parentheses(targets.len())?;
             for (target, slot) in targets.into_iter().zip(values) {
-                let declared = self.declared(target)?;
+                let declared = self.target_of(target)?;
                 self.bind(declare.local, &declared, slot, vec![]);
             }
             return Ok(());
         }
-        let declared = self.declared(target)?;
+        let declared = self.target_of(target)?;
         self.declare_one(declare.local, deprecated, declared)
     }
 
-    fn reserved_name(&mut self, word: &str, span: Span) -> Result<()> {
+    fn refuse_reserved_name(&mut self, word: &str, span: Span) -> Result<()> {
         // The value is read all the same, so that its tokens are no further faults.
         self.read_rvalue().ok();
         Diagnostic::new(codes::RESERVED_NAME, span, format!("`{word}` is a word of the language"))
@@ -75,26 +75,26 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs `#declare` and `#local` where the target before the `=` comes token by token.
-    pub(in crate::interpreter) fn declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
-        let mark = self.stream.checkpoint();
-        self.declare_tokens(local, span).map_err(|fault| self.skip_fault(mark, *fault))
+    pub(in crate::interpreter) fn run_declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
+        let checkpoint = self.stream.checkpoint();
+        self.declare_tokens(local, span).map_err(|fault| self.skip_fault(checkpoint, *fault))
     }
 
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         self.pop_spent();
-        let deprecated = self.deprecated_tokens()?;
+        let deprecated = self.read_deprecated()?;
         if let Some(ElementKind::Expr(_) | ElementKind::Sign(Sign::Open(Bracket::Paren))) =
-            self.stream.raw().map(|e| &e.kind)
+            self.stream.next_element().map(|e| &e.kind)
             && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis()?
         {
             self.open()?;
             let mut targets = vec![];
-            while !matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Sign(_)) | None) {
-                if self.stream.raw().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
+            while !matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Sign(_)) | None) {
+                if self.stream.next_element().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
                     self.stream.advance();
                     continue;
                 }
-                targets.push(self.declared_tokens(span)?);
+                targets.push(self.read_target(span)?);
             }
             self.close("`)`")?;
             self.expect_equal()?;
@@ -104,12 +104,12 @@ impl<'a> Interpreter<'a> {
             }
             return Ok(());
         }
-        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.raw() {
+        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_element() {
             self.stream.advance();
             self.expect_equal()?;
-            return self.reserved_name(word.name, *span);
+            return self.refuse_reserved_name(word.name, *span);
         }
-        let declared = self.declared_tokens(span)?;
+        let declared = self.read_target(span)?;
         self.expect_equal()?;
         self.expect_value_of(declared.symbol)?;
         self.declare_one(local, deprecated, declared)
@@ -117,7 +117,7 @@ impl<'a> Interpreter<'a> {
 
     /// Returns a `(` that comes next as a token; [`Token::End`] if none does.
     fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
-        match self.stream.raw().map(|e| &e.kind) {
+        match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next(),
             Some(ElementKind::Sign(_)) => {}
             _ => return Ok(Token::End),
@@ -126,8 +126,8 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads `deprecated once "why"`, if it comes next.
-    fn deprecated_tokens(&mut self) -> Result<Deprecated<'a>> {
-        let word = |me: &Self, name: &str| matches!(me.stream.raw().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
+    fn read_deprecated(&mut self) -> Result<Deprecated<'a>> {
+        let word = |me: &Self, name: &str| matches!(me.stream.next_element().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
         if !word(self, "deprecated") {
             return Ok(None);
         }
@@ -136,7 +136,7 @@ impl<'a> Interpreter<'a> {
         if once {
             self.stream.advance();
         }
-        match self.stream.raw().map(|e| &e.kind) {
+        match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if let ExprKind::Text(why) = &e.kind => {
                 self.stream.advance();
                 Ok(Some((once, why)))
@@ -146,17 +146,17 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads the target: a name, perhaps with indices.
-    fn declared_tokens(&mut self, directive: Span) -> Result<Declared> {
+    fn read_target(&mut self, directive: Span) -> Result<Declared> {
         self.pop_spent();
         // A `declare A = 3` without `#` was parsed as a comparison.
-        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
-        let Some((symbol, span)) = self.stream.raw_name() else { return Err(self.no_name(directive)) };
+        let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name(directive)) };
         let text = self.inputs.names.text(symbol);
         if let Some((word, _)) = word::lookup(text).filter(|(_, category)| *category != Category::Contextual) {
             self.expect_equal()?;
-            self.reserved_name(word, span)?;
+            self.refuse_reserved_name(word, span)?;
         }
         let indices = self.indices_of(symbol)?;
         let lvalue = match indices.is_empty() {
@@ -166,31 +166,35 @@ impl<'a> Interpreter<'a> {
         Ok(Declared { symbol, lvalue })
     }
 
-    fn no_name(&self, directive: Span) -> crate::diagnostic::Fault {
-        let at = self.stream.raw().map_or(directive.end(), |e| e.span);
-        self.misplaced(at).into()
+    fn missing_name(&self, directive: Span) -> crate::diagnostic::Fault {
+        let at = self.stream.next_element().map_or(directive.end(), |e| e.span);
+        self.syntax_error_at(at).into()
     }
 
     fn expect_equal(&mut self) -> Result<()> {
-        match self.stream.raw().map(|e| &e.kind) {
+        match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Sign(Sign::Operator(Operator::Equal))) => {
                 self.stream.advance();
                 Ok(())
             }
             _ => {
-                let at = self.stream.raw().map_or(Span::NONE, |e| e.span);
-                Err(if at == Span::NONE { self.unexpected_token("`=`").into() } else { self.misplaced(at).into() })
+                let at = self.stream.next_element().map_or(Span::NONE, |e| e.span);
+                Err(if at == Span::NONE {
+                    self.unexpected_token("`=`").into()
+                } else {
+                    self.syntax_error_at(at).into()
+                })
             }
         }
     }
 
     fn declare_one(&mut self, local: bool, deprecated: Deprecated<'a>, declared: Declared) -> Result<()> {
         let first = self.reporter.position();
-        let mark = self.stream.checkpoint();
-        let floor = mark.frame_count();
+        let checkpoint = self.stream.checkpoint();
+        let floor = checkpoint.frame_count();
         let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.drain(floor).map(|()| slot));
         let value = self.in_mode(|mode| mode.frame_floor = floor, read);
-        if value.is_ok() && self.stream.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
+        if value.is_ok() && self.stream.next_element().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
             self.stream.advance();
         }
         let slot = match value {
@@ -204,8 +208,8 @@ impl<'a> Interpreter<'a> {
             }
             Err(fault) => {
                 let fault = self.stream.with_trace(*fault);
-                self.skip_statement(mark);
-                self.stream.skip_layers(mark);
+                self.skip_statement(checkpoint);
+                self.stream.skip_layers(checkpoint);
                 // Text that POV-Ray cannot even tokenize is an error at once.
                 if matches!(fault.code, codes::SYNTAX | codes::UNCLOSED | codes::UNMATCHED_CLOSER) {
                     self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);
@@ -226,7 +230,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    fn declared(&mut self, target: &'a Target) -> Result<Declared> {
+    fn target_of(&mut self, target: &'a Target) -> Result<Declared> {
         let lvalue = match target.indices.is_empty() {
             true => None,
             false => Some(self.target_lvalue(target.symbol, target.span, &target.indices)?),
@@ -258,7 +262,7 @@ impl<'a> Interpreter<'a> {
         while !self.peek()?.ends() {
             values.push(self.read_rvalue()?);
         }
-        let end = self.stream.here();
+        let end = self.stream.next_span();
         self.close("`)`")?;
         if values.len() == wanted {
             return Ok(values);
@@ -266,20 +270,20 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::WRONG_COUNT, span.to(end), format!("{wanted} names get {} values", values.len()))
     }
 
-    pub(in crate::interpreter) fn undef(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_undef(&mut self, span: Span) -> Result<()> {
         self.pop_spent();
         // The name is removed before anything after it runs, and a macro's name is not called.
         let next = self.stream.innermost().and_then(StackFrame::following).map(|e| &e.kind);
         if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Sign(_)))
-            && let Some((symbol, _)) = self.stream.raw_name()
+            && let Some((symbol, _)) = self.stream.take_name()
         {
             self.evaluator.scopes_mut().remove(symbol);
             return Ok(());
         }
-        if self.stream.raw().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
-            return Err(self.no_name(span));
+        if self.stream.next_element().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
+            return Err(self.missing_name(span));
         }
-        if let Some(ElementKind::Expr(e)) = self.stream.raw().map(|e| &e.kind)
+        if let Some(ElementKind::Expr(e)) = self.stream.next_element().map(|e| &e.kind)
             && matches!(e.kind, ExprKind::Index(..) | ExprKind::Dot(..))
             && !self.is_declared(e)?
         {
@@ -299,7 +303,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    pub(in crate::interpreter) fn default_block(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_default(&mut self, span: Span) -> Result<()> {
         if !matches!(self.peek()?, Token::Open(Bracket::Brace, _)) {
             let d = self.unexpected_token("`{` after `#default`");
             return d.help("`#default { finish { ambient 0 } }`").into();

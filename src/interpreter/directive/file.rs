@@ -38,13 +38,13 @@ enum Access {
 
 impl<'a> Interpreter<'a> {
     /// Runs `#fopen Name "file" read`.
-    pub(in crate::interpreter) fn open_file(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_fopen(&mut self, span: Span) -> Result<()> {
         let Some((symbol, _)) = self.read_name()? else {
             let message = "`#fopen` takes a name, a file and `read`, `write` or `append`";
             return Diagnostic::err(codes::EXPECTED, span, message);
         };
         let (name, at) = self.read_text_value()?;
-        let word = self.last_word();
+        let word = self.read_access_word();
         let file = match word {
             "read" => self.open_to_read(&name, at),
             "write" | "append" => self.open_to_write(&name, word == "append", at),
@@ -78,11 +78,11 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the word after the file's name; empty if no word follows. No directive after it runs before the file is
     /// open.
-    fn last_word(&mut self) -> &'static str {
-        while let Some(ElementKind::Comma) = self.stream.raw().map(|e| &e.kind) {
+    fn read_access_word(&mut self) -> &'static str {
+        while let Some(ElementKind::Comma) = self.stream.next_element().map(|e| &e.kind) {
             self.stream.advance();
         }
-        let word = match self.stream.raw().map(|e| &e.kind) {
+        let word = match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Word(word)) => word.name,
             Some(ElementKind::Expr(e)) if let ExprKind::Name(symbol) = e.kind => {
                 crate::syntax::word::lookup(self.inputs.names.text(symbol)).map_or("", |(word, _)| word)
@@ -96,7 +96,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs `#fclose Name`.
-    pub(in crate::interpreter) fn close_named_file(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_fclose(&mut self, span: Span) -> Result<()> {
         if let Some((symbol, _)) = self.read_name()? {
             self.close_file(symbol, span);
         }
@@ -174,7 +174,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs `#read (Name, A, B)`. At the end of its text the file is closed, which `defined` then reports.
-    pub(in crate::interpreter) fn read_file(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_read(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#read")?;
         let Some((file, at)) = self.read_name()? else {
             return Diagnostic::err(codes::EXPECTED, span, "`#read` takes an open file and names");
@@ -238,7 +238,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs `#write (Name, A, B)`.
-    pub(in crate::interpreter) fn write_file(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_write(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#write")?;
         let index = match self.read_name()? {
             Some((symbol, at)) => self.file_number(symbol, at)?,

@@ -11,7 +11,7 @@ use crate::syntax::parse;
 use std::path::{Path, PathBuf};
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn include(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_include(&mut self, span: Span) -> Result<()> {
         let (text, name) = self.read_text_value()?;
         let span = joined(span, name);
         if self.stream.include_paths().len() >= MAX_INCLUDES {

@@ -34,7 +34,7 @@ impl<'a> Interpreter<'a> {
         self.check_depth(name, span)?;
         let slots = match self.plain_arguments(definition, arguments)? {
             Some(slots) => slots,
-            None => self.within(arguments, Bracket::Paren, span, |me| me.arguments(definition, span))?,
+            None => self.within(arguments, Bracket::Paren, span, |me| me.read_arguments(definition, span))?,
         };
         self.enter_macro(definition, slots, span, comma);
         Ok(())
@@ -50,17 +50,17 @@ impl<'a> Interpreter<'a> {
             let d = Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"));
             return d.help(format!("a call needs parentheses: `{name}()`")).into();
         }
-        let mark = self.stream.checkpoint();
-        let read = self.open().and_then(|_| self.arguments(definition, span));
+        let checkpoint = self.stream.checkpoint();
+        let read = self.open().and_then(|_| self.read_arguments(definition, span));
         let read = read.and_then(|slots| {
-            let end = self.stream.here();
+            let end = self.stream.next_span();
             self.close("`)`").map(|()| (slots, end))
         });
         let (slots, end) = match read {
             Ok(read) => read,
             Err(fault) => {
                 if self.stream.unclosed_bracket().is_none() {
-                    self.skip_brackets(mark);
+                    self.skip_brackets(checkpoint);
                 }
                 return Err(fault);
             }
@@ -112,7 +112,7 @@ impl<'a> Interpreter<'a> {
         Ok(Some(slots))
     }
 
-    fn arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
+    fn read_arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
         let name = self.inputs.names.text(definition.name);
         let (level, wanted) = (self.evaluator.scopes().level(), definition.parameters.len());
         let mut slots = Vec::with_capacity(wanted);
@@ -132,10 +132,10 @@ impl<'a> Interpreter<'a> {
                 .help(format!("the argument for `{parameter}` is missing"))
                 .into();
             }
-            slots.push(Some(self.argument(level)?));
+            slots.push(Some(self.read_macro_argument(level)?));
         }
         let next = self.peek()?;
-        if let Some(d) = self.called_value() {
+        if let Some(d) = self.uncallable_value_error() {
             return d.into();
         }
         if matches!(next, Token::Sign(_)) && !next.ends() {
@@ -143,7 +143,7 @@ impl<'a> Interpreter<'a> {
         }
         if !next.ends() {
             let message = format!("macro `{name}` takes {}, but more are given", counted(wanted));
-            return Diagnostic::new(codes::WRONG_COUNT, self.stream.here(), message)
+            return Diagnostic::new(codes::WRONG_COUNT, self.stream.next_span(), message)
                 .also(definition.span, "defined here")
                 .into();
         }
@@ -152,7 +152,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads an argument. A name alone is passed by reference, unless it is local to a macro that ends with the
     /// argument; any other value is copied.
-    fn argument(&mut self, level: u32) -> Result<Slot<'a>> {
+    fn read_macro_argument(&mut self, level: u32) -> Result<Slot<'a>> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
             return self.read_rvalue();
         }

@@ -21,12 +21,12 @@ impl<'a> Interpreter<'a> {
     /// Runs a directive. Branches and loops push a frame that is read next.
     pub(super) fn run_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
         match directive {
-            Directive::Declare(declare) => self.declare(declare),
-            Directive::DeclarePieces(local) => self.declare_by_tokens(*local, span),
-            Directive::If(branches) => self.branch(branches, span),
-            Directive::While(condition, body) => self.while_loop(condition, body, span),
-            Directive::For(f) => self.for_loop(f, span),
-            Directive::Switch(value, arms) => self.switch(value, arms, span),
+            Directive::Declare(declare) => self.run_declare(declare),
+            Directive::DeclarePieces(local) => self.run_declare_by_tokens(*local, span),
+            Directive::If(branches) => self.run_if(branches, span),
+            Directive::While(condition, body) => self.run_while(condition, body, span),
+            Directive::For(f) => self.run_for(f, span),
+            Directive::Switch(value, arms) => self.run_switch(value, arms, span),
             Directive::Macro(definition) => self.define_macro(definition),
             Directive::Plain(word) => self.plain_directive(directive, *word, span),
         }

@@ -21,7 +21,7 @@ impl<'a> Interpreter<'a> {
             return self.call_spline(&spline, arguments, span);
         }
         let Some(function) = self.evaluator.thing_of::<Function>(name) else {
-            self.name_value(name, span)?;
+            self.evaluate_name(name, span)?;
             let text = self.inputs.names.text(name);
             return Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"));
         };

@@ -268,7 +268,7 @@ impl<'a> Interpreter<'a> {
         component: Option<&Name>,
         span: Span,
     ) -> Result<Id> {
-        let callee = self.name_value(name, span)?;
+        let callee = self.evaluate_name(name, span)?;
         self.compile_call_of(c, &callee, ids, component, span)
     }
 
@@ -283,7 +283,7 @@ impl<'a> Interpreter<'a> {
     ) -> Result<Id> {
         let (callee, gives, arity) = self.callee(callee, span)?;
         self.check_arity(span, ids.len(), arity)?;
-        let component = self.component_number(gives, component, span)?;
+        let component = self.select_component(gives, component, span)?;
         if let Callee::Function(f) = &callee
             && let Body::Numeric(program) = &f.body
             && program.graph().nodes.len() <= MAX_COPIED
@@ -341,7 +341,7 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::WRONG_COUNT, called, message)
     }
 
-    fn component_number(&self, gives: Gives, component: Option<&Name>, span: Span) -> Result<Component> {
+    fn select_component(&self, gives: Gives, component: Option<&Name>, span: Span) -> Result<Component> {
         let text = self.called_text(span);
         let Some(component) = component else {
             return match gives {

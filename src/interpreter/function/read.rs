@@ -26,7 +26,7 @@ impl<'a> Interpreter<'a> {
         if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
             return Ok(None);
         }
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         match self.read_any_function()? {
             (Some(size), function) => Ok(Some((size, function))),
             (None, _) => {
@@ -37,7 +37,7 @@ impl<'a> Interpreter<'a> {
 
     fn read_any_function(&mut self) -> Result<PerhapsSized> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         self.stream.advance();
         let Token::Function(Some(f)) = token else { return self.read_function_by_tokens(span) };
         let size = f.size.iter().map(|e| self.evaluate_number(e).map(|n| (n, e.span))).collect::<Result<Vec<_>>>()?;
@@ -104,7 +104,7 @@ impl<'a> Interpreter<'a> {
             return Err(self.unexpected_token("an expression").into());
         }
         let result = match self.peek()? {
-            Token::Expr(e) if self.is_whole(true) => {
+            Token::Expr(e) if self.next_is_complete(true) => {
                 self.stream.advance();
                 self.compile(&mut compiler, e)?
             }
@@ -120,7 +120,7 @@ impl<'a> Interpreter<'a> {
     /// Reads `internal(61)` alone: one of the functions in functions.inc.
     fn read_internal_call(&mut self) -> Result<Option<Arc<dyn Thing>>> {
         let token = self.peek()?;
-        let mut span = self.stream.here();
+        let mut span = self.stream.next_span();
         let number = match token {
             Token::Expr(Expr { kind: ExprKind::Builtin(word, arguments), .. }) if word.name == "internal" => {
                 let [number] = &**arguments else {
@@ -133,7 +133,7 @@ impl<'a> Interpreter<'a> {
                 self.stream.advance();
                 self.expect_paren("internal")?;
                 let (value, at) = self.read_value()?;
-                span = joined(span, self.stream.here());
+                span = joined(span, self.stream.next_span());
                 self.close("`)`")?;
                 as_float(&value, at)?
             }

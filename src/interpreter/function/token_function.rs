@@ -50,11 +50,11 @@ impl<'a> Interpreter<'a> {
     fn compile_primary(&mut self, c: &mut Compiler) -> Result<(Id, Span)> {
         loop {
             let token = self.peek()?;
-            let span = self.stream.here();
+            let span = self.stream.next_span();
             return match token {
                 Token::Expr(e) => match &e.kind {
                     // A component may follow the call.
-                    ExprKind::Call(..) | ExprKind::Apply(..) if !self.is_whole(true) => {
+                    ExprKind::Call(..) | ExprKind::Apply(..) if !self.next_is_complete(true) => {
                         self.stream.split_next();
                         continue;
                     }
@@ -65,7 +65,7 @@ impl<'a> Interpreter<'a> {
                             _ => false,
                         };
                         if callee && self.call_follows()? {
-                            let callee = self.name_value(*symbol, span)?;
+                            let callee = self.evaluate_name(*symbol, span)?;
                             return self.compile_call_by_tokens(c, &callee, span);
                         }
                         Ok((self.compile_name(c, *symbol, e)?, span))
@@ -82,7 +82,7 @@ impl<'a> Interpreter<'a> {
                 Token::Open(Bracket::Paren, _) => {
                     self.open()?;
                     let (id, _) = self.climb(&mut Compiled(c), true)?;
-                    let end = self.stream.here();
+                    let end = self.stream.next_span();
                     self.close("`)`")?;
                     Ok((id, joined(span, end)))
                 }
@@ -98,7 +98,7 @@ impl<'a> Interpreter<'a> {
                     self.stream.advance();
                     self.expect_paren(word)?;
                     let id = self.compile_builtin_by_tokens(c, word, span)?;
-                    let end = self.stream.here();
+                    let end = self.stream.next_span();
                     self.close("`)`")?;
                     Ok((id, joined(span, end)))
                 }
@@ -114,7 +114,7 @@ impl<'a> Interpreter<'a> {
         while !self.peek()?.ends() {
             ids.push(self.climb(&mut Compiled(c), true)?.0);
         }
-        let mut whole = joined(span, self.stream.here());
+        let mut whole = joined(span, self.stream.next_span());
         self.close("`)`")?;
         let mut component: Option<Name> = None;
         if matches!(self.peek_after()?, Some(Token::Sign(Sign::Dot))) {

@@ -20,7 +20,7 @@ use crate::value::{Kind, Next, Reader};
 impl Interpreter<'_> {
     /// The error "expected …, found …" about the next token.
     pub(in crate::interpreter) fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
             Ok(Token::Word(word) | Token::Callee(word)) => format!("`{word}`"),
@@ -28,7 +28,7 @@ impl Interpreter<'_> {
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. })) => {
                 let slot = self.evaluator.scopes().get(*symbol);
                 if matches!(slot, Some(Slot::Faulty(_))) || slot.is_none() && !self.evaluator.is_constant(*symbol) {
-                    let Err(fault) = self.name_value(*symbol, *span) else {
+                    let Err(fault) = self.evaluate_name(*symbol, *span) else {
                         return self.expected(*span, expected, "a name");
                     };
                     return *fault;
@@ -42,7 +42,7 @@ impl Interpreter<'_> {
             }
             Ok(Token::Expr(Expr { span, .. })) if self.inputs.sources.snippet(*span).starts_with('(') => {
                 let paren = Span { hi: span.lo + 1, ..*span };
-                return self.expected_no_parenthesis(paren, expected);
+                return self.unexpected_parenthesis(paren, expected);
             }
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Element(span))
@@ -57,28 +57,28 @@ impl Interpreter<'_> {
             }
             Ok(Token::Element(span)) => format!("`{}`", self.inputs.sources.snippet(span)),
             Ok(Token::Function(_)) => "a function".to_string(),
-            Ok(Token::Open(Bracket::Paren, _)) => return self.expected_no_parenthesis(span, expected),
+            Ok(Token::Open(Bracket::Paren, _)) => return self.unexpected_parenthesis(span, expected),
             Ok(Token::Open(bracket, _)) => format!("`{}`", bracket.text()[0]),
             Ok(Token::Sign(Sign::Close(bracket))) => match self.stream.bracket() {
-                Some(opened) if opened.bracket != bracket => return self.not_closed(),
+                Some(opened) if opened.bracket != bracket => return self.unclosed_error(),
                 Some(OpenBracket { word: Some(block), .. }) => format!("the end of `{block} {{…}}`"),
                 _ => format!("`{}`", bracket.text()[1]),
             },
-            Ok(Token::Sign(_)) => return self.misplaced(span),
-            Ok(Token::End) if self.stream.bracket().is_some() => return self.not_closed(),
+            Ok(Token::Sign(_)) => return self.syntax_error_at(span),
+            Ok(Token::End) if self.stream.bracket().is_some() => return self.unclosed_error(),
             Ok(Token::End) => "the end".to_string(),
         };
         self.expected(span, expected, &found)
     }
 
-    fn expected_no_parenthesis(&mut self, span: Span, expected: &str) -> Diagnostic {
-        self.called_value().unwrap_or_else(|| {
+    fn unexpected_parenthesis(&mut self, span: Span, expected: &str) -> Diagnostic {
+        self.uncallable_value_error().unwrap_or_else(|| {
             self.expected(span, expected, "`(`").help("vectors are written in angle brackets: `<1, 2, 3>`")
         })
     }
 
     /// The error for a call of a value that is no function, as in `A(2)`.
-    pub(in crate::interpreter) fn called_value(&mut self) -> Option<Diagnostic> {
+    pub(in crate::interpreter) fn uncallable_value_error(&mut self) -> Option<Diagnostic> {
         let opens = matches!(
             self.peek(),
             Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. }))
@@ -86,7 +86,7 @@ impl Interpreter<'_> {
         if !opens || self.stream.has_comma() {
             return None;
         }
-        let (file, range) = self.inputs.sources.locate(self.stream.here())?;
+        let (file, range) = self.inputs.sources.locate(self.stream.next_span())?;
         let text = &self.inputs.sources.text(file)[..range.start];
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let name = &text[text.trim_end_matches(is_word).len()..];
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
     }
 
     /// The syntax error for a token that cannot be at its position.
-    pub(in crate::interpreter) fn misplaced(&self, span: Span) -> Diagnostic {
+    pub(in crate::interpreter) fn syntax_error_at(&self, span: Span) -> Diagnostic {
         let Some((file, range)) = self.inputs.sources.locate(span) else {
             return Diagnostic::new(codes::SYNTAX, span, "this is not allowed here");
         };
@@ -107,9 +107,9 @@ impl Interpreter<'_> {
     }
 
     /// The error for the innermost open bracket where an outer bracket closes or the text ends.
-    pub(in crate::interpreter) fn not_closed(&mut self) -> Diagnostic {
+    pub(in crate::interpreter) fn unclosed_error(&mut self) -> Diagnostic {
         let token = self.peek();
-        let here = self.stream.here();
+        let here = self.stream.next_span();
         let Some(opened) = self.stream.bracket() else {
             return Diagnostic::new(codes::UNMATCHED_CLOSER, here, "this closes nothing");
         };
@@ -137,8 +137,8 @@ impl Interpreter<'_> {
     }
 
     /// The error for a vector without `>` whose `<` is at `start`; the next token cannot be part of the vector.
-    pub(in crate::interpreter) fn open_vector(&mut self, start: Span) -> Diagnostic {
-        let here = self.stream.here();
+    pub(in crate::interpreter) fn unclosed_vector_error(&mut self, start: Span) -> Diagnostic {
+        let here = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
             Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square)) | Token::Word(_) | Token::Block(_)) => {
@@ -173,19 +173,19 @@ impl Interpreter<'_> {
     }
 
     /// The error for the next word, which `block` does not take.
-    pub(super) fn unknown_word_message(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
-        let span = self.stream.here();
+    pub(super) fn unknown_word_error(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
+        let span = self.stream.next_span();
         let word = match self.peek() {
             Err(fault) => return *fault,
-            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form(block, word, span, false),
+            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form_error(block, word, span, false),
             Ok(Token::Block(BlockName { word: Some(word), span, .. })) if takes.contains(&word) => {
-                return self.wrong_form(block, word, span, true);
+                return self.wrong_form_error(block, word, span, true);
             }
             Ok(Token::Word(word)) => word.to_string(),
             Ok(Token::Block(name)) => self.inputs.sources.snippet(name.span).to_string(),
             Ok(Token::Sign(_)) => return self.unexpected_token(block),
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. })) if self.evaluator.is_unknown(*symbol) => {
-                return self.unknown_name(*symbol, span, block, takes);
+                return self.unknown_name_error(*symbol, span, block, takes);
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
                 if matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Faulty(_))) =>
@@ -216,7 +216,7 @@ impl Interpreter<'_> {
     }
 
     /// The error for an undeclared name where a word of the block could be.
-    fn unknown_name(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
+    fn unknown_name_error(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
         let name = self.inputs.names.text(symbol);
         let near = did_you_mean(name, takes.iter().copied());
         // A capitalized name is the author's own, or that of an include file.
@@ -233,7 +233,7 @@ impl Interpreter<'_> {
     }
 
     /// The error for a word that the block takes, but that is followed by something else than the word needs.
-    fn wrong_form(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
+    fn wrong_form_error(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
         let rest =
             self.inputs.sources.locate(span).map_or("", |(file, range)| &self.inputs.sources.text(file)[range.end..]);
         let found = match fault::token_at(rest.trim_start(), 0) {

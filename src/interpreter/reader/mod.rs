@@ -93,7 +93,7 @@ impl Reader for Interpreter<'_> {
             let fault = self.stream.with_trace(*fault);
             self.reporter.report(fault);
         }
-        self.stream.here()
+        self.stream.next_span()
     }
 
     fn take(&mut self) -> Result<Span> {
@@ -110,11 +110,11 @@ impl Reader for Interpreter<'_> {
 
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let value = match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 self.stream.advance();
-                Some(self.name_value(*symbol, span)?)
+                Some(self.evaluate_name(*symbol, span)?)
             }
             Token::Function(_) => match self.read_rvalue()? {
                 Slot::Value(value) => Some(value),
@@ -166,7 +166,7 @@ impl Reader for Interpreter<'_> {
 
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let data = match token {
             Token::Numbers(data) => {
                 self.stream.advance();
@@ -207,7 +207,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         self.expect_paren("the word")?;
         let mut numbers = vec![];
         while !self.peek()?.closes(Bracket::Paren) {
@@ -325,7 +325,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
-        self.unknown_word_message(block, takes)
+        self.unknown_word_error(block, takes)
     }
 
     fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported> {

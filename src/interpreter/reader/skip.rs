@@ -15,8 +15,8 @@ impl Interpreter<'_> {
         let token = self.peek()?;
         let (word, span) = match token {
             Token::Block(name) => (name.word.unwrap_or(what), name.span),
-            Token::Word(word) => (word, self.stream.here()),
-            _ => (what, self.stream.here()),
+            Token::Word(word) => (word, self.stream.next_span()),
+            _ => (what, self.stream.next_span()),
         };
         self.report(Diagnostic::new(
             codes::UNSUPPORTED,
@@ -71,7 +71,7 @@ impl Interpreter<'_> {
             }
             Token::Open(Bracket::Square, _) => row.push(self.read_enclosed("entry")?),
             Token::Open(Bracket::Brace, _) => row.push(self.read_enclosed("group")?),
-            Token::Numbers(data) if data.len() > 5 || self.is_whole(false) => {
+            Token::Numbers(data) if data.len() > 5 || self.next_is_complete(false) => {
                 self.stream.advance();
                 Unsupported::push_numbers(row, data);
                 // Items inside a literal list cannot be continued by what follows the list.
@@ -80,11 +80,15 @@ impl Interpreter<'_> {
                 }
             }
             // `<a, b, … >` of a quartic has more components than a vector.
-            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 || self.is_whole(false) => {
+            Token::Expr(Expr { kind: ExprKind::Literal(data), .. })
+                if data.len() > 5 || self.next_is_complete(false) =>
+            {
                 self.stream.advance();
                 Unsupported::push_numbers(row, data);
             }
-            Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) if parts.len() > 5 || self.is_whole(false) => {
+            Token::Expr(Expr { kind: ExprKind::Vector(parts), .. })
+                if parts.len() > 5 || self.next_is_complete(false) =>
+            {
                 self.stream.advance();
                 let data = self.evaluate_numbers(parts)?;
                 Unsupported::push_numbers(row, &data);

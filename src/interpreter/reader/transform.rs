@@ -25,7 +25,7 @@ impl Interpreter<'_> {
     fn read_transform_step(&mut self, word: &str) -> Result<Box<Transform>> {
         let span = {
             self.peek()?;
-            self.stream.here()
+            self.stream.next_span()
         };
         let singular = |_| {
             let d = Diagnostic::new(codes::SINGULAR, span, format!("this `{word}` flattens space"));

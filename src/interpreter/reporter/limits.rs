@@ -44,7 +44,7 @@ impl Reporter<'_> {
             return self.limit(codes::STEP_LIMIT, span, message, "is this loop endless? --max-steps N allows more");
         }
         if self.usage.steps.is_multiple_of(CLOCK_EVERY) {
-            return self.look_at_clock(span);
+            return self.check_limits(span);
         }
         Ok(())
     }
@@ -56,10 +56,10 @@ impl Reporter<'_> {
             return Ok(());
         }
         self.usage.text_made = 0;
-        self.look_at_clock(span)
+        self.check_limits(span)
     }
 
-    fn look_at_clock(&mut self, span: Span) -> Result<()> {
+    fn check_limits(&mut self, span: Span) -> Result<()> {
         if self.inputs.options.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
             return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "its result is no longer needed");
         }

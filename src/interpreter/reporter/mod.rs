@@ -130,7 +130,7 @@ impl<'a> Reporter<'a> {
             self.report(fault);
         }
         self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
-        self.settle_messages();
+        self.complete_diagnostics();
     }
 
     /// All diagnostics, and the branches that never ran.

@@ -137,7 +137,7 @@ impl<'a> TokenStream<'a> {
 
     /// Sets the next token, whose text is at the read position.
     #[inline]
-    pub(super) fn announce(&mut self, token: Token<'a>) -> Token<'a> {
+    pub(super) fn set_look_ahead(&mut self, token: Token<'a>) -> Token<'a> {
         self.look_ahead = Some(token);
         token
     }
@@ -164,14 +164,14 @@ impl<'a> TokenStream<'a> {
     }
 
     /// The element at the read position, whatever it is; `None` if a token was pushed back. No directive runs.
-    pub(super) fn raw(&self) -> Option<&'a Element> {
+    pub(super) fn next_element(&self) -> Option<&'a Element> {
         let held = !self.pushed_back.is_empty();
         self.frames.last().filter(|_| !held).and_then(StackFrame::next)
     }
 
     /// Consumes a name that comes next, even if it is a macro's.
-    pub(super) fn raw_name(&mut self) -> Option<(Symbol, Span)> {
-        let element = self.raw()?;
+    pub(super) fn take_name(&mut self) -> Option<(Symbol, Span)> {
+        let element = self.next_element()?;
         let ElementKind::Expr(e) = &element.kind else { return None };
         let ExprKind::Name(symbol) = e.kind else { return None };
         self.advance();
@@ -179,19 +179,19 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Consumes a name that comes next if a closing bracket follows it.
-    pub(super) fn bare_name(&mut self) -> Option<(Symbol, Span)> {
+    pub(super) fn take_closed_name(&mut self) -> Option<(Symbol, Span)> {
         let frame = self.frames.last()?;
         match frame.following().map(|e| &e.kind) {
             Some(ElementKind::Sign(Sign::Close(_))) => {}
             None if frame.closer.is_some() => {}
             _ => return None,
         }
-        self.raw_name()
+        self.take_name()
     }
 
     /// Span of a `;` that comes next.
     pub(super) fn at_semicolon(&self) -> Option<Span> {
-        self.raw().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
+        self.next_element().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
     }
 
     /// The expression that comes next, if a `;` follows it.
@@ -302,7 +302,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Span of the next token.
-    pub(super) fn here(&self) -> Span {
+    pub(super) fn next_span(&self) -> Span {
         if let Some(pushed_back) = self.pushed_back.last() {
             return pushed_back.span;
         }

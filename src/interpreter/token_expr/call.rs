@@ -19,7 +19,8 @@ impl<'a> Interpreter<'a> {
     /// and may use the name being declared.
     pub(in crate::interpreter) fn call_follows(&mut self) -> Result<bool> {
         let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
-        let waits = matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
+        let waits =
+            matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
         let next = self.in_mode(|mode| mode.defers = waits, Self::peek_after);
         if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
             self.expose_parenthesis()?;
@@ -38,12 +39,12 @@ impl<'a> Interpreter<'a> {
         while !self.peek()?.closes(Bracket::Paren) {
             // Commas are mandatory only in functions of any number of arguments (quirk: `optional_argument_commas`).
             if !arguments.is_empty() && !self.stream.has_comma() && builtin::needs_commas(word) {
-                let at = self.stream.here();
-                return Err(self.misplaced(at).into());
+                let at = self.stream.next_span();
+                return Err(self.syntax_error_at(at).into());
             }
             arguments.push(self.read_argument()?);
         }
-        let end = self.stream.here();
+        let end = self.stream.next_span();
         self.close("`)`")?;
         let span = joined(span, end);
         Ok((self.builtin_of(word, arguments, span)?, span))
@@ -87,7 +88,7 @@ impl<'a> Interpreter<'a> {
                 self.climb(&mut Skipped, false)?;
             }
         }
-        let end = self.stream.here();
+        let end = self.stream.next_span();
         self.close("`)`")?;
         match found.filter(|_| (2..=3).contains(&count)) {
             Some(value) => Ok((value, joined(span, end))),
@@ -102,7 +103,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn read_call(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
         self.open()?;
         let value = self.read_arguments_and_call(callee, span)?;
-        let end = self.stream.here();
+        let end = self.stream.next_span();
         self.close("`)`")?;
         Ok((value, joined(span, end)))
     }

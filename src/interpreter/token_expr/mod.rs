@@ -50,7 +50,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
         if self.stream.mode().nesting >= MAX_NESTED {
             let message = format!("more than {MAX_NESTED} values are read inside each other here");
-            let at = self.stream.here();
+            let at = self.stream.next_span();
             return self.reporter.limit(codes::TOO_DEEP, at, message, "does a macro give one without end?");
         }
         self.in_mode(|mode| mode.nesting += 1, |me| me.climb_from(operands, compares, LOOSEST))
@@ -68,7 +68,7 @@ impl<'a> Interpreter<'a> {
                 && !super::reader::begins_color(word)
             {
                 let message = format!("expected a value, found the word `{word}`");
-                let at = self.stream.here();
+                let at = self.stream.next_span();
                 return Diagnostic::err(codes::EXPECTED_VALUE, at, message);
             }
             let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
@@ -110,14 +110,14 @@ impl<'a> Interpreter<'a> {
     /// vector.
     pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
-        if self.is_whole(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
+        if self.next_is_complete(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
             match token {
                 Token::Expr(e) if compares || !e.compares() => {
                     self.stream.advance();
                     return Ok((self.evaluate(e)?, e.span));
                 }
                 Token::Numbers(data) => {
-                    let span = self.stream.here();
+                    let span = self.stream.next_span();
                     self.stream.advance();
                     return Ok((numbers_value(data, span)?, span));
                 }
@@ -136,7 +136,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn read_primary(&mut self) -> Result<(Value, Span)> {
         self.expose_operand()?;
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         match token {
             Token::Expr(e) => {
                 self.stream.advance();
@@ -159,7 +159,7 @@ impl<'a> Interpreter<'a> {
                     let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
                     return d.help("vectors are written in angle brackets: `<1, 2, 3>`").into();
                 }
-                let end = self.stream.here();
+                let end = self.stream.next_span();
                 self.close("`)`")?;
                 Ok((value, joined(span, end)))
             }
@@ -173,7 +173,7 @@ impl<'a> Interpreter<'a> {
                 if let Some(symbol) = self.inputs.names.find(word).filter(|s| self.evaluator.is_declared(*s)) =>
             {
                 self.stream.advance();
-                Ok((self.name_value(symbol, span)?, span))
+                Ok((self.evaluate_name(symbol, span)?, span))
             }
             _ => Err(self.unexpected_token("a value").into()),
         }
@@ -210,7 +210,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn component_name(&mut self) -> Result<Name> {
         self.expose_operand()?;
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let text = self.inputs.sources.snippet(span);
         let word = word::lookup(text).map(|(word, _)| word);
         match token {
@@ -230,7 +230,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the components of a vector of any length, whose `<` comes next.
     pub(super) fn read_vector_numbers(&mut self) -> Result<(Vec<f64>, Span)> {
-        let start = self.stream.here();
+        let start = self.stream.next_span();
         self.stream.advance();
         let mut data = vec![];
         let end = self.in_mode(|mode| mode.defers = false, |me| me.read_vector_to_end(start, &mut data))?;
@@ -242,17 +242,19 @@ impl<'a> Interpreter<'a> {
     fn read_vector_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
         loop {
             match self.peek()? {
-                Token::Sign(Sign::Operator(Operator::Greater)) => return Ok(self.stream.here()),
+                Token::Sign(Sign::Operator(Operator::Greater)) => return Ok(self.stream.next_span()),
                 token if token.ends() || matches!(token, Token::Sign(_)) && !self.at_sign() => {
-                    return Err(self.open_vector(start).into());
+                    return Err(self.unclosed_vector_error(start).into());
                 }
                 // A colour is a value, although no vector can hold one.
-                Token::Word(word) if self.evaluator.ends_vector(word) => return Err(self.open_vector(start).into()),
-                Token::Block(_) => return Err(self.open_vector(start).into()),
+                Token::Word(word) if self.evaluator.ends_vector(word) => {
+                    return Err(self.unclosed_vector_error(start).into());
+                }
+                Token::Block(_) => return Err(self.unclosed_vector_error(start).into()),
                 _ => {
                     let (value, span) = self.read_value()?;
                     if !self.stream.has_comma() && matches!(value, Value::Vector(_)) && !data.is_empty() {
-                        return Err(self.misplaced(span).into());
+                        return Err(self.syntax_error_at(span).into());
                     }
                     data.push(as_float(&value, span)?);
                 }
@@ -299,7 +301,7 @@ pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
             Token::Sign(Sign::Not) => Prefix::Not,
             _ => break,
         };
-        typed.push((prefix, me.stream.here()));
+        typed.push((prefix, me.stream.next_span()));
         me.stream.advance();
     }
     let mut row = SignRow::default();

@@ -50,7 +50,7 @@ impl Skipped {
     fn skip(&mut self, me: &mut Interpreter) -> Result<Span> {
         read_signs(me)?;
         let token = me.peek()?;
-        let span = me.stream.here();
+        let span = me.stream.next_span();
         match token {
             Token::Open(..) | Token::Block(_) => self.brackets(me)?,
             Token::Sign(Sign::Operator(Operator::Less)) => {
