@@ -77,8 +77,8 @@ pub const FOG: Vocabulary = Vocabulary {
     block: "fog",
     summary: "colour that covers what is far; its `transmit` leaves so much clear, its `filter` colours what is behind",
     words: &joined::<{ FOG_ROWS.len() + Turbulent::WORDS.len() }>(specs!(FOG_ROWS), Turbulent::WORDS),
-    moves: true,
-    idle: &[],
+    has_transforms: true,
+    ignored: &[],
     unsupported: &[],
 };
 
@@ -99,7 +99,7 @@ impl Fog {
                 }
                 next if read_row(FOG_ROWS, &mut fog, next, r)? => {}
                 next if read_row(Turbulent::ROWS, &mut fog.turbulence, next, r)? => {}
-                next if next.moves() => {
+                next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         fog.transform(&step);
                     }

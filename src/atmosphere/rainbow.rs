@@ -97,8 +97,8 @@ pub const RAINBOW: Vocabulary = Vocabulary {
     block: "rainbow",
     summary: "an arc of colours about the direction of the sun",
     words: &joined::<{ RAINBOW_ROWS.len() + RAINBOW_PARTS.len() }>(specs!(RAINBOW_ROWS), RAINBOW_PARTS),
-    moves: false,
-    idle: &[],
+    has_transforms: false,
+    ignored: &[],
     unsupported: &[],
 };
 

@@ -82,10 +82,10 @@ impl Camera {
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word) if LECTURE.obeys(word) && (word != "up" || lecture.is_some()) => {
+                Next::Word(word) if LECTURE.has_effect(word) && (word != "up" || lecture.is_some()) => {
                     read_row(LECTURE_ROWS, lecture.get_or_insert_default(), Next::Word(word), r)?;
                 }
-                next if next.moves() => {
+                next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         transform = transform.then(&step);
                     }

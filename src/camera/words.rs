@@ -94,8 +94,8 @@ pub const POVRAY: Vocabulary = Vocabulary {
         &joined::<{ POVRAY_ROWS.len() + BLOCKS.len() }>(specs!(POVRAY_ROWS), BLOCKS),
         &joined::<{ KINDS.len() + BLUR.len() }>(KINDS, BLUR),
     ),
-    moves: true,
-    idle: &[],
+    has_transforms: true,
+    ignored: &[],
     unsupported: &[],
 };
 
@@ -116,8 +116,8 @@ pub const LECTURE: Vocabulary = Vocabulary {
     block: "camera",
     summary: "durer's own camera, right-handed: x to the right, y up, z towards you; the word `eye` makes it this one",
     words: specs!(LECTURE_ROWS),
-    moves: true,
-    idle: &[],
+    has_transforms: true,
+    ignored: &[],
     unsupported: &[],
 };
 

@@ -1,6 +1,6 @@
 //! The values that options take, each with its own way of being written.
 
-use crate::value::given;
+use crate::value::parse_value;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -243,7 +243,7 @@ impl FromStr for Declare {
         if !is_name {
             return Err(format!("`{name}` can't be a name: letters, digits and `_` make one"));
         }
-        match given(value) {
+        match parse_value(value) {
             Ok(_) => Ok(Self { name: name.into(), value: value.into() }),
             Err(why) if value.starts_with(|c: char| c.is_alphabetic()) => {
                 Err(format!("{why}; text has to stand in quotes: '{name}=\"{value}\"'"))

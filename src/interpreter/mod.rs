@@ -50,7 +50,7 @@ pub struct Options {
     pub search: SearchPath,
     /// Files that the scene may read and write.
     pub sandbox: Sandbox,
-    /// Names declared by `--declare NAME=VALUE`; [`crate::value::given`] parses the values.
+    /// Names declared by `--declare NAME=VALUE`; [`crate::value::parse_value`] parses the values.
     pub declares: Vec<(String, String)>,
     /// Language version until the text's own `#version` (`--language`).
     pub version: Option<f64>,

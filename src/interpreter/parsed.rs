@@ -36,7 +36,7 @@ impl ParsedFiles {
         }
     }
 
-    pub(super) fn keep(&self, file: FileId, ast: Ast) -> &Ast {
+    pub(super) fn add_tree(&self, file: FileId, ast: Ast) -> &Ast {
         self.trees.borrow_mut().insert(file, self.asts.len());
         self.asts.push_get(Box::new(ast))
     }
@@ -47,7 +47,7 @@ impl ParsedFiles {
         (read == files.stamp(path)).then_some(file)
     }
 
-    pub(super) fn keep_file(&self, files: &dyn Files, path: &Path, file: FileId) {
+    pub(super) fn add_file(&self, files: &dyn Files, path: &Path, file: FileId) {
         self.files.borrow_mut().insert(path.to_path_buf(), (file, files.stamp(path)));
     }
 

@@ -35,8 +35,8 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
         word("include", Kind::Nothing, "", "`#include`, likewise"),
         word("max_trace_level", Kind::Float, "", "of old scenes: as in `global_settings`"),
     ],
-    moves: false,
-    idle: &["max_intersections"],
+    has_transforms: false,
+    ignored: &["max_intersections"],
     unsupported: &["media", "radiosity", "photons"],
 };
 
@@ -80,8 +80,8 @@ impl Interpreter<'_> {
             return self.read_top_object();
         }
         if STATEMENTS.is_unsupported(word) {
-            let said = self.read_unsupported(word)?;
-            self.builder.add_unsupported(said);
+            let block = self.read_unsupported(word)?;
+            self.builder.add_unsupported(block);
             return Ok(());
         }
         const OTHERS: [&str; 7] =

@@ -81,7 +81,7 @@ impl Pattern {
     /// With the place of what is not understood, and what was expected there.
     pub fn read_element(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
-            next if next.moves() => {
+            next if next.is_transform() => {
                 if let Some(step) = r.transform()? {
                     self.transform(&step);
                 }

@@ -66,7 +66,7 @@ impl Settings {
                     let mut row = vec![];
                     r.take()?;
                     while r.at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
-                        r.pass(&mut row)?;
+                        r.skip_into(&mut row)?;
                     }
                     self.unsupported.push(Unsupported::Block(word, row.into()));
                 }

@@ -216,7 +216,7 @@ impl Reader for Words {
         Ok(Arc::new(crate::font::Font::own()))
     }
 
-    fn pass(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
+    fn skip_into(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
         unreachable!()
     }
 

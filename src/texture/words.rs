@@ -36,8 +36,8 @@ pub const PIGMENT: Vocabulary = Vocabulary {
     block: "pigment",
     summary: "the colour of every point: one colour, or a pattern with its colours",
     words: &joined::<{ PIGMENT_PARTS.len() + PIGMENT_ROWS.len() }>(PIGMENT_PARTS, specs!(PIGMENT_ROWS)),
-    moves: true,
-    idle: &["no_bump_scale"],
+    has_transforms: true,
+    ignored: &["no_bump_scale"],
     unsupported: &[],
 };
 
@@ -54,8 +54,8 @@ pub const IMAGE_MAP: Vocabulary = Vocabulary {
     block: "image_map",
     summary: "a picture as the colours of a surface",
     words: specs!(IMAGE_MAP_ROWS),
-    moves: false,
-    idle: &[],
+    has_transforms: false,
+    ignored: &[],
     unsupported: &[],
 };
 
@@ -82,8 +82,8 @@ pub const TEXTURE: Vocabulary = Vocabulary {
         word("material_map", Block, "", "a picture whose numbers choose among textures"),
         word("tiles", Block, "", "of old scenes: a checker of two textures, `tiles { texture … tile2 texture … }`"),
     ],
-    moves: true,
-    idle: &[],
+    has_transforms: true,
+    ignored: &[],
     unsupported: &[],
 };
 
@@ -114,8 +114,8 @@ pub const NORMAL: Vocabulary = Vocabulary {
     block: "normal",
     summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
     words: &joined::<{ NORMAL_PARTS.len() + NORMAL_ROWS.len() }>(NORMAL_PARTS, specs!(NORMAL_ROWS)),
-    moves: true,
-    idle: &[],
+    has_transforms: true,
+    ignored: &[],
     unsupported: &[],
 };
 
@@ -181,8 +181,8 @@ pub const FINISH: Vocabulary = Vocabulary {
     block: "finish",
     summary: "how a surface answers to light",
     words: specs!(FINISH_ROWS),
-    moves: false,
-    idle: &["fade_distance", "fade_power"],
+    has_transforms: false,
+    ignored: &["fade_distance", "fade_power"],
     unsupported: &["subsurface"],
 };
 
@@ -198,8 +198,8 @@ pub const IRID: Vocabulary = Vocabulary {
     block: "irid",
     summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
     words: specs!(IRID_ROWS),
-    moves: false,
-    idle: &[],
+    has_transforms: false,
+    ignored: &[],
     unsupported: &[],
 };
 
@@ -218,8 +218,8 @@ pub const REFLECTION: Vocabulary = Vocabulary {
     block: "reflection",
     summary: "a mirror: `{ colour }`, or `{ colour seen straight on, colour seen at a slant }`",
     words: specs!(REFLECTION_ROWS),
-    moves: false,
-    idle: &[],
+    has_transforms: false,
+    ignored: &[],
     unsupported: &[],
 };
 
@@ -256,7 +256,7 @@ pub const INTERIOR: Vocabulary = Vocabulary {
     block: "interior",
     summary: "what fills a shape",
     words: specs!(INTERIOR_ROWS),
-    moves: false,
-    idle: &["refraction"],
+    has_transforms: false,
+    ignored: &["refraction"],
     unsupported: &["media"],
 };

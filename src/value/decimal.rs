@@ -19,7 +19,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_written_that_says_nothing() {
+    fn trailing_zeros_and_the_sign_of_zero_are_omitted() {
         let cases = [(1.5, 3, "1.5"), (100.0, 0, "100"), (-0.0001, 2, "0"), (-2.0, 2, "-2"), (0.127, 2, "0.13")];
         for (x, digits, text) in cases {
             assert_eq!(decimal(x, digits), text);

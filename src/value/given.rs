@@ -20,7 +20,7 @@ const COLORS: &[(&str, &[usize])] = &[
 ///
 /// # Errors
 /// A description of what is wrong with the text.
-pub fn given(text: &str) -> Result<Value, String> {
+pub fn parse_value(text: &str) -> Result<Value, String> {
     let text = text.trim();
     if let Some(x) = number(text) {
         return Ok(Value::Float(x));
@@ -35,7 +35,7 @@ pub fn given(text: &str) -> Result<Value, String> {
     let rest = text[first.len()..].trim_start();
     match first {
         "color" | "colour" if rest.starts_with('<') => color("rgbft", rest),
-        "color" | "colour" if !rest.is_empty() => given(rest).and_then(|value| match value {
+        "color" | "colour" if !rest.is_empty() => parse_value(rest).and_then(|value| match value {
             Value::Color(_) => Ok(value),
             _ => Err(format!("`{rest}` is no colour, which is written as rgb <1, 0.5, 0>")),
         }),
@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     fn numbers(text: &str) -> Vec<f64> {
-        match given(text) {
+        match parse_value(text) {
             Ok(Value::Float(x)) => vec![x],
             Ok(Value::Vector(v)) => v.c[..usize::from(v.len)].to_vec(),
             Ok(Value::Color(c)) => c.to_array().to_vec(),
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn values_of_all_kinds() {
+    fn numbers_vectors_colors_and_strings_are_parsed() {
         assert_eq!(numbers("-2.5e1"), [-25.0]);
         assert_eq!(numbers("<1, -2,3e0>"), [1.0, -2.0, 3.0]);
         assert_eq!(numbers("<1,2>"), [1.0, 2.0]);
@@ -114,11 +114,11 @@ mod tests {
         assert_eq!(numbers("color <1,0.5,0>"), [1.0, 0.5, 0.0, 0.0, 0.0]);
         assert_eq!(numbers("rgb 0.5"), [0.5, 0.5, 0.5, 0.0, 0.0]);
         assert!((numbers("srgb 0.5")[0] - 0.214).abs() < 1e-3);
-        assert!(matches!(given("\"<1,2>\""), Ok(Value::Text(text)) if &*text == "<1,2>"));
+        assert!(matches!(parse_value("\"<1,2>\""), Ok(Value::Text(text)) if &*text == "<1,2>"));
     }
 
     #[test]
-    fn mistakes_say_what_is_wrong() {
+    fn errors_describe_the_fault() {
         for (text, says) in [
             ("<1,2", "`>` is missing"),
             ("<1>", "2 to 5 numbers"),
@@ -133,7 +133,7 @@ mod tests {
             ("\"", "is no number"),
             ("inf", "is no number"),
         ] {
-            let error = given(text).unwrap_err();
+            let error = parse_value(text).unwrap_err();
             assert!(error.contains(says), "{text}: {error}");
         }
     }

@@ -11,7 +11,7 @@ mod unsupported;
 pub mod words;
 
 pub use decimal::{decimal, without_zeros};
-pub use given::given;
+pub use given::parse_value;
 pub use kinds::{Thing, Value, VecN, downcast};
 pub use reader::{BuildMesh, FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
 pub use shared_default::{SharedDefault, StaticDefault};

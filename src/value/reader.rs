@@ -35,7 +35,7 @@ pub enum Next {
 
 impl Next {
     /// True if the token begins a transform, which [`Reader::transform`] consumes.
-    pub fn moves(self) -> bool {
+    pub fn is_transform(self) -> bool {
         matches!(
             self,
             Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
@@ -146,7 +146,7 @@ pub trait Reader {
     /// Reads a word or block that durer does not render yet, with its contents, and warns.
     fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported>;
     /// Reads the next token with its contents, and appends it to `row`.
-    fn pass(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
+    fn skip_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
     /// Finds a file in the folders that a scene searches; `None` if it does not exist, an error if the scene may not
     /// read it. `at` is the span of the name.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;

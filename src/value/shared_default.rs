@@ -122,7 +122,7 @@ mod tests {
     use crate::math::DVec3;
 
     #[test]
-    fn the_usual_part_takes_no_room_and_copies_are_apart() {
+    fn a_default_takes_no_memory_and_copies_change_independently() {
         assert_eq!(size_of::<SharedDefault<Transform>>(), size_of::<usize>());
         let mut moved = SharedDefault::<Transform>::default();
         assert_eq!(*moved, Transform::IDENTITY);

@@ -44,7 +44,7 @@ impl Unsupported {
             Value::Color(c) => row.push(Unsupported::Color(*c)),
             Value::Text(text) => row.push(Unsupported::Text((**text).into())),
             Value::Thing(thing) => row.push(match super::downcast::<Unsupported>(thing) {
-                Some(said) => (*said).clone(),
+                Some(item) => (*item).clone(),
                 None => Unsupported::Declared(thing.kind()),
             }),
         }
@@ -62,7 +62,7 @@ impl Unsupported {
     pub fn visit_vectors(&self, visit: &mut dyn FnMut(VecN)) {
         match self {
             Unsupported::Numbers { width: n @ 2..=5, all } => all.chunks(*n).for_each(|c| visit(VecN::from_slice(c))),
-            Unsupported::Block(_, inner) => inner.iter().for_each(|said| said.visit_vectors(visit)),
+            Unsupported::Block(_, inner) => inner.iter().for_each(|item| item.visit_vectors(visit)),
             _ => {}
         }
     }
@@ -117,8 +117,8 @@ enum Item<'s> {
 }
 
 fn items(row: &[Unsupported]) -> impl Iterator<Item = Item<'_>> {
-    row.iter().flat_map(|said| {
-        let (width, all, other) = match said {
+    row.iter().flat_map(|item| {
+        let (width, all, other) = match item {
             Unsupported::Numbers { width, all } => ((*width).max(1), &all[..], None),
             other => (1, &[][..], Some(Item::Other(other))),
         };
@@ -137,7 +137,7 @@ impl Serialize for Item<'_> {
         match self {
             Item::Number(x) => s.serialize_f64(*x),
             Item::Vector(c) => s.collect_seq(*c),
-            Item::Other(said) => said.serialize(s),
+            Item::Other(item) => item.serialize(s),
         }
     }
 }
@@ -147,7 +147,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_prints_as_it_was_said() {
+    fn items_serialize_in_their_order() {
         let mut row = vec![Unsupported::Word("angle")];
         Unsupported::push_numbers(&mut row, &[1.0]);
         Unsupported::push_numbers(&mut row, &[2.0]);
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_a_mesh_lie_in_one_row() {
+    fn consecutive_vectors_share_one_item() {
         let mut row = vec![];
         (0..1000).for_each(|i| Unsupported::push_numbers(&mut row, &[f64::from(i), 0.0, 0.0]));
         let mut count = 0;

@@ -14,22 +14,22 @@ pub struct Vocabulary {
     /// Words with an effect.
     pub words: &'static [WordSpec],
     /// True if the block takes [`TRANSFORMS`], too.
-    pub moves: bool,
+    pub has_transforms: bool,
     /// Words that are read without effect.
-    pub idle: &'static [&'static str],
+    pub ignored: &'static [&'static str],
     /// Words that are read with a warning, because durer does not render them yet.
     pub unsupported: &'static [&'static str],
 }
 
 impl Vocabulary {
     /// True if the word has an effect.
-    pub fn obeys(&self, word: &str) -> bool {
+    pub fn has_effect(&self, word: &str) -> bool {
         self.words.iter().any(|w| w.name == word)
     }
 
     /// True if the word is read without effect.
     pub fn ignores(&self, word: &str) -> bool {
-        self.idle.contains(&word)
+        self.ignored.contains(&word)
     }
 
     /// True if the word is read with a warning.
@@ -40,9 +40,9 @@ impl Vocabulary {
     /// All words, in the order in which messages list them. Messages show a dozen, so that transforms come early.
     pub fn names(&self) -> Vec<&'static str> {
         let (first, rest) = self.words.split_at(self.words.len().min(6));
-        let moves = TRANSFORMS.iter().filter(|_| self.moves);
+        let moves = TRANSFORMS.iter().filter(|_| self.has_transforms);
         let words = first.iter().chain(moves).chain(rest).map(|w| w.name);
-        words.chain(self.idle.iter().copied()).chain(self.unsupported.iter().copied()).collect()
+        words.chain(self.ignored.iter().copied()).chain(self.unsupported.iter().copied()).collect()
     }
 }
 
@@ -148,17 +148,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_come_in_the_order_of_the_table() {
+    fn names_are_in_the_order_of_the_table() {
         const WORDS: &[WordSpec] = &[word("radius", Kind::Float, "1", "")];
         let table = Vocabulary {
             block: "thing",
             summary: "",
             words: WORDS,
-            moves: true,
-            idle: &["old"],
+            has_transforms: true,
+            ignored: &["old"],
             unsupported: &["new"],
         };
         assert_eq!(table.names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
-        assert!(table.obeys("radius") && !table.obeys("new") && table.is_unsupported("new") && table.ignores("old"));
+        assert!(
+            table.has_effect("radius")
+                && !table.has_effect("new")
+                && table.is_unsupported("new")
+                && table.ignores("old")
+        );
     }
 }

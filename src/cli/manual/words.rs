@@ -47,7 +47,7 @@ fn blocks(index: &mut Index) {
     for Block { words: block, name, page } in BLOCKS {
         let place = format!("[{name}]({page})");
         add_words(index, block.words, &place);
-        block.idle.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
+        block.ignored.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
         block.unsupported.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
     }
     for (inner, page) in [

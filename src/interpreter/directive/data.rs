@@ -144,7 +144,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn whole_numbers_as_bytes() {
+    fn integers_are_encoded_in_binary_formats() {
         let bytes = |word, x| Binary::of(word).map(|form| form.bytes(x));
         assert_eq!(bytes("uint8", 65.0), Some(vec![65]));
         assert_eq!(bytes("uint8", 300.0), Some(vec![255]));
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_as_c_writes_them() {
+    fn numbers_are_formatted_as_by_c() {
         let all = [0.1, 1.23456789, 1e5, 1e6, 1234567.89, 1e300, -2.5e-7, 0.0001, 100.0, 999_999.5];
         let texts: Vec<String> = all.iter().map(|x| general(*x)).collect();
         let wanted =

@@ -79,7 +79,7 @@ impl<'a> Interpreter<'a> {
                 "split it",
             );
         };
-        self.inputs.parsed.keep_file(self.inputs.files, path, file);
+        self.inputs.parsed.add_file(self.inputs.files, path, file);
         Ok(file)
     }
 
@@ -100,7 +100,7 @@ impl<'a> Interpreter<'a> {
             );
         };
         let ast = self.parse_file(file)?;
-        self.inputs.parsed.keep_file(self.inputs.files, &path, file);
+        self.inputs.parsed.add_file(self.inputs.files, &path, file);
         Ok((path, ast))
     }
 
@@ -118,7 +118,7 @@ impl<'a> Interpreter<'a> {
         }
         let Some(mut last) = faults.pop() else {
             self.stream.add_unclosed(&ast);
-            return Ok(self.inputs.parsed.keep(file, ast));
+            return Ok(self.inputs.parsed.add_tree(file, ast));
         };
         for fault in faults {
             self.reporter.report(fault);

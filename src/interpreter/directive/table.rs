@@ -164,7 +164,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_the_tree_runs_has_no_other_runner_and_all_others_have_one() {
+    fn only_directives_without_a_body_have_a_run_function() {
         let mut by_tree: Vec<_> = TABLE.iter().filter(|e| e.run.is_none()).flat_map(|e| e.names).copied().collect();
         let mut known: Vec<_> = crate::syntax::structural_directives().collect();
         by_tree.sort_unstable();

@@ -50,7 +50,8 @@ impl<'a> Evaluator<'a> {
     pub(super) fn new(inputs: Inputs<'a>) -> Self {
         let mut scopes = Scopes::default();
         for (name, value) in &inputs.options.declares {
-            let value = crate::value::given(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
+            let value =
+                crate::value::parse_value(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
             scopes.set_global(inputs.names.intern(name), Slot::Value(value), vec![]);
         }
         Self {

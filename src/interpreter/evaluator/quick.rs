@@ -14,7 +14,7 @@ pub(in crate::interpreter) enum Quick {
 }
 
 /// Result type of the fast evaluation: a number alone, which is fastest, or a number or vector.
-pub(in crate::interpreter) trait Short: Sized {
+pub(in crate::interpreter) trait QuickValue: Sized {
     /// True if vectors are possible results; otherwise none is computed.
     const VECTORS: bool;
     fn float(x: f64) -> Self;
@@ -32,7 +32,7 @@ pub(in crate::interpreter) trait Short: Sized {
     }
 }
 
-impl Short for f64 {
+impl QuickValue for f64 {
     const VECTORS: bool = false;
 
     fn float(x: f64) -> Self {
@@ -57,7 +57,7 @@ impl Short for f64 {
     }
 }
 
-impl Short for Quick {
+impl QuickValue for Quick {
     const VECTORS: bool = true;
 
     fn float(x: f64) -> Self {
@@ -95,7 +95,7 @@ impl Evaluator<'_> {
     }
 
     /// Evaluates an expression of numbers and vectors; `None` if the general evaluation is needed.
-    pub(in crate::interpreter) fn quick<T: Short>(&self, e: &Expr) -> Option<T> {
+    pub(in crate::interpreter) fn quick<T: QuickValue>(&self, e: &Expr) -> Option<T> {
         match &e.kind {
             ExprKind::Number(x) => Some(T::float(*x)),
             ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
@@ -125,7 +125,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn quick_vector<T: Short>(&self, parts: &[Element]) -> Option<T> {
+    fn quick_vector<T: QuickValue>(&self, parts: &[Element]) -> Option<T> {
         if !(2..=5).contains(&parts.len()) {
             return None;
         }
@@ -171,7 +171,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn quick_element<T: Short>(&self, array: &Expr, index: &Expr) -> Option<T> {
+    fn quick_element<T: QuickValue>(&self, array: &Expr, index: &Expr) -> Option<T> {
         let ExprKind::Name(symbol) = array.kind else { return None };
         let i = self.quick_number(index).filter(|i| *i >= 0.0)?;
         match self.scopes.get(symbol)? {

@@ -176,7 +176,7 @@ impl<'a> Scopes<'a> {
     }
 
     fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        self.stack(symbol).push(Binding { level, slot, pending: kept(pending) });
+        self.stack(symbol).push(Binding { level, slot, pending: non_empty(pending) });
         // A binding is made at the innermost level or at the global one.
         if level > 0 {
             self.names.push(symbol);
@@ -284,7 +284,7 @@ impl<'a> Scopes<'a> {
     #[inline]
     fn rebind(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let binding = &mut self.bindings[symbol.0 as usize][depth];
-        (binding.slot, binding.pending) = (slot, kept(pending));
+        (binding.slot, binding.pending) = (slot, non_empty(pending));
     }
 
     /// Removes the innermost binding of a name, as `#undef` does. Of an alias, only the alias is removed.
@@ -319,7 +319,7 @@ impl<'a> Scopes<'a> {
 }
 
 #[inline]
-fn kept(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
+fn non_empty(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
     if pending.is_empty() { None } else { Some(pending.into()) }
 }
 

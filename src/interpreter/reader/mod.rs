@@ -311,7 +311,7 @@ impl Reader for Interpreter<'_> {
         self.find_font(name, at)
     }
 
-    fn pass(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
+    fn skip_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
         self.read_into(row)
     }
 

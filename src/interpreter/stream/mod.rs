@@ -165,8 +165,8 @@ impl<'a> TokenStream<'a> {
 
     /// The element at the read position, whatever it is; `None` if a token was pushed back. No directive runs.
     pub(super) fn next_element(&self) -> Option<&'a Element> {
-        let held = !self.pushed_back.is_empty();
-        self.frames.last().filter(|_| !held).and_then(StackFrame::next)
+        let has_pushed_back = !self.pushed_back.is_empty();
+        self.frames.last().filter(|_| !has_pushed_back).and_then(StackFrame::next)
     }
 
     /// Consumes a name that comes next, even if it is a macro's.

@@ -111,7 +111,7 @@ impl Object {
                 return Ok(());
             }
             if !self.read_modifier(next, r, defaults)? {
-                r.pass(&mut vec![])?;
+                r.skip_into(&mut vec![])?;
             }
         }
     }
@@ -168,7 +168,9 @@ impl Object {
             }
             let read = match self.read_modifier(next, r, defaults) {
                 // (Its number has been read by then.)
-                Err(fault) if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.moves() => {
+                Err(fault)
+                    if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.is_transform() =>
+                {
                     r.report(nothing_seen(self.word, *fault));
                     self.kind = ObjectKind::Csg(CsgOp::Union, Arc::default());
                     is_somewhere = false;
@@ -196,7 +198,7 @@ impl Object {
             return read_row(FLAGS, &mut self.uncommon.flags, next, r);
         }
         match next {
-            next if next.moves() => {
+            next if next.is_transform() => {
                 if let Some(step) = r.transform()? {
                     self.transform_by(&step);
                 }

@@ -65,8 +65,8 @@ pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
 pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     unknown_at(source, d).filter(|_| d.help.is_none())?;
     let text = source.after().trim_end();
-    let said = text.trim_start_matches(['#', ' ', '\t']);
-    let help = format!("a comment begins with `//`: `// {}`", value_text(said));
+    let comment = text.trim_start_matches(['#', ' ', '\t']);
+    let help = format!("a comment begins with `//`: `// {}`", value_text(comment));
     Some(Habit::help(help).at(source.range_of(text)))
 }
 
@@ -172,7 +172,7 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit>
         return None;
     }
     let typed = rest.trim_start();
-    let place = source.at..source.at + word.len();
+    let range = source.at..source.at + word.len();
     let habit = match word {
         "def" | "func" | "fn" | "proc" | "sub" => {
             let head = typed.trim_end_matches([':', '{', ' ']);
@@ -191,5 +191,5 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit>
     let names =
         typed.split(|c: char| !is_letter(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
     let loses_directive = !matches!(word, "end" | "break" | "local" | "undef" | "debug" | "warning" | "error");
-    Some(Habit { names, loses_directive, ..habit.at(place).code(codes::UNKNOWN_DIRECTIVE) })
+    Some(Habit { names, loses_directive, ..habit.at(range).code(codes::UNKNOWN_DIRECTIVE) })
 }

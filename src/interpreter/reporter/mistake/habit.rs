@@ -14,7 +14,7 @@ pub(super) struct Habit {
     /// Message that replaces the fault's.
     pub(super) message: Option<String>,
     /// Range that replaces the fault's span, in offsets within the file.
-    pub(super) place: Option<Range<usize>>,
+    pub(super) range: Option<Range<usize>>,
     /// Text of the help.
     pub(super) help: String,
     /// Names that stay undeclared because of the mistake.
@@ -36,8 +36,8 @@ impl Habit {
         self
     }
 
-    pub(super) fn at(mut self, place: Range<usize>) -> Self {
-        self.place = Some(place);
+    pub(super) fn at(mut self, range: Range<usize>) -> Self {
+        self.range = Some(range);
         self
     }
 
@@ -52,9 +52,9 @@ impl Habit {
     }
 
     /// Applies the mistake to the fault's diagnostic; `base` is the global offset of the file.
-    pub(super) fn told(self, mut d: Diagnostic, base: usize) -> Diagnostic {
-        if let Some(place) = self.place {
-            d.labels = vec![Label { span: Span::new(base + place.start, base + place.end), text: String::new() }];
+    pub(super) fn apply_to(self, mut d: Diagnostic, base: usize) -> Diagnostic {
+        if let Some(range) = self.range {
+            d.labels = vec![Label { span: Span::new(base + range.start, base + range.end), text: String::new() }];
         }
         d.code = self.code.unwrap_or(d.code);
         d.message = self.message.unwrap_or(d.message);

@@ -58,7 +58,7 @@ impl Reporter<'_> {
         if let Some(habit) = habit {
             let base = self.inputs.sources.base(source.file);
             self.record_habit(&habit, source.file);
-            d = habit.told(d, base);
+            d = habit.apply_to(d, base);
         } else if self.is_consequence(&d, &source) {
             return None;
         }

@@ -74,7 +74,7 @@ pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Habit
         return None;
     }
     let known = crate::scene::words::MODIFIERS;
-    let modifies = known.obeys(word) || crate::value::words::TRANSFORMS.iter().any(|w| w.name == word);
+    let modifies = known.has_effect(word) || crate::value::words::TRANSFORMS.iter().any(|w| w.name == word);
     let before = source.text[..source.at].trim_end();
     let message = |what: &str| format!("`{word}` follows {what}, which is complete");
     if let Some((_, name)) = trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
