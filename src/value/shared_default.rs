@@ -41,7 +41,8 @@ impl<T> SharedDefault<T> {
 }
 
 impl<T: StaticDefault> SharedDefault<T> {
-    /// Modifies the value if `change` returns true. The default stays without memory if it is not changed.
+    /// Calls `change` with the value, and returns its result: true if the value was modified. A default that was not
+    /// modified takes no memory.
     ///
     /// # Errors
     /// The error of `change`.
