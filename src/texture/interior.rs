@@ -1,4 +1,4 @@
-//! `interior`: what fills a shape (manual, "Interior").
+//! `interior`: the medium inside a shape (manual, "Interior").
 
 use super::words::{INTERIOR, INTERIOR_ROWS};
 use crate::color::Rgb;
@@ -8,27 +8,27 @@ use crate::value::words::read_row;
 use crate::value::{Next, RawItem, Reader, ReaderExt};
 use serde::Serialize;
 
-/// What light meets inside.
+/// Refraction, attenuation and dispersion inside a shape.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Interior {
     /// Index of refraction.
     pub ior: f64,
-    /// Is the index said? Else nothing is dispersed (measured on POV-Ray 3.7).
+    /// True if the index is given; without it nothing is dispersed (quirk: `dispersion_needs_ior`).
     #[serde(skip)]
     pub has_ior: bool,
-    /// How much the index of refraction differs: violet's to red's.
+    /// Ratio of the indices of refraction for violet and red.
     pub dispersion: f64,
-    /// Into how many colours dispersion splits light, at least 2.
+    /// Number of colours into which dispersion splits light, at least 2.
     pub dispersion_samples: u32,
-    /// Light that has gone so far has lost half, with a power of 1; 0 if it loses nothing.
+    /// Distance after which half of the light remains, for a power of 1; 0 for no attenuation.
     pub fade_distance: f64,
-    /// How fast light fades; from 1000 on it fades exponentially.
+    /// Exponent of the attenuation; from 1000 on it is exponential.
     pub fade_power: f64,
-    /// What is left of light that has gone far.
+    /// Transmittance at infinite distance.
     pub fade_color: Rgb,
-    /// Makes shadows bright where light falls straight in; 0 for none.
+    /// Strength of the brightening of shadows where light is perpendicular to the surface; 0 for none.
     pub caustics: f64,
-    /// What was said and is not drawn yet.
+    /// Parameters that durer reads and does not render yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub undrawn: Vec<RawItem>,
 }
@@ -50,7 +50,7 @@ impl Default for Interior {
 }
 
 impl Interior {
-    /// Reads what stands between the braces, on top of what was said before.
+    /// Reads the contents of the braces, on top of an earlier interior.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -64,7 +64,7 @@ impl Interior {
                     None => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
                 },
                 next if read_row(INTERIOR_ROWS, &mut out, next, r)? => {}
-                // `refraction N` once switched bending on; any number does as much as none.
+                // `refraction N` once enabled refraction; its number has no effect.
                 Next::Word(word) if INTERIOR.ignores(word) => {
                     r.take()?;
                     r.float()?;
@@ -77,8 +77,8 @@ impl Interior {
         }
     }
 
-    /// The index of refraction for one colour of the spectrum, from 0 for red to 1 for violet; white light is in the
-    /// middle (measured on 3.7).
+    /// Index of refraction for a colour of the spectrum, from 0 for red to 1 for violet; white light is in the middle
+    /// (quirk: `dispersion_middle`).
     pub fn ior_of(&self, hue: f64) -> f64 {
         if self.dispersion == 1.0 || self.dispersion <= 0.0 {
             return self.ior;
@@ -87,14 +87,14 @@ impl Interior {
         self.ior * fp::pow(self.dispersion, hue - 0.5)
     }
 
-    /// What is left of light that has gone so far inside (manual, "Attenuation").
+    /// Transmittance over a distance inside (manual, "Attenuation").
     pub fn fade(&self, distance: f64) -> Rgb {
         if self.fade_distance <= 0.0 {
             return Rgb::ONE;
         }
         let far = distance / self.fade_distance;
         if self.fade_power >= 1000.0 {
-            // each channel by itself: exp(-(1 - color)·d/d₀)
+            // for each channel: exp(-(1 - color)·d/d₀)
             return ((self.fade_color - Rgb::ONE) * far).map(fp::exp);
         }
         // 1 / (1 + (d/d₀)ᵏ), the rest by fade_color
@@ -102,12 +102,12 @@ impl Interior {
         self.fade_color + (Rgb::ONE - self.fade_color) * left
     }
 
-    /// How much brighter a surface makes the light that falls through it, at an angle of this cosine (fitted on 3.7).
+    /// Factor of the light that passes a surface at an angle with this cosine (quirk: `caustics_formula`).
     pub fn caustic(&self, cos: f64) -> f64 {
         if self.caustics == 0.0 { 1.0 } else { 1.0 + fp::pow(cos, 45.0 * self.caustics) }
     }
 
-    /// Does light change on its way through, other than by bending?
+    /// True if the interior attenuates or disperses light, or has caustics.
     pub fn colors_light(&self) -> bool {
         self.fade_distance > 0.0 || self.caustics != 0.0
     }

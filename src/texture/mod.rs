@@ -1,4 +1,4 @@
-//! What a surface looks like: pigment, finish, texture; what is behind it: interior.
+//! Surfaces: pigments, normals, finishes, textures; and interiors.
 
 mod blend;
 mod color_map;
@@ -37,9 +37,9 @@ macro_rules! things {
 things! { Finish "finish" Interior "interior" ColorMap "color_map" Pigment "pigment" Texture "texture" Material "material"
 Normal "normal" SlopeMap "slope_map" PigmentMap "pigment_map" NormalMap "normal_map" TextureMap "texture_map" }
 
-/// Pigments at numbers.
+/// A map of pigments.
 pub type PigmentMap = Map<Pigment>;
-/// Normals at numbers.
+/// A map of normals.
 pub type NormalMap = Map<Normal>;
-/// Textures at numbers.
+/// A map of textures.
 pub type TextureMap = Map<Texture>;
