@@ -120,7 +120,7 @@ impl Fog {
     }
 
     /// What it does to light that comes along a ray, whose direction has length 1, from as far as `length`.
-    pub fn veil(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
+    pub fn segment(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
         let far = length / self.distance;
         let mut depth = far;
         if self.fog_type.trunc() == 2.0 {
@@ -156,8 +156,8 @@ impl Fog {
 }
 
 /// All fogs in one: each by itself radiance its colour, and takes from what lies behind (measured on POV-Ray 3.7).
-pub fn veil_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
-    fogs.iter().map(|fog| fog.veil(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
+pub fn segment_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
+    fogs.iter().map(|fog| fog.segment(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
         radiance: all.radiance + one.radiance,
         transmittance: all.transmittance * one.transmittance,
     })
@@ -170,7 +170,7 @@ mod tests {
 
     fn along(dir: DVec3, from_height: f64, fog: &Fog, length: f64) -> f64 {
         let ray = Ray::new(DVec3::Y * from_height, dir.normalize());
-        fog.veil(&ray, length, NoiseGenerator::default()).transmittance.x
+        fog.segment(&ray, length, NoiseGenerator::default()).transmittance.x
     }
 
     #[test]
@@ -196,7 +196,7 @@ mod tests {
         // seen in POV-Ray 3.7, of a background <1, 0.5, 0.25> behind endless fog
         let color = Color { rgb: Rgb::new(0.2, 0.4, 0.6), filter: 0.3, transmit: 0.5 };
         let fog = Fog { distance: 20.0, color, ..Fog::default() };
-        let veil = fog.veil(&Ray::new(DVec3::ZERO, DVec3::Z), Segment::FAR, NoiseGenerator::default());
+        let veil = fog.segment(&Ray::new(DVec3::ZERO, DVec3::Z), Segment::FAR, NoiseGenerator::default());
         let seen = veil.radiance + veil.transmittance * Rgb::new(1.0, 0.5, 0.25);
         assert!(seen.distance(Rgb::new(0.48, 0.405, 0.41)) < 1e-12, "{seen}");
     }

@@ -14,6 +14,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/slope_after_bumps", "light_cases/uv_no_bump_scale"],
     ),
     emulated(
+        "bumps_within_maps",
+        "Within the entries of a map, and in a texture with `uv_mapping`, bumps start from a normal of length 1 in \
+         the map's space, and the pigment uses that normal.",
+        &["light_cases/normal_map_slope", "light_cases/csg_uv_normal"],
+    ),
+    emulated(
         "cells_reset_accuracy",
         "`accuracy` of a default or declared normal has no effect on a pattern of cells.",
         &["light_cases/normal_cells"],
@@ -58,6 +64,16 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "pigments_see_bumped_normal",
         "`slope` and `aoi` in a pigment see the normal after the bumps of the texture's `normal`, which need not have length 1 with `no_bump_scale`.",
         &["light_cases/slope_after_bumps"],
+    ),
+    emulated(
+        "slope_after_bumps",
+        "`slope` and `aoi` use the normal that the last bumps before them left, in the space of those bumps.",
+        &["light_cases/slope_after_bumps", "light_cases/slope_seen"],
+    ),
+    emulated(
+        "slope_faces_ray",
+        "For a shadow, `slope` and `aoi` use the normal on the side from which the shadow ray comes.",
+        &["light_cases/slope_shadows"],
     ),
     emulated(
         "tiles_order",

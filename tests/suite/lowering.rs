@@ -6,7 +6,7 @@ use durer::color::{Color, Rgb};
 use durer::diagnostic::codes;
 use durer::math::{DVec3, Transform};
 use durer::pattern::{CellPattern, Checker, Kind, Pattern};
-use durer::render::{Cancelled, Options, Region, Spread, Watch, pick, render};
+use durer::render::{Cancelled, Options, Region, SampleLayout, Watch, pick, render};
 use durer::scene::{CsgOp, Object, ObjectKind, Scene};
 use durer::source::Span;
 use durer::texture::{Blend, Finish, Paint, Pigment};
@@ -242,11 +242,11 @@ fn filtering() -> Scene {
 }
 
 fn methods() -> impl Iterator<Item = Options> {
-    let spreads = [None, Some(Spread::Net), Some(Spread::Grid), Some(Spread::Corners)];
+    let spreads = [None, Some(SampleLayout::Lattice), Some(SampleLayout::Grid), Some(SampleLayout::Corners)];
     spreads.into_iter().map(|spread| {
         let mut options = Options::new(65, 41);
         options.antialias = spread.map(|_| 0.1);
-        options.sampling.spread = spread.unwrap_or(Spread::Net);
+        options.sampling.layout = spread.unwrap_or(SampleLayout::Lattice);
         options
     })
 }

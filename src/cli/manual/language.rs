@@ -164,7 +164,8 @@ fn pattern_section(spec: &Spec) -> String {
 }
 
 pub(super) fn finishes() -> String {
-    use texture::words::{FINISH, INTERIOR, IRID, NORMAL, REFLECTION, TEXTURE};
+    use crate::medium::INTERIOR;
+    use texture::words::{FINISH, IRID, NORMAL, REFLECTION, TEXTURE};
     let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &IRID, &INTERIOR];
     blocks.map(|block| section(block, block.block, &[])).concat()
 }
