@@ -27,6 +27,22 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/csg_polygon_sides"],
     ),
     emulated(
+        "inside_margins",
+        "`inside()` and CSG count points 1e-10 beyond a plane as inside; closed cylinders and cones end 1e-10 before their surface, open ones 1e-10 beyond their ends.",
+        &["tests/lang/geometry.scene"],
+    ),
+    emulated(
+        "own_space_min_distance",
+        "Rays do not hit tori, superellipsoids, cubics, quartics and polynomials closer than 0.0001 to their origin in units of the space of the shape.",
+        &["light_cases/near_own_space"],
+    ),
+    emulated("plane_max_distance", "Rays do not hit a plane farther away than 1e7.", &["light_cases/plane_ends"]),
+    emulated(
+        "polynomial_inside_margin",
+        "A polynomial surface contains the points where its polynomial is less than 1e-4.",
+        &["tests/lang/geometry.scene"],
+    ),
+    emulated(
         "quadric_keeps_sides",
         "`inverse` does not exchange `texture` and `interior_texture` of a quadric, as it does for other shapes.",
         &["light_cases/interior_texture_quadric_inverse"],
