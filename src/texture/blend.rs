@@ -180,7 +180,7 @@ impl<T> Blend<T> {
     }
 
     /// True if both share one allocation.
-    pub(super) fn is_one_with(&self, other: &Self) -> bool {
+    pub(super) fn shares_with(&self, other: &Self) -> bool {
         match (self, other) {
             (Blend::Map(a), Blend::Map(b)) => Arc::ptr_eq(a, b),
             (Blend::List(a), Blend::List(b)) => Arc::ptr_eq(a, b),

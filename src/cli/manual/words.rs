@@ -1,4 +1,4 @@
-//! The index: every word of the language, and where it belongs.
+//! Index of all words of the language, with the blocks that take them.
 
 use super::{code, list, table};
 use crate::pattern::{Modifiers, TurbulenceParams, bitmap};
@@ -47,8 +47,8 @@ fn blocks(index: &mut Index) {
     for Block { words: block, name, page } in BLOCKS {
         let place = format!("[{name}]({page})");
         add_words(index, block.words, &place);
-        block.idle.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
-        block.not_drawn.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
+        block.ignored.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
+        block.unsupported.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
     }
     for (inner, page) in [
         ("finish", "finishes.md"),
