@@ -1,6 +1,6 @@
 //! Parsing, values, versions.
 
-use super::{Quirk, emulated};
+use super::{Quirk, differs, emulated};
 
 pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
@@ -57,6 +57,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/internals/values.txt"],
     ),
     emulated(
+        "logical_precedence",
+        "`&` and `|` have one precedence and apply from left to right, but inside `function { }` `&` binds more tightly than `|`.",
+        &["tests/lang/operators.scene", "tests/lang/functions.scene"],
+    ),
+    emulated(
         "opacity_by_version",
         "Before `#version 3.7`, a surface with `filter` shows of its own light only the share that the filter's colour absorbs.",
         &["light_cases/opacity_before_37"],
@@ -91,6 +96,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "srgb_files_since_3_7",
         "Picture files without gamma information are read as sRGB since `#version 3.7`, and as linear before.",
         &["light_cases/image_alpha_one"],
+    ),
+    differs(
+        "strict_separators",
+        "Some commas, such as those between the objects of a `union`, and missing semicolons after values are errors.",
+        "durer accepts them; `--warn portable` reports them.",
+        &["tests/ui/portable.scene"],
     ),
     emulated(
         "unsigned_infinity",
