@@ -1,4 +1,4 @@
-//! INI files and animations as a user meets them. What is expected was seen in POV-Ray 3.7.
+//! INI files and animations on the command line, compared with POV-Ray 3.7's output.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -29,7 +29,7 @@ impl Scratch {
         self.0.path()
     }
 
-    /// Runs and demands an exit code; returns stdout and stderr together.
+    /// Runs durer and asserts its exit code; returns stdout and stderr together.
     #[track_caller]
     fn exits(&self, code: i32, line: &str) -> String {
         let mut command = Command::new(env!("CARGO_BIN_EXE_durer"));
@@ -40,7 +40,7 @@ impl Scratch {
         text
     }
 
-    /// What the scene prints, line by line.
+    /// The lines that the scene prints.
     #[track_caller]
     fn prints(&self, line: &str) -> Vec<String> {
         self.exits(0, line).lines().map(String::from).collect()
@@ -148,7 +148,7 @@ fn mistakes_are_told() {
     assert!(scratch.exits(5, "check a.ini no.pov").contains("there is no file `no.pov`"));
 }
 
-/// What a scene writes, its next frame may include.
+/// The next frame includes a file that the scene has written.
 #[test]
 fn a_file_that_changes_between_frames_is_read_again() {
     let scene = "#if (file_exists(\"n.inc\")) #include \"n.inc\" #else #declare N = 0; #end\n#debug concat(str(N, 0, 0), \"\\n\")\n\

@@ -1,5 +1,4 @@
-//! The command as a user meets it: exit codes, what goes to stdout and what to stderr, and files that are written whole or not
-//! at all.
+//! The command line: exit codes, stdout and stderr, and files that are written whole or not at all.
 
 use crate::scratch::{SCENE, Scratch};
 use std::io::Write;
@@ -118,7 +117,7 @@ fn missing_files_are_guessed() {
     let scratch = Scratch::new();
     let (out, err) = scratch.exits(5, "render bal.scene");
     assert!(out.is_empty() && err.contains("E0002") && err.contains("did you mean `ball.scene`?"), "{err}");
-    // As with POV-Ray, the ending may be left out.
+    // As with POV-Ray, the file's ending may be left out.
     scratch.exits(0, "check ball");
     scratch.put("anim.ini", "Input_File_Name=ball.scene");
     let (_, err) = scratch.exits(2, "test anim.ini");
@@ -215,7 +214,7 @@ fn the_version_of_the_language_is_taken_from_options() {
     }
 }
 
-/// Measured on POV-Ray 3.7: a half of the largest number is rounded up.
+/// POV-Ray 3.7 rounds a half of the largest number up.
 #[test]
 fn halves_are_rounded_up() {
     let scratch = Scratch::new();
@@ -249,7 +248,7 @@ fn snapshots_are_made_kept_and_compared() {
     let (out, _) = scratch.exits(0, "test --accept ball.scene");
     assert!(out.contains("accepted") && scratch.names() == ["ball.scene", "ball.snapshot.png"], "{out}");
     let accepted = scratch.read("ball.snapshot.png");
-    // Drawing the scene leaves it alone.
+    // Rendering the scene does not change the snapshot.
     scratch.exits(0, "render ball.scene --size 8x6 --aa off --declare Size=2");
     scratch.exits(2, "render ball.scene --size 8x6 -o ball.snapshot.png");
     scratch.exits(2, "+Iball.scene +W8 +H6 +Oball.snapshot.png");
@@ -298,7 +297,7 @@ fn devices_are_written_to_and_full_disks_are_told() {
 fn fonts_of_the_system_are_found_by_their_families() {
     let scratch = Scratch::new();
     std::fs::create_dir_all(scratch.path().join("fonts/deep")).unwrap();
-    // A font that calls itself otherwise: durer brings Roboto along.
+    // The built-in Roboto under another name.
     let mut font = include_bytes!("../../scenes/gallery/Roboto-Regular.ttf").to_vec();
     let [from, to] =
         ["Roboto", "Durero"].map(|name| name.encode_utf16().flat_map(u16::to_be_bytes).collect::<Vec<_>>());

@@ -1,4 +1,4 @@
-//! What the commands take, and what they say where they can't: several scenes, POV-Ray's words, frames, values, codes.
+//! Arguments of the commands and their messages: several scenes, POV-Ray's options, frames, values, codes.
 
 use crate::scratch::{SCENE, Scratch};
 use serde_json::Value;
@@ -35,7 +35,7 @@ fn every_help_is_short() {
     }
 }
 
-/// `script` gives its command a terminal.
+/// Runs the command in a terminal, by `script`.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_picture_is_not_written_to_a_terminal() {
@@ -43,7 +43,7 @@ fn a_picture_is_not_written_to_a_terminal() {
     let line = format!("{} render ball.scene --size 4x3 -o -", env!("CARGO_BIN_EXE_durer"));
     let output =
         std::process::Command::new("script").args(["-qec", &line, "/dev/null"]).current_dir(scratch.path()).output();
-    // Not every machine has it.
+    // Not every machine has `script`.
     let Ok(output) = output else { return };
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.contains("durer render ball.scene -o - > picture.png"), "{text}");
@@ -90,7 +90,7 @@ fn pov_rays_words_behind_ours() {
     }
 }
 
-/// Behind `render`, our defaults stand: anti-aliasing is on unless `-A` switches it off.
+/// After `render`, durer's defaults apply: anti-aliasing is on unless `-A` switches it off.
 #[test]
 fn anti_aliasing_is_that_of_the_manner() {
     let scratch = Scratch::new();
@@ -150,7 +150,7 @@ fn commands_that_do_not_exist() {
         assert!(out.is_empty() && err.contains(says), "{line}\n{err}");
     }
     assert_eq!(scratch.names(), ["ball.scene"]);
-    // Files and scenes are no commands, whatever they are called.
+    // Files and scenes are not taken for commands, whatever their names.
     scratch.put("format.pov", SCENE);
     scratch.exits(0, "format +W4 +H3");
     scratch.put("rendr", SCENE);
@@ -232,7 +232,7 @@ fn several_scenes_are_drawn() {
     assert_eq!(String::from_utf8(scratch.read("s.json")).unwrap().lines().count(), 6);
     scratch.exits(0, "ball.scene d/cube.pov --size 4x3");
     assert_eq!(size(&scratch.read("cube.png")), (4, 3));
-    // POV-Ray draws the last one.
+    // POV-Ray renders the last one.
     scratch.exits(0, "ball.scene d/cube.pov +W5 +H3 -o last.png");
     scratch.put("d/ball.scene", SCENE);
     for (line, says) in [
@@ -334,7 +334,8 @@ fn dumps_are_for_people_too() {
     assert_eq!(serde_json::from_str::<Value>(&out).unwrap()["parts"][0]["source"], "ball.scene:2:1");
 }
 
-/// What is said to be needed is what is used, to 15 % and the few megabytes of the program itself: `--stats` tells the peak.
+/// The estimated memory is the used memory, to 15 % and the few megabytes of the program itself; `--stats` reports the
+/// peak.
 #[cfg(target_os = "linux")]
 #[test]
 fn the_estimate_of_memory_is_true() {
@@ -344,17 +345,17 @@ fn the_estimate_of_memory_is_true() {
         let stats: Value = serde_json::from_str(&out).unwrap();
         stats["peak_memory"].as_f64().unwrap() / 1e6
     };
-    // (Two threads would let rows wait for the one before them, as many as the machine's other work decides.)
-    // What the program takes without a picture worth the name.
+    // (With two threads, rows wait for earlier ones, and their number depends on the machine's other work.)
+    // Memory of the program with a tiny picture.
     let program = peak("render ball.scene -o ball.png --size 16x12");
-    // Rows of png leave memory as they are done; exr keeps them, 16 bytes a pixel.
+    // Rows of png leave memory when they are finished; exr keeps them, 16 bytes a pixel.
     for (format, megabytes) in [("png", 25.0), ("exr", 73.0)] {
         let render = format!("render ball.scene -o ball.{format} --size 2000x1500");
         let (_, err) = scratch.exits(4, &format!("{render} --max-memory 20M"));
         let said = format!("a picture of 2000x1500 takes {megabytes:.0} MB of memory");
         assert!(err.contains(&said), "{err}");
         let taken = peak(&render) - program;
-        // (The allocator keeps up to 9 MB that are free.)
+        // (The allocator keeps up to 9 MB of free memory.)
         assert!((taken - megabytes).abs() < 0.15 * megabytes + 8.0, "{format}: {taken} MB, not {megabytes} MB");
     }
 }

@@ -1,4 +1,4 @@
-//! What durer tells of scenes and of files: `--deps`, `durer query`; and the scene that `durer new` writes.
+//! Information about scenes and files: `--deps`, `durer query`; and the scene of `durer new`.
 
 use crate::scratch::Scratch;
 use serde_json::Value;

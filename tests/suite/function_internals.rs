@@ -1,4 +1,5 @@
-//! The functions behind functions.inc against POV-Ray 3.7: `tests/internals/values.txt`, which `regenerate.py` beside it makes.
+//! The functions of functions.inc, compared with POV-Ray 3.7: `regenerate.py` beside `tests/internals/values.txt`
+//! writes the values.
 
 use durer::function::Interval;
 use durer::function::internal::{self, Internal, TABLE};

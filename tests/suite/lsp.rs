@@ -1,4 +1,4 @@
-//! The language server over the wire, as an editor speaks with it.
+//! The language server over its protocol.
 
 mod editor;
 mod help;
@@ -37,7 +37,7 @@ fn hall() -> (Editor, String) {
 fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
     let (mut editor, uri) = hall();
     editor.until(&uri, <[Value]>::is_empty);
-    // A word that is no block, and a string that is not closed.
+    // An unknown block, and a string without an end.
     editor.change(&uri, 2, [13, 0, 13, 6], "spere");
     let told = editor.until(&uri, |told| codes(told).contains(&"E0204"));
     assert_eq!(told[0]["range"], json!({"start": {"line": 13, "character": 0}, "end": {"line": 13, "character": 5}}));
@@ -47,7 +47,7 @@ fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
         json!({"textDocument": {"uri": uri}, "range": told[0]["range"], "context": {"diagnostics": told}}),
     );
     assert_eq!(actions[0]["edit"]["changes"][&uri][0]["newText"], "sphere");
-    // Lines above move what was found.
+    // Inserted lines move the diagnostics.
     editor.change(&uri, 3, [0, 0, 0, 0], "// two\n// lines\n");
     let told = editor.until(&uri, |told| told.first().is_some_and(|one| one["range"]["start"]["line"] == 15));
     assert_eq!(codes(&told), ["E0204"]);
@@ -89,7 +89,7 @@ fn includes_are_seen_as_they_are_typed() {
     editor.until(&uri, |told| codes(told).contains(&"E0203"));
     editor.change(&parts, 3, [0, 9, 0, 13], "Ball");
     editor.until(&uri, <[Value]>::is_empty);
-    // What a run finds in a file that is included is told there.
+    // Faults that a run finds in an included file are reported there.
     editor.change(&parts, 4, [1, 0, 1, 0], "#declare A = 1 + Nowhere;\n");
     editor.until(&parts, |told| codes(told).contains(&"E0203"));
     editor.bye();
@@ -306,7 +306,7 @@ fn scenes_are_drawn_and_watched() {
     run(&mut editor, &lenses[1]);
     let first = editor.shown();
     assert!(first.starts_with("http://127.0.0.1:"), "{first}");
-    // A scene has one page, and it ends with the server.
+    // A scene has one preview page, which ends with the server.
     run(&mut editor, &lenses[1]);
     assert_eq!(editor.shown(), first);
     let host = first["http://".len()..].split('/').next().unwrap().to_string();
@@ -327,7 +327,7 @@ fn what_is_not_understood() {
     let deep = "union{".repeat(20_000);
     let uri = editor.open("deep.pov", &deep);
     editor.until(&uri, |told| codes(told).contains(&"E0104"));
-    // A text that lies nowhere.
+    // A text without a file.
     let document = json!({"uri": "untitled:Untitled-1", "languageId": "povray", "version": 1, "text": "spere { }"});
     editor.say("textDocument/didOpen", json!({"textDocument": document}));
     editor.until("untitled:Untitled-1", |told| codes(told).contains(&"E0204"));

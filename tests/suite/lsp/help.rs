@@ -1,9 +1,9 @@
-//! What is offered for a message, done.
+//! Applies the code actions that are offered for messages.
 
 use super::editor::{Editor, codes};
 use serde_json::{Value, json};
 
-/// A text of ASCII after edits that don't touch each other.
+/// An ASCII text after edits that don't overlap.
 fn edited(text: &str, edits: &Value) -> String {
     let offset = |at: &Value| {
         let line = at["line"].as_u64().unwrap() as usize;
@@ -18,7 +18,7 @@ fn edited(text: &str, edits: &Value) -> String {
     out
 }
 
-/// The first action of this title.
+/// The first action with this title.
 fn action<'a>(actions: &'a Value, title: &str) -> &'a Value {
     let all = actions.as_array().unwrap();
     all.iter().find(|one| one["title"] == title).unwrap_or_else(|| panic!("{title}: {actions}"))
@@ -57,7 +57,7 @@ fn help_is_done() {
     editor.bye();
 }
 
-/// What is offered for a text, and the text after the first offer.
+/// The titles of the offered actions, and the text after the first one.
 fn offered(editor: &mut Editor, name: &str, text: &str) -> (Vec<String>, String) {
     let uri = editor.open(name, text);
     let told = editor.until(&uri, |told| !told.is_empty());
