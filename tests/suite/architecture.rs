@@ -243,7 +243,7 @@ fn modules_use_only_lower_layers_and_words_stay_in_their_files() {
 }
 
 #[test]
-fn the_scanner_sees_what_is_wrong() {
+fn scanner_finds_violations() {
     let bad = |path: &str, source: &str| assert_eq!(faults(path, source).len(), 1, "{path}: {source}");
     bad("math/ray.rs", "use crate::render::Options;");
     bad("shape/sphere.rs", "use crate::{math::{Ray, Aabb}, pattern, value};");
@@ -268,7 +268,7 @@ fn the_scanner_sees_what_is_wrong() {
 }
 
 #[test]
-fn the_scanner_sees_nothing_where_nothing_is_wrong() {
+fn scanner_accepts_valid_files() {
     let good = |path: &str, source: &str| assert_eq!(faults(path, source), [""; 0], "{path}: {source}");
     good("shape/sphere.rs", "use crate::{math::{Ray, Aabb}, value};\nuse crate::shape::Kernel;\nuse super::Hit;");
     good("shape/sphere.rs", "// use crate::render;\n/// As [`crate::world::World`] says.");

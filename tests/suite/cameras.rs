@@ -50,7 +50,7 @@ const KINDS: [Kind; 10] = [
 ];
 
 #[test]
-fn all_look_ahead_in_the_middle_and_have_unit_rays() {
+fn central_rays_point_ahead_and_have_length_1() {
     for kind in KINDS {
         let view = view(kind, Some(100.0));
         looks(&view, (0.5, 0.5), DVec3::Z);
@@ -163,7 +163,7 @@ fn spherical() {
 }
 
 #[test]
-fn the_lecture_s() {
+fn lecture_camera() {
     let camera = LectureCamera {
         eye: DVec3::Z * 4.0,
         center: DVec3::ZERO,

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Stdio;
 
 #[test]
-fn a_scene_becomes_a_picture_beside_us() {
+fn render_writes_to_the_current_folder() {
     let scratch = Scratch::new();
     let (out, err) = scratch.exits(0, "render ball.scene --size 8x6");
     assert_eq!((out.as_str(), err.as_str()), ("", ""));
@@ -47,7 +47,7 @@ fn standard_output_and_input() {
 }
 
 #[test]
-fn a_closed_pipe_is_no_accident() {
+fn closed_pipes_are_not_errors() {
     let scratch = Scratch::new();
     for line in ["explain", "completions bash", "render ball.scene -o - --size 8x6"] {
         let mut child = scratch.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -104,7 +104,7 @@ fn exit_codes() {
 }
 
 #[test]
-fn a_picture_that_fails_leaves_the_old_one() {
+fn failed_renders_keep_the_old_picture() {
     let scratch = Scratch::new();
     scratch.put("ball.png", "old");
     scratch.exits(4, "render ball.scene --max-time 0");
@@ -113,7 +113,7 @@ fn a_picture_that_fails_leaves_the_old_one() {
 }
 
 #[test]
-fn missing_files_are_guessed() {
+fn missing_files_get_suggestions() {
     let scratch = Scratch::new();
     let (out, err) = scratch.exits(5, "render bal.scene");
     assert!(out.is_empty() && err.contains("E0002") && err.contains("did you mean `ball.scene`?"), "{err}");
@@ -125,7 +125,7 @@ fn missing_files_are_guessed() {
 }
 
 #[test]
-fn messages_for_programs() {
+fn messages_as_json() {
     let scratch = Scratch::new();
     scratch.put("picture.scene", b"\x89PNG\r\n\x1a\n\0");
     let (out, err) = scratch.exits(1, "check --format json ball.scene picture.scene missing.scene");
@@ -137,7 +137,7 @@ fn messages_for_programs() {
 }
 
 #[test]
-fn quiet_hides_warnings_and_counts_what_is_told() {
+fn quiet_hides_warnings_and_counts_messages() {
     let scratch = Scratch::new();
     scratch.put("two.scene", "#warning \"careful\"\nboxx { }\nspere { }\n");
     let (_, err) = scratch.exits(1, "check two.scene");
@@ -156,7 +156,7 @@ fn many_frames_are_numbered() {
 }
 
 #[test]
-fn stats_are_one_object() {
+fn stats_are_one_json_object() {
     let (out, _) = Scratch::new().exits(0, "render ball.scene --size 4x3 --stats json --threads 1");
     let stats: serde_json::Value = serde_json::from_str(&out).unwrap();
     for time in ["parse", "build", "trace", "encode", "total"] {
@@ -167,7 +167,7 @@ fn stats_are_one_object() {
 }
 
 #[test]
-fn dumps_are_json_and_draw_nothing() {
+fn dumps_are_json_without_rendering() {
     let scratch = Scratch::new();
     for stage in ["scene", "world"] {
         let (out, _) = scratch.exits(0, &format!("render ball.scene --dump {stage}"));
@@ -189,7 +189,7 @@ fn pov_rays_command_line() {
 }
 
 #[test]
-fn the_version_of_the_language_is_taken_from_options() {
+fn language_version_by_option() {
     let scratch = Scratch::new();
     scratch
         .put("v.pov", "#debug str(version, 0, 2)\n#version 3.6;\n#debug str(version, 0, 2)\ncamera { location -z }\n");
@@ -216,7 +216,7 @@ fn the_version_of_the_language_is_taken_from_options() {
 
 /// POV-Ray 3.7 rounds a half of the largest number up.
 #[test]
-fn halves_are_rounded_up() {
+fn halves_are_rounded_up_in_png() {
     let scratch = Scratch::new();
     for (red, code) in [("0.1", 26), ("0.5", 128), ("0.7", 179), ("0.9", 230)] {
         scratch.put("b.pov", format!("camera {{ location -z }} background {{ rgb {red} }}"));
@@ -239,7 +239,7 @@ fn explanations_and_completions() {
 }
 
 #[test]
-fn snapshots_are_made_kept_and_compared() {
+fn snapshots_are_accepted_and_compared() {
     let scratch = Scratch::new();
     scratch.put("ball.scene", format!("//! test: --size 8x6 --aa off\n{SCENE}"));
     let (out, _) = scratch.exits(3, "test ball.scene");
@@ -283,7 +283,7 @@ fn snapshots_are_made_kept_and_compared() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn devices_are_written_to_and_full_disks_are_told() {
+fn devices_and_full_disks() {
     let scratch = Scratch::new();
     scratch.exits(0, "render ball.scene --size 4x3 -o /dev/null --format png");
     assert!(!Path::new("/dev/null").is_file());
@@ -294,7 +294,7 @@ fn devices_are_written_to_and_full_disks_are_told() {
 }
 
 #[test]
-fn fonts_of_the_system_are_found_by_their_families() {
+fn system_fonts_are_found_by_family() {
     let scratch = Scratch::new();
     std::fs::create_dir_all(scratch.path().join("fonts/deep")).unwrap();
     // The built-in Roboto under another name.

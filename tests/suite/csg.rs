@@ -28,7 +28,7 @@ fn ids(node: &SolidNode, ray: &Ray) -> Vec<(f64, u32)> {
 const ALONG: Ray = Ray { origin: DVec3 { x: -5.0, y: 0.0, z: 0.0 }, dir: DVec3::X };
 
 #[test]
-fn the_right_surfaces_are_kept() {
+fn operations_keep_the_right_surfaces() {
     let two = || vec![sphere(0.0, 1.0, 1), sphere(1.0, 1.0, 2)];
     assert_eq!(ids(&SolidNode::union(two(), 0), &ALONG), [(4.0, 1), (5.0, 2), (6.0, 1), (7.0, 2)]);
     assert_eq!(ids(&SolidNode::merge(two(), 0), &ALONG), [(4.0, 1), (7.0, 2)]);
@@ -39,7 +39,7 @@ fn the_right_surfaces_are_kept() {
 }
 
 #[test]
-fn infinite_and_open_shapes_take_part() {
+fn infinite_and_open_shapes() {
     let half = SolidNode::intersection(vec![sphere(0.0, 1.0, 1), half_space(DVec3::X)], 0);
     assert_eq!(ids(&half, &ALONG), [(4.0, 1), (5.0, 9)]);
     assert!(half.bounds().is_finite());
@@ -49,7 +49,7 @@ fn infinite_and_open_shapes_take_part() {
 }
 
 #[test]
-fn cut_surfaces_face_into_what_was_cut_away() {
+fn subtracted_surfaces_face_inwards() {
     let shell = SolidNode::difference(vec![sphere(0.0, 1.0, 1), sphere(0.0, 0.5, 2)], 7);
     let ray = Ray::new(DVec3::ZERO, DVec3::Z);
     let found = shell.closest(&ray, Range::FORWARD).unwrap();
@@ -58,7 +58,7 @@ fn cut_surfaces_face_into_what_was_cut_away() {
 }
 
 #[test]
-fn inverse_goes_down_to_the_leaves() {
+fn inverse_applies_to_leaves() {
     let ball = || sphere(0.0, 10.0, 3);
     let two = || vec![sphere(0.0, 1.0, 1), sphere(1.0, 1.0, 2)];
     // As in POV-Ray: a union that is subtracted has no surfaces inside the union …
@@ -95,7 +95,7 @@ fn patches_have_no_inside_even_inverted() {
 }
 
 #[test]
-fn a_disc_cuts_to_a_half_space() {
+fn subtracted_discs_act_as_half_spaces() {
     // (In POV-Ray, rays that miss its box do not hit it: tests/light_cases/csg_disc_halves.)
     let disc = |inverse: bool| {
         let disc = leaf(Shape::from(Disc::new(DVec3::ZERO, DVec3::new(0.0, 1.0, -1.0), 0.5, 0.0)), 5);
@@ -135,7 +135,7 @@ fn transformed_object() {
 }
 
 #[test]
-fn a_point_knows_what_it_is_in() {
+fn containing_objects_of_a_point() {
     let geometry = Geometry::new(vec![
         SolidNode::union(vec![sphere(0.0, 1.0, 1), sphere(0.5, 1.0, 2), sphere(5.0, 1.0, 3)], 0),
         half_space(DVec3::Y),
@@ -153,7 +153,7 @@ fn a_point_knows_what_it_is_in() {
 }
 
 #[test]
-fn bounds_hide_what_rays_miss() {
+fn bounds_hide_surfaces_from_rays_that_miss_them() {
     let seen = |node: &SolidNode, from: DVec3, to: DVec3| ids(node, &Ray::new(from, to)).len();
     let two = || SolidNode::union(vec![sphere(0.0, 1.0, 1), sphere(3.0, 1.0, 2)], 0);
     let half = leaf(Shape::from(Cuboid::new(DVec3::new(-2.0, 0.0, -2.0), DVec3::new(0.0, 2.0, 2.0))), 9);
@@ -178,7 +178,7 @@ fn bounds_hide_what_rays_miss() {
 }
 
 #[test]
-fn cut_quadrics_end_on_all_sides() {
+fn cut_quadrics_have_finite_boxes() {
     let neck = Quadric::new(DVec3::new(1.0, -1.0, 1.0), DVec3::ZERO, DVec3::ZERO, -1.0);
     let turned = Leaf::new(Shape::from(neck), &Transform::rotate(DVec3::Y * 33.0), 1);
     let cut = |side: f64| leaf(Shape::from(Plane::new(DVec3::Y * side, 2.0).unwrap()), 2);

@@ -48,7 +48,7 @@ fn lines(words: &[&str], separator: &str) -> Vec<String> {
 }
 
 #[test]
-fn grammars_are_what_the_tables_give() {
+fn grammars_equal_the_generated_ones() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("editors");
     for (name, text) in files() {
         let path = folder.join(name);
@@ -63,7 +63,7 @@ fn grammars_are_what_the_tables_give() {
 
 /// Each word has one category, and none is missing.
 #[test]
-fn every_word_is_of_one_sort() {
+fn every_word_has_one_category() {
     let sorts = sorts();
     let all = [&sorts.objects, &sorts.blocks, &sorts.functions, &sorts.constants, &sorts.words];
     let known: BTreeSet<_> = all.iter().flat_map(|words| words.iter()).collect();

@@ -293,7 +293,7 @@ fn every_shape_has_a_writer() {
 }
 
 #[test]
-fn hits_lie_in_bounds_and_are_found_by_every_question() {
+fn hits_are_in_bounds_and_all_queries_agree() {
     let mut met = std::collections::BTreeMap::new();
     for (i, (name, _, shape)) in shapes().enumerate() {
         let bounds = shape.bounds().grown(1e-9);
@@ -327,7 +327,7 @@ fn hits_lie_in_bounds_and_are_found_by_every_question() {
 /// Hits are exactly where a line enters or leaves a solid; the normal is that of the plane through three neighbouring
 /// hits.
 #[test]
-fn hits_are_where_the_inside_ends() {
+fn hits_are_at_the_boundary_of_the_inside() {
     for (i, (name, is, shape)) in shapes().enumerate() {
         if !matches!(is, Is::Solid | Is::Bumpy) {
             continue;
@@ -357,7 +357,7 @@ fn beside(shape: &Shape, ray: &Ray, hit: &Hit, by: DVec3) -> Option<DVec3> {
 }
 
 #[test]
-fn normals_are_those_of_planes_through_three_hits() {
+fn normals_match_planes_through_three_hits() {
     let mut tested = std::collections::BTreeMap::new();
     for (i, (name, is, shape)) in shapes().enumerate() {
         if matches!(is, Is::Bumpy | Is::BumpySurface) {
@@ -397,7 +397,7 @@ fn nested(dice: &mut Dice) -> Transform {
 
 /// A transformed shape is hit where it is in its own space; its normal is perpendicular to its tangents.
 #[test]
-fn nested_transforms_carry_hits_along() {
+fn hits_follow_nested_transforms() {
     for (i, (name, is, shape)) in shapes().enumerate() {
         let mut dice = Dice { stream: Stream::new(&[i as u64, 2]), size: 1.0 };
         let m = nested(&mut dice);
@@ -431,7 +431,7 @@ fn nested_transforms_carry_hits_along() {
 
 /// A shape a million times smaller or larger has the same hits.
 #[test]
-fn size_does_not_matter() {
+fn hits_are_scale_invariant() {
     let normal = leaves(30, 1.0);
     for size in [1e-6, 1e6] {
         for (i, (node, other)) in normal.iter().zip(&leaves(30, size)).enumerate() {
@@ -465,7 +465,7 @@ fn picture(name: &str, words: &str, size: f64) -> Vec<[f32; 4]> {
 /// A scene a million times smaller or larger gives the same picture. (Planes end at 1e7, as in POV-Ray; and in scenes
 /// of a size between 0.0001 and 0.1 the minimum distances of hits, 0.0001, and of shadows, 0.001, have an effect.)
 #[test]
-fn scenes_of_all_sizes_are_drawn_alike() {
+fn pictures_are_scale_invariant() {
     for (name, _, writer) in WRITERS {
         let written = |size| writer(&mut Dice { stream: Stream::new(&[7]), size });
         // (`accuracy` is a length in world space, whatever the scale.)

@@ -76,7 +76,7 @@ fn hold(texts: impl IntoIterator<Item = (String, String)> + Send, widths: &[usiz
 }
 
 #[test]
-fn tokens_stay_and_twice_is_once() {
+fn tokens_are_kept_and_formatting_is_idempotent() {
     let read = |path: PathBuf| {
         let text = decode(std::fs::read(&path).ok()?).ok()?.text;
         // Skip huge lists of numbers.
@@ -88,7 +88,7 @@ fn tokens_stay_and_twice_is_once() {
 /// `DURER_FUZZ=100000 cargo test --test suite format::mutants` tests more, `DURER_SEED=N DURER_FUZZ=1` keeps one as a
 /// file.
 #[test]
-fn mutants_are_formatted_too() {
+fn mutants_are_formatted() {
     let read = |path: &PathBuf| decode(std::fs::read(path).ok()?).ok().map(|text| text.text);
     let texts: Vec<String> = own_texts().iter().filter_map(read).filter(|text| text.len() < 20_000).collect();
     let number = |name, or| std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(or);
@@ -108,7 +108,7 @@ fn mutants_are_formatted_too() {
 }
 
 #[test]
-fn the_pairs_look_as_they_should() {
+fn expected_results() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/format");
     let mut count = 0;
     for path in std::fs::read_dir(&folder).unwrap().map(|e| e.unwrap().path()) {

@@ -42,7 +42,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn hits_lie_in_bounds_and_have_normals(seed: u64) {
+    fn hits_are_in_bounds_and_have_normals(seed: u64) {
         let mut dice = Dice::new(seed);
         let (shape, m) = (dice.shape(), dice.transform());
         let node = SolidNode::leaf(Leaf::new(shape.clone(), &m, 1), 1);
@@ -98,7 +98,7 @@ proptest! {
     }
 
     #[test]
-    fn closest_is_the_first_of_all(seed: u64) {
+    fn closest_hit_is_the_first_of_all_hits(seed: u64) {
         let mut dice = Dice::new(seed);
         let (shape, node) = (dice.shape(), dice.tree(3));
         for _ in 0..20 {
@@ -113,7 +113,7 @@ proptest! {
     }
 
     #[test]
-    fn transforms_undo_themselves(seed: u64) {
+    fn transforms_and_inverses_cancel(seed: u64) {
         let mut dice = Dice::new(seed);
         let m = (0..4).fold(Transform::IDENTITY, |m, _| m.then(&dice.transform()));
         let (p, v) = (dice.vector(5.0), dice.vector(5.0));
@@ -132,7 +132,7 @@ proptest! {
     /// A fractal has hits exactly where its inside begins and ends. (Which parts thinner than 1/`precision` are hit
     /// depends on the ray's origin: hence the largest precision, which avoids nearly all such parts.)
     #[test]
-    fn fractals_have_a_surface_where_their_inside_ends(seed: u64) {
+    fn fractal_hits_are_at_the_boundary_of_the_inside(seed: u64) {
         let mut dice = Dice::new(seed);
         let mut fractal = JuliaFractal::new(std::array::from_fn(|_| dice.between(-0.7, 0.7)));
         fractal.algebra = [Algebra::Quaternion, Algebra::Hypercomplex][dice.below(2)];
@@ -159,7 +159,7 @@ proptest! {
 
     /// Along a ray, a tree of closed solids has hits exactly where its inside begins or ends.
     #[test]
-    fn trees_have_a_surface_where_their_inside_ends(seed: u64) {
+    fn tree_hits_are_at_the_boundary_of_the_inside(seed: u64) {
         let mut dice = Dice::new(seed);
         let tree = dice.tree_of(3, 6, Dice::solid);
         for _ in 0..10 {
@@ -181,7 +181,7 @@ proptest! {
 
     /// Intersections of slanted planes and walls: all hits and all inside points are in their box.
     #[test]
-    fn what_planes_share_lies_in_its_box(seed: u64) {
+    fn intersections_of_planes_are_in_their_box(seed: u64) {
         let mut dice = Dice::new(seed);
         let m = dice.transform();
         let count = 1 + dice.below(9);
@@ -242,7 +242,7 @@ proptest! {
 
     /// A node with many children has a hierarchy of its own; a chain of pairs has none. Both have the same hits.
     #[test]
-    fn many_children_are_like_few(seed: u64) {
+    fn hierarchies_of_children_match_chains_of_pairs(seed: u64) {
         let mut dice = Dice::new(seed);
         let parts: Vec<SolidNode> = (0..40).map(|_| dice.tree_of(seed as usize % 2, 6, Dice::solid)).collect();
         let big = |dice: &mut Dice| Shape::from(Sphere { center: dice.vector(1.0), radius: dice.between(2.0, 3.0) });
@@ -274,7 +274,7 @@ proptest! {
     }
 
     #[test]
-    fn hierarchy_is_brute_force(seed: u64, count in prop_oneof![0usize..8, 20usize..60]) {
+    fn hierarchy_matches_brute_force(seed: u64, count in prop_oneof![0usize..8, 20usize..60]) {
         let mut dice = Dice::new(seed);
         let nodes: Vec<SolidNode> = (0..count).map(|_| dice.tree(2)).collect();
         let geometry = Geometry::new(nodes.clone());

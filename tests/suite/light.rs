@@ -172,7 +172,7 @@ fn levels_of_mirrors() {
 }
 
 #[test]
-fn rays_that_count_for_little_are_dropped() {
+fn adc_bailout_drops_rays() {
     let seen = |amount: f64, bailout: f64| {
         let mut scene =
             wall(rgb(1.0, 1.0, 1.0), mirror(amount), vec![plane(Z, -9.0).painted(rgb(1.0, 1.0, 1.0), glowing())]);
@@ -194,7 +194,7 @@ fn rays_that_count_for_little_are_dropped() {
 }
 
 #[test]
-fn straight_on_is_no_new_level() {
+fn unrefracted_rays_keep_their_level() {
     // ten panes without refraction, with a level of 2
     let mut panes: Vec<_> = (0..10).map(|i| plane(Z, f64::from(i)).painted(CLEAR, dull())).collect();
     panes.push(plane(Z, 20.0).painted(rgb(0.5, 0.5, 0.5), glowing()));
@@ -332,7 +332,7 @@ fn alpha() {
 }
 
 #[test]
-fn what_fades_inside_is_less_see_through() {
+fn attenuation_lowers_alpha() {
     // half of the light after the length of the path: 1/(1 + (2/2)³) (POV-Ray 3.7: alpha 0.5, and 0.8 before a
     // background of transmit 0.4)
     let interior = Interior { fade_distance: 2.0, fade_power: 3.0, ..Interior::default() };
@@ -360,7 +360,7 @@ fn qualities() {
 }
 
 #[test]
-fn what_passes_counts_by_its_largest_channel_and_each_surface_by_its_gray() {
+fn adc_bailout_uses_largest_channel_and_gray() {
     let seen = |panes: &[[f64; 3]], bailout: f64| {
         let pane = |(i, c): (usize, &[f64; 3])| {
             disc(-(2.0 + i as f64) * Z, Z, 1.0).painted(rgbft([c[0], c[1], c[2], 1.0, 0.0]), dull())
@@ -380,7 +380,7 @@ fn what_passes_counts_by_its_largest_channel_and_each_surface_by_its_gray() {
 }
 
 #[test]
-fn grain_darkens_what_else_shines() {
+fn crand_darkens_other_terms() {
     // POV-Ray's mean over many pixels is 0.5488, its minimum 0.1
     let finish = Finish { ambient: Rgb::splat(0.5), diffuse: 0.5, crand: 0.9, ..dull() };
     let (picture, _) = draw(&wall(rgb(1.0, 1.0, 1.0), finish, vec![lamp(-5.0 * Z, 1.0)]), &Options::new(40, 40));
@@ -390,7 +390,7 @@ fn grain_darkens_what_else_shines() {
 }
 
 #[test]
-fn grain_of_thin_layers_is_as_strong() {
+fn crand_ignores_opacity() {
     // 0.3 - 0.4·u, clamped at 0: POV-Ray's mean over many pixels is 0.1123, and a share of 0.249 is black
     let finish = Finish { ambient: Rgb::splat(0.1), diffuse: 0.5, crand: 0.4, ..dull() };
     let glass = rgbft([1.0, 1.0, 1.0, 0.0, 0.5]);

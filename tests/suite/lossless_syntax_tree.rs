@@ -70,7 +70,7 @@ fn without_tree(text: &str) -> Result<(), String> {
 }
 
 #[test]
-fn faults_are_those_of_the_tokens() {
+fn lexer_and_parser_report_the_same_faults() {
     each(without_tree);
 }
 
@@ -109,7 +109,7 @@ fn joined(text: &str, granularity: Granularity) -> Result<(), String> {
 }
 
 #[test]
-fn tokens_joined_are_the_file() {
+fn tokens_and_comments_make_up_the_file() {
     for granularity in BOTH {
         each(|text| joined(text, granularity));
     }
@@ -323,7 +323,7 @@ fn placed(text: &str, granularity: Granularity) -> Result<(), String> {
 }
 
 #[test]
-fn every_place_is_of_whole_tokens_inside_its_parent() {
+fn spans_cover_whole_tokens_inside_their_parent() {
     for granularity in BOTH {
         each(|text| placed(text, granularity));
     }
@@ -379,7 +379,7 @@ fn alone(text: &str, granularity: Granularity) -> Result<(), String> {
 }
 
 #[test]
-fn a_piece_alone_is_the_same() {
+fn parts_of_a_text_parse_the_same() {
     for granularity in BOTH {
         each(|text| alone(text, granularity));
     }

@@ -68,7 +68,7 @@ fn rows(thing: impl Fn() -> Object) -> Scene {
 }
 
 #[test]
-fn copies_look_like_what_stands_by_itself() {
+fn instances_look_like_single_objects() {
     let ball = |x: f64| sphere(v(x, 0.0, 0.0), 0.7);
     let squares = || texture([(checker(rgb(1.0, 0.0, 0.0), rgb(0.0, 1.0, 0.0)), glowing())]);
     let block = || cuboid(v(-0.5, -0.5, -0.5), v(0.5, 0.2, 0.5)).moved(Transform::rotate(30.0 * Z)).textured(squares());
@@ -100,7 +100,7 @@ fn copies_look_like_what_stands_by_itself() {
 }
 
 #[test]
-fn a_pick_tells_the_place_in_the_text() {
+fn picks_return_the_source_span() {
     let mut ball = sphere(DVec3::ZERO, 1.0);
     ball.source = Span::new(7, 12);
     let scene = scene(-5.0 * Z, Z, vec![ball]);
@@ -136,7 +136,7 @@ fn textures_move_with_their_blocks() {
 }
 
 #[test]
-fn what_a_group_says_holds_for_its_parts() {
+fn group_modifiers_apply_to_parts() {
     let mut group = csg(CsgOp::Union, vec![sphere(DVec3::ZERO, 1.0)]);
     group.uncommon.flags.no_image = true;
     assert_gray(&scene(-5.0 * Z, Z, vec![group.painted(rgb(1.0, 1.0, 1.0), glowing())]), 0.0);
@@ -178,7 +178,7 @@ fn lights_move_with_their_group() {
 }
 
 #[test]
-fn what_is_not_a_number_is_told() {
+fn non_finite_numbers_are_reported() {
     let mut ball = sphere(DVec3::ZERO, 1.0).moved(Transform::translate(v(f64::INFINITY, 0.0, 0.0)));
     ball.source = Span::new(3, 5);
     let fault = lower(&scene(-5.0 * Z, Z, vec![ball])).unwrap_err();
@@ -252,7 +252,7 @@ fn methods() -> impl Iterator<Item = Options> {
 }
 
 #[test]
-fn any_number_of_threads_makes_the_same_bytes() {
+fn thread_count_does_not_change_bytes() {
     for (scene, mut options) in [busy(), filtering()].iter().flat_map(|scene| methods().map(move |m| (scene, m))) {
         let (one, rays) = draw(scene, &options);
         for threads in [2, 5, 0] {
@@ -268,7 +268,7 @@ fn any_number_of_threads_makes_the_same_bytes() {
 }
 
 #[test]
-fn a_region_is_cut_out_of_the_whole() {
+fn regions_equal_parts_of_the_whole() {
     for (scene, mut options) in [busy(), filtering()].iter().flat_map(|scene| methods().map(move |m| (scene, m))) {
         let (whole, _) = draw(scene, &options);
         for region in [Region { x: 13, y: 7, width: 40, height: 21 }, Region { x: 60, y: 33, width: 99, height: 99 }] {
@@ -336,7 +336,7 @@ fn progress_and_cancelling() {
 }
 
 #[test]
-fn many_see_through_surfaces_do_not_overflow_the_stack() {
+fn many_transparent_surfaces_do_not_overflow_the_stack() {
     let pane = |i: i32| plane(Z, f64::from(i) * 0.01).painted(rgbft([1.0, 1.0, 1.0, 0.0, 1.0]), dull());
     let mut panes: Vec<Object> = (0..3000).map(pane).collect();
     panes.push(plane(Z, 50.0).painted(rgb(0.5, 0.5, 0.5), glowing()));

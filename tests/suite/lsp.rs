@@ -34,7 +34,7 @@ fn hall() -> (Editor, String) {
 }
 
 #[test]
-fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
+fn diagnostics_of_text_first_and_of_runs_later() {
     let (mut editor, uri) = hall();
     editor.until(&uri, <[Value]>::is_empty);
     // An unknown block, and a string without an end.
@@ -60,7 +60,7 @@ fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
 }
 
 #[test]
-fn names_that_nobody_uses_are_faint() {
+fn unused_names_are_faded() {
     let (mut editor, uri) = hall();
     editor.change(&uri, 2, [2, 0, 2, 0], "#declare Nobody = 1;\n");
     let told = editor.until(&uri, |told| codes(told) == ["W0209"]);
@@ -69,7 +69,7 @@ fn names_that_nobody_uses_are_faint() {
 }
 
 #[test]
-fn a_run_that_never_ends_is_stopped_by_the_next_key() {
+fn endless_runs_are_stopped_by_the_next_key() {
     let mut editor = Editor::new();
     let uri = editor.open("loop.pov", "#while (1) #end\n");
     std::thread::sleep(Duration::from_millis(600));
@@ -81,7 +81,7 @@ fn a_run_that_never_ends_is_stopped_by_the_next_key() {
 }
 
 #[test]
-fn includes_are_seen_as_they_are_typed() {
+fn unsaved_includes_are_used() {
     let (mut editor, uri) = hall();
     editor.until(&uri, <[Value]>::is_empty);
     let parts = editor.open("parts.inc", PARTS);
@@ -135,7 +135,7 @@ fn labels(list: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn what_may_be_typed() {
+fn completion() {
     let (mut editor, uri) = hall();
     let outside = editor.ask("textDocument/completion", at(&uri, 12, 0));
     for word in ["sphere", "camera", "Ball", "Row", "Gap", "sin", "pi"] {
@@ -159,7 +159,7 @@ fn what_may_be_typed() {
 }
 
 #[test]
-fn what_words_and_names_are() {
+fn hover() {
     let (mut editor, uri) = hall();
     let mut about = |line, character| {
         editor.ask("textDocument/hover", at(&uri, line, character))["contents"]["value"]
@@ -184,7 +184,7 @@ fn what_words_and_names_are() {
 }
 
 #[test]
-fn the_shape_of_a_text() {
+fn symbols_folding_and_selection() {
     let (mut editor, uri) = hall();
     let document = json!({"textDocument": {"uri": uri}});
     let symbols = editor.ask("textDocument/documentSymbol", document.clone());
@@ -249,7 +249,7 @@ fn texts_are_formatted() {
 }
 
 #[test]
-fn the_manual_is_linked_where_it_lies() {
+fn links_to_a_local_manual() {
     let mut editor = Editor::new();
     let uri = editor.open("a.pov", "spere { 0, 1 }\nsphere { 0, 1 }\n");
     let told = editor.until(&uri, |told| !told.is_empty());
@@ -262,7 +262,7 @@ fn the_manual_is_linked_where_it_lies() {
 }
 
 #[test]
-fn what_does_not_run_is_faint() {
+fn branches_that_do_not_run_are_faded() {
     let mut editor = Editor::new();
     let text = "#version 3.7;\ncamera { location -5*z look_at 0 }\n#declare Big = false;\n#if (Big)\n  sphere { 0, 2 }\n#else\n  sphere { 0, 1 }\n#end\n\
                 #for (I, 0, 1) #if (I = 1) sphere { I, 1 } #else box { I, 1 } #end #end\n";
@@ -282,7 +282,7 @@ fn what_does_not_run_is_faint() {
 }
 
 #[test]
-fn scenes_are_drawn_and_watched() {
+fn render_and_watch_commands() {
     let mut editor = Editor::new();
     let text =
         "// A ball.\n#version 3.7;\ncamera { location -5*z look_at 0 }\nlight_source { -9*z, 1 }\nsphere { 0, 1 }\n";
@@ -316,7 +316,7 @@ fn scenes_are_drawn_and_watched() {
 }
 
 #[test]
-fn what_is_not_understood() {
+fn unsupported_requests() {
     let mut editor = Editor::new();
     let nowhere = editor.uri("nowhere.pov");
     assert!(editor.answer("textDocument/hover", json!({"wrong": 1}))["error"]["code"].is_i64());

@@ -45,7 +45,7 @@ fn peak(name: &str, each: &str) -> Option<u64> {
 }
 
 #[test]
-fn no_more_than_povray() {
+fn memory_is_at_most_that_of_povray() {
     for (name, bound, each) in SCENES {
         let mib = peak(name, each).map_or(0, |bytes| bytes >> 20);
         println!("{name}: {mib} MiB of {bound}");
@@ -55,7 +55,7 @@ fn no_more_than_povray() {
 
 /// Maximum sizes of types with one value for each object of a scene: fields that few objects need are behind a pointer.
 #[test]
-fn things_that_are_many_are_small() {
+fn types_of_many_values_are_small() {
     let sizes = [
         ("scene::Object", size_of::<scene::Object>(), 32),
         ("scene::ObjectBody", size_of::<scene::ObjectBody>(), 72),

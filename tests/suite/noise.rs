@@ -17,7 +17,7 @@ fn assert_near(name: &str, p: DVec3, ours: f64, theirs: f64, tolerance: f64) {
 }
 
 #[test]
-fn noise_is_pov_rays() {
+fn noise_matches_povray() {
     for [x, y, z, g1, g2, g3, vx, vy, vz] in rows(include_str!("../noise/points.txt")) {
         let p = DVec3::new(x, y, z);
         for (generator, theirs) in GENERATORS.into_iter().zip([g1, g2, g3]) {
@@ -30,7 +30,7 @@ fn noise_is_pov_rays() {
 }
 
 #[test]
-fn turbulence_is_pov_rays() {
+fn turbulence_matches_povray() {
     for [x, y, z, lambda, omega, octaves, vx, vy, vz, patterns @ ..] in
         rows::<18>(include_str!("../noise/turbulence.txt"))
     {

@@ -62,7 +62,7 @@ fn sphere() {
 }
 
 #[test]
-fn a_plane_in_its_four_forms() {
+fn plane_in_its_four_forms() {
     let (p, v) = ray(10, 40);
     // z = -3: t = -(C·p_z + D) / (C·v_z)
     let t = (-3.0 - p.z) / v.z;
@@ -136,7 +136,7 @@ fn transformed_object() {
 }
 
 #[test]
-fn the_same_through_nested_blocks() {
+fn nested_blocks() {
     let flat = "sphere { 0, 1 scale <3, 1, 2> rotate 30*z translate <0.5, 0, -1> pigment { rgb 1 } }";
     let nested = "union { object { sphere { 0, 1 scale <3, 1, 2> } rotate 30*z } transform { translate <1, 0, -2> scale 1 } \
                   translate <-0.5, 0, 1> pigment { rgb 1 } }";

@@ -87,22 +87,22 @@ fn kill_and_resume(words: &str, short: usize) {
 }
 
 #[test]
-fn a_still() {
+fn resuming_a_still() {
     kill_and_resume("--size 100x75 --aa 0.1 -o a.png", 4);
 }
 
 #[test]
-fn a_region_by_povrays_second_method() {
+fn resuming_a_region_with_antialiasing_method_2() {
     kill_and_resume("--size 120x90 --aa 0.1 --aa-method corners --region 30,20,75,60 -o a.exr", 2);
 }
 
 #[test]
-fn an_animation() {
+fn resuming_an_animation() {
     kill_and_resume("--size 52x39 --aa 0.1 --frames 1-4 -o a.png", 3);
 }
 
 #[test]
-fn what_is_stale_or_damaged_is_told_and_not_used() {
+fn stale_or_damaged_journals_are_reported_and_ignored() {
     let scratch = Scratch::new();
     let words = "--size 200x150 --aa 0.1 -o a.png";
     let stopped = scratch.run(&format!("{words} --max-time 0.3"));
@@ -127,7 +127,7 @@ fn what_is_stale_or_damaged_is_told_and_not_used() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
+fn journals_are_kept_when_the_folder_is_missing() {
     let scratch = Scratch::new();
     std::fs::create_dir(scratch.at("out")).unwrap();
     let mut durer = scratch.durer("--size 300x225 --aa 0.1 --threads 1 -o out/a.png").spawn().unwrap();
@@ -150,7 +150,7 @@ fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
 /// returns an error.
 #[cfg(target_os = "linux")]
 #[test]
-fn what_was_drawn_is_kept_when_the_disk_is_full() {
+fn journals_are_kept_when_the_disk_is_full() {
     let (scratch, whole) = (Scratch::new(), Scratch::new());
     // 44 KB as a bmp; the journal ends in the middle of a tile.
     let words = "--size 140x105 --aa off -o a.bmp";

@@ -183,7 +183,7 @@ fn same(a: &image::RgbaImage, b: &image::RgbaImage) {
 }
 
 #[test]
-fn the_page_shows_what_render_draws() {
+fn page_shows_the_rendered_picture() {
     let mut watch = Watch::start("");
     let page = Page::of(&watch.line("http://"));
     let mut events = page.events();
@@ -220,7 +220,7 @@ fn the_page_shows_what_render_draws() {
 }
 
 #[test]
-fn broken_scenes_are_told_and_mended_ones_drawn() {
+fn broken_scenes_are_reported_and_repaired_ones_rendered() {
     let mut watch = Watch::start("");
     let page = Page::of(&watch.line("http://"));
     let mut events = page.events();
@@ -255,7 +255,7 @@ fn broken_scenes_are_told_and_mended_ones_drawn() {
 }
 
 #[test]
-fn nobody_else_is_answered() {
+fn foreign_requests_are_rejected() {
     let mut watch = Watch::start("");
     let page = Page::of(&watch.line("http://"));
     let (host, path) = (&page.host, &page.path);
@@ -285,7 +285,7 @@ fn nobody_else_is_answered() {
 }
 
 #[test]
-fn without_a_page_the_file_is_written_again() {
+fn no_page_mode_rewrites_the_file() {
     let mut watch = Watch::start("--no-page -o out.png");
     watch.line("waiting for the next change");
     let red = image::open(watch.at("out.png")).unwrap().to_rgba8();

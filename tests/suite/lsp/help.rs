@@ -25,7 +25,7 @@ fn action<'a>(actions: &'a Value, title: &str) -> &'a Value {
 }
 
 #[test]
-fn help_is_done() {
+fn code_actions_apply() {
     let mut editor = Editor::new();
     let text = "#version 3.7;\ncamera { location -5*z look_at 0 }\n#declare Ball = sphere { 0, 1 }\n#declare Oak = texture { pigment { rgb 1 } }\n#declare Far = 2\n\
                 Ball { translate Far * x }\nsphere { 0, 1 Oak }\n";
@@ -73,7 +73,7 @@ fn offered(editor: &mut Editor, name: &str, text: &str) -> (Vec<String>, String)
 }
 
 #[test]
-fn more_help_is_done() {
+fn more_code_actions_apply() {
     let mut editor = Editor::new();
     let tail = "camera { location -5*z look_at 0 }\nlight_source { -9, 1 }\n";
     for (i, (text, wanted)) in [

@@ -88,7 +88,7 @@ const KEYS: [&str; 16] =
 
 /// Types a whole text forwards, then edits at random, then deletes it from its end. No diagnostics are left at the end.
 #[test]
-fn typing_leaves_nothing_behind() {
+fn typing_leaves_no_stale_state() {
     let mut editor = Editor::new();
     editor.put("parts.inc", PARTS);
     let uri = editor.open("hall.pov", "");
