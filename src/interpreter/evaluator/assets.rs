@@ -20,9 +20,9 @@ pub(in crate::interpreter) struct Assets {
     /// Shapes built from mesh files.
     pub(in crate::interpreter) meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
     /// Parsed fonts.
-    pub(in crate::interpreter) fonts: FxHashMap<font::Place, Arc<Font>>,
+    pub(in crate::interpreter) fonts: FxHashMap<font::FontLocation, Arc<Font>>,
     /// Font files by the name of the family; `None` for a family that is not installed.
-    pub(in crate::interpreter) families: FxHashMap<String, Option<font::Place>>,
+    pub(in crate::interpreter) families: FxHashMap<String, Option<font::FontLocation>>,
     /// Objects that `trace` or `inside` has queried, by address. The object is kept so that no other one gets its address.
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
 }
