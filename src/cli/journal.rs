@@ -4,7 +4,7 @@
 //! a tile, its pixels and a checksum. A record that is cut off is as good as none; one with a wrong checksum makes the whole journal
 //! worth nothing.
 
-use crate::render::{Region, Tile};
+use crate::render::{FINAL_PASS, Region, Tile};
 use crate::source::ReadFiles;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -58,7 +58,7 @@ const CHUNK: usize = 1 << 16;
 pub struct Journal {
     path: PathBuf,
     /// Where the pixels of tiles of before stand.
-    known: HashMap<(bool, usize, usize), (Region, u64)>,
+    known: HashMap<(u8, usize, usize), (Region, u64)>,
     before: Option<Mutex<File>>,
     begins: Instant,
     state: Mutex<State>,
@@ -92,8 +92,8 @@ impl Journal {
             return Err(reason);
         }
         let (mut known, mut end) = (HashMap::new(), header.len() as u64);
-        while let Some((second, tile, length)) = record(&mut reader)? {
-            known.insert((second, tile.x, tile.y), (tile, end + HEAD as u64));
+        while let Some((pass, tile, length)) = record(&mut reader)? {
+            known.insert((pass, tile.x, tile.y), (tile, end + HEAD as u64));
             end += length as u64;
         }
         drop(reader);
@@ -107,8 +107,8 @@ impl Journal {
     }
 
     /// The pixels of a tile that was drawn before.
-    pub fn recall(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
-        let (area, at) = self.known.get(&(tile.second, tile.area.x, tile.area.y))?;
+    pub fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
+        let (area, at) = self.known.get(&(tile.pass, tile.area.x, tile.area.y))?;
         if *area != tile.area {
             return None;
         }
@@ -122,7 +122,7 @@ impl Journal {
     }
 
     /// Keeps a tile. What can't be written ends the journal, not the picture.
-    pub fn keep(&self, tile: Tile, pixels: &[[f32; 4]]) {
+    pub fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {
         if Instant::now() < self.begins {
             return;
         }
@@ -179,7 +179,7 @@ impl State {
 
 fn append(out: &mut Vec<u8>, tile: Tile, pixels: &[[f32; 4]]) {
     let start = out.len();
-    out.push(tile.second.into());
+    out.push(tile.pass);
     let Region { x, y, width, height } = tile.area;
     [x, y, width, height].iter().for_each(|&n| out.extend((n as u64).to_le_bytes()));
     pixels.as_flattened().iter().for_each(|x| out.extend(x.to_le_bytes()));
@@ -188,7 +188,7 @@ fn append(out: &mut Vec<u8>, tile: Tile, pixels: &[[f32; 4]]) {
 }
 
 /// Pass, tile and length of the next record; `None` at the end, also of one that is cut off.
-fn record(from: &mut impl Read) -> Result<Option<(bool, Region, usize)>, String> {
+fn record(from: &mut impl Read) -> Result<Option<(u8, Region, usize)>, String> {
     let mut bytes = vec![0; HEAD];
     if from.read_exact(&mut bytes).is_err() {
         return Ok(None);
@@ -196,7 +196,7 @@ fn record(from: &mut impl Read) -> Result<Option<(bool, Region, usize)>, String>
     let mut numbers = bytes[1..].as_chunks::<8>().0.iter().map(|&number| u64::from_le_bytes(number) as usize);
     let [x, y, width, height] = [(); 4].map(|()| numbers.next().unwrap_or(0));
     let damaged = || Err("it is damaged".to_string());
-    if width.saturating_mul(height) > MOST || bytes[0] > 1 {
+    if width.saturating_mul(height) > MOST || bytes[0] > FINAL_PASS {
         return damaged();
     }
     bytes.resize(HEAD + width * height * 16 + SUM, 0);
@@ -207,7 +207,7 @@ fn record(from: &mut impl Read) -> Result<Option<(bool, Region, usize)>, String>
     if crc32fast::hash(content).to_le_bytes() != sum {
         return damaged();
     }
-    Ok(Some((bytes[0] == 1, Region { x, y, width, height }, bytes.len())))
+    Ok(Some((bytes[0], Region { x, y, width, height }, bytes.len())))
 }
 
 #[cfg(test)]
@@ -224,7 +224,7 @@ mod tests {
     }
 
     fn tile(x: usize) -> Tile {
-        Tile { second: x % 2 == 1, area: Region { x, y: 3, width: 2, height: 1 } }
+        Tile { pass: (x % 2) as u8, area: Region { x, y: 3, width: 2, height: 1 } }
     }
 
     fn pixels(x: usize) -> Vec<[f32; 4]> {
@@ -233,7 +233,7 @@ mod tests {
 
     fn written(path: &Path) -> Vec<u8> {
         let journal = Journal::new(path.into(), &work("a"), Duration::ZERO);
-        (0..9).for_each(|x| journal.keep(tile(x), &pixels(x)));
+        (0..9).for_each(|x| journal.store_tile(tile(x), &pixels(x)));
         assert_eq!(journal.close(), Some(path));
         std::fs::read(path).unwrap()
     }
@@ -249,11 +249,11 @@ mod tests {
             std::fs::write(&path, &whole[..end]).unwrap();
             let journal = Journal::resume(path.clone(), &work("a")).unwrap();
             for x in 0..9 {
-                let known = journal.recall(tile(x)).map(|p| format!("{p:?}"));
+                let known = journal.load_tile(tile(x)).map(|p| format!("{p:?}"));
                 assert_eq!(known, (x < (end - header) / size).then(|| format!("{:?}", pixels(x))));
             }
-            let missing = (0..9).filter(|x| journal.recall(tile(*x)).is_none());
-            missing.for_each(|x| journal.keep(tile(x), &pixels(x)));
+            let missing = (0..9).filter(|x| journal.load_tile(tile(*x)).is_none());
+            missing.for_each(|x| journal.store_tile(tile(x), &pixels(x)));
             journal.close();
             assert!(std::fs::read(&path).unwrap() == whole);
         }

@@ -18,7 +18,7 @@ use super::{deps, dump, keeping, memory, overlay, povray, session, summary};
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::image_io::Format;
 use crate::interpreter::{self, ParsedFiles, Timing};
-use crate::render::{self, Rays, Region};
+use crate::render::{self, RayCounts, Region};
 use crate::source::{FileId, ReadFiles, Sources, Span};
 use crate::world::World;
 use crate::{Built, Keep, advice};
@@ -252,7 +252,7 @@ struct Job<'a> {
 
 /// A picture in its file.
 struct Drawn {
-    rays: Rays,
+    rays: RayCounts,
     black: bool,
     /// For drawing, and for storing.
     times: [Duration; 2],

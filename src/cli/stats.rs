@@ -6,7 +6,7 @@ use super::exit::Result;
 use super::memory;
 use super::values::Stats;
 use crate::diagnostic::file;
-use crate::render::Rays;
+use crate::render::RayCounts;
 use crate::source::{Disk, Files};
 use serde::Serialize;
 use std::time::Duration;
@@ -16,7 +16,7 @@ use std::time::Duration;
 pub struct Report {
     /// In seconds.
     times: Times,
-    rays: Rays,
+    rays: RayCounts,
     /// The most that was used at once, in bytes; null where the system doesn't tell.
     peak_memory: Option<u64>,
     threads: usize,
@@ -40,7 +40,7 @@ struct Times {
 
 impl Report {
     /// From the times of parsing, building, tracing, encoding and all together.
-    pub fn new(times: [Duration; 5], rays: Rays, args: &RenderArgs) -> Self {
+    pub fn new(times: [Duration; 5], rays: RayCounts, args: &RenderArgs) -> Self {
         let [parse, build, trace, encode, total] = times.map(|t| t.as_secs_f64());
         let size = args.scene.size();
         let processors = || std::thread::available_parallelism().map_or(1, usize::from);

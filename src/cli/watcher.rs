@@ -8,7 +8,7 @@ use super::progress::Progress;
 use super::values::Seconds;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::{Frame, Rows};
-use crate::render::{self, Rays, Stopped, Tile, Watch};
+use crate::render::{self, RayCounts, Stopped, Tile, Watch};
 use crate::source::Span;
 use crate::world::World;
 use std::sync::Arc;
@@ -36,13 +36,13 @@ impl Watch for Watcher {
         interrupt::asked() || self.late() || self.is_stopped()
     }
 
-    fn recall(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
-        self.journal.as_ref()?.recall(tile)
+    fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
+        self.journal.as_ref()?.load_tile(tile)
     }
 
-    fn keep(&self, tile: Tile, pixels: &[[f32; 4]]) {
+    fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {
         if let Some(journal) = &self.journal {
-            journal.keep(tile, pixels);
+            journal.store_tile(tile, pixels);
         }
     }
 }
@@ -54,7 +54,7 @@ impl Watcher {
     }
 
     /// World to the rows of a picture, unless it is stopped.
-    pub fn draw(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<Rays> {
+    pub fn draw(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<RayCounts> {
         if self.cancelled() {
             return Err(self.reason());
         }

@@ -1,4 +1,6 @@
-//! A text that is being edited: places as the protocol counts them, in UTF-16, and changes.
+//! A text that is being edited: positions as the protocol counts them, in UTF-16 units, and changes.
+//!
+//! Not the crate `line-index`: it ends lines at `\n` alone, where scenes may also have `\r`, and it does not follow changes.
 
 use lsp_types::{Position, Range, TextDocumentContentChangeEvent};
 

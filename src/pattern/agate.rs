@@ -4,19 +4,19 @@
 //! sphere { 0, 1 pigment { agate agate_turb 0.7 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{fp, noise};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Reader, Spec};
+use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// Bands along z, displaced by noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agate {
-    /// How much they are displaced; in single precision, as in POV-Ray.
+    /// Strength of the displacement; single precision, as in POV-Ray.
     pub turbulence: f64,
 }
 
@@ -29,7 +29,7 @@ impl Readable for Agate {
     };
 
     const WORDS: &'static [Row<Self>] =
-        &[word("agate_turb", Kind::Float, "1", "how much they are twisted; `turbulence` comes on top of it")
+        &[word("agate_turb", ValueKind::Float, "1", "how much they are twisted; `turbulence` comes on top of it")
             .sets(|s, r| set(&mut s.turbulence, r.float().map(|x| f64::from(x as f32))))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
@@ -39,12 +39,12 @@ impl Readable for Agate {
 
 impl Field for Agate {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &Words::NONE)
+        self.value_as(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        // the constants were fitted to what POV-Ray 3.7 prints
-        let turbulence = noise::turbulence(at.p, words.turbulence.series(), at.noise);
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        // quirk: agate_constants
+        let turbulence = noise::turbulence(at.p, params.turbulence.series(), at.noise);
         let turn = 1.3 * self.turbulence * turbulence + 1.1 * at.p.z;
         fp::pow(0.5 * (fp::sin(TAU * turn) + 1.0), 0.77)
     }

@@ -9,15 +9,15 @@ use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Reader, Spec};
+use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Rows of bricks, each moved by half a brick against the one below.
+/// Rows of bricks; every other row is shifted by half a brick.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Brick {
-    /// From the start of one brick to the start of the next.
+    /// Distance from the start of one brick to the start of the next.
     pub size: DVec3,
-    /// Thickness of the mortar, a part of `size`.
+    /// Thickness of the mortar, as a part of `size`.
     pub mortar: f64,
 }
 
@@ -30,9 +30,9 @@ impl Readable for Brick {
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("brick_size", Kind::Vector, "<8, 3, 4.5>", "a brick with its mortar")
+        word("brick_size", ValueKind::Vector, "<8, 3, 4.5>", "a brick with its mortar")
             .sets(|s, r| set(&mut s.size, r.vector())),
-        word("mortar", Kind::Float, "0.5", "thickness of the mortar").sets(|s, r| set(&mut s.mortar, r.float())),
+        word("mortar", ValueKind::Float, "0.5", "thickness of the mortar").sets(|s, r| set(&mut s.mortar, r.float())),
     ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
@@ -41,7 +41,7 @@ impl Readable for Brick {
 }
 
 impl Brick {
-    /// Where the point lies in its brick, from a corner on.
+    /// Position of the point in its brick, relative to the brick's corner.
     fn within(&self, p: DVec3) -> DVec3 {
         let mut q = (p + EDGE) / self.size;
         // every other row is moved by half a brick in x, the others in z

@@ -3,7 +3,7 @@
 use super::object::Flags;
 use super::settings::{Settings, read_gamma};
 use crate::pattern::read_noise_generator;
-use crate::value::Kind::{Block, Color, Flag, Float};
+use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
 

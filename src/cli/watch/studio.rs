@@ -11,7 +11,7 @@ use crate::cli::{memory, values::Size};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Rows;
 use crate::preview::{self, Change, Files, Message, Screen, Settings, Spot, Told};
-use crate::render::{self, Rays, Region, Stopped};
+use crate::render::{self, RayCounts, Region, Stopped};
 use crate::source::{Sources, Span};
 use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -32,7 +32,7 @@ pub struct Studio {
 
 /// What one picture took.
 struct Drawn {
-    rays: Rays,
+    rays: RayCounts,
     first: Duration,
     whole: Duration,
 }

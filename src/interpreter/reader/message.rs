@@ -6,6 +6,7 @@ use super::super::{Interpreter, reporter::hints};
 use crate::camera::words::{LECTURE, POVRAY};
 use crate::diagnostic::{Diagnostic, Remedy, Result, codes, did_you_mean};
 use crate::light::words::LIGHT;
+use crate::medium::INTERIOR;
 use crate::scene::is_object;
 use crate::scene::words::{MODIFIERS, SETTINGS};
 use crate::shape::SPECS;
@@ -13,9 +14,9 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::fault;
 use crate::syntax::word::lookup;
-use crate::texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT, TEXTURE};
+use crate::texture::words::{FINISH, NORMAL, PIGMENT, TEXTURE};
 use crate::value::words::TRANSFORMS;
-use crate::value::{Kind, Next, Reader};
+use crate::value::{Next, Reader, ValueKind};
 
 impl Interpreter<'_> {
     /// The error "expected …, found …" about the next token.
@@ -256,7 +257,7 @@ impl Interpreter<'_> {
 }
 
 /// Type of the value after a word, if one of the tables defines it.
-fn kind_of(word: &str) -> Option<Kind> {
+fn kind_of(word: &str) -> Option<ValueKind> {
     let tables = [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
     let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
@@ -266,7 +267,7 @@ fn kind_of(word: &str) -> Option<Kind> {
 fn opens_block(word: &str) -> bool {
     is_object(word)
         || matches!(word, "camera" | "background" | "global_settings")
-        || kind_of(word) == Some(Kind::Block) && word != "matrix"
+        || kind_of(word) == Some(ValueKind::Block) && word != "matrix"
 }
 
 /// The error for a word that the block does not take.
@@ -282,11 +283,11 @@ fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagn
 fn value_behind(word: &str) -> (String, String) {
     let (what, value) = match kind_of(word) {
         _ if word == "matrix" => ("twelve numbers", "<…>"),
-        Some(Kind::Float) => ("a number", "0.5"),
-        Some(Kind::Vector2) => ("a vector", "<x, y>"),
-        Some(Kind::Vector) => ("a vector", "<x, y, z>"),
-        Some(Kind::Text) => ("a text", "\"…\""),
-        Some(Kind::Flag | Kind::Nothing) => ("no `{`", ""),
+        Some(ValueKind::Float) => ("a number", "0.5"),
+        Some(ValueKind::Vector2) => ("a vector", "<x, y>"),
+        Some(ValueKind::Vector) => ("a vector", "<x, y, z>"),
+        Some(ValueKind::Text) => ("a text", "\"…\""),
+        Some(ValueKind::Flag | ValueKind::Nothing) => ("no `{`", ""),
         _ if super::begins_color(word) => ("a colour", "rgb <r, g, b>"),
         _ => ("a value", "…"),
     };

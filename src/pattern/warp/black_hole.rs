@@ -10,25 +10,25 @@ use crate::diagnostic::Result;
 use crate::math::noise::Cell;
 use crate::math::{DVec3, fp};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Points within a sphere are moved along its radii.
+/// Moves points within a sphere along its radii.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BlackHole {
-    /// The sphere's centre; with `repeat` that of the block at the origin.
+    /// Centre of the sphere; with `repeat` that of the block at the origin.
     pub center: DVec3,
-    /// The sphere's radius.
+    /// Radius of the sphere.
     pub radius: f64,
-    /// How strong it pulls near the centre.
+    /// Strength of the pull near the centre.
     pub strength: f64,
-    /// To which power the pull grows from the surface to the centre.
+    /// Exponent with which the pull grows from the surface to the centre.
     pub falloff: f64,
-    /// Does it push?
+    /// True if the pattern is pushed away.
     pub inverse: bool,
-    /// Size of the blocks that have a black hole each; none along an axis where it is 0 or less.
+    /// Size of the blocks that have a black hole each; no repetition along an axis where the size is 0 or less.
     pub repeat: DVec3,
-    /// How far each one's centre is moved along each axis, at most; without `repeat` it stays where it is.
+    /// Maximum random displacement of each centre along each axis; none without `repeat`.
     pub turbulence: DVec3,
 }
 
@@ -37,27 +37,27 @@ impl Readable for BlackHole {
         name: "black_hole",
         summary: "pulls the pattern towards a point",
         params: &[
-            Param { name: "center", kind: Kind::Vector, summary: "where to" },
-            Param { name: "radius", kind: Kind::Float, summary: "how far it reaches" },
+            Param { name: "center", kind: ValueKind::Vector, summary: "where to" },
+            Param { name: "radius", kind: ValueKind::Float, summary: "how far it reaches" },
         ],
         words: specs!(Self::WORDS),
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("strength", Kind::Float, "1", "how strong it pulls").sets(|s, r| set(&mut s.strength, r.float())),
-        word("falloff", Kind::Float, "2", "to which power the pull grows from the edge to the centre")
+        word("strength", ValueKind::Float, "1", "how strong it pulls").sets(|s, r| set(&mut s.strength, r.float())),
+        word("falloff", ValueKind::Float, "2", "to which power the pull grows from the edge to the centre")
             .sets(|s, r| set(&mut s.falloff, r.float())),
-        word("inverse", Kind::Nothing, "", "pushes instead of pulling").sets(|s, _| set(&mut s.inverse, Ok(true))),
+        word("inverse", ValueKind::Nothing, "", "pushes instead of pulling").sets(|s, _| set(&mut s.inverse, Ok(true))),
         word(
             "repeat",
-            Kind::Vector,
+            ValueKind::Vector,
             "0",
             "one in each block of this size; 0 for an axis along which they don't repeat",
         )
         .sets(|s, r| set(&mut s.repeat, r.vector())),
-        word("turbulence", Kind::Vector, "0", "how far the centre is moved at random in each block")
+        word("turbulence", ValueKind::Vector, "0", "how far the centre is moved at random in each block")
             .sets(|s, r| set(&mut s.turbulence, r.vector())),
-        word("type", Kind::Float, "0", "kept for POV-Ray's sake, means nothing").sets(|_, r| r.float().map(drop)),
+        word("type", ValueKind::Float, "0", "kept for POV-Ray's sake, means nothing").sets(|_, r| r.float().map(drop)),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -68,17 +68,18 @@ impl Readable for BlackHole {
 }
 
 impl BlackHole {
-    /// The centre of the hole that the point may be in.
+    /// Centre of the hole that may contain the point.
     fn center_near(&self, p: DVec3) -> DVec3 {
         if self.repeat == DVec3::ZERO {
             return self.center;
         }
-        // The hole must lie within its block: moved up and the block widened, if need be.
+        // The hole must be within its block: shift the centre and widen the block if need be.
         let repeats = self.repeat.cmpgt(DVec3::ZERO);
         let center = DVec3::select(repeats, self.center.max(DVec3::splat(self.radius)), self.center);
         let size = self.repeat.max(center + self.radius + self.turbulence.max(DVec3::ZERO));
         let block = DVec3::select(repeats, (p / size).floor(), DVec3::ZERO);
-        // The numbers of unit cubes: each block has those of the cube of its number, as was measured.
+        // Random numbers of unit cubes: each block has those of the cube with its number (quirk:
+        // black_hole_random_cells).
         let random = Cell::of(block).0.random_point();
         block * size + center + self.turbulence * random
     }
@@ -93,7 +94,7 @@ impl Bend for BlackHole {
         }
         // from 0 on the surface to 1 at the centre
         let closeness = (self.radius - distance) / self.radius;
-        // The pattern is pulled inwards where the point sees what lies farther out, at most twice as far.
+        // A pattern is pulled inwards where the point is moved outwards, at most to twice its distance.
         let pull = (self.strength * fp::pow(closeness, self.falloff)).min(1.0);
         if self.inverse { p - pull * out } else { p + pull * out }
     }

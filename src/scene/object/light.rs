@@ -8,7 +8,7 @@ use crate::math::Transform;
 use crate::scene::Defaults;
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Kind, Next, Reader, Vocabulary};
+use crate::value::{Next, Reader, ValueKind, Vocabulary};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -36,7 +36,7 @@ impl From<Light> for LightSource {
 pub const LIGHT_GROUP: Vocabulary = Vocabulary {
     block: "light_group",
     summary: "lights and objects: those lights shine on these objects alone, and other lights do not",
-    words: &[word("global_lights", Kind::Flag, "off", "lights outside of the group shine on its objects too")],
+    words: &[word("global_lights", ValueKind::Flag, "off", "lights outside of the group shine on its objects too")],
     has_transforms: true,
     ignored: &[],
     unsupported: &[],
