@@ -1,53 +1,52 @@
-//! Animations: which frames there are, and what the clock is in each. The rules are POV-Ray 3.7's, found by running it.
+//! Animations: the frames and the clock of each, by the rules of POV-Ray 3.7 (quirk: `animation_clock`).
 
-use super::values::{Clock, Frames};
+use super::args::values::{Clock, Frames};
 use crate::interpreter::Timing;
 
-/// Frames `first` to `last`, of which `start` to `end` are drawn.
+/// Frames `first` to `last`, of which `start` to `end` are rendered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Animation {
     /// `Initial_Frame`.
     pub first: u32,
-    /// `Final_Frame`; one more where the animation is cyclic, as `final_frame` says too.
+    /// `Final_Frame`; a cyclic animation has one frame more, which `final_frame` includes.
     pub last: u32,
     /// `Initial_Clock` and `Final_Clock`.
     pub clock: Clock,
     /// `Subset_Start_Frame`.
     pub start: u32,
-    /// `Subset_End_Frame`; it may lie behind the last.
+    /// `Subset_End_Frame`, which may exceed `last`.
     pub end: u32,
     /// `Frame_Step`.
     pub step: u32,
-    /// How many digits file names have.
+    /// Number of digits in file names.
     pub digits: usize,
 }
 
 impl Animation {
-    /// `--frames A-B:STEP`: all there is.
+    /// The animation of `--frames A-B:STEP`.
     pub fn new(frames: Frames) -> Self {
         let Frames { first, last, step, digits } = frames;
         Self { first, last, clock: Clock { first: 0.0, last: 1.0 }, start: first, end: last, step, digits }
     }
 
-    /// Those frames of it; the clock stays what it is in each.
+    /// Restricts the animation to some frames, which keep their clock.
     pub fn only(&self, frames: Frames) -> Self {
         let Frames { first, last, step, digits } = frames;
         Self { start: first, end: last, step, digits: digits.max(self.digits), ..self.clone() }
     }
 
-    /// The frames that are drawn.
+    /// The numbers of the frames that are rendered.
     pub fn frames(&self) -> impl Iterator<Item = u32> + use<> {
         (self.start..=self.end.max(self.start)).step_by(self.step.max(1) as usize)
     }
 
-    /// Does the animation have this frame? Behind its last one, only if it was asked for one.
+    /// True if the animation has this frame. Frames after `last` count only up to `end`.
     pub fn has(&self, frame: u32) -> bool {
         (self.first..=self.last.max(self.end)).contains(&frame)
     }
 
-    /// What the scene is told in a frame. POV-Ray keeps the clock in 32 bits, which shows: it is 0.181818187 in the third of
-    /// twelve frames. It hands the others on as text, with six digits. Where there is one frame only, POV-Ray's clock is
-    /// not a number; ours is the initial one.
+    /// The values of `clock`, `frame_number` and their kin in a frame. The clock has 32 bits, and the other numbers have six digits. The clock of
+    /// an animation of one frame is the initial one (quirk: `animation_clock`).
     pub fn timing(&self, frame: u32) -> Timing {
         let (first, last) = (self.clock.first as f32, self.clock.last as f32);
         let range = f64::from(last - first);
@@ -66,7 +65,7 @@ impl Animation {
     }
 }
 
-/// A single picture, with the clock of `--clock` if there is one.
+/// The moment of a single picture, with the value of `--clock`.
 pub fn still(clock: Option<Clock>) -> Timing {
     let value = clock.map_or(0.0, |clock| f64::from(clock.first as f32));
     Timing { clock: value, clock_on: clock.is_some(), ..Timing::default() }
@@ -86,7 +85,7 @@ mod tests {
 
     /// `povray +KFF12 +KI… +KF…` and `#debug str(clock,0,9)`.
     #[test]
-    fn clocks_are_those_of_povray() {
+    fn clocks_have_32_bits() {
         let clock = |animation: &Animation, frame| format!("{:.9}", animation.timing(frame).clock);
         let twelve = frames("1-12");
         assert_eq!([3, 8, 10].map(|f| clock(&twelve, f)), ["0.181818187", "0.636363626", "0.818181813"]);
@@ -98,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn the_rest_has_six_digits() {
+    fn initial_clock_and_delta_have_six_digits() {
         let timing = Animation { clock: Clock { first: 12345.6789, last: 0.0012345678 }, ..frames("1-3") }.timing(2);
         let found = [timing.initial_clock, timing.final_clock, timing.clock_delta];
         assert_eq!(found, [12345.7, 0.00123457, -6172.84]);
@@ -106,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn one_frame_has_a_clock_too() {
+    fn the_clock_of_one_frame_is_the_initial_one() {
         let timing = frames("5-5").timing(5);
         assert_eq!((timing.clock, timing.clock_delta, timing.initial_frame, timing.final_frame), (0.0, 1.0, 5, 5));
         assert_eq!(still(None), Timing::default());
@@ -114,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn a_part_keeps_the_clock() {
+    fn a_subset_keeps_the_clock() {
         let all = frames("1-30");
         let part = all.only("7-9:2".parse().unwrap());
         assert_eq!(part.frames().collect::<Vec<_>>(), [7, 9]);

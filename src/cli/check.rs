@@ -1,9 +1,11 @@
-//! `durer check INPUT…`: reads and evaluates, draws nothing.
+//! `durer check INPUT…`: reads and evaluates scenes without rendering.
 
-use super::args::{CheckArgs, CheckFormat, Deny, Warn};
+use super::animation::Animation;
+use super::args::{CheckArgs, CheckFormat, Deny, RenderArgs, Warn};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::inputs::Inputs;
+use super::overlay::Invocation;
 use super::summary::Word;
 use super::{overlay, session, summary};
 use crate::diagnostic::{Diagnostic, Severity};
@@ -13,35 +15,39 @@ use crate::syntax::lint::{self, Lints};
 use crate::{Keep, advice};
 use std::path::Path;
 
-/// Checks all inputs; the worst decides the exit code.
-pub fn run(console: &Console, args: &CheckArgs) -> Result {
+/// Checks all inputs; the worst result determines the exit code. `animation` comes from POV-Ray's options.
+pub fn run(console: &Console, args: &CheckArgs, animation: Option<Animation>) -> Result {
     let inputs = Inputs::of(&args.inputs)?;
     let human = args.format == CheckFormat::Human;
     if let ([input], false) = (&inputs.all[..], inputs.several) {
-        let exit = check(console, args, input)?;
-        // Programs see the exit code, a person would see nothing at all.
+        let exit = check(console, args, &animation, input)?;
+        // A program reads the exit code; a person would see no output.
         if human && console.terminal && exit == Exit::Fine {
-            console.note(&summary::line(Word::Ok, input.display(), &console.take_count().to_string()));
+            console.info(&summary::line(Word::Ok, input.display(), &console.take_count().to_string()));
         }
         return Ok(exit);
     }
-    let tell = |line: &str| if human && !console.quiet { console.data(line) } else { Ok(()) };
-    summary::each(console, &inputs.all, tell, |console, input| Ok((check(console, args, input)?, String::new())))
+    let print = |line: &str| if human && !console.quiet { console.data(line) } else { Ok(()) };
+    summary::each(console, &inputs.all, print, |console, input| {
+        Ok((check(console, args, &animation, input)?, String::new()))
+    })
 }
 
-fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
+fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, input: &Path) -> Result {
     let sources = Sources::default();
-    let (input, scene) = match overlay::read_ini(&sources, input, args.warn.contains(&Warn::Options)) {
-        Ok(None) => (input.to_path_buf(), args.scene.clone()),
-        Ok(Some((cli, warnings))) => {
-            report(console, args, &sources, &warnings)?;
-            overlay::scene_over(cli, &args.scene)
+    let invocation = Invocation::of_scene(input, &args.scene, animation.clone());
+    let invocation = match overlay::read_ini(&sources, input, args.warn.contains(&Warn::Options)) {
+        Ok(None) => invocation,
+        Ok(Some(ini)) => {
+            report(console, args, &sources, &ini.warnings)?;
+            invocation.over(ini)
         }
         Err(faults) => {
             report(console, args, &sources, &faults)?;
             return Ok(faults.iter().find(|d| d.severity == Severity::Error).map_or(Exit::Usage, |d| Exit::of(d.code)));
         }
     };
+    let Invocation { input, args: RenderArgs { scene, .. }, animation, .. } = invocation;
     let file = match session::open(&sources, &input) {
         Ok(file) => file,
         Err(Failure::Fault(fault)) => {
@@ -50,7 +56,7 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
         }
         Err(other) => return Err(other),
     };
-    let options = session::reading_options(&scene, &input, session::timing(&scene)?);
+    let options = session::reading_options(&scene, &input, session::timing(&scene, animation.as_ref())?);
     let parsed = ParsedFiles::default();
     let doubtful = args.warn.contains(&Warn::Doubtful);
     let keep = if doubtful { Keep::Both } else { Keep::World };
@@ -65,7 +71,7 @@ fn check(console: &Console, args: &CheckArgs, input: &Path) -> Result {
     Ok(session::verdict(built.limit_reached, &built.diagnostics))
 }
 
-/// What `--warn` asks for; the scene's own file is the first that was parsed.
+/// The warnings that `--warn` asks for; the scene's own file is the first that was parsed.
 fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
     let asked = |what| args.warn.contains(&what);
     let lints = Lints { unused: asked(Warn::Unused), shadow: asked(Warn::Shadow), portable: asked(Warn::Portable) };

@@ -1,4 +1,4 @@
-//! `durer completions SHELL`: a script that completes our options.
+//! `durer completions SHELL`: prints a script that completes durer's options.
 
 use super::Cli;
 use super::args::CompletionsArgs;

@@ -1,4 +1,4 @@
-//! Messages go to stderr, data to stdout; neither panics when the other end is closed.
+//! Output: messages go to stderr, data to stdout. A closed stream causes no panic.
 
 use super::args::{Common, When};
 use super::exit::{Exit, Failure, Result};
@@ -11,25 +11,25 @@ use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::rc::Rc;
 
-/// Where messages are as wide as no terminal says.
+/// Width of messages without a terminal, in columns.
 const WIDTH: usize = 100;
 
-/// How we talk.
+/// Output of a command.
 #[derive(Clone, Debug)]
 pub struct Console {
     style: draw::Style,
-    /// What was told so far; its clones share it.
-    told: Rc<Cell<Count>>,
-    /// One of several scenes is being told of: the counts stand on its line.
+    /// Number of messages that were printed; clones share it.
+    printed: Rc<Cell<Count>>,
+    /// True while one of several scenes is processed, whose line gives the number of messages.
     among_several: bool,
-    /// Errors only.
+    /// True if only errors are printed.
     pub quiet: bool,
-    /// Is someone watching stderr?
+    /// True if stderr is a terminal.
     pub terminal: bool,
 }
 
 impl Console {
-    /// As `--color` and `--quiet` say.
+    /// The output that `--color` and `--quiet` ask for.
     pub fn new(common: &Common) -> Self {
         let terminal = io::stderr().is_terminal();
         let plain = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty())
@@ -41,35 +41,35 @@ impl Console {
         };
         let columns = terminal_size::terminal_size_of(io::stderr()).map(|(width, _)| usize::from(width.0));
         let style = draw::Style { fancy, width: columns.unwrap_or(WIDTH).max(40) };
-        Self { style, told: Rc::default(), among_several: false, quiet: common.quiet, terminal }
+        Self { style, printed: Rc::default(), among_several: false, quiet: common.quiet, terminal }
     }
 
-    /// Before the command line is understood.
+    /// The output before the command line is parsed.
     pub fn plain() -> Self {
         Self::new(&Common { quiet: false, color: When::Auto })
     }
 
-    /// For several scenes, each of which has a line of its own that counts its messages.
+    /// The output for one of several scenes, each of which has its own line with the number of messages.
     pub fn among_several(&self) -> Self {
         Self { among_several: true, ..self.clone() }
     }
 
-    /// Does another line tell what becomes of a scene?
+    /// True if another line gives the result of the scene.
     pub fn is_among_several(&self) -> bool {
         self.among_several
     }
 
-    /// How many messages were told since this was asked last.
+    /// Returns the number of messages since the last call.
     pub fn take_count(&self) -> Count {
-        self.told.take()
+        self.printed.take()
     }
 
-    /// Data, to stdout.
+    /// Writes data to stdout.
     pub fn data(&self, bytes: impl AsRef<[u8]>) -> Result<()> {
         to_stdout(|out| out.write_all(bytes.as_ref()))
     }
 
-    /// Data as JSON on one line, to stdout.
+    /// Writes data to stdout, as JSON on one line.
     pub fn json(&self, value: &impl serde::Serialize) -> Result<()> {
         to_stdout(|out| {
             serde_json::to_writer(&mut *out, value)?;
@@ -77,47 +77,47 @@ impl Console {
         })
     }
 
-    /// A message, to stderr as it is, unless `--quiet`.
-    pub fn note(&self, text: &str) {
+    /// Writes a message to stderr, unless `--quiet` is given.
+    pub fn info(&self, text: &str) {
         if !self.quiet {
-            say(text);
+            print_message(text);
         }
     }
 
-    /// Diagnostics as a person reads them, errors first, and how many there were.
+    /// Formats diagnostics for a person, errors first, and their number.
     pub fn text(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
-        let wanted = |severity| move |d: &&Diagnostic| d.severity == severity;
-        let errors = diagnostics.iter().filter(wanted(Severity::Error));
-        let warnings = diagnostics.iter().filter(wanted(Severity::Warning)).filter(|_| !self.quiet);
-        let told: Vec<_> = errors.chain(warnings).collect();
-        let mut text: String = told.iter().map(|d| draw::render(d, sources, self.style) + "\n").collect();
-        let count = Count::of(told.iter().copied());
-        self.told.set(self.told.get().and(count));
-        if told.len() > 1 && !self.among_several {
+        let of = |severity| move |d: &&Diagnostic| d.severity == severity;
+        let errors = diagnostics.iter().filter(of(Severity::Error));
+        let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| !self.quiet);
+        let wanted: Vec<_> = errors.chain(warnings).collect();
+        let mut text: String = wanted.iter().map(|d| draw::render(d, sources, self.style) + "\n").collect();
+        let count = Count::of(wanted.iter().copied());
+        self.printed.set(self.printed.get().and(count));
+        if wanted.len() > 1 && !self.among_several {
             text += &format!("{count}\n");
         }
         text
     }
 
-    /// [`Console::text`] to stderr.
+    /// Writes [`Console::text`] to stderr.
     pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
-        say(&self.text(sources, diagnostics));
+        print_message(&self.text(sources, diagnostics));
     }
 
-    /// Diagnostics for programs, one JSON object a line, to stdout.
+    /// Writes diagnostics to stdout for programs, one JSON object a line.
     pub fn report_json(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         diagnostics.iter().try_for_each(|d| self.json(&as_json(sources, d)))
     }
 
-    /// Diagnostics for editors, one a line, to stdout: `a.scene:3:7: error[E0204]: message`.
+    /// Writes diagnostics to stdout for editors, one a line: `a.scene:3:7: error[E0204]: message`.
     pub fn report_short(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {
         let wanted = |d: &&Diagnostic| !self.quiet || d.severity == Severity::Error;
         let lines: String = diagnostics.iter().filter(wanted).map(|d| d.line(sources) + "\n").collect();
         self.data(lines)
     }
 
-    /// Tells why a command failed.
-    pub fn tell(&self, failure: Failure) -> Exit {
+    /// Prints the reason of a failure, and returns the exit code.
+    pub fn print_failure(&self, failure: Failure) -> Exit {
         match failure {
             Failure::Usage(error) => {
                 let _ = error.print();
@@ -125,17 +125,17 @@ impl Console {
             }
             other => {
                 let (exit, text) = self.text_of(&Sources::default(), other);
-                say(&text);
+                print_message(&text);
                 exit
             }
         }
     }
 
-    /// The exit code of a failure, and what is to be told.
+    /// The exit code of a failure, and the text that is to be printed.
     pub fn text_of(&self, sources: &Sources, failure: Failure) -> (Exit, String) {
         match failure {
-            Failure::Told(exit) => (exit, String::new()),
-            Failure::NobodyListens => (Exit::Fine, String::new()),
+            Failure::Reported(exit) => (exit, String::new()),
+            Failure::BrokenPipe => (Exit::Fine, String::new()),
             Failure::Fault(fault) => (Exit::of(fault.code), self.text(sources, std::slice::from_ref(&fault))),
             Failure::Usage(error) => (Exit::Usage, error.to_string()),
         }
@@ -145,17 +145,17 @@ impl Console {
 fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<()> {
     let mut out = io::BufWriter::new(io::stdout().lock());
     write(&mut out).and_then(|()| out.flush()).map_err(|error| match error.kind() {
-        io::ErrorKind::BrokenPipe => Failure::NobodyListens,
+        io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
         _ => Failure::Fault(Box::new(file::unwritable(&Disk, Path::new("standard output"), &error))),
     })
 }
 
-/// To stderr; when nobody listens there is nobody to tell.
-pub fn say(text: &str) {
+/// Writes to stderr; ignores a closed stream.
+pub fn print_message(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// `code severity message file line column end{line column} help labels trace`; the place is null where there is none.
+/// Fields: `code severity message file line column end{line column} help labels trace`; a missing position is null.
 fn as_json(sources: &Sources, d: &Diagnostic) -> serde_json::Value {
     let place = sources.place(d.span());
     let place = place.as_ref();

@@ -1,15 +1,15 @@
-//! How the program ends.
+//! Exit codes, and the reasons for which a command ends early.
 
 use crate::diagnostic::{Code, Fault, codes};
 
 /// The exit codes (`durer help` lists them).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exit {
-    /// All is well.
+    /// Success.
     Fine = 0,
-    /// The scene is wrong.
+    /// The scene has errors.
     Scene = 1,
-    /// The command line is wrong.
+    /// The command line has errors.
     Usage = 2,
     /// A snapshot differs.
     Snapshot = 3,
@@ -22,7 +22,7 @@ pub enum Exit {
 }
 
 impl Exit {
-    /// For an error that is not in the scene's text.
+    /// The exit code of an error outside of the scene's text.
     pub fn of(code: Code) -> Exit {
         match code {
             codes::FILE_NOT_FOUND | codes::FILE_UNREADABLE | codes::FILE_UNWRITABLE | codes::PICTURE_BROKEN => {
@@ -36,20 +36,20 @@ impl Exit {
     }
 }
 
-/// Why a command ends before its end.
+/// Reason for which a command ends early.
 #[derive(Debug)]
 pub enum Failure {
-    /// To be told; without a place in a text.
+    /// A fault that is not reported yet, without a position in a text.
     Fault(Fault),
-    /// To be told as clap does.
+    /// An error of the command line, which clap prints.
     Usage(Box<clap::Error>),
-    /// All was told already.
-    Told(Exit),
-    /// Whoever reads our output has left.
-    NobodyListens,
+    /// Everything is reported already.
+    Reported(Exit),
+    /// The reader of standard output is gone.
+    BrokenPipe,
 }
 
-/// What commands return.
+/// Result of a command.
 pub type Result<T = Exit> = std::result::Result<T, Failure>;
 
 impl From<Fault> for Failure {
@@ -58,7 +58,7 @@ impl From<Fault> for Failure {
     }
 }
 
-/// A command line that contradicts itself, told as clap would.
+/// The error for a contradictory command line, in the form of clap's own errors.
 pub fn usage<T>(message: impl std::fmt::Display) -> Result<T> {
     use clap::CommandFactory;
     let error = super::Cli::command().error(clap::error::ErrorKind::ArgumentConflict, message);

@@ -1,4 +1,4 @@
-//! `durer explain CODE`: what a message means and what to do about it.
+//! `durer explain CODE`: explains a message and its remedy.
 
 use super::args::ExplainArgs;
 use super::console::Console;
@@ -25,8 +25,8 @@ pub fn run(console: &Console, args: &ExplainArgs) -> Result {
     Ok(Exit::Fine)
 }
 
-/// The codes that are meant: `E0203` itself, or the error and the warning where the letter is left out; zeros may be left out
-/// too. What stands around a code in a message is passed over: `error[E0203]`.
+/// The codes that a text names: `E0203`, or the error and the warning of a number without a letter. Leading zeros are optional, and so is
+/// the surrounding text of a message: `error[E0203]`.
 fn codes_of(wanted: &str) -> Vec<&'static Explanation> {
     let wanted = wanted.trim();
     let wanted = wanted.split_once('[').map_or(wanted, |(_, code)| code.trim_end_matches([':', ']']));
@@ -37,15 +37,15 @@ fn codes_of(wanted: &str) -> Vec<&'static Explanation> {
     letters.into_iter().filter_map(|letter| codes::find(&format!("{letter}{number:04}"))).collect()
 }
 
-/// The one whose number is nearest, of the same letter if there is one.
+/// The code with the nearest number, preferably of the same letter.
 fn nearest_code(wanted: &str) -> Option<&'static Explanation> {
     let number = |code: &str| code.trim_matches(|c: char| !c.is_ascii_digit()).parse::<i64>().ok();
     let (letter, wanted) = (wanted.chars().next()?.to_ascii_uppercase(), number(wanted)?);
     codes::ALL
         .iter()
         .filter_map(|e| {
-            let apart = number(e.code.0)?.saturating_sub(wanted).abs();
-            Some(((!e.code.0.starts_with(letter), apart), e))
+            let distance = number(e.code.0)?.saturating_sub(wanted).abs();
+            Some(((!e.code.0.starts_with(letter), distance), e))
         })
         .min_by_key(|(key, _)| *key)
         .map(|(_, e)| e)

@@ -1,4 +1,4 @@
-//! `durer fmt [PATH…]`: writes scenes as they should look.
+//! `durer fmt [PATH…]`: formats scenes.
 
 use super::args::FmtArgs;
 use super::console::Console;
@@ -10,7 +10,7 @@ use crate::source::{Disk, Files, Sources, texts_below};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// Formats all files that are named; the worst decides the exit code.
+/// Formats all named files; the worst result determines the exit code.
 pub fn run(console: &Console, args: &FmtArgs) -> Result {
     let mut worst = Exit::Fine;
     for path in files(&args.paths)? {
@@ -19,7 +19,7 @@ pub fn run(console: &Console, args: &FmtArgs) -> Result {
     Ok(worst)
 }
 
-/// Those in folders, by their names; each once.
+/// Replaces folders by their files, sorted by name; no file twice.
 fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let here = [PathBuf::from(".")];
     let mut all = vec![];
@@ -29,7 +29,7 @@ fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
             continue;
         }
         if path.canonicalize().is_ok_and(|folder| folder.parent().is_none()) {
-            // All files of the machine are nobody's scenes.
+            // Refuse the root folder: nobody means all files of the machine.
             session::check_input(path)?;
         }
         let found = texts_below(&Disk, path).map_err(|e| Box::new(file::unreadable(&Disk, path, &e.into())))?;
@@ -44,30 +44,30 @@ fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
 }
 
 fn one(console: &Console, args: &FmtArgs, path: &Path) -> Result {
-    let piped = path.as_os_str() == "-";
-    let name = if piped { "<stdin>".to_string() } else { path.display().to_string() };
+    let is_stdin = path.as_os_str() == "-";
+    let name = if is_stdin { "<stdin>".to_string() } else { path.display().to_string() };
     let sources = Sources::default();
-    let encoded = match bytes(path, piped).map_err(Into::into).and_then(format::decode) {
+    let encoded = match bytes(path, is_stdin).map_err(Into::into).and_then(format::decode) {
         Ok(encoded) => encoded,
-        Err(error) => return Ok(tell(console, &sources, &[file::unreadable(&Disk, path, &error)])),
+        Err(error) => return Ok(report(console, &sources, &[file::unreadable(&Disk, path, &error)])),
     };
-    let Some(place) = sources.add(&name, (!piped).then_some(path), encoded.text.clone()) else {
+    let Some(file) = sources.add(&name, (!is_stdin).then_some(path), encoded.text.clone()) else {
         let text = format!("`{name}` is too large: a file holds at most 4 GB");
         let fault = Diagnostic::new(codes::FILE_UNREADABLE, crate::source::Span::NONE, text);
-        return Ok(tell(console, &sources, &[fault]));
+        return Ok(report(console, &sources, &[fault]));
     };
-    match encoded.formatted(sources.base(place), args.width.into()) {
+    match encoded.formatted(sources.base(file), args.width.into()) {
         Ok(text) => finish(console, args, path, &encoded, &text),
         Err(faults) => {
-            let exit = tell(console, &sources, &faults);
-            console.note(&format!("`{name}` is left as it is\n"));
+            let exit = report(console, &sources, &faults);
+            console.info(&format!("`{name}` is unchanged\n"));
             Ok(exit)
         }
     }
 }
 
-fn bytes(path: &Path, piped: bool) -> std::io::Result<Vec<u8>> {
-    if !piped {
+fn bytes(path: &Path, is_stdin: bool) -> std::io::Result<Vec<u8>> {
+    if !is_stdin {
         return Disk.read(path);
     }
     let mut bytes = vec![];
@@ -75,8 +75,8 @@ fn bytes(path: &Path, piped: bool) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Tells what is wrong with a file.
-fn tell(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Exit {
+/// Reports the faults of a file, and returns the exit code.
+fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Exit {
     console.report(sources, faults);
     faults.iter().map(|fault| Exit::of(fault.code)).max().unwrap_or(Exit::Scene)
 }
@@ -88,23 +88,23 @@ fn diff(name: &str, old: &str, new: &str) -> String {
 }
 
 fn finish(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded, new: &str) -> Result {
-    let same = old.text == new;
+    let is_same = old.text == new;
     let name = path.display().to_string();
     if args.diff {
         console.data(diff(&name, &old.text, new))?;
     }
     if args.check {
-        if !same {
-            super::console::say(&format!("{name}\n"));
+        if !is_same {
+            super::console::print_message(&format!("{name}\n"));
         }
-        return Ok(if same { Exit::Fine } else { Exit::Scene });
+        return Ok(if is_same { Exit::Fine } else { Exit::Scene });
     }
     if args.diff {
         return Ok(Exit::Fine);
     }
     if name == "-" {
         console.data(old.encode(new))?;
-    } else if !same {
+    } else if !is_same {
         Disk.write(path, &old.encode(new)).map_err(|error| Box::new(file::unwritable(&Disk, path, &error)))?;
     }
     Ok(Exit::Fine)

@@ -6,17 +6,17 @@ use crate::diagnostic::file;
 use crate::source::{Disk, scenes_below};
 use std::path::PathBuf;
 
-/// What is to be drawn or checked.
+/// Scenes to render or check.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inputs {
-    /// In the order of the command line, those of a folder by their names; each once.
+    /// All scenes in the order of the command line, those of a folder sorted by name; none twice.
     pub all: Vec<PathBuf>,
-    /// Several were named, or a folder, so that each has a line of its own.
+    /// True if several inputs or a folder were named: each scene then gets its own line of output.
     pub several: bool,
 }
 
 impl Inputs {
-    /// Looks into folders. What isn't there is told when it is its turn.
+    /// Replaces folders by their scenes. A missing file is reported when it is processed.
     pub fn of(named: &[PathBuf]) -> Result<Self> {
         let mut all = Vec::new();
         for input in named {
@@ -26,7 +26,7 @@ impl Inputs {
                 continue;
             }
             if input.canonicalize().is_ok_and(|folder| folder.parent().is_none()) {
-                // All files of the machine are nobody's scenes.
+                // Refuse the root folder: nobody means all files of the machine.
                 session::check_input(&input)?;
             }
             let scenes =
@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn folders_give_their_scenes() {
+    fn folders_are_replaced_by_their_scenes() {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         std::fs::create_dir_all(at("b/.hidden")).unwrap();

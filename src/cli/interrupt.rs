@@ -1,40 +1,40 @@
-//! Ctrl-C: at once while nothing is at stake, in an orderly way while a picture is drawn or written.
+//! Ctrl-C ends the program at once, or after cleaning up while a picture is rendered or written.
 
 use super::exit::Exit;
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 
-static ASKED: AtomicBool = AtomicBool::new(false);
-static ORDERLY: AtomicBool = AtomicBool::new(false);
+static REQUESTED: AtomicBool = AtomicBool::new(false);
+static DEFERRED: AtomicBool = AtomicBool::new(false);
 
-/// Listens from now on. The second Ctrl-C always ends the program at once.
+/// Installs the handler. The second Ctrl-C always ends the program at once.
 pub fn listen() {
-    // Where no handler can be set, Ctrl-C does what the system does.
+    // If the handler cannot be installed, the system's default applies.
     let _ = ctrlc::set_handler(|| {
-        let again = ASKED.swap(true, SeqCst);
-        if again || !ORDERLY.load(SeqCst) {
+        let again = REQUESTED.swap(true, SeqCst);
+        if again || !DEFERRED.load(SeqCst) {
             std::process::exit(Exit::Interrupted as i32);
         }
     });
 }
 
-/// Was Ctrl-C pressed?
-pub fn asked() -> bool {
-    ASKED.load(SeqCst)
+/// True after Ctrl-C.
+pub fn is_requested() -> bool {
+    REQUESTED.load(SeqCst)
 }
 
-/// As long as this lives, Ctrl-C only asks.
-pub struct Orderly(());
+/// While a value of this type exists, Ctrl-C does not end the program, but is visible in [`is_requested`].
+pub struct Deferred(());
 
-impl Orderly {
-    /// From now on.
+impl Deferred {
+    /// Starts deferring.
     pub fn begin() -> Self {
-        ORDERLY.store(true, SeqCst);
+        DEFERRED.store(true, SeqCst);
         Self(())
     }
 }
 
-impl Drop for Orderly {
+impl Drop for Deferred {
     fn drop(&mut self) {
-        ORDERLY.store(false, SeqCst);
+        DEFERRED.store(false, SeqCst);
     }
 }

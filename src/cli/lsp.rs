@@ -1,4 +1,4 @@
-//! `durer lsp`: see [`crate::lsp`].
+//! `durer lsp`: runs the language server; see [`crate::lsp`].
 
 use super::args::LspArgs;
 use super::exit::{Exit, Failure, Result};
@@ -7,12 +7,12 @@ use crate::lsp;
 use crate::source::Disk;
 use std::path::Path;
 
-/// Serves the editor at the other end of standard input and output until it leaves.
+/// Serves an editor over standard input and output until it disconnects.
 pub fn run(args: &LspArgs) -> Result {
     match lsp::serve(&args.include) {
         Ok(true) => Ok(Exit::Fine),
-        // It left without a word.
-        Ok(false) => Err(Failure::Told(Exit::Scene)),
+        // The editor disconnected without the shutdown request.
+        Ok(false) => Err(Failure::Reported(Exit::Scene)),
         Err(error) => Err(Failure::Fault(Box::new(file::unwritable(&Disk, Path::new("standard output"), &error)))),
     }
 }

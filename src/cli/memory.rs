@@ -1,32 +1,32 @@
-//! Is there memory for the picture?
+//! Checks whether memory suffices for a picture.
 
-use super::values::Size;
+use super::args::values::Size;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::render::{self, Region};
 use crate::source::Span;
 
-/// So many pixels at most, which take years.
-const MOST: u128 = 1 << 36;
+/// Largest number of pixels, which would take years.
+const MAX_PIXELS: u128 = 1 << 36;
 
-/// E0006 if nobody could wait for a picture of this size.
+/// Refuses a picture with more than [`MAX_PIXELS`] (E0006).
 pub fn check_size(size: Size) -> Result<()> {
-    if size.width as u128 * size.height as u128 <= MOST {
+    if size.width as u128 * size.height as u128 <= MAX_PIXELS {
         return Ok(());
     }
-    let text = format!("a picture of {}x{} is too large: {MOST} pixels are the most", size.width, size.height);
-    Diagnostic::new(codes::PICTURE_TOO_LARGE, Span::NONE, text).help("draw it smaller with `--size`").into()
+    let text = format!("a picture of {}x{} is too large: {MAX_PIXELS} pixels are the most", size.width, size.height);
+    Diagnostic::new(codes::PICTURE_TOO_LARGE, Span::NONE, text).help("make it smaller with `--size`").into()
 }
 
-/// E0006 if a picture of this size, or a part of it, has no room in what `--max-memory` allows, or in what is free; `kept` bytes a
-/// pixel stay until the file is finished.
+/// Refuses a picture, or a part of it, that needs more memory than `limit` (`--max-memory`) or than is free (E0006). Each pixel
+/// occupies `kept` bytes until the file is finished.
 pub fn check_drawing(size: Size, part: Option<Region>, kept: usize, limit: Option<u64>) -> Result<()> {
     check_size(size)?;
     let Size { width, height } = size;
-    let drawn = part.unwrap_or(Region { x: 0, y: 0, width, height });
-    let needed = (width as u128 * height as u128 * kept as u128).saturating_add(render::memory_bytes(drawn));
+    let rendered = part.unwrap_or(Region { x: 0, y: 0, width, height });
+    let needed = (width as u128 * height as u128 * kept as u128).saturating_add(render::memory_bytes(rendered));
     let fault = |rest: String| {
         let text = format!("a picture of {}x{} takes {} of memory; {rest}", size.width, size.height, in_words(needed));
-        let help = "draw it smaller with `--size`, or a part of it with `--region`";
+        let help = "make it smaller with `--size`, or render a part of it with `--region`";
         Diagnostic::new(codes::PICTURE_TOO_LARGE, Span::NONE, text).help(help).into()
     };
     if let Some(limit) = limit {
@@ -38,20 +38,20 @@ pub fn check_drawing(size: Size, part: Option<Region>, kept: usize, limit: Optio
     }
     match usize::try_from(needed).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes)) {
         Ok(Ok(())) => Ok(()),
-        _ => fault("the system doesn't give so much".into()),
+        _ => fault("the system refuses to allocate it".into()),
     }
 }
 
-/// What a scene may use if nothing else is said: most of what is free, so that a run-away scene ends in a message before the
-/// system ends it.
+/// The memory limit without `--max-memory`: most of what is free, so that a runaway scene ends with a message before the system
+/// kills the process.
 pub fn default_limit() -> Option<u64> {
     let most = available().map(|free| free / 10 * 9);
-    // A list that grows needs new room beside the old; in a rationed address space both count.
-    let rationed = address_space().map(|free| free / 3);
-    most.into_iter().chain(rationed).min()
+    // A growing list is copied: in a limited address space the old and the new copy both count.
+    let limited = address_space().map(|free| free / 3);
+    most.into_iter().chain(limited).min()
 }
 
-/// What is left in bytes where `ulimit -v` rations addresses.
+/// Bytes of address space that `ulimit -v` leaves; `None` without such a limit.
 fn address_space() -> Option<u64> {
     let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
     let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
@@ -59,12 +59,12 @@ fn address_space() -> Option<u64> {
     Some(limit.saturating_sub(kilobytes("/proc/self/status", "VmSize:")?))
 }
 
-/// Free memory in bytes, where the system tells.
+/// Free memory in bytes; `None` if the system does not report it.
 fn available() -> Option<u64> {
     kilobytes("/proc/meminfo", "MemAvailable:")
 }
 
-/// The most memory this process ever used, in bytes, where the system tells.
+/// Largest memory of this process so far, in bytes; `None` if the system does not report it.
 pub fn peak() -> Option<u64> {
     kilobytes("/proc/self/status", "VmHWM:")
 }
@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_too_large_is_refused() {
+    fn pictures_that_are_too_large_are_refused() {
         let fits = |width, height, kept, limit| check_drawing(Size { width, height }, None, kept, limit).is_ok();
         assert!(fits(640, 480, 0, None) && !fits(640, 480, 0, Some(1000)));
         assert!(!fits(100_000, 100_000, 16, Some(100_000_000_000)));
@@ -98,14 +98,14 @@ mod tests {
     }
 
     #[test]
-    fn rows_that_are_stored_at_once_take_no_room() {
+    fn rows_that_are_written_at_once_need_no_memory() {
         let size = Size { width: 8000, height: 8000 };
         let fits = |kept, limit| check_drawing(size, None, kept, Some(limit)).is_ok();
         assert!(fits(0, 40 << 20) && !fits(16, 1_000_000_000) && fits(16, 1_100_000_000));
     }
 
     #[test]
-    fn sizes_in_words() {
+    fn sizes_have_units() {
         assert_eq!([0, 999, 1000, 32_000_000_000_000].map(in_words), ["0 bytes", "999 bytes", "1 KB", "32 TB"]);
     }
 }

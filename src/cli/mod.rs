@@ -1,22 +1,16 @@
-//! The command line: one file for each command. Only here is anything printed, and only here does the program end.
+//! The command line: a file or a folder for each command. Only this module prints and ends the program.
 
 mod animation;
 mod args;
-mod canvas;
 mod check;
-mod choices;
 mod completions;
 mod console;
-mod deps;
-mod dump;
 mod exit;
 mod explain;
-mod film;
 mod fmt;
 mod inputs;
 mod interrupt;
 mod journal;
-mod keeping;
 #[cfg(feature = "lsp")]
 mod lsp;
 pub mod manual;
@@ -25,78 +19,74 @@ mod new;
 mod overlay;
 mod pick;
 mod povray;
-mod progress;
 mod query;
 mod render;
 mod session;
-mod stats;
 mod summary;
-mod target;
 pub mod test;
 mod unknown;
-mod values;
 #[cfg(feature = "watch")]
 mod watch;
-mod watcher;
 
 use crate::diagnostic::Severity;
-use crate::source::{ReadFiles, Sources};
+use crate::source::Sources;
 use args::Command;
 pub use args::{Cli, Common};
-use clap::CommandFactory;
+use clap::{CommandFactory, Parser};
 use console::Console;
 pub use exit::{Exit, Failure, Result};
 pub use povray::ini_names;
+use render::Context;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::LazyLock;
 
-/// What clap knows of the command line, put together once.
+/// clap's description of the command line, computed once.
 fn commands() -> &'static clap::Command {
     static COMMAND: LazyLock<clap::Command> = LazyLock::new(Cli::command);
     &COMMAND
 }
 
-/// Runs the program with these words, the first being its own name.
+/// Runs the program. The first of `words` is the name of the program.
 pub fn main(words: Vec<OsString>) -> ExitCode {
     interrupt::listen();
     let exit = crate::on_big_stack(|| {
-        let (console, cli, ini_files) = match understand(words) {
-            Ok(understood) => understood,
-            Err(failure) => return Console::plain().tell(failure),
+        let (console, command, context) = match parse(words) {
+            Ok(parsed) => parsed,
+            Err(failure) => return Console::plain().print_failure(failure),
         };
-        dispatch(&console, &cli.command, ini_files).unwrap_or_else(|failure| console.tell(failure))
+        dispatch(&console, &command, context).unwrap_or_else(|failure| console.print_failure(failure))
     });
     ExitCode::from(exit as u8)
 }
 
-/// The command line in our own words, and the INI files that it was read from; POV-Ray's words are translated first.
-fn understand(words: Vec<OsString>) -> Result<(Console, Cli, ReadFiles)> {
+/// Parses the command line, after a translation of POV-Ray's options into durer's own. The context holds what durer's options cannot express.
+fn parse(words: Vec<OsString>) -> Result<(Console, Command, Context)> {
     unknown::check(&words)?;
     let sources = Sources::default();
     let povray::Translated { words, animation, mut diagnostics, idle } = povray::translate(&sources, words);
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
-        return Err(overlay::tell(&Console::plain(), &sources, &diagnostics));
+        return Err(overlay::report(&Console::plain(), &sources, &diagnostics));
     }
-    let cli = overlay::parse(words, animation).map_err(|e| Failure::Usage(Box::new(e)))?;
-    let console = Console::new(&cli.common);
-    let tells_all = match &cli.command {
+    let Cli { common, command } = Cli::try_parse_from(words).map_err(|e| Failure::Usage(Box::new(e)))?;
+    let console = Console::new(&common);
+    let warns_of_idle = match &command {
         Command::Render(args) => !args.warn.is_empty(),
         Command::Check(args) => args.warn.contains(&args::Warn::Options),
         _ => false,
     };
-    if tells_all {
+    if warns_of_idle {
         diagnostics.extend(idle);
     }
     console.report(&sources, &diagnostics);
-    Ok((console, cli, sources.read_files()))
+    Ok((console, command, Context { animation, ini_files: sources.read_files(), stop: None }))
 }
 
-fn dispatch(console: &Console, command: &Command, ini_files: ReadFiles) -> Result {
+fn dispatch(console: &Console, command: &Command, context: Context) -> Result {
     match command {
-        Command::Render(args) => render::run(console, args, ini_files),
-        Command::Check(args) => check::run(console, args),
-        Command::Pick(args) => pick::run(console, args),
+        Command::Render(args) => render::run(console, args, context).0,
+        Command::Check(args) => check::run(console, args, context.animation),
+        Command::Pick(args) => pick::run(console, args, context.animation),
         Command::Test(args) => test::run(console, args),
         Command::Fmt(args) => fmt::run(console, args),
         Command::New(args) => new::run(console, args),

@@ -1,22 +1,42 @@
-//! What the command line says, over what an INI file says.
+//! Merges the command line with the INI file that it names: the command line has precedence.
 
+use super::Cli;
 use super::animation::Animation;
-use super::args::{LookArgs, RenderArgs, SceneArgs};
+use super::args::{Command, LookArgs, RenderArgs, SceneArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::povray;
-use super::{Cli, Command};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::source::Sources;
+use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::source::{Sources, Span};
 use clap::Parser;
 use std::path::{Path, PathBuf};
 
-/// What an INI file asks for, as if it had been typed; `None` where the input is none. `all` tells idle options too.
-pub fn read_ini(
-    sources: &Sources,
-    input: &Path,
-    all: bool,
-) -> std::result::Result<Option<(Cli, Vec<Diagnostic>)>, Vec<Diagnostic>> {
+/// Arguments of one scene, and what only an INI file or POV-Ray's options can add to them.
+#[derive(Clone, Debug)]
+pub struct Invocation {
+    /// The scene, or the INI file that names it.
+    pub input: PathBuf,
+    /// Options of the command line and of the INI file.
+    pub args: RenderArgs,
+    /// Animation of an INI file or of POV-Ray's options.
+    pub animation: Option<Animation>,
+    /// True if the command line names the output of a scene that an INI file describes: a single frame then gets exactly this name.
+    pub exact_name: bool,
+}
+
+/// An INI file as arguments.
+pub struct IniFile {
+    invocation: Invocation,
+    quiet: bool,
+    /// Warnings about the file.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Reads the INI file `input`; `None` if `input` is not an INI file. With `all`, the warnings include options without effect.
+///
+/// # Errors
+/// The errors and warnings of a broken INI file.
+pub fn read_ini(sources: &Sources, input: &Path, all: bool) -> std::result::Result<Option<IniFile>, Vec<Diagnostic>> {
     if !povray::is_ini(&input.to_string_lossy()) {
         return Ok(None);
     }
@@ -25,98 +45,92 @@ pub fn read_ini(
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Err(diagnostics);
     }
-    match parse(words, animation) {
-        Ok(cli) => Ok(Some((cli, diagnostics))),
-        // The translation has checked all values; what is left is told without a place.
+    match Cli::try_parse_from(words) {
+        Ok(Cli { common, command: Command::Render(args) }) => {
+            let input = args.inputs.first().cloned().unwrap_or_default();
+            let invocation = Invocation { input, args: *args, animation, exact_name: false };
+            Ok(Some(IniFile { invocation, quiet: common.quiet, warnings: diagnostics }))
+        }
+        Ok(_) => Ok(None),
+        // The translation has checked all values; other errors have no position in the file.
         Err(error) => {
             let text = error.to_string();
             let line = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_string();
-            Err(vec![Diagnostic::new(crate::diagnostic::codes::UNKNOWN_OPTION, crate::source::Span::NONE, line)])
+            Err(vec![Diagnostic::new(codes::UNKNOWN_OPTION, Span::NONE, line)])
         }
     }
 }
 
-/// Our own words, with the animation that they can't say.
-pub fn parse(words: Vec<std::ffi::OsString>, animation: Option<Animation>) -> std::result::Result<Cli, clap::Error> {
-    let mut cli = Cli::try_parse_from(words)?;
-    match &mut cli.command {
-        Command::Render(args) => {
-            args.scene.animation = animation;
-            args.input = args.inputs.first().cloned().unwrap_or_default();
+impl Invocation {
+    /// The command line's arguments for one of its inputs.
+    pub fn new(input: &Path, args: RenderArgs, animation: Option<Animation>) -> Self {
+        Self { input: input.to_path_buf(), args, animation, exact_name: false }
+    }
+
+    /// The command line's arguments for a command that writes no picture.
+    pub fn of_scene(input: &Path, scene: &SceneArgs, animation: Option<Animation>) -> Self {
+        Self::new(input, RenderArgs { scene: scene.clone(), ..RenderArgs::default() }, animation)
+    }
+
+    /// Merges with the INI file that `input` is, if it is one; reports its faults.
+    pub fn with_ini(self, console: &Console, sources: &Sources) -> Result<(Console, Self)> {
+        let ini = match read_ini(sources, &self.input, !self.args.warn.is_empty()) {
+            Ok(None) => return Ok((console.clone(), self)),
+            Ok(Some(ini)) => ini,
+            Err(faults) => return Err(report(console, sources, &faults)),
+        };
+        let mut console = console.clone();
+        console.quiet |= ini.quiet;
+        console.report(sources, &ini.warnings);
+        Ok((console, self.over(ini)))
+    }
+
+    /// Merges with an INI file.
+    pub fn over(self, ini: IniFile) -> Self {
+        let Invocation { input, args, animation, .. } = ini.invocation;
+        let animation = animation.or(self.animation);
+        Self {
+            input,
+            exact_name: self.args.output.is_some(),
+            animation: animation.map(|a| Animation { clock: self.args.scene.clock.unwrap_or(a.clock), ..a }),
+            args: self.args.over(args),
         }
-        Command::Check(args) => args.scene.animation = animation,
-        Command::Pick(args) => args.scene.animation = animation,
-        _ => {}
-    }
-    Ok(cli)
-}
-
-/// The arguments with those of the INI file, if the input is one; its faults are told.
-pub fn with_ini(console: &Console, sources: &Sources, args: &RenderArgs) -> Result<(Console, RenderArgs)> {
-    let (cli, diagnostics) = match read_ini(sources, &args.input, !args.warn.is_empty()) {
-        Ok(None) => return Ok((console.clone(), args.clone())),
-        Ok(Some(found)) => found,
-        Err(faults) => return Err(tell(console, sources, &faults)),
-    };
-    let mut quieter = console.clone();
-    quieter.quiet |= cli.common.quiet;
-    quieter.report(sources, &diagnostics);
-    match cli.command {
-        Command::Render(ini) => Ok((quieter, args.over(*ini))),
-        _ => Ok((quieter, args.clone())),
     }
 }
 
-/// The same where no picture is written.
-pub fn scene_with_ini(console: &Console, input: &Path, scene: &SceneArgs) -> Result<(PathBuf, SceneArgs)> {
-    let args = RenderArgs { input: input.into(), scene: scene.clone(), ..RenderArgs::default() };
-    let (_, args) = with_ini(console, &Sources::default(), &args)?;
-    Ok((args.input, args.scene))
-}
-
-/// The scene that an INI file names, and its arguments below those of the command line.
-pub fn scene_over(ini: Cli, scene: &SceneArgs) -> (PathBuf, SceneArgs) {
-    match ini.command {
-        Command::Render(ini) => (ini.input, scene.over(ini.scene)),
-        _ => (PathBuf::new(), scene.clone()),
-    }
-}
-
-/// Reports, and gives the exit code of the first error.
-pub fn tell(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Failure {
+/// Reports faults, and returns the exit code of the first error.
+pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Failure {
     console.report(sources, faults);
     let first = faults.iter().find(|d| d.severity == Severity::Error);
-    Failure::Told(first.map_or(Exit::Usage, |d| Exit::of(d.code)))
+    Failure::Reported(first.map_or(Exit::Usage, |d| Exit::of(d.code)))
 }
 
 impl RenderArgs {
-    /// These, and the INI file's where these say nothing.
-    pub fn over(&self, ini: RenderArgs) -> RenderArgs {
+    /// These arguments, and the INI file's where these are absent.
+    fn over(self, ini: RenderArgs) -> RenderArgs {
         RenderArgs {
             inputs: ini.inputs,
-            input: ini.input,
-            exact_name: self.output.is_some(),
             resume: self.resume || ini.resume,
-            keep_after: self.keep_after,
-            stop: self.stop.clone(),
             no_output: self.no_output || ini.no_output && self.output.is_none(),
-            format: self.format.clone().or(if self.output.is_some() { None } else { ini.format }),
+            format: self.format.or(if self.output.is_some() { None } else { ini.format }),
             gray: self.gray || ini.gray,
-            bit_depth: self.bit_depth.clone().or(ini.bit_depth),
+            bit_depth: self.bit_depth.or(ini.bit_depth),
             file_gamma: self.file_gamma.or(ini.file_gamma),
             dither: self.dither.or(ini.dither),
             exr_packing: self.exr_packing.or(ini.exr_packing),
-            output: self.output.clone().or(ini.output),
+            output: self.output.or(ini.output),
             scene: self.scene.over(ini.scene),
             look: self.look.over(&ini.look),
-            frames: self.frames,
             region: self.region.or(ini.region),
             threads: self.threads.or(ini.threads),
             progress: self.progress.or(ini.progress),
-            stats: self.stats.clone(),
-            warn: self.warn.clone(),
+            // Options that an INI file does not have:
+            keep_after: self.keep_after,
+            frames: self.frames,
+            stats: self.stats,
+            warn: self.warn,
             dump: self.dump,
-            deps: self.deps.clone(),
+            deps: self.deps,
         }
     }
 }
@@ -136,21 +150,20 @@ impl LookArgs {
 }
 
 impl SceneArgs {
-    fn over(&self, ini: SceneArgs) -> SceneArgs {
-        let animation = ini.animation.or(self.animation.clone());
+    fn over(self, ini: SceneArgs) -> SceneArgs {
         SceneArgs {
-            include: [self.include.clone(), ini.include].concat(),
-            allow_read: self.allow_read.clone(),
-            allow_write: self.allow_write.clone(),
-            // The later declaration of a name counts.
-            declare: [ini.declare, self.declare.clone()].concat(),
+            include: [self.include, ini.include].concat(),
+            // The last declaration of a name is valid.
+            declare: [ini.declare, self.declare].concat(),
             language: self.language.or(ini.language),
             size: self.size.or(ini.size),
-            frame: self.frame,
-            animation: animation.map(|a| Animation { clock: self.clock.unwrap_or(a.clock), ..a }),
             clock: self.clock.or(ini.clock),
-            library: self.library,
             single_tokens: false,
+            // Options that an INI file does not have:
+            allow_read: self.allow_read,
+            allow_write: self.allow_write,
+            frame: self.frame,
+            library: self.library,
             max_steps: self.max_steps,
             max_memory: self.max_memory,
             max_time: self.max_time,

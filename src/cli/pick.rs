@@ -1,11 +1,12 @@
-//! `durer pick INPUT X,Y`: what is seen through one pixel, and which text put it there.
+//! `durer pick INPUT X,Y`: the object that one pixel shows, and the text that describes it.
 
+use super::animation::Animation;
 use super::args::PickArgs;
+use super::args::values::Size;
 use super::console::Console;
 use super::exit::{Exit, Result};
-use super::overlay;
+use super::overlay::Invocation;
 use super::session;
-use super::values::Size;
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Label, codes};
 use crate::interpreter::{self, ParsedFiles};
@@ -18,39 +19,40 @@ use crate::world::World;
 use crate::{Built, Keep};
 use serde::Serialize;
 
-/// What `--json` prints; `t` is the distance in world space along the unit ray.
+/// Output of `--json`.
 #[derive(Serialize)]
-struct Seen<'a> {
+struct Output<'a> {
     hit: bool,
     #[serde(flatten)]
-    what: Option<What<'a>>,
+    object: Option<PickedObject<'a>>,
 }
 
 #[derive(Serialize)]
-struct What<'a> {
+struct PickedObject<'a> {
     shape: &'a str,
+    /// Distance from the camera in world units.
     t: f64,
     point: [f64; 3],
     normal: [f64; 3],
     uv: [f64; 2],
-    /// What the picture shows there: linear red, green and blue.
+    /// Linear red, green and blue of the picture there.
     color: [f64; 3],
-    source: Option<Source>,
-    /// Where the outermost object around it stands.
-    placed: Option<Source>,
-    /// The macro calls and includes through which it came into the scene, innermost first.
+    source: Option<Position>,
+    /// Position of the outermost object that contains this one.
+    placed: Option<Position>,
+    /// Macro calls and includes that created the object, innermost first.
     trace: Vec<Step>,
 }
 
-/// Where something stands, for programs.
+/// A position in a text, for programs.
 #[derive(Serialize, Clone, PartialEq)]
-pub(super) struct Source {
+pub(super) struct Position {
     pub file: String,
     pub line: usize,
     pub column: usize,
 }
 
-impl From<Place> for Source {
+impl From<Place> for Position {
     fn from(place: Place) -> Self {
         Self { file: place.file, line: place.line, column: place.column }
     }
@@ -60,44 +62,45 @@ impl From<Place> for Source {
 struct Step {
     text: String,
     #[serde(flatten)]
-    place: Option<Source>,
+    place: Option<Position>,
 }
 
-/// Prints what the pixel sees.
-pub fn run(console: &Console, args: &PickArgs) -> Result {
-    let (input, scene) = overlay::scene_with_ini(console, &session::named(&args.input), &args.scene)?;
-    let args = &PickArgs { input, scene, ..args.clone() };
-    let size = args.scene.size();
+/// Prints the object that the pixel shows. `animation` comes from POV-Ray's options.
+pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> Result {
+    let invocation = Invocation::of_scene(&session::named(&args.input), &args.scene, animation);
+    let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
+    let size = merged.scene.size();
     let inside = |at: i64, side: usize| usize::try_from(at).ok().filter(|&at| at < side);
     let (Some(x), Some(y)) = (inside(args.pixel.x, size.width), inside(args.pixel.y, size.height)) else {
         return Ok(outside(args, size)?);
     };
     let sources = Sources::default();
-    let file = session::open_or_tell(console, &sources, &args.input)?;
-    let timing = session::timing(&args.scene)?;
-    let options = session::reading_options(&args.scene, &args.input, timing);
+    let file = session::open_or_report(console, &sources, &input)?;
+    let timing = session::timing(&merged.scene, animation.as_ref())?;
+    let options = session::reading_options(&merged.scene, &input, timing);
     let options = interpreter::Options { origins: true, ..options };
     let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
     let world = session::settle(console, &sources, &mut built)?;
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
-    let seen = Sight { sources: &sources, color: color_of(&world, &drawing, x, y), built: Some(&built) };
+    let pixel = PixelReport { sources: &sources, color: color_of(&world, &drawing, x, y), built: Some(&built) };
     let picked = render::pick(&world, &drawing, x, y);
     let origin = picked.as_ref().and_then(|picked| origin_of(&built, &drawing, (x, y), picked));
     if args.json {
-        let what = picked.as_ref().map(|p| seen.describe(p, origin));
-        console.json(&Seen { hit: what.is_some(), what })?;
+        let object = picked.as_ref().map(|p| pixel.describe(p, origin));
+        console.json(&Output { hit: object.is_some(), object })?;
     } else {
-        console.data(seen.in_words(picked.as_ref(), origin))?;
+        console.data(pixel.in_words(picked.as_ref(), origin))?;
     }
     Ok(Exit::Fine)
 }
 
-/// The same for those who have a picture already, whose light there is known.
+/// The text for a pixel of a finished picture, where its colour is `color`.
+#[cfg(feature = "watch")]
 pub(super) fn words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3]) -> String {
-    Sight { sources, built: None, color }.in_words(picked, None)
+    PixelReport { sources, built: None, color }.in_words(picked, None)
 }
 
-/// The colour of one pixel, as it is drawn without anti-aliasing.
+/// The colour of one pixel without anti-aliasing.
 fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f64; 3] {
     let region = Some(Region { x, y, width: 1, height: 1 });
     let drawn = render::render(world, &render::Options { region, ..drawing.clone() }, &Unwatched);
@@ -106,17 +109,17 @@ fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f6
     [r, g, b]
 }
 
-/// Which of the scene's outermost objects is seen there. A World has no outermost objects any more, so the scene is drawn with
-/// half of them, and half of those, until one is left.
+/// The number of the outermost object that is visible in a pixel. A World does not contain the outermost objects, so a bisection over
+/// subsets of them renders the pixel until one object is left.
 fn origin_of(built: &Built, drawing: &render::Options, (x, y): (usize, usize), picked: &Picked) -> Option<usize> {
     let scene = built.scene.as_ref()?;
     let mut range = 0..scene.objects.len();
     while range.len() > 1 {
         let middle = range.start + range.len() / 2;
         let half = Scene { objects: scene.objects[range.start..middle].to_vec(), ..frame_of(scene) };
-        let seen = crate::world::lower(&half).ok().and_then(|world| render::pick(&world, drawing, x, y));
-        let there = seen.is_some_and(|seen| seen.source == picked.source && seen.t == picked.t);
-        range = if there { range.start..middle } else { middle..range.end };
+        let found = crate::world::lower(&half).ok().and_then(|world| render::pick(&world, drawing, x, y));
+        let is_there = found.is_some_and(|found| found.source == picked.source && found.t == picked.t);
+        range = if is_there { range.start..middle } else { middle..range.end };
     }
     Some(range.start).filter(|at| *at < built.origins.len())
 }
@@ -133,16 +136,16 @@ fn outside(args: &PickArgs, size: Size) -> crate::diagnostic::Result<Exit> {
     Diagnostic::new(codes::OUTSIDE_PICTURE, Span::NONE, text).help(help).into()
 }
 
-/// What one pixel shows.
-struct Sight<'a> {
+/// Description of one pixel.
+struct PixelReport<'a> {
     sources: &'a Sources,
-    /// Tells where things were placed.
+    /// The Scene with the origins of its objects.
     built: Option<&'a Built>,
     color: [f64; 3],
 }
 
-impl Sight<'_> {
-    /// Where the outermost object stands, unless the thing itself stands there.
+impl PixelReport<'_> {
+    /// The position of the outermost object; `None` if the picked object has the same position.
     fn placed(&self, picked: &Picked, origin: Option<usize>) -> Option<Place> {
         let object = self.built?.scene.as_ref()?.objects.get(origin?)?;
         self.sources.place(object.source).filter(|_| object.source != picked.source)
@@ -152,10 +155,10 @@ impl Sight<'_> {
         origin.and_then(|at| self.built?.origins.get(at)).map_or(&[], Vec::as_slice)
     }
 
-    fn describe<'p>(&self, p: &'p Picked, origin: Option<usize>) -> What<'p> {
-        let place = |span: Span| self.sources.place(span).map(Source::from);
+    fn describe<'p>(&self, p: &'p Picked, origin: Option<usize>) -> PickedObject<'p> {
+        let place = |span: Span| self.sources.place(span).map(Position::from);
         let step = |label: &Label| Step { text: label.text.clone(), place: place(label.span) };
-        What {
+        PickedObject {
             shape: p.shape,
             t: p.t,
             point: p.point,
@@ -163,7 +166,7 @@ impl Sight<'_> {
             uv: p.uv,
             color: self.color,
             source: place(p.source),
-            placed: self.placed(p, origin).map(Source::from),
+            placed: self.placed(p, origin).map(Position::from),
             trace: self.trace(origin).iter().map(step).collect(),
         }
     }
@@ -186,15 +189,15 @@ impl Sight<'_> {
     }
 }
 
-/// As painting programs write it: `#ff8000`.
+/// The colour in the notation of painting programs: `#ff8000`.
 fn on_screen(color: [f64; 3]) -> String {
     let byte = |x: f64| (transfer::srgb_encode(x.clamp(0.0, 1.0)) * 255.0).round() as u8;
     let [r, g, b] = color.map(byte);
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Numbers as a person would write them: six digits of the largest, or of `scale` if that is larger, and no more behind the
-/// point for the others, whose further digits are noise.
+/// Formats numbers with six digits of the largest (or of `scale`, if that is larger) and the same number of decimal places for the others,
+/// whose further digits are noise.
 fn list(numbers: &[f64], scale: f64) -> String {
     let largest = numbers.iter().fold(scale.abs(), |most, x| most.max(x.abs()));
     if !largest.is_finite() || largest == 0.0 {
@@ -209,7 +212,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_those_of_a_person() {
+    fn lists_have_six_digits_of_the_largest_number() {
         assert_eq!(list(&[4.008710037062282], 0.0), "4.00871");
         assert_eq!(list(&[-0.0000001, 1.0, 0.99999999], 1.0), "0, 1, 1");
         assert_eq!(list(&[1e-9, -1e-9], 4.0), "0, 0");
@@ -220,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_on_the_screen() {
+    fn colours_are_clamped_and_encoded() {
         assert_eq!(on_screen([1.0, 0.2158605, -1.0]), "#ff8000");
     }
 }

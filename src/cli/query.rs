@@ -1,10 +1,11 @@
-//! `durer query INPUT`: what is in a scene, where the text stands that put it there, and how large it is in the world.
+//! `durer query INPUT`: lists the contents of a scene, with positions in the text and sizes in the world.
 
 use super::args::QueryArgs;
 use super::console::Console;
 use super::exit::{Exit, Result};
-use super::pick::Source;
-use super::{overlay, session};
+use super::overlay::Invocation;
+use super::pick::Position;
+use super::session;
 use crate::interpreter::ParsedFiles;
 use crate::light::{Beam, Light};
 use crate::math::{Aabb, DVec3, Transform};
@@ -19,7 +20,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// What `--json` prints.
+/// Output of `--json`.
 #[derive(Serialize, Default)]
 struct Contents {
     cameras: Vec<CameraRow>,
@@ -30,10 +31,10 @@ struct Contents {
 
 #[derive(Serialize)]
 struct CameraRow {
-    source: Option<Source>,
-    /// Is it the one that draws?
+    source: Option<Position>,
+    /// True for the camera of the picture.
     used: bool,
-    /// What follows is told of that one.
+    /// This and the following fields are null for all other cameras.
     projection: Option<String>,
     location: Option<[f64; 3]>,
     direction: Option<[f64; 3]>,
@@ -41,7 +42,7 @@ struct CameraRow {
 
 #[derive(Serialize)]
 struct LightRow {
-    source: Option<Source>,
+    source: Option<Position>,
     kind: &'static str,
     location: [f64; 3],
     color: [f64; 3],
@@ -49,15 +50,15 @@ struct LightRow {
 
 #[derive(Serialize)]
 struct ObjectRow {
-    source: Option<Source>,
+    source: Option<Position>,
     word: &'static str,
-    /// How many shapes it is made of.
+    /// Number of shapes in the object.
     shapes: u32,
-    /// Two corners in the world; null for what has no end, and where nothing is left.
+    /// Corners of the bounding box in world space; null for infinite and for empty objects.
     #[serde(rename = "box")]
     pov_bounds: Option<[[f64; 3]; 2]>,
     infinite: bool,
-    /// Counts from 0 in `textures`.
+    /// Index in `textures`.
     texture: usize,
 }
 
@@ -65,18 +66,21 @@ struct ObjectRow {
 struct TextureRow {
     pigment: String,
     layers: usize,
-    /// How many outermost objects wear it, and where the first one stands.
+    /// Number of outermost objects with this texture.
     objects: usize,
-    first: Option<Source>,
+    /// Position of the first of them.
+    first: Option<Position>,
 }
 
-/// Lists what is in the scene.
+/// Prints the contents of the scene.
 pub fn run(console: &Console, args: &QueryArgs) -> Result {
-    let (input, scene) = overlay::scene_with_ini(console, &session::named(&args.input), &args.scene)?;
+    let invocation = Invocation::of_scene(&session::named(&args.input), &args.scene, None);
+    let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
+    let scene = merged.scene;
     session::check_input(&input)?;
     let sources = Sources::default();
-    let file = session::open_or_tell(console, &sources, &input)?;
-    let options = session::reading_options(&scene, &input, session::timing(&scene)?);
+    let file = session::open_or_report(console, &sources, &input)?;
+    let options = session::reading_options(&scene, &input, session::timing(&scene, animation.as_ref())?);
     let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
     let world = session::settle(console, &sources, &mut built)?;
     let contents = contents(&built, &world, &sources);
@@ -98,7 +102,7 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
             continue;
         }
         let texture = object.texture.as_ref().map_or(&object.default_texture, |painted| &painted.texture);
-        let source = sources.place(object.source).map(Source::from);
+        let source = sources.place(object.source).map(Position::from);
         let number = *numbers.entry(Arc::as_ptr(texture)).or_insert_with(|| {
             out.textures.push(row_of_texture(texture, source.clone()));
             out.textures.len() - 1
@@ -120,14 +124,14 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
     out
 }
 
-/// All of them; the last one draws.
+/// All cameras; the last one renders the picture.
 fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
     let spans = if scene.cameras.is_empty() { &[Span::NONE][..] } else { &scene.cameras };
     let row = |(i, span): (usize, &Span)| {
         let used = i + 1 == spans.len();
         let frame = used.then_some(world.eye.frame);
         CameraRow {
-            source: sources.place(*span).map(Source::from),
+            source: sources.place(*span).map(Position::from),
             used,
             projection: used.then(|| name_of(&world.eye.projection)),
             location: frame.map(|frame| frame.origin.into()),
@@ -137,7 +141,7 @@ fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
     spans.iter().enumerate().map(row).collect()
 }
 
-/// The lights in an object, which has been moved so.
+/// Adds the lights in an object, whose parent has the transform `moved`.
 fn lights(object: &Object, moved: &Transform, sources: &Sources, out: &mut Vec<LightRow>) {
     let moved = object.transform.then(moved);
     match &object.kind {
@@ -155,11 +159,11 @@ fn row_of_light(light: &Light, moved: &Transform, sources: &Sources) -> LightRow
         Beam::Spotlight(_) => "spotlight",
         Beam::Cylinder(_) => "cylinder",
     };
-    let source = sources.place(light.source).map(Source::from);
+    let source = sources.place(light.source).map(Position::from);
     LightRow { source, kind, location: moved.point(light.location).into(), color: light.color.into() }
 }
 
-fn row_of_texture(texture: &Texture, first: Option<Source>) -> TextureRow {
+fn row_of_texture(texture: &Texture, first: Option<Position>) -> TextureRow {
     let top = texture.layers.last();
     let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit()) {
         (Some(choice), _) => name_of(&choice.pattern.kind),
@@ -179,7 +183,7 @@ fn row_of_texture(texture: &Texture, first: Option<Source>) -> TextureRow {
     TextureRow { pigment: pigment.unwrap_or_default(), layers: texture.layers.len(), objects: 0, first }
 }
 
-/// The innermost word by which a thing of the language is known: `{"field": {"granite": …}}` is `granite`.
+/// The innermost word of a serialized item of the language: `granite` of `{"field": {"granite": …}}`.
 fn name_of(thing: &impl Serialize) -> String {
     let mut value = serde_json::to_value(thing).unwrap_or_default();
     let mut name = String::new();
@@ -196,23 +200,23 @@ fn name_of(thing: &impl Serialize) -> String {
     name
 }
 
-/// The box around all of its surfaces; what scripts are told where there is no such thing.
+/// The bounding box of an object's surfaces, or the box of `max_extent` where the World has none.
 fn pov_bounds(object: &Object) -> Aabb {
     Probe::new(object).map_or_else(|_| object.pov_bounds(), |probe| probe.bounds())
 }
 
-/// What is further away than this has no end.
+/// Distance beyond which an object is infinite.
 const FAR: f64 = 1e9;
 
 fn is_finite(pov_bounds: &Aabb) -> bool {
     pov_bounds.is_finite() && pov_bounds.min.min_element() > -FAR && pov_bounds.max.max_element() < FAR
 }
 
-// ------------------------------------------------------------ as a person reads it
+// ------------------------------------------------------------ output for a person
 
 fn in_words(contents: &Contents) -> String {
     let mut rows: Vec<[String; 2]> = vec![];
-    let place = |source: &Option<Source>| match source {
+    let place = |source: &Option<Position>| match source {
         Some(source) => format!("{}:{}:{}", source.file, source.line, source.column),
         None => String::new(),
     };
@@ -241,16 +245,16 @@ fn in_words(contents: &Contents) -> String {
     rows.iter().map(|[place, text]| format!("{place:width$}  {text}\n")).collect()
 }
 
-/// Objects that one text made.
+/// Describes objects that one position in the text created.
 fn objects_in_words(same: &[ObjectRow]) -> String {
     let first = &same[0];
     let count = if same.len() > 1 { format!("{} × ", same.len()) } else { String::new() };
     let corner = |corners: [f64; 3]| DVec3::from_array(corners);
     let boxes = same.iter().filter_map(|row| row.pov_bounds).map(|[a, b]| Aabb { min: corner(a), max: corner(b) });
     let pov_bounds = match boxes.reduce(Aabb::union) {
-        _ if same.iter().any(|row| row.infinite) => "without end".into(),
+        _ if same.iter().any(|row| row.infinite) => "infinite".into(),
         Some(all) => format!("{} to {}", vector(&all.min.to_array()), vector(&all.max.to_array())),
-        None => "nothing of it is left".into(),
+        None => "empty".into(),
     };
     let shapes =
         if first.shapes > 1 { format!(" of {}", counted(first.shapes as usize, "shape")) } else { String::new() };
@@ -259,7 +263,7 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
     format!("{count}{}{shapes}, {pov_bounds}, {}", first.word, numbers("texture", range))
 }
 
-/// Textures that one text made, the first of which has this number.
+/// Describes textures that one position in the text created; the first one has this number.
 fn textures_in_words(same: &[TextureRow], number: usize) -> String {
     let first = &same[0];
     let layers = if first.layers > 1 { format!(", {} layers", first.layers) } else { String::new() };
@@ -276,7 +280,7 @@ fn counted(n: usize, thing: &str) -> String {
     format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
 }
 
-/// Four digits behind the point are enough to find a thing.
+/// Formats a vector with four decimal places, enough to find an object.
 fn vector(numbers: &[f64]) -> String {
     let texts: Vec<_> = numbers.iter().map(|x| if x.is_finite() { decimal(*x, 4) } else { x.to_string() }).collect();
     format!("<{}>", texts.join(", "))

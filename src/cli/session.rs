@@ -1,11 +1,11 @@
-//! From the name of a scene to its World, with the messages on the way.
+//! Steps that several commands share: find, read and evaluate a scene, and report its messages.
 
 use super::animation::{self, Animation};
+use super::args::values::{Frames, Size};
 use super::args::{AaMethod, Library, LookArgs, SceneArgs};
-use super::console::{Console, say};
+use super::console::{Console, print_message};
 use super::exit::{Exit, Failure, Result, usage};
 use super::memory;
-use super::values::{Frames, Size};
 use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{SampleLayout, Sampling};
@@ -17,7 +17,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The input; POV-Ray reads `scene.pov` when told `scene`, and so do we, and other endings too.
+/// The file that an input names: `scene` stands for `scene.pov`, as in POV-Ray, or for a file with another ending of a scene.
 pub fn named(input: &Path) -> PathBuf {
     let endings = ["pov", "scene", "ini"].into_iter();
     let mut others = endings.map(|ending| PathBuf::from(format!("{}.{ending}", input.display())));
@@ -25,7 +25,7 @@ pub fn named(input: &Path) -> PathBuf {
     found.unwrap_or_else(|| input.to_path_buf())
 }
 
-/// Is there something to read? Asked first, so that a slip in the input's name is told before anything else.
+/// Checks that the input exists. Called first, so that a mistyped name is reported before anything else.
 pub fn check_input(input: &Path) -> Result<()> {
     if input == Path::new("-") || input.is_file() {
         return Ok(());
@@ -49,20 +49,20 @@ pub fn open(sources: &Sources, input: &Path) -> Result<FileId> {
     }
 }
 
-/// Reads the scene, and tells at once if it can't.
-pub fn open_or_tell(console: &Console, sources: &Sources, input: &Path) -> Result<FileId> {
+/// Reads the scene, and reports the fault if that fails.
+pub fn open_or_report(console: &Console, sources: &Sources, input: &Path) -> Result<FileId> {
     open(sources, input).map_err(|failure| match failure {
         Failure::Fault(fault) => {
             console.report(sources, std::slice::from_ref(&fault));
-            Failure::Told(Exit::of(fault.code))
+            Failure::Reported(Exit::of(fault.code))
         }
         other => other,
     })
 }
 
-/// The moment of a single picture: `--frame` of the animation, or its first one.
-pub fn timing(args: &SceneArgs) -> Result<Timing> {
-    match (&args.animation, args.frame) {
+/// The moment of a single picture: `--frame` of the animation, or its first frame.
+pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing> {
+    match (animation, args.frame) {
         (Some(animation), Some(frame)) if !animation.has(frame) => usage(format!(
             "there is no frame {frame}: the animation goes from {} to {}",
             animation.first, animation.end
@@ -77,7 +77,7 @@ pub fn timing(args: &SceneArgs) -> Result<Timing> {
     }
 }
 
-/// What the interpreter is given for this scene.
+/// The options of text → World for a scene.
 pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
@@ -107,12 +107,12 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
     }
 }
 
-/// `--aa`
+/// Default of `--aa`.
 pub const DEFAULT_THRESHOLD: f64 = 0.3;
-/// `--quality`
+/// Default of `--quality`.
 const DEFAULT_QUALITY: u8 = 9;
 
-/// How the whole picture is drawn.
+/// The options of World → picture, for the whole picture.
 pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, timing: Timing) -> render::Options {
     let Size { width, height } = scene.size();
     render::Options {
@@ -142,7 +142,7 @@ fn sampling(look: &LookArgs) -> Sampling {
     }
 }
 
-/// Text to World; what the scene prints goes to stderr.
+/// Text → World. The scene's own output goes to stderr.
 pub fn build(
     console: &Console,
     parsed: &ParsedFiles,
@@ -154,12 +154,12 @@ pub fn build(
     let quiet = console.quiet;
     crate::build_with(parsed, sources, file, options, keep, &mut |text| {
         if !quiet {
-            say(text);
+            print_message(text);
         }
     })
 }
 
-/// How a run ended, apart from what it made.
+/// The exit code of a run.
 pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
     if limit_reached {
         Exit::Limit
@@ -170,12 +170,12 @@ pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
     }
 }
 
-/// Reports, and goes on only if there is a World and no error.
+/// Reports the messages of a run, and returns the World if there is no error.
 pub fn settle(console: &Console, sources: &Sources, built: &mut Built) -> Result<World> {
     console.report(sources, &built.diagnostics);
     match (verdict(built.limit_reached, &built.diagnostics), built.world.take()) {
         (Exit::Fine, Some(world)) => Ok(world),
-        (Exit::Fine, None) => Err(Failure::Told(Exit::Scene)),
-        (exit, _) => Err(Failure::Told(exit)),
+        (Exit::Fine, None) => Err(Failure::Reported(Exit::Scene)),
+        (exit, _) => Err(Failure::Reported(exit)),
     }
 }

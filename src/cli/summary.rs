@@ -1,4 +1,4 @@
-//! How scenes fared, in the same words wherever several are named: `render`, `check` and `test`.
+//! Results of several scenes, in the same form for `render`, `check` and `test`.
 
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
@@ -6,24 +6,24 @@ use crate::diagnostic::{Diagnostic, Severity};
 use std::fmt::{self, Display};
 use std::path::{Path, PathBuf};
 
-/// How one scene fared, in a word.
+/// Result of one scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Word {
-    /// All is well.
+    /// Success.
     Ok,
-    /// It is wrong, or its picture is.
+    /// The scene has errors, or its picture differs.
     Fail,
-    /// It has no snapshot to be compared with.
+    /// The scene has no snapshot.
     New,
 }
 
 impl Word {
-    /// For a scene that alone would end the program so.
+    /// The result of a scene with this exit code.
     pub fn of(exit: Exit) -> Self {
         if exit == Exit::Fine { Self::Ok } else { Self::Fail }
     }
 
-    /// As it is printed.
+    /// The word that is printed.
     pub fn text(self) -> &'static str {
         match self {
             Self::Ok => "ok",
@@ -33,7 +33,7 @@ impl Word {
     }
 }
 
-/// How many messages there were; written as `2 errors, 1 warning`.
+/// Number of messages, displayed as `2 errors, 1 warning`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Count {
     /// Messages of [`Severity::Error`].
@@ -43,7 +43,7 @@ pub struct Count {
 }
 
 impl Count {
-    /// Of these messages.
+    /// Counts messages.
     pub fn of<'a>(diagnostics: impl IntoIterator<Item = &'a Diagnostic>) -> Self {
         diagnostics.into_iter().fold(Self::default(), |mut count, d| {
             match d.severity {
@@ -54,7 +54,7 @@ impl Count {
         })
     }
 
-    /// Both together.
+    /// The sum of two counts.
     pub fn and(self, other: Self) -> Self {
         Self { errors: self.errors + other.errors, warnings: self.warnings + other.warnings }
     }
@@ -72,13 +72,13 @@ impl Display for Count {
     }
 }
 
-/// The line of one scene: `FAIL  a.scene  2 errors`, and its end.
+/// The line of one scene, `FAIL  a.scene  2 errors`, with its line ending.
 pub fn line(word: Word, scene: impl Display, text: &str) -> String {
     let gap = if text.is_empty() { "" } else { "  " };
     format!("{:4}  {scene}{gap}{text}\n", word.text())
 }
 
-/// The line behind those of all scenes: `12 ok, 1 FAIL; 2 errors, 1 warning`, and its end.
+/// The last line, `12 ok, 1 FAIL; 2 errors, 1 warning`, with its line ending.
 pub fn total(words: &[Word], messages: Count) -> String {
     let count = |wanted: Word| (words.iter().filter(|word| **word == wanted).count(), wanted.text());
     let parts = [Word::Ok, Word::Fail, Word::New].map(count);
@@ -87,12 +87,12 @@ pub fn total(words: &[Word], messages: Count) -> String {
     format!("{}{gap}{messages}\n", parts.collect::<Vec<_>>().join(", "))
 }
 
-/// Does something with each of several scenes, and tells of each on a line of its own: `work` gives how it ended and what is to
-/// be told of a scene that went well.
+/// Processes several scenes, and prints a line for each. `work` returns the exit code of a scene, and a text for the line of a scene without
+/// errors.
 pub fn each(
     console: &Console,
     inputs: &[PathBuf],
-    tell: impl Fn(&str) -> Result<()>,
+    print: impl Fn(&str) -> Result<()>,
     mut work: impl FnMut(&Console, &Path) -> Result<(Exit, String)>,
 ) -> Result {
     let console = &console.among_several();
@@ -100,24 +100,24 @@ pub fn each(
     for input in inputs {
         let (exit, text) = match work(console, input) {
             Ok(ended) => ended,
-            Err(Failure::NobodyListens) => return Err(Failure::NobodyListens),
-            Err(failure) => (console.tell(failure), String::new()),
+            Err(Failure::BrokenPipe) => return Err(Failure::BrokenPipe),
+            Err(failure) => (console.print_failure(failure), String::new()),
         };
         let count = console.take_count();
         let parts = [text, count.to_string()].into_iter().filter(|part| !part.is_empty());
         exits.push(exit);
         all = all.and(count);
         if exit == Exit::Interrupted {
-            return Err(Failure::Told(exit));
+            return Err(Failure::Reported(exit));
         }
-        tell(&line(Word::of(exit), input.display(), &parts.collect::<Vec<_>>().join("  ")))?;
+        print(&line(Word::of(exit), input.display(), &parts.collect::<Vec<_>>().join("  ")))?;
     }
     let words: Vec<_> = exits.iter().map(|exit| Word::of(*exit)).collect();
-    tell(&total(&words, all))?;
+    print(&total(&words, all))?;
     Ok(worst(exits))
 }
 
-/// The exit code of all scenes together: what is wrong with a scene counts most, a picture that differs least.
+/// The exit code of all scenes together: an error of a scene has the highest rank, a different picture the lowest.
 pub fn worst(exits: impl IntoIterator<Item = Exit> + Clone) -> Exit {
     let order = [Exit::Interrupted, Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot];
     order.into_iter().find(|wanted| exits.clone().into_iter().any(|exit| exit == *wanted)).unwrap_or(Exit::Fine)
@@ -128,7 +128,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_are_short_and_counts_leave_zeros_out() {
+    fn lines_omit_counts_of_zero() {
         let count = |errors, warnings| Count { errors, warnings };
         assert_eq!(line(Word::Ok, "a.scene", ""), "ok    a.scene\n");
         assert_eq!(line(Word::Fail, "b.scene", &count(2, 1).to_string()), "FAIL  b.scene  2 errors, 1 warning\n");
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn the_worst_counts() {
+    fn the_worst_exit_code_is_returned() {
         assert_eq!(worst([Exit::Fine, Exit::File, Exit::Scene]), Exit::Scene);
         assert_eq!(worst([Exit::Snapshot, Exit::Fine]), Exit::Snapshot);
         assert_eq!(worst([]), Exit::Fine);

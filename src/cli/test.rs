@@ -1,15 +1,15 @@
-//! `durer test [PATH…]`: draws each scene that has a snapshot, and compares.
+//! `durer test [PATH…]`: renders each scene that has a snapshot, and compares.
 
+use super::args::values::Size;
 use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
-use super::interrupt::{self, Orderly};
+use super::interrupt::{self, Deferred};
 use super::memory;
-use super::progress::Progress;
 use super::session;
 use super::summary::{self, Word};
-use super::values::Size;
-use super::watcher::Watcher;
+use crate::cli::render::monitor::Monitor;
+use crate::cli::render::progress::Progress;
 use crate::diagnostic::file;
 use crate::image_io::{self, Encoding, Format, Frame, Pixels};
 use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};
@@ -19,7 +19,7 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// What a scene says about its snapshot: `//! test: --size 128x96 --aa off`.
+/// Options of a scene's snapshot, from the comment `//! test: --size 128x96 --aa off`.
 #[derive(Parser, Debug)]
 #[command(no_binary_name = true, disable_help_flag = true)]
 struct Header {
@@ -29,38 +29,38 @@ struct Header {
     look: LookArgs,
 }
 
-/// What all scenes of a test are drawn with.
+/// Options of all scenes of a test.
 #[derive(Clone, Debug, Default)]
 pub struct Setting {
-    /// `-I`.
+    /// Folders of `-I`.
     pub include: Vec<PathBuf>,
-    /// 0: one for each processor.
+    /// Number of threads; 0 for one for each processor.
     pub threads: usize,
 }
 
-/// How one scene fared.
+/// Result of one scene.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The exit code it alone would give.
+    /// The exit code of this scene alone.
     pub exit: Exit,
-    /// How the pictures differ, where there are two.
+    /// Difference of the pictures; `None` unless both exist.
     pub comparison: Option<Comparison>,
-    /// One line.
+    /// Description of the result, one line.
     pub text: String,
-    /// Errors and warnings as a person reads them.
+    /// Errors and warnings as text for a person.
     pub messages: String,
     /// The snapshot.
     pub expected: Option<Frame>,
-    /// What was drawn now.
-    pub drawn: Option<Frame>,
-    /// How it is stored.
+    /// The picture that was rendered.
+    pub rendered: Option<Frame>,
+    /// Encoding of the snapshot.
     encoding: Encoding,
 }
 
-/// Draws, compares, tells and accepts.
+/// Renders and compares all scenes, prints the results, and writes accepted snapshots.
 ///
 /// # Errors
-/// What `durer test` can exit with otherwise than by its outcomes: paths that are not there, a report that can't be written.
+/// Missing paths, and a report that cannot be written. The result of a scene is no error.
 pub fn run(console: &Console, args: &TestArgs) -> Result {
     let here = vec![PathBuf::from(".")];
     let paths = if args.paths.is_empty() { &here } else { &args.paths };
@@ -84,19 +84,19 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         let accept = acceptance(args, &case, &outcome);
         match args.format {
             MessageFormat::Human => {
-                console.note(&outcome.messages);
+                console.info(&outcome.messages);
                 console.data(line(&case, &outcome, accept.as_deref()))?;
             }
             MessageFormat::Json => console.json(&as_json(&case, &outcome, accept.as_deref()))?,
         }
         outcomes.push((case, outcome));
-        if interrupt::asked() {
-            return Err(Failure::Told(Exit::Interrupted));
+        if interrupt::is_requested() {
+            return Err(Failure::Reported(Exit::Interrupted));
         }
     }
     if let Some(folder) = &args.report {
         let page = write_report(args, folder, &outcomes)?;
-        console.note(&format!("the pictures are side by side in {}\n", page.display()));
+        console.info(&format!("{} shows the pictures side by side\n", page.display()));
     }
     if args.format == MessageFormat::Human {
         let words: Vec<_> = outcomes.iter().map(|(_, outcome)| word(outcome)).collect();
@@ -105,7 +105,7 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
     Ok(summary::worst(outcomes.iter().map(|(_, outcome)| outcome.exit)))
 }
 
-/// The same for programs, without a terminal.
+/// Tests one scene without printing anything.
 pub fn try_quietly(case: &Case, setting: &Setting) -> Outcome {
     try_case(&Console::plain(), case, setting)
 }
@@ -118,14 +118,14 @@ fn try_case(console: &Console, case: &Case, setting: &Setting) -> Outcome {
         text: String::new(),
         messages: String::new(),
         expected: None,
-        drawn: None,
+        rendered: None,
         encoding: Encoding::new(Format::Png),
     };
     if let Err(failure) = attempt(console, &sources, case, setting, &mut outcome) {
         let (exit, messages) = console.text_of(&sources, failure);
         outcome.exit = exit;
         outcome.messages += &messages;
-        outcome.text = "could not be drawn".into();
+        outcome.text = "could not be rendered".into();
     }
     outcome
 }
@@ -146,26 +146,26 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     let kept = size_of::<[f32; 4]>();
     memory::check_drawing(header.scene.size(), None, kept, header.scene.max_memory.map(|b| b.0))?;
 
-    let timing = session::timing(&header.scene)?;
+    let timing = session::timing(&header.scene, None)?;
     let options = session::reading_options(&header.scene, &case.scene, timing);
     let built = crate::build(sources, file, &options, &mut |_| {});
     outcome.messages = console.text(sources, &built.diagnostics);
     let (exit, Some(world)) = (session::verdict(built.limit_reached, &built.diagnostics), built.world) else {
-        return Err(Failure::Told(Exit::Scene));
+        return Err(Failure::Reported(Exit::Scene));
     };
     if exit != Exit::Fine {
-        return Err(Failure::Told(exit));
+        return Err(Failure::Reported(exit));
     }
     let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, timing);
-    let _orderly = Orderly::begin();
-    let frame = Watcher::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
+    let _deferred = Deferred::begin();
+    let frame = Monitor::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
     compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
     Ok(())
 }
 
-fn compare(drawn: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
+fn compare(rendered: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
     if let Some(expected) = expected.map(Pixels::to_frame) {
-        let comparison = snapshot::compare(&expected, &drawn, Tolerance::default());
+        let comparison = snapshot::compare(&expected, &rendered, Tolerance::default());
         if comparison.verdict == Verdict::Differs {
             outcome.exit = Exit::Snapshot;
         }
@@ -178,18 +178,18 @@ fn compare(drawn: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
         outcome.exit = Exit::Snapshot;
         outcome.text = "has no snapshot; --accept makes one".into();
     }
-    outcome.drawn = Some(drawn);
+    outcome.rendered = Some(rendered);
 }
 
-/// What was drawn becomes the snapshot, unless it is the same already.
+/// Writes the rendered picture as the new snapshot, unless both are identical.
 fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
-    let Some(drawn) =
-        outcome.drawn.as_ref().filter(|_| outcome.comparison.is_none_or(|c| c.verdict != Verdict::Identical))
+    let Some(rendered) =
+        outcome.rendered.as_ref().filter(|_| outcome.comparison.is_none_or(|c| c.verdict != Verdict::Identical))
     else {
         return Ok(());
     };
-    let _orderly = Orderly::begin();
-    let bytes = image_io::encode(drawn, &outcome.encoding)?;
+    let _deferred = Deferred::begin();
+    let bytes = image_io::encode(rendered, &outcome.encoding)?;
     Disk.write(&case.picture, &bytes).map_err(|e| Box::new(file::unwritable(&Disk, &case.picture, &e)))?;
     outcome.text = format!("accepted: {}", outcome.comparison.map_or("new".into(), |c| c.to_string()));
     outcome.exit = Exit::Fine;
@@ -197,21 +197,21 @@ fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
 }
 
 fn word(outcome: &Outcome) -> Word {
-    match (outcome.exit, &outcome.drawn, outcome.comparison) {
+    match (outcome.exit, &outcome.rendered, outcome.comparison) {
         (Exit::Snapshot, Some(_), None) => Word::New,
         (exit, ..) => Word::of(exit),
     }
 }
 
-/// The command that takes what was drawn as the snapshot, where there is something to take.
+/// The command that accepts the rendered picture as the snapshot; `None` if they do not differ.
 fn acceptance(args: &TestArgs, case: &Case, outcome: &Outcome) -> Option<String> {
-    let differs = outcome.exit == Exit::Snapshot && outcome.drawn.is_some();
+    let differs = outcome.exit == Exit::Snapshot && outcome.rendered.is_some();
     let folders = args.include.iter().flat_map(|folder| ["-I".to_string(), quoted(folder)]);
     let command = ["durer test --accept".to_string()].into_iter().chain(folders).chain([quoted(&case.scene)]);
     differs.then(|| command.collect::<Vec<_>>().join(" "))
 }
 
-/// A path as a shell takes it.
+/// Quotes a path for a shell if necessary.
 fn quoted(path: &Path) -> String {
     let text = path.display().to_string();
     let plain = |c: char| c.is_alphanumeric() || "-_./\\:~+@,".contains(c);
@@ -219,11 +219,11 @@ fn quoted(path: &Path) -> String {
 }
 
 fn line(case: &Case, outcome: &Outcome, accept: Option<&str>) -> String {
-    let accept = accept.map_or(String::new(), |command| format!("      if it is as it should be: {command}\n"));
+    let accept = accept.map_or(String::new(), |command| format!("      if the new picture is right: {command}\n"));
     summary::line(word(outcome), case.scene.display(), &outcome.text) + &accept
 }
 
-/// One scene for programs; numbers are null where there is nothing to compare.
+/// The result of one scene as JSON; the numbers are null without a comparison.
 fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::Value {
     let numbers = outcome.comparison;
     json!({
@@ -241,7 +241,7 @@ fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::
     })
 }
 
-/// Returns the page.
+/// Writes the page of `--report`, and returns its path.
 fn write_report(args: &TestArgs, folder: &Path, outcomes: &[(Case, Outcome)]) -> Result<PathBuf> {
     let entries: Vec<_> = outcomes.iter().map(|(case, outcome)| entry(args, case, outcome)).collect();
     std::fs::create_dir_all(folder).map_err(|e| Box::new(file::unwritable(&Disk, folder, &e)))?;
@@ -260,6 +260,6 @@ fn entry<'o>(args: &TestArgs, case: &Case, outcome: &'o Outcome) -> Entry<'o> {
         text: format!("{}\n{}", outcome.text, outcome.messages).trim().to_string(),
         accept: acceptance(args, case, outcome),
         expected: outcome.expected.as_ref(),
-        drawn: outcome.drawn.as_ref(),
+        drawn: outcome.rendered.as_ref(),
     }
 }

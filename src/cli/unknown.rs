@@ -1,4 +1,4 @@
-//! A command that does not exist.
+//! The message about a command that does not exist.
 
 use super::exit::Failure;
 use super::povray::{first_word, is_ini};
@@ -8,7 +8,7 @@ use clap::CommandFactory;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// What other programs call what a command of ours does.
+/// Names that other programs give to commands of durer.
 const OTHERS: &[(&str, &str)] = &[
     ("draw", "render"),
     ("run", "render"),
@@ -42,7 +42,7 @@ const OTHERS: &[(&str, &str)] = &[
     ("complete", "completions"),
 ];
 
-/// Is the first word meant for a command, and is there none of this name?
+/// Refuses a first word that looks like a command but is neither a command nor a file.
 pub fn check(words: &[OsString]) -> Result<(), Failure> {
     let Some((at, word)) = first_word(words) else { return Ok(()) };
     let command = commands();
@@ -61,7 +61,7 @@ pub fn check(words: &[OsString]) -> Result<(), Failure> {
         }
         None => {
             let list: Vec<_> = names().map(|name| format!("`{name}`")).collect();
-            format!("there is no command `{word}`, and no scene of this name; the commands are {}", list.join(", "))
+            format!("there is no command `{word}`, and no scene with this name; the commands are {}", list.join(", "))
         }
     };
     Err(Failure::Usage(Box::new(Cli::command().error(clap::error::ErrorKind::InvalidSubcommand, message))))

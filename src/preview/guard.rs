@@ -1,12 +1,12 @@
-//! Who may talk to the page's server: the page itself, and whoever was told its address.
+//! Access control of the page's server: only clients that know the page's address are admitted.
 //!
-//! The server listens on the loopback address, but so can every script of every page in the author's browser talk to it, by its
-//! number or by a name of their own that leads here (DNS rebinding). What it answers must therefore begin with the token, be
-//! addressed to this very host, and come from no other origin (Fetch Standard, `Origin`; W3C, "Fetch Metadata Request Headers").
+//! The server listens on the loopback address, but scripts of other pages in the author's browser can reach it, by its
+//! number or by a name that resolves to it (DNS rebinding). A request must therefore start with the token, be
+//! addressed to this host, and come from no other origin (Fetch Standard, `Origin`; W3C, "Fetch Metadata Request Headers").
 
 use std::io;
 
-/// The address of the page.
+/// Address of the page.
 #[derive(Clone, Debug)]
 pub struct Guard {
     port: u16,
@@ -14,7 +14,7 @@ pub struct Guard {
 }
 
 impl Guard {
-    /// With a token that nobody can guess.
+    /// A guard with a random token.
     ///
     /// # Errors
     /// If the system has no random numbers.
@@ -24,12 +24,15 @@ impl Guard {
         Ok(Self { port, token: bytes.map(|byte| format!("{byte:02x}")).concat() })
     }
 
-    /// Where the page is.
+    /// The address of the page.
     pub fn address(&self) -> String {
         format!("http://127.0.0.1:{}/{}/", self.port, self.token)
     }
 
-    /// The rest of a path behind the token, or why there is no answer.
+    /// Returns the rest of a path after the token.
+    ///
+    /// # Errors
+    /// The reason of a refusal.
     pub fn admit<'p>(&self, path: &'p str, header: impl Fn(&str) -> Vec<String>) -> Result<&'p str, &'static str> {
         let hosts = [format!("127.0.0.1:{}", self.port), format!("localhost:{}", self.port)];
         match &header("host")[..] {
@@ -48,7 +51,7 @@ impl Guard {
         }
     }
 
-    /// Takes as long wherever the first difference is.
+    /// Compares in constant time.
     fn is_token(&self, token: &str) -> bool {
         let differ = |all, (a, b): (u8, u8)| all | (a ^ b);
         token.len() == self.token.len() && token.bytes().zip(self.token.bytes()).fold(0, differ) == 0
@@ -60,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nobody_else_gets_in() {
+    fn requests_without_token_or_from_other_origins_are_refused() {
         let guard = Guard { port: 4000, token: "abcd".into() };
         let ask = |path: &'static str, headers: &[(&str, &str)]| {
             let get = |name: &str| headers.iter().filter(|(n, _)| *n == name).map(|(_, v)| v.to_string()).collect();

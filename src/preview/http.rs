@@ -1,37 +1,38 @@
-//! As much of HTTP/1.1 as one page needs (RFC 9112): one request a connection.
+//! A subset of HTTP/1.1 (RFC 9112): one request for each connection.
 
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
 use std::time::Duration;
 
-/// Bytes of a request's head, and of its body.
+/// Largest head of a request, in bytes.
 const MAX_HEAD: usize = 16 << 10;
+/// Largest body of a request, in bytes.
 const MAX_BODY: usize = 64 << 10;
-/// Whoever is slower is not served.
-const PATIENCE: Duration = Duration::from_secs(10);
+/// Timeout of reading and writing.
+const TIMEOUT: Duration = Duration::from_secs(10);
 
-/// What is asked.
+/// A request of a client.
 #[derive(Debug)]
 pub struct Request {
-    /// `GET` or another.
+    /// Method such as `GET`.
     pub method: String,
-    /// With its first `/`, without what follows a `?`.
+    /// Path with its first `/`, without the query.
     pub path: String,
-    /// What follows a `?`.
+    /// Query after `?`.
     pub query: String,
     headers: Vec<(String, String)>,
-    /// What was sent along.
+    /// Body.
     pub body: Vec<u8>,
 }
 
 impl Request {
-    /// Waits for it.
+    /// Reads a request.
     ///
     /// # Errors
-    /// If it never comes, is no request, or is too long.
+    /// After the timeout, and for an invalid or too long request.
     pub fn read(stream: &mut TcpStream) -> io::Result<Self> {
-        stream.set_read_timeout(Some(PATIENCE))?;
-        stream.set_write_timeout(Some(PATIENCE))?;
+        stream.set_read_timeout(Some(TIMEOUT))?;
+        stream.set_write_timeout(Some(TIMEOUT))?;
         stream.set_nodelay(true)?;
         let invalid = |text: &str| io::Error::new(io::ErrorKind::InvalidData, text);
         let (mut bytes, mut chunk) = (vec![], [0; 4096]);
@@ -82,20 +83,20 @@ impl Request {
         }
     }
 
-    /// All values of a header, whose name is in small letters.
+    /// All values of a header; `name` is in lower case.
     pub fn header(&self, name: &str) -> Vec<String> {
         self.headers.iter().filter(|(n, _)| n == name).map(|(_, value)| value.clone()).collect()
     }
 
-    /// A number of the query.
+    /// A number in the query.
     pub fn number(&self, name: &str) -> Option<usize> {
         let pairs = self.query.split('&').filter_map(|pair| pair.split_once('='));
         pairs.filter(|(n, _)| *n == name).find_map(|(_, value)| value.parse().ok())
     }
 }
 
-/// For every answer: nobody keeps it, frames it, guesses its kind, or learns the address of the page from a link; and the page
-/// loads nothing from elsewhere.
+/// Headers of every response: no caching, no frames, no guessing of the content type, no referrer; and the page
+/// loads nothing from other hosts.
 const HEADERS: &str = "Cache-Control: no-store\r\n\
     Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; \
     base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n\
@@ -105,20 +106,20 @@ const HEADERS: &str = "Cache-Control: no-store\r\n\
     X-Content-Type-Options: nosniff\r\n\
     Connection: close\r\n";
 
-/// Answers.
+/// Sends a response.
 ///
 /// # Errors
-/// If nobody listens any more.
+/// If the client is gone.
 pub fn answer(stream: &mut TcpStream, status: &str, kind: &str, body: &[u8]) -> io::Result<()> {
     let length = body.len();
     let head = format!("HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {length}\r\n{HEADERS}\r\n");
     stream.write_all(&[head.as_bytes(), body].concat())
 }
 
-/// Begins an answer without an end: events, one after the other.
+/// Starts a response that is an endless sequence of events.
 ///
 /// # Errors
-/// If nobody listens any more.
+/// If the client is gone.
 pub fn begin_events(stream: &mut TcpStream) -> io::Result<()> {
     stream.write_all(format!("HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\n{HEADERS}\r\n").as_bytes())
 }

@@ -1,4 +1,4 @@
-//! From coarse to fine: a few pixels at once, then all of them, tile by tile.
+//! Progressive rendering: the whole picture in low resolutions first, then all pixels tile by tile.
 
 use super::screen::{Image, Screen, View};
 use crate::diagnostic;
@@ -7,19 +7,19 @@ use crate::render::{self, Options, RayCounts, Region, Stopped, Tile, Watch};
 use crate::world::World;
 use std::time::{Duration, Instant};
 
-/// The first picture has so many pixels at most.
-const FIRST: usize = 2_000;
-/// Each further one has so many times as many.
-const STEP: usize = 16;
-/// What takes less than so many seconds needs no coarser one before it.
-const SOON: f64 = 0.3;
+/// Largest number of pixels of the first level.
+const FIRST_PIXELS: usize = 2_000;
+/// Factor of the number of pixels from one level to the next.
+const LEVEL_FACTOR: usize = 16;
+/// Rendering time in seconds below which no further coarse level is useful.
+const SHORT: f64 = 0.3;
 
-/// Draws to the screen as `options` say, and stops when it is told to. What is outside of a `region` is not shown. Tells also how long the
-/// first pixels took, if there were coarse ones.
+/// Renders to the screen until `stop` returns true; pixels outside of the region in `options` are not displayed. Returns the number of rays and the
+/// duration of the first level, 0 if there was only the full resolution.
 ///
 /// # Errors
-/// When it was told to stop.
-pub fn draw(
+/// If `stop` returned true.
+pub fn render_progressively(
     world: &World,
     options: &Options,
     screen: &Screen,
@@ -30,25 +30,25 @@ pub fn draw(
     let area = options.region.unwrap_or(whole);
     screen.begin(View { area });
     let pixels = area.width * area.height;
-    let mut count = FIRST;
+    let mut count = FIRST_PIXELS;
     while count < pixels {
         let start = Instant::now();
         let drawn = coarse(world, options, area, (count as f64 / pixels as f64).sqrt(), stop)?;
         let rate = start.elapsed().as_secs_f64() / (drawn.width * drawn.height).max(1) as f64;
         screen.put_coarse(drawn);
         first.get_or_insert_with(|| begin.elapsed());
-        count *= STEP;
-        if rate * (pixels as f64) < SOON || rate * (count as f64) > rate * (pixels as f64) / 3.0 {
+        count *= LEVEL_FACTOR;
+        if rate * (pixels as f64) < SHORT || rate * (count as f64) > rate * (pixels as f64) / 3.0 {
             break;
         }
     }
-    let watch = Fine { world, options, screen, stop };
-    let rays = render::draw(world, options, &watch, &mut Drop)?;
+    let watch = TileDisplay { world, options, screen, stop };
+    let rays = render::draw(world, options, &watch, &mut Discard)?;
     screen.finish();
     Ok((rays, first.unwrap_or_default()))
 }
 
-/// The area, with so many times its pixels across and down, and one sample each.
+/// Renders `area` with a resolution multiplied by `share`, one sample a pixel.
 fn coarse(
     world: &World,
     options: &Options,
@@ -56,37 +56,41 @@ fn coarse(
     share: f64,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Result<Image, Stopped> {
-    let less = |length: usize| ((length as f64 * share).round() as usize).max(1);
-    let part =
-        Region { x: less(area.x + 1) - 1, y: less(area.y + 1) - 1, width: less(area.width), height: less(area.height) };
+    let scaled = |length: usize| ((length as f64 * share).round() as usize).max(1);
+    let part = Region {
+        x: scaled(area.x + 1) - 1,
+        y: scaled(area.y + 1) - 1,
+        width: scaled(area.width),
+        height: scaled(area.height),
+    };
     let (width, height) =
-        (less(options.width).max(part.x + part.width), less(options.height).max(part.y + part.height));
+        (scaled(options.width).max(part.x + part.width), scaled(options.height).max(part.y + part.height));
     let options = Options { width, height, region: Some(part), antialias: None, ..options.clone() };
-    let (mut image, watch) = (Image { width: part.width, height: part.height, pixels: vec![] }, Asked { stop });
-    render::draw(world, &options, &watch, &mut Cut { part, across: width, row: 0, to: &mut image })?;
+    let (mut image, watch) = (Image { width: part.width, height: part.height, pixels: vec![] }, StopOnly { stop });
+    render::draw(world, &options, &watch, &mut Crop { part, row_width: width, row: 0, to: &mut image })?;
     Ok(image)
 }
 
-struct Asked<'a> {
+struct StopOnly<'a> {
     stop: &'a (dyn Fn() -> bool + Sync),
 }
 
-impl Watch for Asked<'_> {
+impl Watch for StopOnly<'_> {
     fn progress(&self, _: usize, _: usize) {}
     fn cancelled(&self) -> bool {
         (self.stop)()
     }
 }
 
-/// Shows tiles as they are drawn.
-struct Fine<'a> {
+/// Displays tiles as they are rendered.
+struct TileDisplay<'a> {
     world: &'a World,
     options: &'a Options,
     screen: &'a Screen,
     stop: &'a (dyn Fn() -> bool + Sync),
 }
 
-impl Watch for Fine<'_> {
+impl Watch for TileDisplay<'_> {
     fn progress(&self, done: usize, total: usize) {
         self.screen.progress(done as f32 / total.max(1) as f32);
     }
@@ -101,28 +105,28 @@ impl Watch for Fine<'_> {
     }
 }
 
-/// The tiles are shown already.
-struct Drop;
+/// Ignores rows, whose tiles are displayed already.
+struct Discard;
 
-impl Rows for Drop {
+impl Rows for Discard {
     fn take(&mut self, _: &[[f32; 4]]) -> diagnostic::Result<()> {
         Ok(())
     }
 }
 
-/// A part of each row.
-struct Cut<'a> {
+/// Collects a part of each row.
+struct Crop<'a> {
     part: Region,
-    /// Pixels of a row.
-    across: usize,
+    /// Number of pixels in a row.
+    row_width: usize,
     row: usize,
     to: &'a mut Image,
 }
 
-impl Rows for Cut<'_> {
+impl Rows for Crop<'_> {
     fn take(&mut self, rows: &[[f32; 4]]) -> diagnostic::Result<()> {
         let Region { x, y, width, height } = self.part;
-        for row in rows.chunks(self.across) {
+        for row in rows.chunks(self.row_width) {
             if (y..y + height).contains(&self.row) {
                 self.to.pixels.extend_from_slice(&row[x..x + width]);
             }

@@ -1,11 +1,11 @@
-//! `durer watch`: a page on the loopback address that shows a scene's picture while it is written.
+//! `durer watch`: a page on the loopback address that shows a scene's picture while the scene is edited.
 //!
-//! The front end draws; this module shows. A [`Screen`] holds the picture and what is told beside it; each page that looks is sent
-//! what it has not seen yet (`stream`), so that one that sleeps costs nothing and one that is loaded again misses nothing. `levels`
-//! draws from coarse to fine. What a page asks for goes to the [`Studio`]. `guard` lets nobody in but the page's own script, and no
-//! file is ever served.
+//! The front end renders, and this module displays. A [`Screen`] holds the picture and the text beside it. Each page receives the
+//! changes since its last update (`stream`), so that an inactive page costs nothing and a reloaded page is complete. `levels`
+//! renders from coarse to fine. Requests of a page go to the [`Backend`]. `guard` admits only the page's own script, and the server
+//! never serves a file.
 
-mod files;
+mod file_watcher;
 mod guard;
 mod http;
 mod levels;
@@ -13,47 +13,47 @@ mod screen;
 mod serve;
 mod stream;
 
-pub use files::Files;
-pub use levels::draw;
+pub use file_watcher::FileWatcher;
+pub use levels::render_progressively;
 pub use screen::Screen;
 pub use serve::serve;
 
 use serde::{Deserialize, Serialize};
 
-/// Whoever draws, and knows the scene.
-pub trait Studio: Send + Sync {
-    /// The page wants something else.
+/// The renderer behind the page.
+pub trait Backend: Send + Sync {
+    /// Changes the settings of the picture.
     fn change(&self, change: Change);
-    /// What is seen through a pixel of the picture that is shown, as JSON.
+    /// Describes the object that a pixel of the displayed picture shows, as JSON.
     fn pick(&self, x: usize, y: usize) -> serde_json::Value;
-    /// Writes the picture to its file, and tells its name.
+    /// Writes the picture to its file, and returns the file's name.
     ///
     /// # Errors
-    /// Why it can't, in words.
+    /// The reason, as text for the page.
     fn save(&self) -> Result<String, String>;
-    /// Opens a place of the scene's texts in the author's editor.
+    /// Opens a position of the scene's texts in the author's editor.
     ///
     /// # Errors
-    /// Why it can't, in words.
-    fn open(&self, place: &Spot) -> Result<(), String>;
+    /// The reason, as text for the page.
+    fn open(&self, position: &TextPosition) -> Result<(), String>;
 }
 
-/// How the page wants the picture.
+/// Settings of the page.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Settings {
-    /// The picture's size is multiplied by this.
+    /// Factor of the picture's size.
     pub scale: f64,
-    /// Is anti-aliasing on?
+    /// True if anti-aliasing is on.
     pub antialias: bool,
-    /// 0 to 11, as `--quality`.
+    /// Quality from 0 to 11, as `--quality`.
     pub quality: u8,
-    /// The value of `clock`, if it is not what the command line says.
+    /// Value of `clock` in place of the command line's.
     pub clock: Option<f64>,
-    /// Left, top, width and height of the part that is drawn as large as the picture, in shares of it.
+    /// Left, top, width and height of the part that fills the picture, as fractions of its size.
     pub zoom: Option<[f64; 4]>,
 }
 
-/// What of the settings changes.
+/// A change of [`Settings`]; absent fields stay the same.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Change {
@@ -61,20 +61,20 @@ pub struct Change {
     antialias: Option<bool>,
     quality: Option<u8>,
     clock: Option<f64>,
-    /// Four numbers, or none for the whole picture.
+    /// Four numbers, or an empty list for the whole picture.
     zoom: Option<Vec<f64>>,
 }
 
 impl Change {
-    /// Does it change nothing but how the scene is drawn?
+    /// True if the scene need not be evaluated again.
     pub fn keeps_scene(&self) -> bool {
         self.scale.is_none() && self.clock.is_none()
     }
 }
 
 impl Settings {
-    /// Takes what makes sense.
-    pub fn take(&mut self, change: &Change) {
+    /// Applies the valid parts of a change.
+    pub fn apply(&mut self, change: &Change) {
         if let Some(scale) = change.scale.filter(|scale| (0.05..=8.0).contains(scale)) {
             self.scale = scale;
         }
@@ -95,39 +95,39 @@ fn is_part(at: f64, length: f64) -> bool {
     (0.0..1.0).contains(&at) && length > 0.0 && at + length <= 1.0 + 1e-9
 }
 
-/// A place in one of the scene's texts.
+/// A position in one of the scene's texts.
 #[derive(Clone, Debug, Deserialize)]
-pub struct Spot {
-    /// As messages name it.
+pub struct TextPosition {
+    /// Name of the file as in messages.
     pub file: String,
-    /// From 1.
+    /// Line, counted from 1.
     pub line: usize,
-    /// From 1.
+    /// Column, counted from 1.
     pub column: usize,
 }
 
-/// What stands beside the picture.
+/// State of the work, which the page displays beside the picture.
 #[derive(Clone, Debug, Serialize)]
-pub struct Told {
+pub struct PageState {
     /// The scene's name.
     pub name: String,
-    /// `reading`, `drawing`, `done`, or `broken`: the picture is then that of before.
+    /// `reading`, `drawing`, `done`, or `broken`; a broken scene leaves the previous picture on the page.
     pub status: &'static str,
-    /// What the page wanted.
+    /// Settings of the picture.
     pub settings: Settings,
     /// Width and height of the picture at scale 1.
     pub size: [usize; 2],
-    /// The clock's value now, and where it begins and ends.
+    /// Present, first and last value of `clock`.
     pub clock: [f64; 3],
-    /// Errors first.
+    /// Messages, errors first.
     pub messages: Vec<Message>,
-    /// What the scene prints.
+    /// Output of the scene's `#debug` and its kin.
     pub log: String,
-    /// What was done, and for how many seconds.
+    /// Names of the steps and their durations in seconds.
     pub times: Vec<(&'static str, f64)>,
-    /// Rays that were cast.
+    /// Number of rays.
     pub rays: u64,
-    /// Does the server open places in an editor? Otherwise the page follows their links.
+    /// True if the server opens positions in an editor; otherwise the page follows their links.
     pub editor: bool,
 }
 
@@ -136,24 +136,24 @@ pub struct Told {
 pub struct Message {
     /// `error` or `warning`.
     pub severity: &'static str,
-    /// Such as `E0203`.
+    /// Code such as `E0203`.
     pub code: &'static str,
-    /// The message, the lines that it is about, and help, as on a terminal.
+    /// The message with its source lines and help, as on a terminal.
     pub text: String,
-    /// Where it is, if it is anywhere.
+    /// Position in the text.
     pub place: Option<Link>,
 }
 
-/// A place that a page can open.
+/// A position that the page can open.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Link {
-    /// As messages name it.
+    /// Name of the file as in messages.
     pub file: String,
-    /// From 1.
+    /// Line, counted from 1.
     pub line: usize,
-    /// From 1.
+    /// Column, counted from 1.
     pub column: usize,
-    /// What opens it in Visual Studio Code.
+    /// Address that opens the position in Visual Studio Code.
     pub url: String,
 }
 
@@ -162,11 +162,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn settings_take_what_makes_sense() {
+    fn settings_take_valid_changes_only() {
         let old = Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
         let after = |json: &str| {
             let mut new = old.clone();
-            new.take(&serde_json::from_str(json).unwrap());
+            new.apply(&serde_json::from_str(json).unwrap());
             new
         };
         assert_eq!(after("{}"), old);

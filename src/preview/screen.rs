@@ -1,22 +1,22 @@
-//! What the pages show: the picture, tile by tile as it is drawn, and what is told beside it.
+//! Contents of the pages: the picture, tile by tile as it is rendered, and the state beside it.
 
-use super::Told;
+use super::PageState;
 use crate::color::transfer::srgb_encode;
 use crate::image_io::Frame;
 use crate::render::Region;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// Edge of the tiles in which a picture is sent: that of the tiles in which it is drawn.
+/// Edge of the tiles in which a picture is sent, in pixels; equals the edge of the rendered tiles.
 const TILE: usize = 16;
 
-/// Linear light and alpha, row by row.
+/// Linear colour and alpha, row by row.
 pub type Image = Frame;
 
-/// Which pixels of a larger picture are shown.
+/// The displayed part of a larger picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// In the larger picture.
+    /// Pixels of the larger picture.
     pub area: Region,
 }
 
@@ -30,61 +30,61 @@ pub struct Screen {
 #[derive(Default)]
 struct Shown {
     picture: Option<Picture>,
-    before: Option<Arc<Image>>,
-    told: Option<Arc<Told>>,
-    /// Counts all changes.
+    previous: Option<Arc<Image>>,
+    state: Option<Arc<PageState>>,
+    /// Number of changes so far.
     stamp: u64,
-    /// When `told` changed.
-    told_at: u64,
+    /// Stamp of the last change of `state`.
+    state_stamp: u64,
 }
 
 struct Picture {
-    /// Pictures are numbered.
+    /// Number of the picture.
     run: u64,
     view: View,
     image: Image,
-    /// When each tile was drawn last, row by row; 0 is never.
+    /// Stamp of the last change of each tile, row by row; 0 for a tile that is not rendered yet.
     tiles: Vec<u64>,
-    /// The whole of it, but smaller, and when that was drawn.
+    /// The whole picture in a lower resolution, and its stamp.
     coarse: Option<(Image, u64)>,
-    /// How much of it is drawn, from 0 to 1.
+    /// Rendered share of the picture, from 0 to 1.
     progress: f32,
     done: bool,
 }
 
-/// How much of the screen a page has seen.
+/// The changes that a page has received.
 #[derive(Debug, Default)]
 pub(super) struct Cursor {
     stamp: u64,
     run: u64,
 }
 
-/// What it has not seen.
-pub(super) struct News {
+/// The changes since a [`Cursor`].
+pub(super) struct Update {
     pub run: u64,
-    /// Width and height of the picture, if it is another one.
-    pub begins: Option<[usize; 2]>,
-    /// Is there one of before?
-    pub before: bool,
-    pub told: Option<Arc<Told>>,
+    /// Width and height of a new picture.
+    pub new_size: Option<[usize; 2]>,
+    /// True if a previous picture exists.
+    pub has_previous: bool,
+    pub state: Option<Arc<PageState>>,
     pub coarse: Option<Image>,
-    /// Left and top of each, and its pixels.
+    /// Left, top and pixels of each changed tile.
     pub tiles: Vec<(usize, usize, Image)>,
     pub progress: f32,
     pub done: bool,
 }
 
-/// Tiles that are sent at once.
+/// Largest number of tiles in an update.
 const BATCH: usize = 256;
 
 impl Picture {
-    /// How many tiles stand in a row: they begin at multiples of their edge in the larger picture.
+    /// Number of tiles in a row. Tiles start at multiples of their edge in the larger picture.
     fn columns(&self) -> usize {
         let Region { x, width, .. } = self.view.area;
         (x + width).div_ceil(TILE) - x / TILE
     }
 
-    /// Where a tile is, in this picture.
+    /// Pixels of a tile, relative to this picture.
     fn tile(&self, at: usize) -> Region {
         let Region { x, y, width, height } = self.view.area;
         let (column, row) = (at % self.columns() + x / TILE, at / self.columns() + y / TILE);
@@ -101,7 +101,7 @@ impl Picture {
 
 impl Screen {
     fn lock(&self) -> MutexGuard<'_, Shown> {
-        // Whoever panicked has left a picture that is whole enough to be looked at.
+        // After a panic of another thread the picture can still be displayed.
         self.shown.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -114,18 +114,18 @@ impl Screen {
         self.changed.notify_all();
     }
 
-    /// Something else stands beside the picture.
-    pub fn tell(&self, told: Told) {
-        self.change(|shown, stamp| (shown.told, shown.told_at) = (Some(Arc::new(told)), stamp));
+    /// Replaces the state beside the picture.
+    pub fn set_state(&self, state: PageState) {
+        self.change(|shown, stamp| (shown.state, shown.state_stamp) = (Some(Arc::new(state)), stamp));
     }
 
-    /// Another picture begins. The last one that was finished becomes that of before.
+    /// Starts a new picture. The last finished picture becomes the previous one.
     pub fn begin(&self, view: View) {
         self.change(|shown, stamp| {
             let last = shown.picture.take();
             let run = last.as_ref().map_or(1, |last| last.run + 1);
             if let Some(last) = last.filter(|last| last.done) {
-                shown.before = Some(Arc::new(last.image));
+                shown.previous = Some(Arc::new(last.image));
             }
             let Region { width, height, .. } = view.area;
             let image = Image { width, height, pixels: vec![[0.0; 4]; width * height] };
@@ -133,11 +133,11 @@ impl Screen {
             let Region { y, .. } = view.area;
             let tiles = picture.columns() * ((y + height).div_ceil(TILE) - y / TILE);
             shown.picture = Some(Picture { tiles: vec![0; tiles], ..picture });
-            shown.told_at = stamp;
+            shown.state_stamp = stamp;
         });
     }
 
-    /// The whole picture, but smaller.
+    /// Displays the whole picture in a lower resolution.
     pub fn put_coarse(&self, image: Image) {
         self.change(|shown, stamp| {
             if let Some(picture) = &mut shown.picture {
@@ -146,7 +146,7 @@ impl Screen {
         });
     }
 
-    /// An area of the larger picture is drawn: linear light, row by row. What of it is not shown is passed over.
+    /// Displays an area of the larger picture, in linear colour and row by row. Pixels outside of the view are ignored.
     pub fn put(&self, area: Region, pixels: &[[f32; 4]]) {
         self.change(|shown, stamp| {
             let Some(picture) = &mut shown.picture else { return };
@@ -164,61 +164,61 @@ impl Screen {
         });
     }
 
-    /// So much of the picture is drawn, from 0 to 1.
+    /// Sets the rendered share of the picture, from 0 to 1.
     pub fn progress(&self, progress: f32) {
         if let Some(picture) = &mut self.lock().picture {
             picture.progress = progress;
         }
     }
 
-    /// The picture is finished.
+    /// Marks the picture as finished.
     pub fn finish(&self) {
         self.change(|shown, stamp| {
             if let Some(picture) = &mut shown.picture {
                 (picture.done, picture.progress) = (true, 1.0);
-                shown.told_at = stamp;
+                shown.state_stamp = stamp;
             }
         });
     }
 
-    /// The picture, if it is finished.
+    /// Returns the picture if it is finished.
     pub fn finished(&self) -> Option<Image> {
         let shown = self.lock();
         shown.picture.as_ref().filter(|picture| picture.done).map(|picture| picture.image.clone())
     }
 
-    /// The light of a pixel, if it is drawn.
-    pub fn light(&self, x: usize, y: usize) -> Option<[f32; 4]> {
+    /// Returns the linear colour of a pixel.
+    pub fn color_at(&self, x: usize, y: usize) -> Option<[f32; 4]> {
         let shown = self.lock();
         let picture = shown.picture.as_ref().filter(|picture| x < picture.image.width)?;
         picture.image.pixels.get(y * picture.image.width + x).copied()
     }
 
-    /// The picture that was finished before this one.
-    pub fn before(&self) -> Option<Arc<Image>> {
-        self.lock().before.clone()
+    /// Returns the previous finished picture.
+    pub fn previous(&self) -> Option<Arc<Image>> {
+        self.lock().previous.clone()
     }
 
-    /// Waits until there is something that a page has not seen; nothing if there is none for so long.
-    pub(super) fn wait(&self, cursor: &mut Cursor, time: Duration) -> Option<News> {
+    /// Waits for changes that a page has not received; `None` after `time`.
+    pub(super) fn wait(&self, cursor: &mut Cursor, time: Duration) -> Option<Update> {
         let shown = self.lock();
         let quiet = |shown: &mut Shown| shown.stamp <= cursor.stamp;
         let (shown, _) = self.changed.wait_timeout_while(shown, time, quiet).unwrap_or_else(PoisonError::into_inner);
-        (shown.stamp > cursor.stamp).then(|| shown.news(cursor))
+        (shown.stamp > cursor.stamp).then(|| shown.update(cursor))
     }
 }
 
 impl Shown {
-    fn news(&self, cursor: &mut Cursor) -> News {
+    fn update(&self, cursor: &mut Cursor) -> Update {
         let run = self.picture.as_ref().map_or(0, |picture| picture.run);
         let another = run != cursor.run;
-        // Of another picture everything is new.
+        // All tiles of another picture are new.
         let since = if another { 0 } else { cursor.stamp };
-        let mut news = News {
+        let mut update = Update {
             run,
-            begins: None,
-            before: self.before.is_some(),
-            told: self.told.clone().filter(|_| self.told_at > cursor.stamp),
+            new_size: None,
+            has_previous: self.previous.is_some(),
+            state: self.state.clone().filter(|_| self.state_stamp > cursor.stamp),
             coarse: None,
             tiles: vec![],
             progress: 0.0,
@@ -226,12 +226,12 @@ impl Shown {
         };
         let mut stamp = self.stamp;
         if let Some(picture) = &self.picture {
-            news.begins = another.then_some([picture.image.width, picture.image.height]);
-            news.coarse = picture.coarse.as_ref().filter(|(_, at)| *at > since).map(|(image, _)| image.clone());
-            (news.progress, news.done) = (picture.progress, picture.done);
+            update.new_size = another.then_some([picture.image.width, picture.image.height]);
+            update.coarse = picture.coarse.as_ref().filter(|(_, at)| *at > since).map(|(image, _)| image.clone());
+            (update.progress, update.done) = (picture.progress, picture.done);
             let mut fresh: Vec<_> = picture.tiles.iter().enumerate().filter(|(_, at)| **at > since).collect();
             if fresh.len() > BATCH {
-                // The oldest go first; the others stay news.
+                // Send the oldest tiles first, and the others with the next update.
                 fresh.sort_by_key(|(_, at)| **at);
                 let last = *fresh[BATCH - 1].1;
                 fresh.retain(|(_, at)| **at <= last);
@@ -241,16 +241,16 @@ impl Shown {
                 let area = picture.tile(at);
                 (area.x, area.y, picture.part(area))
             };
-            news.tiles = fresh.into_iter().map(|(at, _)| tile(at)).collect();
-            // Of a batch, more is to come.
-            news.done &= stamp == self.stamp;
+            update.tiles = fresh.into_iter().map(|(at, _)| tile(at)).collect();
+            // The picture is not complete on the page while tiles are pending.
+            update.done &= stamp == self.stamp;
         }
         (cursor.stamp, cursor.run) = (stamp, run);
-        news
+        update
     }
 }
 
-/// Red, green, blue and alpha as a screen takes them.
+/// Encodes red, green, blue and alpha as sRGB bytes.
 pub(super) fn on_screen(image: &Image) -> Vec<u8> {
     let byte = |x: f32| (srgb_encode(f64::from(x).clamp(0.0, 1.0)) * 255.0).round() as u8;
     let pixel = |[r, g, b, a]: &[f32; 4]| [byte(*r), byte(*g), byte(*b), (a.clamp(0.0, 1.0) * 255.0).round() as u8];
@@ -261,27 +261,27 @@ pub(super) fn on_screen(image: &Image) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    fn collect(screen: &Screen, cursor: &mut Cursor) -> Vec<News> {
+    fn collect(screen: &Screen, cursor: &mut Cursor) -> Vec<Update> {
         std::iter::from_fn(|| screen.wait(cursor, Duration::ZERO)).collect()
     }
 
     #[test]
-    fn a_page_sees_each_tile_once_and_again_if_it_changes() {
+    fn a_page_receives_each_tile_once_and_after_each_change() {
         let (screen, mut page) = (Screen::default(), Cursor::default());
         assert!(screen.wait(&mut page, Duration::ZERO).is_none());
         let area = Region { x: 5, y: 20, width: 40, height: 30 };
         screen.begin(View { area });
-        let news = collect(&screen, &mut page);
-        assert_eq!((news.len(), news[0].begins, news[0].tiles.len()), (1, Some([40, 30]), 0));
-        // One tile, of which a part lies outside.
+        let update = collect(&screen, &mut page);
+        assert_eq!((update.len(), update[0].new_size, update[0].tiles.len()), (1, Some([40, 30]), 0));
+        // A tile that is partly outside of the view.
         screen.put(Region { x: 0, y: 16, width: 16, height: 16 }, &[[0.5; 4]; 256]);
-        let news = collect(&screen, &mut page);
-        let (x, y, tile) = &news[0].tiles[0];
+        let update = collect(&screen, &mut page);
+        let (x, y, tile) = &update[0].tiles[0];
         assert_eq!((*x, *y, tile.width, tile.height, tile.pixels[0]), (0, 0, 11, 12, [0.5; 4]));
-        assert_eq!(screen.light(10, 11), Some([0.5; 4]));
-        assert_eq!(screen.light(11, 11), Some([0.0; 4]));
+        assert_eq!(screen.color_at(10, 11), Some([0.5; 4]));
+        assert_eq!(screen.color_at(11, 11), Some([0.0; 4]));
         assert!(collect(&screen, &mut page).is_empty());
-        // Another page sees all of it.
+        // A new page receives all tiles.
         assert_eq!(collect(&screen, &mut Cursor::default())[0].tiles.len(), 1);
         screen.put(Region { x: 0, y: 16, width: 16, height: 16 }, &[[0.25; 4]; 256]);
         assert_eq!(collect(&screen, &mut page)[0].tiles.len(), 1);
@@ -289,11 +289,11 @@ mod tests {
         screen.finish();
         assert!(screen.finished().is_some());
         screen.begin(View { area });
-        assert_eq!(screen.before().map(|image| image.pixels[0]), Some([0.25; 4]));
+        assert_eq!(screen.previous().map(|image| image.pixels[0]), Some([0.25; 4]));
     }
 
     #[test]
-    fn many_tiles_come_in_batches_and_none_is_lost() {
+    fn many_tiles_are_sent_in_batches() {
         let (screen, mut page) = (Screen::default(), Cursor::default());
         let area = Region { x: 0, y: 0, width: 640, height: 480 };
         screen.begin(View { area });
@@ -302,15 +302,15 @@ mod tests {
             screen.put(Region { x, y, width: 16, height: 16 }, &[[1.0; 4]; 256]);
         }
         screen.finish();
-        let news = collect(&screen, &mut page);
-        assert_eq!(news.iter().map(|news| news.tiles.len()).sum::<usize>(), 1200);
-        assert!(news.iter().all(|news| news.tiles.len() <= BATCH));
-        assert_eq!(news.iter().filter(|news| news.done).count(), 1);
-        // A tile that changes while others wait comes again.
+        let update = collect(&screen, &mut page);
+        assert_eq!(update.iter().map(|update| update.tiles.len()).sum::<usize>(), 1200);
+        assert!(update.iter().all(|update| update.tiles.len() <= BATCH));
+        assert_eq!(update.iter().filter(|update| update.done).count(), 1);
+        // A tile that changes while others are pending is sent again.
         let mut page = Cursor::default();
         screen.wait(&mut page, Duration::ZERO);
         screen.put(Region { x: 0, y: 0, width: 16, height: 16 }, &[[0.5; 4]; 256]);
-        let tiles: Vec<_> = collect(&screen, &mut page).into_iter().flat_map(|news| news.tiles).collect();
+        let tiles: Vec<_> = collect(&screen, &mut page).into_iter().flat_map(|update| update.tiles).collect();
         assert!(tiles.iter().any(|(x, y, tile)| (*x, *y, tile.pixels[0]) == (0, 0, [0.5; 4])));
     }
 }

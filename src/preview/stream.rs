@@ -1,29 +1,29 @@
-//! Sends a page what it has not seen (WHATWG HTML, "Server-sent events"): `told` and `picture`.
+//! Sends a page the changes of the screen (WHATWG HTML, "Server-sent events"), as the events `told` and `picture`.
 
 use super::http;
-use super::screen::{Cursor, Image, News, Screen, on_screen};
+use super::screen::{Cursor, Image, Screen, Update, on_screen};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::json;
 use std::io::{self, Write};
 use std::net::TcpStream;
 use std::time::Duration;
 
-/// So often somebody who has left is noticed.
+/// Interval of empty messages, which detect a closed page.
 const IDLE: Duration = Duration::from_secs(5);
-/// What happens within this time is sent at once.
+/// Time in which changes are collected for one update.
 const PAUSE: Duration = Duration::from_millis(16);
 
-/// Sends until the page has left.
+/// Sends updates until the page is closed.
 ///
 /// # Errors
-/// That is how it ends.
+/// Always, when the connection is closed.
 pub fn send(stream: &mut TcpStream, screen: &Screen) -> io::Result<()> {
     http::begin_events(stream)?;
     let mut cursor = Cursor::default();
     loop {
         match screen.wait(&mut cursor, IDLE) {
-            Some(news) => {
-                stream.write_all(events(&news).as_bytes())?;
+            Some(update) => {
+                stream.write_all(events(&update).as_bytes())?;
                 std::thread::sleep(PAUSE);
             }
             None => stream.write_all(b":\n\n")?,
@@ -31,22 +31,22 @@ pub fn send(stream: &mut TcpStream, screen: &Screen) -> io::Result<()> {
     }
 }
 
-fn events(news: &News) -> String {
+fn events(update: &Update) -> String {
     let mut text = String::new();
-    if let Some(told) = &news.told {
-        text += &event("told", &json!({"run": news.run, "before": news.before, "told": **told}));
+    if let Some(state) = &update.state {
+        text += &event("told", &json!({"run": update.run, "before": update.has_previous, "told": **state}));
     }
-    // Left, top, width, height, and red, green, blue and alpha of each pixel.
+    // Left, top, width, height, and the bytes red, green, blue and alpha of each pixel.
     let tile = |x: usize, y: usize, image: &Image| {
         json!([x, y, image.width, image.height, BASE64_STANDARD.encode(on_screen(image))])
     };
     let picture = json!({
-        "run": news.run,
-        "size": news.begins,
-        "coarse": news.coarse.as_ref().map(|image| tile(0, 0, image)),
-        "tiles": news.tiles.iter().map(|(x, y, image)| tile(*x, *y, image)).collect::<Vec<_>>(),
-        "progress": news.progress,
-        "done": news.done,
+        "run": update.run,
+        "size": update.new_size,
+        "coarse": update.coarse.as_ref().map(|image| tile(0, 0, image)),
+        "tiles": update.tiles.iter().map(|(x, y, image)| tile(*x, *y, image)).collect::<Vec<_>>(),
+        "progress": update.progress,
+        "done": update.done,
     });
     text + &event("picture", &picture)
 }

@@ -13,6 +13,7 @@ mod csg;
 mod image;
 mod language;
 mod light;
+mod options;
 mod pattern;
 mod shape;
 mod surface;
@@ -69,6 +70,7 @@ pub const TOPICS: &[Topic] = &[
     Topic { title: "Sky, fog, rainbows", quirks: atmosphere::QUIRKS },
     Topic { title: "Cameras and sampling", quirks: camera::QUIRKS },
     Topic { title: "Pictures in and out", quirks: image::QUIRKS },
+    Topic { title: "Command line and INI files", quirks: options::QUIRKS },
 ];
 
 /// A quirk that durer emulates.

@@ -50,7 +50,7 @@ const RESERVED: &[(&str, &[&str])] = &[
     ("clap::", &["cli/"]),
     ("lsp_types", &["lsp/"]),
     ("lsp_server", &["lsp/"]),
-    ("notify::", &["preview/files.rs"]),
+    ("notify::", &["preview/file_watcher.rs"]),
     ("httparse", &["preview/http.rs"]),
     ("TcpStream", &["preview/"]),
     ("base64", &["preview/stream.rs", "mesh_io/gltf/"]),

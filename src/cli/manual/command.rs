@@ -1,4 +1,4 @@
-//! The command line and the codes of messages.
+//! Pages about the command line and the codes of messages.
 
 use super::{code, table};
 use crate::cli::commands;
@@ -44,11 +44,11 @@ fn option_row(arg: &Arg) -> [String; 2] {
     let shown = if takes { format!("{name} {values}") } else { name };
     let default = arg.get_default_values().first().map(|d| format!(" [default: {}]", d.to_string_lossy()));
     let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
-    // Angle brackets are Markdown's.
+    // Markdown interprets angle brackets.
     [code(shown.trim()), help.replace('<', "&lt;") + &words(arg) + &default.unwrap_or_default()]
 }
 
-/// The words that an option takes, where each says what it means.
+/// The values of an option with their descriptions.
 fn words(arg: &Arg) -> String {
     let values = arg.get_possible_values();
     if values.is_empty() || values.iter().any(|value| value.get_help().is_none()) {
@@ -62,7 +62,7 @@ fn words(arg: &Arg) -> String {
 fn lower(text: Option<String>) -> String {
     let text = text.unwrap_or_default();
     let mut letters = text.chars();
-    // `An INI file`, but not `INI files`.
+    // Change `An INI file`, but not `INI files`.
     match (letters.next(), letters.next()) {
         (Some(first), Some(second)) if !second.is_uppercase() => {
             first.to_lowercase().to_string() + &text[first.len_utf8()..]

@@ -1,4 +1,4 @@
-//! Directives, functions, constants.
+//! Pages about directives, functions and constants.
 
 use super::{code, table};
 use crate::function::numeric;

@@ -1,4 +1,4 @@
-//! Blocks and their words.
+//! Pages about blocks and their words.
 
 use super::{code, kind, list, section, table, word_table};
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
@@ -43,7 +43,7 @@ pub(super) fn objects() -> String {
 
 pub(super) fn cameras() -> String {
     let kinds = camera::words::KINDS.iter().map(|kind| {
-        // (Shapes and patterns have these names too.)
+        // Shapes and patterns have these names, too.
         let more = if matches!(kind.name, "cylinder" | "spherical") { " camera" } else { "" };
         format!("## {}{more}\n\nWith the word {}: {}.\n\n", kind.name, code(kind.name), kind.summary)
     });
@@ -135,11 +135,11 @@ pub(super) fn pigments() -> String {
         )
 }
 
-/// A pattern without numbers of its own.
+/// Section about a pattern without own values.
 const AVERAGE: &str = "## average\n\n`average`: all entries of a `pigment_map`, `normal_map` or `texture_map` at once. Their \
                        numbers are weights; one that is left out is 1, but before a colour it must be there.\n\n";
 
-/// `image_map` and its kin.
+/// Sections about `image_map` and its kin.
 fn pictures() -> String {
     let formats = list(bitmap::FORMATS);
     let all = word_table(bitmap::WORDS, &[]);

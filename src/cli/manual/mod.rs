@@ -1,5 +1,5 @@
-//! The reference pages of the manual (`docs/src/reference/`), made of the tables that the readers obey. `tests/manual.rs`
-//! compares them with the files; `UPDATE_DOCS=1 cargo test --test cases manual::` writes these anew.
+//! The reference pages of the manual (`docs/src/reference/`), generated from the tables of the readers. A test
+//! compares them with the files; `UPDATE_DOCS=1 cargo test --test cases manual::` rewrites the files.
 
 mod command;
 mod functions;
@@ -9,12 +9,12 @@ mod words;
 
 use crate::value::{ValueKind, Vocabulary, WordSpec};
 
-/// One page.
+/// A page of the manual.
 #[derive(Debug)]
 pub struct Page {
-    /// Its name in `docs/src/reference/`.
+    /// File name in `docs/src/reference/`.
     pub file: &'static str,
-    /// In Markdown.
+    /// Text in Markdown.
     pub text: String,
 }
 
@@ -45,7 +45,7 @@ pub fn pages() -> Vec<Page> {
 const GENERATED: &str =
     "<!-- Made of durer's tables by `UPDATE_DOCS=1 cargo test --test cases manual::`: change those. -->";
 
-/// A table; cells may hold `|`.
+/// Formats a table; cells may contain `|`.
 fn table<const N: usize>(head: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.iter().map(|c| cell(c)).collect::<Vec<_>>().join(" | "));
     let head = line(&head.map(String::from)) + &"|---".repeat(N) + "|\n";
@@ -60,12 +60,12 @@ fn code(text: &str) -> String {
     if text.is_empty() { String::new() } else { format!("`{text}`") }
 }
 
-/// Words in backticks, with commas.
+/// Formats words in backticks, separated by commas.
 fn list(words: impl IntoIterator<Item = impl AsRef<str>>) -> String {
     words.into_iter().map(|w| code(w.as_ref())).collect::<Vec<_>>().join(", ")
 }
 
-/// What stands behind a word.
+/// Describes the value that a word takes.
 fn kind(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Nothing => "",
@@ -80,7 +80,7 @@ fn kind(kind: ValueKind) -> &'static str {
     }
 }
 
-/// A table of words; those of `own` are durer's.
+/// Formats a table of words; those in `own` are marked as durer's own.
 fn word_table(words: &[WordSpec], own: &[&str]) -> String {
     let row = |w: &WordSpec| {
         let mark = if own.contains(&w.name) { " *(durer's own)*" } else { "" };
@@ -89,7 +89,7 @@ fn word_table(words: &[WordSpec], own: &[&str]) -> String {
     table(["word", "takes", "default", ""], words.iter().map(row))
 }
 
-/// A section about a block.
+/// Formats the section about a block.
 fn section(block: &Vocabulary, title: &str, own: &[&str]) -> String {
     let mut text = format!("## {title}\n\n{}.\n\n{}", sentence(block.summary), word_table(block.words, own));
     if block.has_transforms {
@@ -105,10 +105,10 @@ fn section(block: &Vocabulary, title: &str, own: &[&str]) -> String {
     text
 }
 
-/// With a capital.
+/// Capitalizes the first letter.
 fn sentence(text: &str) -> String {
     let mut chars = text.chars();
     let first = chars.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    // `durer` stays small wherever it stands.
+    // The name `durer` is always in lower case.
     if text.starts_with("durer") { text.into() } else { first + chars.as_str() }
 }

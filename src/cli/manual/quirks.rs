@@ -1,4 +1,4 @@
-//! The page of POV-Ray's quirks.
+//! Page about POV-Ray's quirks.
 
 use crate::quirks::{Quirk, Status, TOPICS, Topic};
 

@@ -1,4 +1,4 @@
-//! The index: every word of the language, and where it belongs.
+//! Index of all words of the language, with the blocks that take them.
 
 use super::{code, list, table};
 use crate::pattern::{Modifiers, TurbulenceParams, bitmap};

@@ -5,23 +5,23 @@ use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::source::{Sources, Span, read_text};
 use std::path::{Path, PathBuf};
 
-/// So many INI files may be read inside each other.
+/// Largest nesting depth of INI files.
 const MAX_NESTED: usize = 20;
 
-/// The INI files that are being read.
+/// Stack of the INI files that are being read.
 pub struct Files<'s> {
     sources: &'s Sources,
-    /// With their sections, innermost last.
+    /// Files with their sections, innermost last.
     open: Vec<(PathBuf, Option<String>)>,
 }
 
 impl<'s> Files<'s> {
-    /// None yet.
+    /// An empty stack.
     pub fn new(sources: &'s Sources) -> Self {
         Self { sources, open: Vec::new() }
     }
 
-    /// Reads `file.ini` or `file.ini[section]`, which is named at `span`.
+    /// Reads `file.ini` or `file.ini[section]`, named at `span`.
     pub fn open(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
         let path = self.located(&with_ini(name), Path::is_file);
@@ -44,23 +44,23 @@ impl<'s> Files<'s> {
         Ok(ini::parse(self.sources.text(file), self.sources.base(file), section))
     }
 
-    /// [`is_ini`], also beside the INI file in which the word stands.
+    /// [`is_ini`], also for files beside the INI file that contains the word.
     pub fn is_ini(&self, word: &str) -> bool {
         let there = |word: &str| self.located(word, Path::is_file).is_file();
         is_ini(word) || Path::new(word).extension().is_none() && !there(word) && there(&with_ini(word))
     }
 
-    /// The innermost file has been read.
+    /// Removes the innermost file after its end.
     pub fn close(&mut self) {
         self.open.pop();
     }
 
-    /// A scene: as POV-Ray looks for it, from the current folder; if it isn't there, beside the INI file that names it.
+    /// Finds a scene in the current folder, as POV-Ray does, or else beside the INI file that names it.
     pub fn scene(&self, name: &str) -> String {
         self.located(name, |path| path.is_file() || has_with_ending(path)).display().to_string()
     }
 
-    /// A folder, in the same way.
+    /// Finds a folder in the current folder, or else beside the INI file that names it.
     pub fn folder(&self, name: &str) -> String {
         self.located(name, Path::is_dir).display().to_string()
     }
@@ -73,13 +73,13 @@ impl<'s> Files<'s> {
     }
 }
 
-/// From the current folder, if it lies below that.
+/// The path relative to the current folder, if it is below that folder.
 fn shortened(path: &Path) -> PathBuf {
     let here = std::env::current_dir().and_then(|here| here.canonicalize()).unwrap_or_default();
     path.strip_prefix(here).map_or(path.to_path_buf(), Path::to_path_buf)
 }
 
-/// Is an INI file meant: `anim.ini`, `res[low]`, or `res` where there is a `res.ini`?
+/// True if a word names an INI file: `anim.ini`, `res[low]`, or `res` if `res.ini` exists.
 pub fn is_ini(word: &str) -> bool {
     let (name, section) = ini::split_section(word);
     let path = Path::new(name);
@@ -100,7 +100,7 @@ fn has_with_ending(path: &Path) -> bool {
     path.extension().is_none() && path.with_extension("pov").is_file()
 }
 
-/// POV-Ray reads `scene.pov` when told `scene`.
+/// Replaces `scene` by `scene.pov` if only that file exists, as POV-Ray does.
 pub fn with_ending(input: String) -> String {
     let path = Path::new(&input);
     if !path.exists() && has_with_ending(path) { format!("{input}.pov") } else { input }

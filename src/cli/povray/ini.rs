@@ -1,12 +1,12 @@
-//! The syntax of INI files: text to words, as they would stand on the command line, with their places. (Manual, section 1.5.2 and
-//! 3.2; what it leaves open was found by running POV-Ray 3.7.)
+//! The syntax of INI files: splits a text into words of a command line, with their positions (manual, sections 1.5.2 and 3.2;
+//! quirk: `ini_syntax`).
 //!
 //! ```text
-//! ; the unlabelled area, which is always read
-//! Input_File_Name="my scene.pov"   # a setting; what follows its value on the line is not read
+//! ; the part before the first label is always read
+//! Input_File_Name="my scene.pov"   # a setting; the rest of the line after its value is ignored
 //! +W320 +H200                      ; any number of switches
 //! other.ini[low]                   ; another file, or a section of it
-//! [low]                            ; read only if it is asked for: `this.ini[Low]`
+//! [low]                            ; read only on request: `this.ini[Low]`
 //! Width=160
 //! ```
 
@@ -14,27 +14,27 @@ use crate::diagnostic::{Diagnostic, codes, did_you_mean};
 use crate::source::Span;
 use std::ops::Range;
 
-/// A switch, setting or file name; without the quotes around its value.
+/// A switch, a setting or a file name, without the quotes around its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word {
-    /// As on the command line.
+    /// Text of the word as on a command line.
     pub text: String,
-    /// All of it, in the file.
+    /// Position of the word in the file.
     pub span: Span,
-    /// What stands behind `=`, in the file; all of it where there is no `=`.
+    /// Position of the value after `=`; of the whole word without `=`.
     pub value: Span,
 }
 
-/// What was found in a file.
+/// Contents of an INI file.
 #[derive(Debug, Default)]
 pub struct Ini {
-    /// In the order of the text.
+    /// Words in the order of the text.
     pub words: Vec<Word>,
-    /// What is wrong with the text itself.
+    /// Faults of the syntax.
     pub faults: Vec<Diagnostic>,
 }
 
-/// Reads a text whose first byte has the global offset `base`: what stands before the first label, and the section.
+/// Parses a text whose first byte has the global offset `base`: the part before the first label, and `section`.
 pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
     let mut reader = Reader { text, base, out: Ini::default() };
     let mut wanted = true;
@@ -49,7 +49,7 @@ pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
             continue;
         }
         let Some(label) = text[line.clone()].find(']').map(|end| text[line.start + 1..line.start + end].trim()) else {
-            let d = Diagnostic::new(codes::INI_SYNTAX, reader.span(&line), "expected `]` behind the section's name");
+            let d = Diagnostic::new(codes::INI_SYNTAX, reader.span(&line), "expected `]` after the section's name");
             reader.out.faults.push(d);
             continue;
         };
@@ -59,7 +59,7 @@ pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
     }
     if let Some(section) = section.filter(|_| !found) {
         let message =
-            format!("there is no section `[{}]`: only what stands before the first one is read", section.trim());
+            format!("there is no section `[{}]`: only the part before the first section is read", section.trim());
         let list: Vec<_> = labels.iter().map(|label| format!("`[{label}]`")).collect();
         let all = (!list.is_empty()).then(|| format!("the file has {}", list.join(", ")));
         let help = did_you_mean(section.trim(), labels.iter().copied()).or(all);
@@ -69,7 +69,7 @@ pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
     reader.out
 }
 
-/// `file.ini[section]` in its two parts.
+/// Splits `file.ini[section]`.
 pub fn split_section(word: &str) -> (&str, Option<&str>) {
     match word.strip_suffix(']').and_then(|word| word.split_once('[')) {
         Some((file, section)) => (file, Some(section)),
@@ -77,7 +77,7 @@ pub fn split_section(word: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// The ranges of all lines; CR, LF and CRLF end them.
+/// The ranges of all lines, which end with CR, LF or CRLF.
 fn lines(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
     let mut start = 0;
     text.split(['\n', '\r']).map(move |line| {
@@ -104,7 +104,7 @@ impl Reader<'_> {
         start..start + line.trim().len()
     }
 
-    /// Words up to the end of the line, a comment, or a setting.
+    /// Reads words up to the end of the line, a comment, or a setting.
     fn line(&mut self, line: Range<usize>) {
         let mut at = line.start;
         loop {
@@ -126,29 +126,29 @@ impl Reader<'_> {
         }
     }
 
-    /// `Name = value`
+    /// Reads `Name = value`.
     fn setting(&mut self, name: Range<usize>, line_end: usize) {
-        let behind = &self.text[name.end..line_end];
-        let equals = name.end + behind.find('=').unwrap_or(0) + 1;
+        let after = &self.text[name.end..line_end];
+        let equals = name.end + after.find('=').unwrap_or(0) + 1;
         let rest = &self.text[equals..line_end];
         let start = equals + rest.len() - rest.trim_start().len();
         let end = self.word_end(start, line_end);
         let value = &self.text[start..end];
-        // `Declare=NAME=VALUE`: quotes tell a text from a number.
+        // `Declare=NAME=VALUE` needs the quotes, which distinguish a text from a number.
         let value =
             if self.text[name.clone()].eq_ignore_ascii_case("declare") { value.into() } else { unquoted(value) };
         let text = format!("{}={value}", &self.text[name.clone()]);
         self.out.words.push(Word { text, span: self.span(&(name.start..end)), value: self.span(&(start..end)) });
         let rest = self.trimmed(end..line_end);
         if !rest.is_empty() && !self.text[rest.clone()].starts_with([';', '#']) {
-            let message = "what follows a value on its line is not read";
-            let help = "quotes hold a value with blanks together; other options go on a line of their own";
+            let message = "the rest of the line after the value is ignored";
+            let help = "put quotes around a value with spaces, and other options on lines of their own";
             let d = Diagnostic::new(codes::INI_REST, self.span(&rest), message).help(help);
             self.out.faults.push(d);
         }
     }
 
-    /// Up to a blank or a comment outside of quotes and brackets.
+    /// The end of a word: the next space or comment outside of quotes and brackets.
     fn word_end(&self, start: usize, line_end: usize) -> usize {
         let (mut quote, mut bracket) = (None, false);
         for (i, c) in self.text[start..line_end].char_indices() {
@@ -166,7 +166,7 @@ impl Reader<'_> {
     }
 }
 
-/// Without quotes, wherever they stand: `+I"my scene.pov"`.
+/// Removes all quotes: `+I"my scene.pov"`.
 fn unquoted(word: &str) -> String {
     let mut quote = None;
     let mut out = String::new();
@@ -198,13 +198,13 @@ mod tests {
     }
 
     #[test]
-    fn quotes_hold_blanks_together() {
+    fn quotes_keep_spaces_in_a_word() {
         let text = "Input_File_Name=\"my #1 scene.pov\"\n+I'it''s.pov'\nDeclare=A=\"x y\"";
         assert_eq!(words(text, None), ["Input_File_Name=my #1 scene.pov", "+Iits.pov", "Declare=A=\"x y\""]);
     }
 
     #[test]
-    fn sections_are_read_when_asked_for() {
+    fn sections_are_read_on_request() {
         let text = "A=1\n[Low]\nA=2\n [ Really High ] ; x\nA=3\n";
         assert_eq!(words(text, None), ["A=1"]);
         assert_eq!(words(text, Some("low")), ["A=1", "A=2"]);
@@ -216,13 +216,13 @@ mod tests {
     }
 
     #[test]
-    fn places_are_those_of_the_text() {
+    fn words_have_their_positions() {
         let ini = parse("; x\nWidth = abc ; y", 11, None);
         assert_eq!((ini.words[0].span, ini.words[0].value), (Span::new(15, 26), Span::new(23, 26)));
     }
 
     #[test]
-    fn what_is_left_over_is_told() {
+    fn ignored_text_is_reported() {
         let codes = |text: &str| parse(text, 1, None).faults.iter().map(|d| d.code.0).collect::<Vec<_>>();
         assert_eq!(codes("Width=3 Height=4"), ["W0014"]);
         assert_eq!(codes("[low"), ["E0015"]);

@@ -1,4 +1,4 @@
-//! Whose manner a command line is in, and POV-Ray's words behind a command of ours: `durer render a.scene +W32`.
+//! Decides whether a command line is durer's or POV-Ray's, and translates POV-Ray options after a command: `durer render a.scene +W32`.
 
 use super::own::Own;
 use super::{Origin, Translated, Translation, find_switch};
@@ -7,18 +7,18 @@ use clap::Command;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Whose manner a command line is in.
+/// Form of a command line.
 #[derive(Debug, PartialEq)]
 pub enum Manner {
-    /// Nothing is to be translated.
+    /// durer's own options only.
     Ours,
-    /// Ours, with words of POV-Ray's behind the command, which is the word with this number.
+    /// A command of durer, the word with this index, with POV-Ray options after it.
     Mixed(usize),
-    /// POV-Ray's.
+    /// POV-Ray options without a command.
     Theirs,
 }
 
-/// Does a command of ours come first, or what every command takes?
+/// Determines the form of a command line.
 pub fn manner(words: &[OsString]) -> Manner {
     let Some((at, first)) = first_word(words) else { return Manner::Ours };
     let command = commands();
@@ -35,7 +35,7 @@ pub fn manner(words: &[OsString]) -> Manner {
     }
 }
 
-/// The first word behind the options that stand before a command, and its number.
+/// The first word after the options of all commands, and its index.
 pub fn first_word(words: &[OsString]) -> Option<(usize, String)> {
     let mut at = 1;
     loop {
@@ -49,7 +49,7 @@ pub fn first_word(words: &[OsString]) -> Option<(usize, String)> {
     }
 }
 
-/// Is it a command that reads a scene, and no file?
+/// True if the word is a command that reads a scene, and no file has this name.
 pub fn is_command(word: &str) -> bool {
     commands().find_subcommand(word).is_some_and(is_mixing) && !Path::new(word).exists()
 }
@@ -58,8 +58,7 @@ fn is_mixing(command: &Command) -> bool {
     ["render", "check", "pick"].contains(&command.get_name())
 }
 
-/// Does the command take this option, which is spelt out? `check` and `pick` draw nothing, so what is about pictures says
-/// nothing to them.
+/// True if the command has this long option. `check` and `pick` write no picture and lack the options for pictures.
 pub fn is_taken(command: &str, word: &str) -> bool {
     let all = commands();
     let name = word.split('=').next().and_then(|word| word.strip_prefix("--"));
@@ -67,7 +66,7 @@ pub fn is_taken(command: &str, word: &str) -> bool {
     name.is_none() || own.chain(all.get_arguments()).any(|a| a.get_long() == name)
 }
 
-/// The words behind a command, and which of them are POV-Ray's.
+/// The words after a command, each with a flag that is true for POV-Ray options.
 fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, bool)> {
     let global = commands();
     let arguments: Vec<_> = command.get_arguments().chain(global.get_arguments()).collect();
@@ -89,7 +88,7 @@ fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, boo
     out
 }
 
-/// A switch, or `Name=Value`, unless there is a file of this name.
+/// True for a switch and for `Name=Value`, unless a file has this name.
 fn is_theirs(text: &str) -> bool {
     if Path::new(text).exists() {
         return false;
@@ -105,7 +104,7 @@ fn is_theirs(text: &str) -> bool {
 }
 
 impl Translation<'_> {
-    /// Ours as they are, with POV-Ray's words, translated, before them: anti-aliasing stays ours unless `+A` or `-A` stands there.
+    /// Puts the translated POV-Ray options before durer's own. The default of anti-aliasing is durer's unless `+A` or `-A` is given.
     pub(super) fn mixed(mut self, words: &[OsString], at: usize) -> Translated {
         let all = commands();
         let Some(command) = words.get(at).and_then(|word| all.find_subcommand(word)) else {
@@ -118,7 +117,7 @@ impl Translation<'_> {
                 false => ours.push(word.clone()),
             }
         }
-        // What was said in our way counts, whatever POV-Ray's words say.
+        // An option of durer's own has precedence over one of POV-Ray's.
         let said = |name: &str| {
             let short =
                 command.get_arguments().find(|a| name.strip_prefix("--") == a.get_long()).and_then(|a| a.get_short());
@@ -131,8 +130,8 @@ impl Translation<'_> {
         let options = self.option_words(false).into_iter().map(|word| Own::of(word.to_string_lossy().into_owned()));
         let options =
             options.filter(|own| is_taken(command.get_name(), &own.name) && !said(&own.name)).flat_map(|own| own.words);
-        let named = self.parts.input.take().map(OsString::from);
+        let named = self.settings.input.take().map(OsString::from);
         let words = words[..=at].iter().cloned().chain(options).chain(named).chain(ours.iter().cloned()).collect();
-        Translated { words, animation: self.parts.animation(), diagnostics: self.faults, idle: self.idle }
+        Translated { words, animation: self.settings.animation(), diagnostics: self.faults, idle: self.idle }
     }
 }

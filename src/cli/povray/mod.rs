@@ -1,13 +1,13 @@
-//! POV-Ray's command line in our words: `durer +Iscene.pov +W640 +H480 +A0.3` becomes
-//! `durer render --aa=0.3 --size=640x480 -- scene.pov`. As with POV-Ray, there is no anti-aliasing unless `+A` asks for it, INI files
-//! stand between the other words, and the later of two contradicting words counts.
+//! Translates POV-Ray's command line into durer's own: `durer +Iscene.pov +W640 +H480 +A0.3` becomes
+//! `durer render --aa=0.3 --size=640x480 -- scene.pov`. As in POV-Ray, anti-aliasing is off without `+A`, INI files may appear
+//! between other words, and the later of two contradicting words is valid.
 
 mod files;
 mod ini;
 mod mixed;
 mod number;
 mod own;
-mod parts;
+mod settings;
 pub(super) mod table;
 #[cfg(test)]
 mod tests;
@@ -19,26 +19,26 @@ pub use files::is_ini;
 use files::{Files, with_ending};
 pub use mixed::first_word;
 use own::Own;
-use parts::Settings;
+use settings::Settings;
 use std::ffi::OsString;
 use std::iter::Peekable;
 use std::path::Path;
 use table::{Effect, ROWS, Row, Takes};
 
-/// What a command line in POV-Ray's manner became.
+/// Result of the translation.
 #[derive(Debug, Default)]
 pub struct Translated {
-    /// The same with nothing but our own options.
+    /// The command line in durer's own options.
     pub words: Vec<OsString>,
-    /// What no words of ours can say.
+    /// The animation, which durer's options cannot express.
     pub animation: Option<Animation>,
-    /// What is wrong with it, or was left out; places are in [`Sources`], which holds the INI files.
+    /// Errors, and warnings about ignored options, with positions in the INI files of [`Sources`].
     pub diagnostics: Vec<Diagnostic>,
-    /// Options that mean nothing here, which only `--warn options` tells.
+    /// Warnings about options without effect in durer, for `--warn options`.
     pub idle: Vec<Diagnostic>,
 }
 
-/// Translates a command line; one that is ours already comes back as it is.
+/// Translates a command line. A command line of durer's own is returned unchanged.
 pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     if let [program, word] = &words[..]
         && ["-?", "+?", "-H", "+H"].iter().any(|help| word.eq_ignore_ascii_case(help))
@@ -59,12 +59,12 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     }
 }
 
-/// What an INI file asks for, as a command line.
+/// Translates an INI file into a command line.
 pub fn translate_ini(sources: &Sources, name: &Path) -> Translated {
     let mut translation = Translation::new(sources);
     translation.ini(&name.to_string_lossy(), Origin::default());
-    if translation.parts.input.is_none() && translation.faults.is_empty() {
-        let message = format!("`{}` doesn't say which scene to draw", name.display());
+    if translation.settings.input.is_none() && translation.faults.is_empty() {
+        let message = format!("`{}` names no scene", name.display());
         let help = format!("add a line `Input_File_Name=scene.pov`, or name both: durer scene.pov {}", name.display());
         translation.faults.push(Diagnostic::new(codes::NO_SCENE, Span::NONE, message).help(help));
     }
@@ -72,22 +72,22 @@ pub fn translate_ini(sources: &Sources, name: &Path) -> Translated {
 }
 
 struct Translation<'s> {
-    parts: Settings,
-    /// Scenes that are named on the command line without a switch: all of them are drawn, unless POV-Ray's words say that this is
-    /// its manner. It draws the last one.
+    settings: Settings,
+    /// Scenes that are named on the command line without a switch. All of them are rendered, unless there are POV-Ray options: POV-Ray
+    /// renders the last scene only.
     scenes: Vec<OsString>,
-    /// Ours, as they came.
+    /// Options of durer in their order.
     options: Vec<Own>,
-    /// The command, where one was named.
+    /// The command, if one was named.
     command: Option<String>,
-    /// Was anything said in POV-Ray's way?
+    /// True if an option has POV-Ray's form.
     any_switch: bool,
     faults: Vec<Diagnostic>,
     idle: Vec<Diagnostic>,
     files: Files<'s>,
 }
 
-/// Where a word stands: nowhere if it came from the command line.
+/// Positions of a word in an INI file; none for a word of the command line.
 #[derive(Clone, Copy, Debug, Default)]
 struct Origin {
     word: Span,
@@ -98,7 +98,7 @@ impl<'s> Translation<'s> {
     fn new(sources: &'s Sources) -> Self {
         let files = Files::new(sources);
         Self {
-            parts: Settings::new(),
+            settings: Settings::new(),
             scenes: Vec::new(),
             options: Vec::new(),
             command: None,
@@ -109,7 +109,7 @@ impl<'s> Translation<'s> {
         }
     }
 
-    /// A word of the command line, which may be an option of ours that takes the next one.
+    /// Translates a word of the command line, which may be an option of durer's whose value is the next word.
     fn word<'a>(&mut self, word: &'a OsString, rest: &mut Peekable<impl Iterator<Item = &'a OsString>>) {
         let text = word.to_string_lossy().into_owned();
         match own::option(&text, rest.peek().map(|next| next.to_string_lossy()).as_deref()) {
@@ -125,7 +125,7 @@ impl<'s> Translation<'s> {
         }
     }
 
-    /// A switch, setting, INI file or scene.
+    /// Translates a switch, a setting, an INI file or a scene.
     fn option(&mut self, text: &str, origin: Origin) {
         let switch = text.strip_prefix(['+', '-']).filter(|rest| !rest.is_empty());
         let setting =
@@ -153,9 +153,9 @@ impl<'s> Translation<'s> {
         self.faults.extend(done.err());
     }
 
-    /// The one scene that is drawn, unless a later word names another.
+    /// Sets the scene, unless a later word names another one.
     fn set_input(&mut self, name: &str) {
-        self.parts.input = Some(self.files.scene(name));
+        self.settings.input = Some(self.files.scene(name));
         self.scenes.clear();
     }
 
@@ -163,7 +163,7 @@ impl<'s> Translation<'s> {
         let quoted = value.len() > 1 && value.starts_with('"') && value.ends_with('"');
         let value = if quoted && row.ini != "Declare" { &value[1..value.len() - 1] } else { value };
         match (row.takes, truth(value)) {
-            // `All_File=` as POV-Ray itself writes it.
+            // POV-Ray itself writes `All_File=`.
             (Takes::Text | Takes::MaybeText, _) if value.is_empty() => Ok(()),
             (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
             (_, Some(on)) => self.apply(row, text, "", on, origin),
@@ -178,7 +178,7 @@ impl<'s> Translation<'s> {
     fn apply(&mut self, row: &Row, text: &str, value: &str, on: bool, origin: Origin) -> Result<(), Diagnostic> {
         let needs = match row.takes {
             Takes::Number if number::real(value).is_none() => Some("a number"),
-            Takes::Text if value.is_empty() => Some("something behind it, without a space"),
+            Takes::Text if value.is_empty() => Some("a value, without a space before it"),
             _ => None,
         };
         if let Some(needs) = needs {
@@ -215,7 +215,7 @@ impl<'s> Translation<'s> {
                 self.set_input(value);
                 Ok(())
             }
-            Effect::Part(put) => put(&mut self.parts, value).map_err(|reason| wrong(text, &reason, origin)),
+            Effect::Part(set) => set(&mut self.settings, value).map_err(|reason| wrong(text, &reason, origin)),
             Effect::Lacks(reason) => {
                 let message = format!("`{text}` has no effect: {reason}");
                 self.faults.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
@@ -224,7 +224,7 @@ impl<'s> Translation<'s> {
         }
     }
 
-    /// All that an INI file says, as if it stood here.
+    /// Translates the words of an INI file in place of its name.
     fn ini(&mut self, name: &str, origin: Origin) {
         match self.files.open(name, origin.word) {
             Ok(ini) => {
@@ -245,8 +245,8 @@ impl<'s> Translation<'s> {
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
         let mut words = vec![program, command.into()];
         words.extend(options);
-        let animation = self.parts.animation();
-        let input = self.parts.input.map(|input| with_ending(input).into());
+        let animation = self.settings.animation();
+        let input = self.settings.input.map(|input| with_ending(input).into());
         let skipped = if self.any_switch { self.scenes.len().saturating_sub(1) } else { 0 };
         let scenes: Vec<_> = match self.scenes.is_empty() {
             true => input.into_iter().collect(),
@@ -259,25 +259,25 @@ impl<'s> Translation<'s> {
         Translated { words, animation, diagnostics: self.faults, idle: self.idle }
     }
 
-    /// All options; `plain` where nothing but POV-Ray's own `+A` asks for anti-aliasing.
+    /// All options in durer's form; with `plain`, anti-aliasing is off unless `+A` turns it on.
     fn option_words(&mut self, plain: bool) -> Vec<OsString> {
         let options = own::last_of_each(std::mem::take(&mut self.options));
         let is_named = |name: &str| options.iter().any(|o| o.name == name);
-        // Where no picture is written, `+FN` and the like say nothing.
+        // Without a picture file, `+FN` and its kin have no effect.
         let is_idle =
             |name: &str| is_named("--no-output") && ["--output", "--format", "--bit-depth", "--gray"].contains(&name);
-        let parts = self.parts.options(plain).into_iter().map(Own::of);
-        // Anti-aliasing is off by default, which an option of ours overrides.
+        let parts = self.settings.options(plain).into_iter().map(Own::of);
+        // An option of durer's own overrides the default that anti-aliasing is off.
         let parts = parts.filter(|part| !is_named(&part.name) && !is_idle(&part.name));
         let parts: Vec<_> = parts.flat_map(|part| part.words).collect();
         parts.into_iter().chain(options.into_iter().flat_map(|o| o.words)).collect()
     }
 }
 
-/// Tells where the value stands, which our own command line would not.
+/// Checks a value here, where its position is known; the parser of durer's options does not know it.
 fn check_value(option: &str, value: &str) -> Result<(), String> {
     match option {
-        "--declare" => value.parse::<super::values::Declare>().map(drop),
+        "--declare" => value.parse::<super::args::values::Declare>().map(drop),
         _ => Ok(()),
     }
 }
@@ -287,9 +287,9 @@ pub fn ini_names() -> impl Iterator<Item = &'static str> {
     ROWS.iter().map(|row| row.ini).filter(|ini| !ini.is_empty())
 }
 
-/// The row with the longest switch that the word begins with and whose value can be what is left of it.
+/// Finds the row with the longest switch that the word begins with and that takes the rest of the word as its value.
 fn find_switch(word: &str) -> Option<(&'static Row, &str)> {
-    // `+H12abc` is a number too, but not before all else has been tried: `+HRx` is a misspelt `+HR`.
+    // Try exact numbers first: `+H12abc` is a number, too, but `+HRx` is a misspelt `+HR`.
     switch_with(word, |value| value.parse::<f64>().is_ok())
         .or_else(|| switch_with(word, |value| number::real(value).is_some()))
 }
@@ -311,7 +311,7 @@ fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static
     found.max_by_key(|(row, _)| row.switch.len())
 }
 
-/// `on`, `true`, `yes` and `1`; `off`, `false`, `no` and `0`.
+/// Reads `on`, `true`, `yes` and `1`, or `off`, `false`, `no` and `0`.
 fn truth(value: &str) -> Option<bool> {
     let is = |words: [&str; 4]| words.iter().any(|w| w.eq_ignore_ascii_case(value));
     match () {
@@ -322,7 +322,7 @@ fn truth(value: &str) -> Option<bool> {
 }
 
 fn wrong(text: &str, reason: &str, origin: Origin) -> Diagnostic {
-    Diagnostic::new(codes::UNKNOWN_OPTION, origin.value, format!("`{text}` is not understood: {reason}"))
+    Diagnostic::new(codes::UNKNOWN_OPTION, origin.value, format!("`{text}` is invalid: {reason}"))
 }
 
 fn unknown(text: &str, origin: Origin) -> Diagnostic {

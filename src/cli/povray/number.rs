@@ -1,14 +1,14 @@
-//! Numbers as POV-Ray reads them in options: as far as they go, whatever follows. Programs write `Height=693.0412871`, which is
-//! 693. (All measured on POV-Ray 3.7.)
+//! Numbers in options, which POV-Ray reads as far as they are valid, and ignores the rest: `Height=693.0412871` is 693
+//! (quirk: `option_numbers`).
 
-/// A whole number: a sign and digits at the start. `12.7`, `12abc` and `1,5` end at what is no digit, and so does `1e2`, which
-/// is 1; `abc` and `.5` are none.
+/// Reads a whole number: an optional sign and digits at the start. `12.7`, `12abc`, `1,5` and `1e2` end at the first character that is no
+/// digit; `abc` and `.5` are no whole numbers.
 pub fn whole(text: &str) -> Option<f64> {
     let end = sign(text) + digits(&text[sign(text)..]);
     text[..end].parse().ok()
 }
 
-/// Any number: `0.5x` is 0.5, `1e` is 1.
+/// Reads a number at the start of a text: `0.5x` is 0.5, `1e` is 1.
 pub fn real(text: &str) -> Option<f64> {
     let start = sign(text);
     let before = start + digits(&text[start..]);
@@ -23,12 +23,12 @@ pub fn real(text: &str) -> Option<f64> {
     if power == 0 { Some(mantissa) } else { text[..end].parse().ok() }
 }
 
-/// How many bytes the sign takes.
+/// The length of the sign in bytes.
 fn sign(text: &str) -> usize {
     usize::from(text.starts_with(['+', '-']))
 }
 
-/// How many digits there are at the start.
+/// The number of digits at the start.
 fn digits(text: &str) -> usize {
     text.bytes().take_while(u8::is_ascii_digit).count()
 }

@@ -1,27 +1,27 @@
-//! Our own options among POV-Ray's.
+//! Options of durer among those of POV-Ray.
 
 use super::find_switch;
 use super::table::Takes;
 use crate::cli::commands;
 use std::ffi::OsString;
 
-/// An option of ours, as it came.
+/// An option of durer on a command line.
 pub struct Own {
-    /// In its long spelling: `--output`.
+    /// Long name: `--output`.
     pub name: String,
-    /// The words that say it.
+    /// Words of the option.
     pub words: Vec<OsString>,
 }
 
 impl Own {
-    /// `--name` or `--name=value`.
+    /// Splits `--name` or `--name=value`.
     pub fn of(word: String) -> Self {
         let name = word.split('=').next().unwrap_or_default().to_string();
         Self { name, words: vec![word.into()] }
     }
 }
 
-/// The later of two contradicting options counts, where POV-Ray's may be given twice: `+Q3` in an INI file, `+Q9` behind it.
+/// Removes earlier occurrences of options that POV-Ray accepts twice, such as `+Q3` in an INI file and `+Q9` after it.
 pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
     const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--alpha", "--quiet", "--no-output", "--language"];
     let names: Vec<_> = options.iter().map(|o| o.name.clone()).collect();
@@ -29,8 +29,8 @@ pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
     options.into_iter().enumerate().filter(|(i, _)| !again(*i)).map(|(_, option)| option).collect()
 }
 
-/// Is it one of our options for `render`, and does it take the next word? A short one is ours if nothing is attached, where
-/// POV-Ray would need a value; `-j` if a number follows, since POV-Ray's `-J` takes none.
+/// Recognizes an option of `durer render`; returns its long name, and true if its value is the next word. A short option is durer's if it has
+/// no attached value but POV-Ray's option of the same letter needs one; `-j` if a number follows, since POV-Ray's `-J` has no value.
 pub fn option(text: &str, next: Option<&str>) -> Option<(String, bool)> {
     let command = commands();
     let render = command.find_subcommand("render")?;

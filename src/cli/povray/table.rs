@@ -1,52 +1,52 @@
-//! Every option of POV-Ray 3.7: its switch, its INI name, and what it becomes here (manual, section 3.2).
+//! All options of POV-Ray 3.7: switch, INI name, and effect in durer (manual, section 3.2).
 
-use super::parts::Settings;
+use super::settings::Settings;
 
-/// One option in all its spellings. Letter case counts nowhere.
+/// One option in all its spellings, in any letter case.
 pub struct Row {
-    /// What stands after `+` or `-`; empty where there is only the INI name.
+    /// Switch after `+` or `-`; empty if the option has only an INI name.
     pub switch: &'static str,
-    /// What stands before `=`; empty where there is only the switch.
+    /// Name before `=`; empty if the option has only a switch.
     pub ini: &'static str,
-    /// What a value looks like.
+    /// Kind of value.
     pub takes: Takes,
-    /// What `+` or a value asks for.
+    /// Effect of `+` or of a value.
     pub on: Effect,
-    /// What `-`, or `off` in an INI spelling, asks for.
+    /// Effect of `-`, or of `off` in an INI file.
     pub off: Effect,
 }
 
-/// What a value looks like.
+/// Kind of value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
-    /// There is none: `+C`, `Continue_Trace=on`.
+    /// No value: `+C`, `Continue_Trace=on`.
     Nothing,
-    /// `+W640`.
+    /// A number: `+W640`.
     Number,
-    /// `+A0.3`, or `+A` alone.
+    /// An optional number: `+A0.3`, or `+A` alone.
     MaybeNumber,
-    /// `+Iscene.pov`.
+    /// A text: `+Iscene.pov`.
     Text,
-    /// `+FN16`, or `+F` alone.
+    /// An optional text: `+FN16`, or `+F` alone.
     MaybeText,
 }
 
-/// What becomes of an option.
+/// Effect of an option.
 #[derive(Clone, Copy)]
 pub enum Effect {
-    /// Nothing has to be done: durer does so anyway, or it changes no pixel.
+    /// None: durer always does this, or the option changes no pixel.
     Same,
-    /// Our option that takes the same value.
+    /// An option of durer with the same value.
     Option(&'static str),
-    /// Our option that takes no value.
+    /// An option of durer without a value.
     Flag(&'static str),
-    /// One part of an option that is put together at the end; what is wrong with the value, if anything.
+    /// A part of an option that is assembled at the end; the function returns the fault of a value.
     Part(fn(&mut Settings, &str) -> Result<(), String>),
-    /// It can't be obeyed, and this is why.
+    /// A warning: durer lacks the feature, for this reason.
     Lacks(&'static str),
-    /// The same, but the picture is what it should be: told with `--warn options`.
+    /// A warning with `--warn options` only: durer lacks the feature, but the picture is right.
     Idle(&'static str),
-    /// Our option that takes a whole number, the least and the largest.
+    /// An option of durer with a whole number between two limits.
     Whole(&'static str, u16, u16),
 }
 
@@ -57,7 +57,7 @@ const fn row(switch: &'static str, ini: &'static str, takes: Takes, on: Effect, 
     Row { switch, ini, takes, on, off }
 }
 
-/// A row whose `-` means the same as its `+`.
+/// A row whose `-` has the same effect as its `+`.
 const fn both(switch: &'static str, ini: &'static str, takes: Takes, on: Effect) -> Row {
     Row { switch, ini, takes, on, off: on }
 }
@@ -65,8 +65,8 @@ const fn both(switch: &'static str, ini: &'static str, takes: Takes, on: Effect)
 const NO_WINDOW: &str = "durer opens no window";
 const CTRL_C: &str = "Ctrl-C always ends durer";
 const NO_SHELL: &str = "durer never runs other programs";
-const NO_LOG: &str = "messages go to standard error; redirect that";
-const NO_CACHE: &str = "durer keeps no radiosity files";
+const NO_LOG: &str = "messages go to standard error, which can be redirected";
+const NO_CACHE: &str = "durer has no radiosity files";
 
 /// All options, in the order of the manual.
 pub const ROWS: &[Row] = &[
@@ -87,8 +87,8 @@ pub const ROWS: &[Row] = &[
         Part(|p, _| p.set(|p| p.cyclic = false)),
     ),
     row("", "Clockless_Animation", Nothing, Same, Same),
-    row("UF", "Field_Render", Nothing, Lacks("durer draws whole frames only"), Same),
-    row("UO", "Odd_Field", Nothing, Lacks("durer draws whole frames only"), Same),
+    row("UF", "Field_Render", Nothing, Lacks("durer renders whole frames only"), Same),
+    row("UO", "Odd_Field", Nothing, Lacks("durer renders whole frames only"), Same),
     // 3.2.2 General output
     both("H", "Height", Number, Part(|p, v| p.pixels(v, |p, n| p.height = Some(n)))),
     both("W", "Width", Number, Part(|p, v| p.pixels(v, |p, n| p.width = Some(n)))),
@@ -151,7 +151,7 @@ pub const ROWS: &[Row] = &[
     // 3.2.7 Text output
     row("GA", "All_Console", MaybeText, Same, Flag("--quiet")),
     row("GD", "Debug_Console", MaybeText, Same, Lacks("only `-GA` silences messages")),
-    row("GF", "Fatal_Console", MaybeText, Same, Lacks("errors are always told")),
+    row("GF", "Fatal_Console", MaybeText, Same, Lacks("errors are always printed")),
     row("GR", "Render_Console", MaybeText, Same, Same),
     row("GS", "Statistic_Console", MaybeText, Same, Same),
     row("GW", "Warning_Console", MaybeText, Same, Lacks("only `-GA` silences messages")),

@@ -1,10 +1,10 @@
 use super::mixed::Manner;
 use super::*;
 use crate::cli::Cli;
-use crate::cli::values::Clock;
+use crate::cli::args::values::Clock;
 use crate::diagnostic::Severity;
 
-/// All went well, apart from warnings.
+/// The translation, if it has no errors.
 fn translated(words: Vec<OsString>) -> Option<Translated> {
     let translated = translate(&Sources::default(), words);
     translated.diagnostics.iter().all(|d| d.severity == Severity::Warning).then_some(translated)
@@ -14,7 +14,7 @@ fn words(line: &str) -> Vec<OsString> {
     std::iter::once("durer").chain(line.split_whitespace()).map(OsString::from).collect()
 }
 
-/// What a line becomes, without `durer render`, and how many warnings there are.
+/// The translated words without `durer render`, and the number of warnings.
 fn ours(line: &str) -> (String, usize) {
     let Translated { words, diagnostics, .. } = translated(words(line)).unwrap();
     let words: Vec<_> = words[2..].iter().map(|w| w.to_str().unwrap()).collect();
@@ -27,7 +27,7 @@ fn same(line: &str, expected: &str) {
 }
 
 #[test]
-fn a_whole_line() {
+fn a_command_line_is_translated() {
     same(
         "+Iscene.pov +W640 +H480 +A0.3 -D -P +Ofoo.png +FN16 +L/path +Q5 +WT2 +UA -GA",
         "--aa=0.3 --aa-method=grid --size=640x480 --output=foo.png --format=png --bit-depth=16 --include=/path --quality=5 --threads=2 \
@@ -68,7 +68,7 @@ fn every_row_reads_a_well_written_option() {
     }
 }
 
-/// Every option of ours that the table names is taken by the command line, and every translation is understood.
+/// Checks that the command line accepts all options that the table names, and all translations.
 #[test]
 fn translations_are_understood() {
     use clap::Parser;
@@ -98,13 +98,13 @@ fn size_region_and_format() {
     same("-F a.pov", "--aa=off --no-output -- a.pov");
 }
 
-/// First, last, start, end, step, digits.
+/// First, last, start, end, step and digits of the animation.
 fn frames(line: &str) -> Option<[u32; 6]> {
     let a = translated(words(&format!("{line} a.pov"))).unwrap().animation?;
     Some([a.first, a.last, a.start, a.end, a.step, a.digits as u32])
 }
 
-/// All of this was seen in POV-Ray 3.7.
+/// With POV-Ray's own results (quirk: `animation_of_one_frame`).
 #[test]
 fn animations() {
     same("+K0.5 a.pov", "--aa=off --clock=0.5 -- a.pov");
@@ -149,7 +149,7 @@ fn output_names_get_the_ending_of_the_format() {
 }
 
 #[test]
-fn the_later_of_two_counts() {
+fn the_later_of_two_options_is_valid() {
     same("+Q3 +W4 +Q9 +W5 +WT1 +WT2 a.pov b.pov", "--aa=off --size=5x480 --quality=9 --threads=2 -- b.pov");
 }
 
@@ -167,7 +167,7 @@ fn antialiasing() {
 }
 
 #[test]
-fn shades_between_codes() {
+fn dithering() {
     same("+THB2 +FG2.2 a.pov", "--aa=off --file-gamma=2.2 --dither=b2 -- a.pov");
     same("Dither=on Dither_Method=D1 File_Gamma=sRGB a.pov", "--aa=off --file-gamma=srgb --dither=d1 -- a.pov");
     same("+TH -THfs a.pov", "--aa=off -- a.pov");
@@ -175,14 +175,14 @@ fn shades_between_codes() {
 }
 
 #[test]
-fn what_is_not_obeyed_is_told() {
+fn unsupported_options_are_reported() {
     assert_eq!(ours("+UF +GD3 -GW a.pov").1, 2);
     assert_eq!(ours("Post_Scene_Command=rm a.pov").1, 1);
     assert_eq!(ours("-D -P -C -UF a.pov").1, 0);
 }
 
 #[test]
-fn what_means_nothing_is_told_when_asked_for() {
+fn options_without_effect_are_reported_on_request() {
     let idle = |line: &str| translate(&Sources::default(), words(line)).idle.len();
     for (line, count) in [
         ("+D +P +X +UD +GIa.ini a.pov", 5),
@@ -195,9 +195,9 @@ fn what_means_nothing_is_told_when_asked_for() {
     }
 }
 
-/// All of this was seen in POV-Ray 3.7.
+/// With POV-Ray's own results (quirk: `option_numbers`).
 #[test]
-fn numbers_are_read_as_far_as_they_go() {
+fn numbers_end_at_the_first_other_character() {
     same("Height=693.0412871 Width=12abc a.pov", "--aa=off --size=12x693 -- a.pov");
     same("+H12.7 +W1e2 a.pov", "--aa=off --size=1x12 -- a.pov");
     same("+H6 +W+8 a.pov", "--aa=off --size=8x6 -- a.pov");
@@ -213,7 +213,7 @@ fn numbers_are_read_as_far_as_they_go() {
 }
 
 #[test]
-fn the_version_is_that_of_the_language() {
+fn version_sets_the_language() {
     same("+MV3.1 a.pov", "--aa=off --language=3.1 -- a.pov");
     same("Version=3.5 -MV3.62x a.pov", "--aa=off --language=3.62 -- a.pov");
     same("Version=0.9 a.pov", "--aa=off --language=1 -- a.pov");
@@ -234,13 +234,13 @@ fn unknown_options_are_errors_with_a_guess() {
 }
 
 #[test]
-fn help_is_given_when_it_is_the_only_word() {
+fn help_is_printed_for_a_single_word() {
     assert_eq!(translate(&Sources::default(), words("+h")).words, ["durer", "--help"]);
     assert_eq!(translate(&Sources::default(), words("-?")).words, ["durer", "--help"]);
 }
 
 #[test]
-fn our_own_command_lines_are_left_alone() {
+fn command_lines_of_durer_are_unchanged() {
     for line in
         ["", "--help", "-h", "render a.scene", "-q render a.scene", "--color never check a.scene", "test a.scene"]
     {
@@ -260,7 +260,7 @@ fn our_own_command_lines_are_left_alone() {
     }
 }
 
-/// What a mixed line becomes.
+/// The translation of durer's own options mixed with POV-Ray's.
 #[track_caller]
 fn mixes(line: &str, expected: &str) {
     let words = translated(words(line)).unwrap().words;
@@ -269,7 +269,7 @@ fn mixes(line: &str, expected: &str) {
 }
 
 #[test]
-fn pov_rays_words_stand_before_ours() {
+fn povray_options_precede_durers() {
     mixes("render a.scene +W32", "render --size=32x480 a.scene");
     mixes("render a.scene +W32 --size 8x6 -A +Q3 +WT4 -j 2", "render --aa=off --quality=3 a.scene --size 8x6 -j 2");
     mixes("render a.scene +Oa.ppm -ob.png +La -Ib", "render --include=a a.scene -ob.png -Ib");

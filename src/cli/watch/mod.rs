@@ -1,98 +1,97 @@
-//! `durer watch INPUT`: draws a scene again whenever a file that it reads is saved, on a page or into a file.
+//! `durer watch INPUT`: renders a scene again whenever a file that it reads is saved, on a page or into a file.
 
-mod desk;
+mod queue;
 mod read;
-mod studio;
+mod render_loop;
 
+use super::args::values::Seconds;
 use super::args::{RenderArgs, WatchArgs};
-use super::console::{Console, say};
+use super::console::{Console, print_message};
 use super::exit::{Exit, Failure, Result, usage};
-use super::target::Target;
-use super::values::Seconds;
 use super::{render, session};
+use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::preview::{Files, Screen, serve};
-use crate::source::{ReadFiles, Span};
-use desk::Desk;
+use crate::preview::{FileWatcher, Screen, serve};
+use crate::source::Span;
+use queue::{RenderQueue, Request, is_stopped};
+use render_loop::RenderLoop;
 use std::path::Path;
 use std::sync::Arc;
-use studio::Studio;
 
-/// Draws until it is interrupted.
+/// Renders until the program is interrupted.
 pub fn run(console: &Console, args: &WatchArgs) -> Result {
     let input = session::named(&args.input);
     if input == Path::new("-") {
-        return usage("what comes from standard input is never saved again; name a file");
+        return usage("standard input can't be watched; name a file");
     }
     session::check_input(&input)?;
     if args.output.as_deref() == Some(Path::new("-")) {
-        return usage("the picture is drawn again and again, and can't go to standard output");
+        return usage("standard output can't take a picture that is rendered again and again");
     }
     let args = WatchArgs { input, ..args.clone() };
-    // A name that can't be written is told at once.
-    Target::new(&as_render(&args))?;
+    // Report an output name without a format at once.
+    Target::new(&args.input, &render_args(&args))?;
     if args.no_page { redraw(console, &args) } else { show(console, &args) }
 }
 
-/// What `durer render` would be given.
-fn as_render(args: &WatchArgs) -> RenderArgs {
+/// The arguments of `durer render` for the same picture.
+fn render_args(args: &WatchArgs) -> RenderArgs {
     RenderArgs {
         inputs: vec![args.input.clone()],
-        input: args.input.clone(),
         output: args.output.clone(),
         scene: args.scene.clone(),
         look: args.look.clone(),
         threads: args.threads,
-        // A picture that is begun anew is not gone on with.
+        // No journal: an interrupted picture is rendered from the beginning.
         keep_after: Seconds(f64::from(u32::MAX)),
         ..RenderArgs::default()
     }
 }
 
-/// The file is written again and again.
+/// Writes the picture file after each change.
 fn redraw(console: &Console, args: &WatchArgs) -> Result {
-    let desk = Arc::new(Desk::default());
-    let files = files(&desk);
+    let queue = Arc::new(RenderQueue::default());
+    let files = file_watcher(&queue);
     loop {
-        let stop = desk.next().stop;
-        let args_of_run = RenderArgs { stop: Some(stop.clone()), ..as_render(args) };
-        let (drawn, read) = render::run_and_record(console, &args_of_run, ReadFiles::new());
-        let failed = match drawn {
-            Err(Failure::Told(Exit::Interrupted)) => return Ok(Exit::Interrupted),
+        let stop = queue.pop().stop;
+        let context = render::Context { stop: Some(stop.clone()), ..render::Context::default() };
+        let (rendered, read) = render::run(console, &render_args(args), context);
+        let failed = match rendered {
+            Err(Failure::Reported(Exit::Interrupted)) => return Ok(Exit::Interrupted),
             Ok(exit) => exit != Exit::Fine,
-            Err(failure) => console.tell(failure) != Exit::Fine,
+            Err(failure) => console.print_failure(failure) != Exit::Fine,
         };
-        if !failed && !Desk::is_stopped(&stop) {
-            console.note(&format!("{}: drawn; waiting for the next change\n", args.input.display()));
+        if !failed && !is_stopped(&stop) {
+            console.info(&format!("{}: rendered; waiting for the next change\n", args.input.display()));
         }
         files.follow(&read, &args.input, failed);
     }
 }
 
-/// The page is served until the program is interrupted.
+/// Serves the page until the program is interrupted.
 fn show(console: &Console, args: &WatchArgs) -> Result {
-    let (desk, screen) = (Arc::new(Desk::default()), Arc::new(Screen::default()));
-    let files = files(&desk);
-    let studio = Arc::new(Studio::new(args.clone(), desk, screen.clone()));
-    let address = match serve(args.port, studio.clone(), screen) {
+    let (queue, screen) = (Arc::new(RenderQueue::default()), Arc::new(Screen::default()));
+    let files = file_watcher(&queue);
+    let render_loop = Arc::new(RenderLoop::new(args.clone(), queue, screen.clone()));
+    let address = match serve(args.port, render_loop.clone(), screen) {
         Ok(address) => address,
         Err(error) => {
-            let text = format!("no page can be served on port {} of 127.0.0.1: {error}", args.port);
+            let text = format!("cannot serve a page on port {} of 127.0.0.1: {error}", args.port);
             let fault = Diagnostic::new(codes::FILE_UNWRITABLE, Span::NONE, text);
-            return Err(Failure::Fault(Box::new(fault.help("without `--port` any port that is free is taken"))));
+            return Err(Failure::Fault(Box::new(fault.help("without `--port`, durer takes a free port"))));
         }
     };
-    // The address is what was asked for, so that `--quiet` shows it too.
-    say(&format!("{address} shows {} (Ctrl-C ends it)\n", args.input.display()));
+    // The address is the result of the command: `--quiet` does not hide it.
+    print_message(&format!("{address} shows {} (Ctrl-C ends it)\n", args.input.display()));
     if args.open
         && let Err(error) = open::that_detached(&address)
     {
-        console.note(&format!("no browser could be opened: {error}\n"));
+        console.info(&format!("cannot open a browser: {error}\n"));
     }
-    studio.work(console, &files)
+    render_loop.run(console, &files)
 }
 
-fn files(desk: &Arc<Desk>) -> Files {
-    let desk = desk.clone();
-    Files::new(move || desk.ring(desk::Wish::Scene, |_| {}))
+fn file_watcher(queue: &Arc<RenderQueue>) -> FileWatcher {
+    let queue = queue.clone();
+    FileWatcher::new(move || queue.push(Request::Scene, |_| {}))
 }

@@ -1,69 +1,75 @@
-//! A scene as it was read for a picture, and the places in it.
+//! Reads a scene for the page, and converts messages and positions for it.
 
 use crate::cli::animation::Animation;
+use crate::cli::args::values::Size;
 use crate::cli::args::{RenderArgs, WatchArgs};
-use crate::cli::console::{Console, say};
+use crate::cli::console::{Console, print_message};
 use crate::cli::exit::Failure;
-use crate::cli::values::Size;
-use crate::cli::{overlay, session};
+use crate::cli::overlay::{self, Invocation};
+use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::preview::{Link, Message, Settings};
 use crate::source::{ReadFiles, Sandbox, Sources, Span};
 use crate::world::World;
 use crate::{Keep, render};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// A scene that can be drawn.
+/// A scene that can be rendered.
 pub struct Scene {
     pub world: World,
-    /// (Its texts grow while they are read, so that two threads may not read them at once.)
+    /// Locked, since the registry of texts may not be used by two threads at once.
     pub sources: Mutex<Sources>,
-    /// What the command line and the INI file ask for.
+    /// The scene's file.
+    pub input: PathBuf,
+    /// Arguments of the command line and of the INI file.
     pub args: RenderArgs,
     pub timing: Timing,
 }
 
-/// What came of reading.
+/// Result of reading a scene.
 #[derive(Default)]
 pub struct Read {
     pub scene: Option<Scene>,
     pub messages: Vec<Message>,
-    /// What the scene prints.
+    /// Output of the scene's `#debug` and its kin.
     pub log: String,
     pub failed: bool,
     pub size: Option<Size>,
     pub clock: [f64; 3],
     /// The files that were read.
     pub files: ReadFiles,
-    /// For text → Scene, and Scene → World.
+    /// Durations of text → Scene and of Scene → World.
     pub times: [Duration; 2],
 }
 
-/// What a scene prints is shown up to here.
-const LOG: usize = 64 << 10;
+/// Largest length of [`Read::log`], in bytes.
+const MAX_LOG: usize = 64 << 10;
 
-/// Text to World. Messages and what the scene prints go to the console too.
+/// Text → World. Messages and the scene's own output also go to the console.
 pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, stop: &Arc<AtomicBool>) -> Read {
     let sources = Sources::default();
     let mut out = Read::default();
-    let told = match try_read(args, settings, stop, &sources, &mut out) {
-        Ok((told, scene)) => {
-            out.scene = scene.map(|(world, args, timing)| Scene { world, sources: Mutex::default(), args, timing });
-            told
+    let messages = match try_read(args, settings, stop, &sources, &mut out) {
+        Ok((messages, scene)) => {
+            out.scene = scene.map(|(world, input, args, timing)| {
+                let sources = Mutex::default();
+                Scene { world, sources, input, args, timing }
+            });
+            messages
         }
-        Err(told) => told,
+        Err(messages) => messages,
     };
     out.files = sources.read_files();
-    if super::Desk::is_stopped(stop) {
+    if super::queue::is_stopped(stop) {
         return out;
     }
-    console.report(&sources, &told);
-    out.failed = told.iter().any(|d| d.severity == Severity::Error);
-    let (errors, warnings): (Vec<_>, Vec<_>) = told.into_iter().partition(|d| d.severity == Severity::Error);
+    console.report(&sources, &messages);
+    out.failed = messages.iter().any(|d| d.severity == Severity::Error);
+    let (errors, warnings): (Vec<_>, Vec<_>) = messages.into_iter().partition(|d| d.severity == Severity::Error);
     out.messages = errors.iter().chain(&warnings).map(|d| message(&sources, d)).collect();
     if out.failed {
         out.scene = None;
@@ -74,7 +80,7 @@ pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, stop: &Arc
     out
 }
 
-type Found = (Vec<Diagnostic>, Option<(World, RenderArgs, Timing)>);
+type Found = (Vec<Diagnostic>, Option<(World, PathBuf, RenderArgs, Timing)>);
 
 fn try_read(
     args: &WatchArgs,
@@ -83,45 +89,45 @@ fn try_read(
     sources: &Sources,
     out: &mut Read,
 ) -> Result<Found, Vec<Diagnostic>> {
-    let mut told = vec![];
-    let mut args = super::as_render(args);
-    if let Some((ini, diagnostics)) = overlay::read_ini(sources, &args.input, false)? {
-        told.extend(diagnostics);
-        if let crate::cli::args::Command::Render(ini) = ini.command {
-            args = args.over(*ini);
-        }
+    let mut messages = vec![];
+    let mut invocation = Invocation::new(&args.input, super::render_args(args), None);
+    if let Some(mut ini) = overlay::read_ini(sources, &args.input, false)? {
+        messages.append(&mut ini.warnings);
+        invocation = invocation.over(ini);
     }
-    let file = crate::load(sources, &args.input).map_err(|fault| vec![*fault])?;
+    let Invocation { input, mut args, animation, .. } = invocation;
+    let file = crate::load(sources, &input).map_err(|fault| vec![*fault])?;
     let base = args.scene.size();
     out.size = Some(base);
     let scaled = |side: usize| ((side as f64 * settings.scale).round() as usize).max(1);
     args.scene.size = Some(Size { width: scaled(base.width), height: scaled(base.height) });
-    let mut timing = session::timing(&args.scene).map_err(|failure| vec![in_words(failure)])?;
-    let Animation { clock: range, .. } = args.scene.animation.clone().unwrap_or_else(|| {
-        let whole = Animation::new(crate::cli::values::Frames { first: 1, last: 2, step: 1, digits: 1 });
+    let mut timing =
+        session::timing(&args.scene, animation.as_ref()).map_err(|failure| vec![diagnostic_of(failure)])?;
+    let Animation { clock: range, .. } = animation.unwrap_or_else(|| {
+        let whole = Animation::new(crate::cli::args::values::Frames { first: 1, last: 2, step: 1, digits: 1 });
         Animation { clock: args.scene.clock.filter(|clock| clock.first != clock.last).unwrap_or(whole.clock), ..whole }
     });
     if let Some(clock) = settings.clock {
         (timing.clock, timing.clock_on) = (clock, true);
     }
     out.clock = [timing.clock, range.first, range.last];
-    let options = session::reading_options(&args.scene, &args.input, timing);
-    // Nobody wants a file written because he looks.
+    let options = session::reading_options(&args.scene, &input, timing);
+    // A preview writes no files, unless `--allow-write` names their folder.
     let sandbox = Sandbox { write: args.scene.allow_write.clone(), ..options.sandbox.clone() };
     let options = interpreter::Options { sandbox, stop: Some(stop.clone()), ..options };
     let log = &mut out.log;
     let mut print = |text: &str| {
-        say(text);
-        log.push_str(&text[..text.floor_char_boundary(LOG.saturating_sub(log.len()))]);
+        print_message(text);
+        log.push_str(&text[..text.floor_char_boundary(MAX_LOG.saturating_sub(log.len()))]);
     };
     let built = crate::build_with(&ParsedFiles::default(), sources, file, &options, Keep::World, &mut print);
     out.times = [built.parse_time, built.build_time];
-    told.extend(built.diagnostics);
-    Ok((told, built.world.map(|world| (world, args, timing))))
+    messages.extend(built.diagnostics);
+    Ok((messages, built.world.map(|world| (world, input, args, timing))))
 }
 
-/// What a command that fails would have told.
-pub fn in_words(failure: Failure) -> Diagnostic {
+/// The message of a failure.
+pub fn diagnostic_of(failure: Failure) -> Diagnostic {
     match failure {
         Failure::Fault(fault) => *fault,
         Failure::Usage(error) => {
@@ -129,13 +135,13 @@ pub fn in_words(failure: Failure) -> Diagnostic {
             let line = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_string();
             Diagnostic::new(crate::diagnostic::codes::UNKNOWN_OPTION, Span::NONE, line)
         }
-        Failure::Told(_) | Failure::NobodyListens => {
-            Diagnostic::new(crate::diagnostic::codes::UNKNOWN_OPTION, Span::NONE, "it could not be done")
+        Failure::Reported(_) | Failure::BrokenPipe => {
+            Diagnostic::new(crate::diagnostic::codes::UNKNOWN_OPTION, Span::NONE, "the operation failed")
         }
     }
 }
 
-/// For the page.
+/// A message in the form of the page.
 pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
     use crate::diagnostic::draw;
     let text = draw::render(diagnostic, sources, draw::Style { fancy: false, width: 100 });
@@ -143,7 +149,7 @@ pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
     Message { severity, code: diagnostic.code.0, text, place: link(sources, diagnostic.span()) }
 }
 
-/// What opens a place.
+/// The link that opens a position.
 pub fn link(sources: &Sources, span: Span) -> Option<Link> {
     let place = sources.place(span)?;
     let path = sources.locate(span).and_then(|(file, _)| sources.path(file))?;
@@ -151,7 +157,7 @@ pub fn link(sources: &Sources, span: Span) -> Option<Link> {
     Some(Link { file: place.file, line: place.line, column: place.column, url })
 }
 
-/// As an address holds it, beginning with `/`.
+/// The path in an address, with a leading `/`.
 fn in_url(path: &Path) -> String {
     let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"/-._~:".contains(&byte);
@@ -161,19 +167,19 @@ fn in_url(path: &Path) -> String {
     slash.to_string() + &text.bytes().map(byte).collect::<String>()
 }
 
-/// How the scene is drawn.
+/// Options of World → picture.
 pub fn drawing(scene: &Scene, settings: &Settings) -> render::Options {
     let threads = scene.args.threads.map_or(0, usize::from);
     let options = session::drawing_options(&scene.args.scene, &scene.args.look, threads, scene.timing);
     let antialias = match options.antialias {
         _ if !settings.antialias => None,
-        // The page's switch is on: smooth even where the command line wants it off.
+        // The switch of the page overrides `--aa off`.
         None => render_default(),
         some => some,
     };
     let options = render::Options { antialias, quality: settings.quality, ..options };
     let Some([x, y, width, height]) = settings.zoom else { return options };
-    let larger = (1.0 / width).min(1.0 / height).clamp(1.0, MOST);
+    let larger = (1.0 / width).min(1.0 / height).clamp(1.0, MAX_ZOOM);
     let side = |pixels: usize| (pixels as f64 * larger).round() as usize;
     let (across, down) = (side(options.width), side(options.height));
     let cut = |at: f64, length: f64, side: usize| {
@@ -184,8 +190,8 @@ pub fn drawing(scene: &Scene, settings: &Settings) -> render::Options {
     render::Options { width: across, height: down, region: Some(render::Region { x, y, width, height }), ..options }
 }
 
-/// How much larger a part can be drawn.
-const MOST: f64 = 64.0;
+/// Largest factor of a zoom.
+const MAX_ZOOM: f64 = 64.0;
 
 fn render_default() -> Option<f64> {
     Some(session::DEFAULT_THRESHOLD)
@@ -196,7 +202,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn paths_in_addresses() {
+    fn paths_are_escaped_in_addresses() {
         assert_eq!(in_url(Path::new("/a b/ü#.scene")), "/a%20b/%C3%BC%23.scene");
     }
 }

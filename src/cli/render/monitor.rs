@@ -1,11 +1,11 @@
-//! Watches a picture being drawn: progress, Ctrl-C and `--max-time`.
+//! Follows the rendering of a picture: progress, journal, Ctrl-C and `--max-time`.
 
-use super::console::say;
-use super::exit::{Exit, Failure, Result};
-use super::interrupt;
-use super::journal::Journal;
-use super::progress::Progress;
-use super::values::Seconds;
+use crate::cli::args::values::Seconds;
+use crate::cli::console::print_message;
+use crate::cli::exit::{Exit, Failure, Result};
+use crate::cli::interrupt;
+use crate::cli::journal::Journal;
+use crate::cli::render::progress::Progress;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::{Frame, Rows};
 use crate::render::{self, RayCounts, Stopped, Tile, Watch};
@@ -15,25 +15,24 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Shows progress and stops when asked to, or when time is over.
-pub struct Watcher {
-    /// Where progress is shown.
+/// Shows progress, stores tiles, and stops on Ctrl-C, on request and after the time limit.
+pub struct Monitor {
     progress: Progress,
-    /// When `--max-time` is over.
+    /// End of the time that `--max-time` allows.
     deadline: Option<Instant>,
-    /// Whoever else may stop it.
+    /// Stops the rendering when it is set.
     pub stop: Option<Arc<AtomicBool>>,
-    /// What is drawn is kept here.
+    /// Journal of the finished tiles.
     pub journal: Option<Journal>,
 }
 
-impl Watch for Watcher {
+impl Watch for Monitor {
     fn progress(&self, done: usize, total: usize) {
         self.progress.advance(done, total);
     }
 
     fn cancelled(&self) -> bool {
-        interrupt::asked() || self.late() || self.is_stopped()
+        interrupt::is_requested() || self.is_late() || self.is_stopped()
     }
 
     fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
@@ -47,35 +46,34 @@ impl Watch for Watcher {
     }
 }
 
-impl Watcher {
-    /// For work that began at `start`.
+impl Monitor {
+    /// Follows work that began at `start`.
     pub fn new(progress: Progress, start: Instant, limit: Option<Seconds>) -> Self {
         Self { progress, deadline: limit.map(|s| start + Duration::from_secs_f64(s.0)), stop: None, journal: None }
     }
 
-    /// World to the rows of a picture, unless it is stopped.
-    pub fn draw(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<RayCounts> {
+    /// Renders a World into rows, unless the rendering is stopped.
+    pub fn render_rows(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<RayCounts> {
         if self.cancelled() {
             return Err(self.reason());
         }
-        let drawn = render::draw(world, options, self, rows);
+        let rendered = render::draw(world, options, self, rows);
         self.progress.finish();
-        drawn.map_err(|stopped| match stopped {
+        rendered.map_err(|stopped| match stopped {
             Stopped::Cancelled => self.reason(),
             Stopped::Fault(fault) => Failure::Fault(fault),
         })
     }
 
-    /// World to Frame, unless it is stopped.
+    /// Renders a World into memory, unless the rendering is stopped.
     pub fn render(&self, world: &World, options: &render::Options) -> Result<Frame> {
         let mut frame = Frame { width: options.width, height: options.height, pixels: vec![] };
         frame.pixels.reserve_exact(options.width * options.height);
-        self.draw(world, options, &mut frame)?;
+        self.render_rows(world, options, &mut frame)?;
         Ok(frame)
     }
 
-    /// Is the time over?
-    fn late(&self) -> bool {
+    fn is_late(&self) -> bool {
         self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
@@ -83,14 +81,14 @@ impl Watcher {
         self.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
-    /// Why the picture was not finished.
+    /// The reason why the picture was not finished.
     fn reason(&self) -> Failure {
-        if interrupt::asked() {
-            say("interrupted; no picture was written\n");
-            return Failure::Told(Exit::Interrupted);
+        if interrupt::is_requested() {
+            print_message("interrupted; no picture was written\n");
+            return Failure::Reported(Exit::Interrupted);
         }
         if self.is_stopped() {
-            return Failure::Told(Exit::Fine);
+            return Failure::Reported(Exit::Fine);
         }
         let text = "the picture took longer than `--max-time` allows";
         Failure::Fault(Box::new(Diagnostic::new(codes::TIME_LIMIT, Span::NONE, text)))

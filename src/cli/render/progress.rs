@@ -1,31 +1,31 @@
-//! The progress bar; the only file that knows indicatif.
+//! Progress of the rendering; the only file that uses indicatif.
 
-use super::args::When;
-use super::console::{Console, say};
+use crate::cli::args::When;
+use crate::cli::console::{Console, print_message};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::Instant;
 
-/// Tells how far the picture is.
+/// Displays the progress.
 pub enum Progress {
-    /// Nobody wants to know.
+    /// Displays nothing.
     Silent,
     /// A bar on a terminal.
     Bar(ProgressBar),
-    /// A line at each tenth, where there is no terminal.
+    /// A line at each tenth, without a terminal.
     Lines {
-        /// When drawing began.
+        /// Start of the rendering.
         start: Instant,
-        /// Tenths told so far.
-        told: AtomicUsize,
+        /// Tenths printed so far.
+        printed: AtomicUsize,
     },
 }
 
 impl Progress {
-    /// As `--progress` says; the bar is called by the scene's name.
+    /// The display that `--progress` asks for; the bar is labelled with the scene's `name`.
     pub fn new(when: When, console: &Console, name: &str) -> Self {
         match when {
-            When::Always if !console.terminal => Self::Lines { start: Instant::now(), told: AtomicUsize::new(0) },
+            When::Always if !console.terminal => Self::Lines { start: Instant::now(), printed: AtomicUsize::new(0) },
             When::Always => Self::bar(name),
             When::Auto if console.terminal && !console.quiet => Self::bar(name),
             _ => Self::Silent,
@@ -41,7 +41,7 @@ impl Progress {
         Self::Bar(bar)
     }
 
-    /// So many of all pixels are done.
+    /// Updates the display: `done` of `total` pixels are finished.
     pub fn advance(&self, done: usize, total: usize) {
         match self {
             Self::Silent => {}
@@ -49,17 +49,17 @@ impl Progress {
                 bar.set_length(total as u64);
                 bar.set_position(done as u64);
             }
-            Self::Lines { start, told } => {
+            Self::Lines { start, printed } => {
                 let tenth = done * 10 / total.max(1);
-                if tenth > told.fetch_max(tenth, Relaxed) {
+                if tenth > printed.fetch_max(tenth, Relaxed) {
                     let left = start.elapsed().as_secs_f64() * (total - done) as f64 / done as f64;
-                    say(&format!("{:3}%, {left:.0} s left\n", 10 * tenth));
+                    print_message(&format!("{:3}%, {left:.0} s left\n", 10 * tenth));
                 }
             }
         }
     }
 
-    /// Clears the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         if let Self::Bar(bar) = self {
             bar.finish_and_clear();

@@ -1,38 +1,40 @@
-//! The options of the command line. Every option that is taken is obeyed.
+//! The options of the command line, in the form that clap reads. Every option that is accepted has an effect.
 
-use super::animation::Animation;
-pub use super::choices::{
+mod choices;
+pub mod values;
+
+use crate::image_io::Format;
+pub use choices::{
     AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, ExrPacking, Library, MessageFormat, Warn, When,
 };
-use super::values::{
-    Antialias, Bytes, Clock, Declare, FileGamma, Frames, Gamma, Part, Pixel, Seconds, Share, Size, Stats, Version,
-};
-use crate::image_io::Format;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
+use values::{
+    Antialias, Bytes, Clock, Declare, FileGamma, Frames, Gamma, Part, Pixel, Seconds, Share, Size, Stats, Version,
+};
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 fine, 1 the scene is wrong, 2 the command line is wrong, 3 a snapshot differs, 4 a limit was reached, \
+Exit codes: 0 success, 1 error in the scene, 2 error in the command line, 3 a snapshot differs, 4 a limit was reached, \
 5 a file could not be read or written.
 
 `durer scene.pov` and POV-Ray's own options work too: durer +Iscene.pov +W640 +H480 +A0.3";
 
-/// Under `--help`, options stand below what they are about.
+/// Headings of the options in `--help`.
 pub mod heading {
-    /// Of which moment, and of what, the picture is.
-    pub const DRAWN: &str = "What is drawn";
-    /// How large, how good, and where it goes.
+    /// Moment and content of the picture.
+    pub const DRAWN: &str = "Scene";
+    /// Size, quality and destination of the picture.
     pub const PICTURE: &str = "Picture";
-    /// What else the scene may touch.
+    /// Files that the scene may access.
     pub const FILES: &str = "Files";
-    /// How long, and with how much.
+    /// Limits of time and memory.
     pub const LIMITS: &str = "Limits";
-    /// What is told beside the picture.
-    pub const TOLD: &str = "What is told";
+    /// Messages and reports beside the picture.
+    pub const TOLD: &str = "Output";
 }
 use heading::{DRAWN, FILES, LIMITS, PICTURE, TOLD};
 
-/// Draws scenes written by hand in POV-Ray's scene language.
+/// Renders scenes written by hand in POV-Ray's scene language.
 #[derive(Parser, Clone, Debug)]
 #[command(name = "durer", version, after_help = EXIT_CODES, arg_required_else_help = true, max_term_width = 100)]
 pub struct Cli {
@@ -44,13 +46,13 @@ pub struct Cli {
     pub command: Command,
 }
 
-/// What every command takes.
+/// Options of every command.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Common {
-    /// Say nothing but errors
+    /// Print errors only
     #[arg(short, long, global = true)]
     pub quiet: bool,
-    /// Messages in colour
+    /// Print messages in colour
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto", hide_possible_values = false)]
     pub color: When,
 }
@@ -58,157 +60,145 @@ pub struct Common {
 /// The commands.
 #[derive(Subcommand, Clone, Debug)]
 pub enum Command {
-    /// Draw scenes into picture files
+    /// Render scenes into picture files
     Render(Box<RenderArgs>),
-    /// Read and evaluate scenes, draw nothing
+    /// Read and evaluate scenes without rendering
     Check(CheckArgs),
-    /// Tell what is seen through one pixel
+    /// Describe the object that one pixel shows
     Pick(PickArgs),
-    /// Draw each scene that has a snapshot beside it, and compare
+    /// Render each scene that has a snapshot, and compare
     Test(TestArgs),
-    /// Write scenes as they should look
+    /// Format scenes
     Fmt(FmtArgs),
-    /// Write a first scene to change
+    /// Create a new scene
     New(NewArgs),
-    /// Show a scene's picture on a page while you write it
+    /// Show a scene's picture on a page while you edit the scene
     #[cfg(feature = "watch")]
     Watch(Box<WatchArgs>),
     /// List a scene's cameras, lights, objects and textures
     Query(QueryArgs),
-    /// Serve editors: messages, completion and the like, over standard input and output
+    /// Run the language server on standard input and output
     #[cfg(feature = "lsp")]
     Lsp(LspArgs),
-    /// Explain the code of a message, such as E0203
+    /// Explain a message code such as E0203
     Explain(ExplainArgs),
     /// Print a script that completes durer's options in your shell
     Completions(CompletionsArgs),
 }
 
-/// What a scene is given when it is read.
+/// Options for reading and evaluating a scene.
 #[derive(Args, Clone, Debug, Default)]
 pub struct SceneArgs {
-    /// Only this frame of an animation
+    /// Render only this frame of an animation
     #[arg(help_heading = DRAWN, long, value_name = "N")]
     pub frame: Option<u32>,
-    /// Of an INI file, or of POV-Ray's options.
-    #[arg(skip)]
-    pub animation: Option<Animation>,
-    /// The value of `clock`; A..B from the first frame to the last [default: 0..1]
+    /// Value of `clock`; A..B from the first to the last frame [default: 0..1]
     #[arg(help_heading = DRAWN, long, value_name = "X", allow_hyphen_values = true)]
     pub clock: Option<Clock>,
-    /// Declare a name: 2.5, '"text"', '<1,2,3>' or 'rgb <1,0,0>'
+    /// Declare an identifier: 2.5, '"text"', '<1,2,3>' or 'rgb <1,0,0>'
     #[arg(help_heading = DRAWN, long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub declare: Vec<Declare>,
-    /// The version of the language, such as 3.1, until the scene's own `#version`
+    /// Language version, such as 3.1, until the scene's own `#version`
     #[arg(help_heading = DRAWN, long, value_name = "VERSION")]
     pub language: Option<Version>,
     /// Width and height in pixels [default: 640x480]
     #[arg(help_heading = PICTURE, long, value_name = "WxH")]
     pub size: Option<Size>,
-    /// Look for included files here too
+    /// Add a folder to the include path
     #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,
-    /// Whose standard include files
+    /// Choose the standard include files
     #[arg(help_heading = FILES, long, value_name = "WHOSE", default_value = "installed", hide_possible_values = false)]
     pub library: Library,
-    /// Let the scene read files below this folder too
+    /// Allow the scene to read files below this folder
     #[arg(help_heading = FILES, long, value_name = "DIR")]
     pub allow_read: Vec<PathBuf>,
-    /// Let the scene write files below this folder too
+    /// Allow the scene to write files below this folder
     #[arg(help_heading = FILES, long, value_name = "DIR")]
     pub allow_write: Vec<PathBuf>,
-    /// Take the text apart into single tokens: slow, and for tests, since what comes out is the same
+    /// Parse single tokens only; slow, with the same result (for tests)
     #[arg(long, hide = true)]
     pub single_tokens: bool,
-    /// End with exit code 4 after so many statements
+    /// End with exit code 4 after N statements
     #[arg(help_heading = LIMITS, long, value_name = "N", default_value_t = DEFAULT_STEPS)]
     pub max_steps: u64,
-    /// End with exit code 4 when so much memory is needed, such as 2G [default: most of what is free]
+    /// End with exit code 4 above this memory, such as 2G [default: most of the free memory]
     #[arg(help_heading = LIMITS, long, value_name = "BYTES")]
     pub max_memory: Option<Bytes>,
-    /// End with exit code 4 after so many seconds
+    /// End with exit code 4 after this time
     #[arg(help_heading = LIMITS, long, value_name = "SECONDS")]
     pub max_time: Option<Seconds>,
 }
 
-/// Ends an endless loop within some ten seconds.
+/// Default of `--max-steps`: an endless loop ends after about ten seconds.
 pub const DEFAULT_STEPS: u64 = 200_000_000;
 
-/// How a picture is drawn.
+/// Quality of a picture.
 #[derive(Args, Clone, Debug, Default)]
 pub struct LookArgs {
-    /// Smooth edges where neighbours differ by more than this, or `off` [default: 0.3]
+    /// Threshold of anti-aliasing, the difference of neighbouring pixels, or `off` [default: 0.3]
     #[arg(help_heading = PICTURE, long, value_name = "THRESHOLD", allow_negative_numbers = true)]
     pub aa: Option<Antialias>,
-    /// Where the samples of smooth edges lie [default: net]
+    /// Sample layout of anti-aliasing [default: net]
     #[arg(help_heading = PICTURE, long, value_name = "METHOD")]
     pub aa_method: Option<AaMethod>,
     /// Rows and columns of `grid`, or depth of `corners` [default: 3]
     #[arg(help_heading = PICTURE, long, value_name = "1..9", value_parser = clap::value_parser!(u8).range(1..=9))]
     pub aa_depth: Option<u8>,
-    /// How far samples of `grid` and `corners` are off their places at random, from 0 to 1 [default: 1]
+    /// Random offset of the samples of `grid` and `corners`, from 0 to 1 [default: 1]
     #[arg(help_heading = PICTURE, long, value_name = "AMOUNT", allow_negative_numbers = true)]
     pub aa_jitter: Option<Share>,
-    /// Judge differences of neighbours after this gamma [default: 2.5]
+    /// Gamma applied before pixels are compared with the threshold [default: 2.5]
     #[arg(help_heading = PICTURE, long, value_name = "GAMMA", allow_negative_numbers = true)]
     pub aa_gamma: Option<Gamma>,
-    /// How much is drawn, from 0 (quick colours) to 11 (everything) [default: 9]
+    /// Rendering quality, from 0 (quick colours) to 11 (all effects) [default: 9]
     #[arg(help_heading = PICTURE, long, value_name = "0..11", value_parser = clap::value_parser!(u8).range(0..=11))]
     pub quality: Option<u8>,
-    /// Leave the background transparent
+    /// Make the background transparent
     #[arg(help_heading = PICTURE, long)]
     pub alpha: bool,
 }
 
-/// `durer render`.
+/// Options of `durer render`.
 #[derive(Args, Clone, Debug, Default)]
 pub struct RenderArgs {
     /// Scenes, folders of scenes, INI files, or - for standard input
     #[arg(value_name = "INPUT", required = true)]
     pub inputs: Vec<PathBuf>,
-    /// The one of them that is drawn now.
-    #[arg(skip)]
-    pub input: PathBuf,
-    /// Draw these frames, numbered with as many digits as B has [default: the INI file's]
+    /// Render these frames; file names have as many digits as B [default: frames of the INI file]
     #[arg(help_heading = DRAWN, long, value_name = "A-B[:STEP]")]
     pub frames: Option<Frames>,
-    /// Draw only this part of the picture
+    /// Render only this part of the picture
     #[arg(help_heading = DRAWN, long, value_name = "X,Y,W,H")]
     pub region: Option<Part>,
-    /// The picture's file, a folder, or - for standard output [default: the input's name with .png, here]
+    /// Output file, a folder, or - for standard output [default: the input's name with .png in the current folder]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// A single frame of an INI file goes to a file of this very name.
-    #[arg(skip)]
-    pub exact_name: bool,
-    /// The picture's format [default: by the output's ending; png for standard output]
+    /// Picture format [default: by the ending of the output; png for standard output]
     #[arg(help_heading = PICTURE, long, value_name = "FORMAT", value_parser = format_parser())]
     pub format: Option<String>,
-    /// Bits for each channel [default: 8; 32 for exr]
+    /// Bits per channel [default: 8; 32 for exr]
     #[arg(help_heading = PICTURE, long, value_name = "8|16|32", value_parser = clap::builder::PossibleValuesParser::new(["8", "16", "32"]))]
     pub bit_depth: Option<String>,
-    /// Keep brightness alone, 16 bits of it, as height fields do; png and ppm can
+    /// Write 16-bit grayscale, as for height fields (png and ppm only)
     #[arg(help_heading = PICTURE, long)]
     pub gray: bool,
-    /// The curve that the numbers of png, jpg, ppm, bmp, tga and tiff follow: a gamma, or `srgb` [default: srgb]
+    /// Transfer curve of png, jpg, ppm, bmp, tga and tiff: a gamma, or `srgb` [default: srgb]
     #[arg(help_heading = PICTURE, long, value_name = "GAMMA|srgb", allow_negative_numbers = true)]
     pub file_gamma: Option<FileGamma>,
-    /// Round neighbours up and down in turn, so that more shades are seen than the file has
+    /// Dither, to show more shades than the file can store
     #[arg(help_heading = PICTURE, long, value_name = "METHOD")]
     pub dither: Option<DitherMethod>,
-    /// How exr is packed [default: rle]
+    /// Compression of exr [default: rle]
     #[arg(help_heading = PICTURE, long, value_name = "HOW")]
     pub exr_packing: Option<ExrPacking>,
-    /// Go on where a picture or an animation was left unfinished
+    /// Continue an unfinished picture or animation
     #[arg(help_heading = PICTURE, long)]
     pub resume: bool,
-    /// Keep what is drawn from so many seconds on; for tests.
+    /// Write the resume journal after this time (for tests)
     #[arg(long, hide = true, value_name = "SECONDS", default_value = "1")]
     pub keep_after: Seconds,
-    /// Whoever else may stop it.
-    #[arg(skip)]
-    pub stop: Option<std::sync::Arc<std::sync::atomic::AtomicBool>>,
-    /// Draw, but write no picture
+    /// Render without writing a picture
     #[arg(help_heading = PICTURE, long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,
     #[command(flatten)]
@@ -217,22 +207,22 @@ pub struct RenderArgs {
     #[command(flatten)]
     #[allow(missing_docs)]
     pub look: LookArgs,
-    /// How many threads draw [default: one for each processor]
+    /// Number of threads [default: one for each processor]
     #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
-    /// Warn of these too
+    /// Enable additional warnings
     #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<DrawingWarn>,
-    /// Show how far the picture is [default: auto]
+    /// Show progress [default: auto]
     #[arg(help_heading = TOLD, long, value_name = "WHEN")]
     pub progress: Option<When>,
-    /// Times, rays and memory as JSON: `json` for standard output, or a file
+    /// Write times, numbers of rays and memory as JSON: `json` for standard output, or a file
     #[arg(help_heading = TOLD, long, value_name = "json|FILE")]
     pub stats: Option<Stats>,
-    /// Print what was understood as JSON, and draw nothing
+    /// Print a stage as JSON instead of rendering
     #[arg(help_heading = TOLD, long, value_name = "STAGE")]
     pub dump: Option<Dump>,
-    /// Write the names of all files that were read, as a rule for make; as JSON if FILE ends in .json
+    /// Write the names of all files that were read, as a rule for make, or as JSON if FILE ends in .json
     #[arg(help_heading = TOLD, long, value_name = "FILE")]
     pub deps: Option<PathBuf>,
 }
@@ -241,7 +231,7 @@ fn format_parser() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(Format::names())
 }
 
-/// `durer check`.
+/// Options of `durer check`.
 #[derive(Args, Clone, Debug)]
 pub struct CheckArgs {
     /// Scenes, folders of scenes, INI files, or - for standard input
@@ -250,18 +240,18 @@ pub struct CheckArgs {
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
-    /// How messages are written; all but `human` go to standard output
+    /// Format of messages; all but `human` go to standard output
     #[arg(help_heading = TOLD, long, value_name = "FORMAT", default_value = "human")]
     pub format: CheckFormat,
-    /// Let `warnings` fail as errors do
+    /// Treat `warnings` as errors
     #[arg(help_heading = TOLD, long, value_name = "WHAT")]
     pub deny: Option<Deny>,
-    /// Warn of these too
+    /// Enable additional warnings
     #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<Warn>,
 }
 
-/// `durer pick`.
+/// Options of `durer pick`.
 #[derive(Args, Clone, Debug)]
 pub struct PickArgs {
     /// The scene, an INI file, or - for standard input
@@ -273,97 +263,96 @@ pub struct PickArgs {
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
-    /// As one JSON object
+    /// Print one JSON object
     #[arg(help_heading = TOLD, long)]
     pub json: bool,
 }
 
-/// `durer test`.
+/// Options of `durer test`.
 #[derive(Args, Clone, Debug)]
 #[command(
-    after_help = "The snapshot of chair.scene is chair.snapshot.png beside it. A scene may say how its snapshot is \
-                        drawn, in a comment at its start:\n\n    //! test: --size 128x96 --aa off"
+    after_help = "The snapshot of chair.scene is chair.snapshot.png beside it. A comment at the start of a scene \
+                        gives options for its snapshot:\n\n    //! test: --size 128x96 --aa off"
 )]
 pub struct TestArgs {
     /// Scenes and folders [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Take what is drawn now as the snapshot, of the scenes that are named or of all that differ; makes new ones for scenes that
-    /// are named
+    /// Replace differing snapshots of the named scenes, or of all scenes; create missing snapshots of named scenes
     #[arg(long)]
     pub accept: bool,
-    /// For a person, or one JSON object a line for each scene
+    /// Format of the results: for people, or one JSON object a line for each scene
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     pub format: MessageFormat,
-    /// Write a page with the pictures side by side
+    /// Write a page that shows the pictures side by side
     #[arg(long, value_name = "DIR")]
     pub report: Option<PathBuf>,
-    /// Look for included files here too
+    /// Add a folder to the include path
     #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,
-    /// How many threads draw [default: one for each processor]
+    /// Number of threads [default: one for each processor]
     #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
 }
 
-/// `durer fmt`.
+/// Options of `durer fmt`.
 #[derive(Args, Clone, Debug)]
 pub struct FmtArgs {
     /// Scenes, include files, folders of them, or - for standard input [default: the current folder]
     #[arg(value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// Write nothing; list the files that would change, and end with exit code 1 if there are any
+    /// Write nothing; list files that would change, and end with exit code 1 if there are any
     #[arg(long)]
     pub check: bool,
-    /// Write nothing; show what would change
+    /// Write nothing; show the changes
     #[arg(long)]
     pub diff: bool,
-    /// Break lines that are longer, where that can be done
+    /// Break longer lines where possible
     #[arg(long, value_name = "N", default_value_t = crate::format::WIDTH as u16, value_parser = clap::value_parser!(u16).range(40..=10_000))]
     pub width: u16,
 }
 
-/// `durer new`.
+/// Options of `durer new`.
 #[derive(Args, Clone, Debug)]
 pub struct NewArgs {
-    /// The scene's name; .scene is put behind it if it has no ending
+    /// Name of the scene; .scene is appended if it has no ending
     #[arg(value_name = "NAME")]
     pub name: PathBuf,
 }
 
-/// `durer watch`.
+/// Options of `durer watch`.
 #[derive(Args, Clone, Debug)]
 pub struct WatchArgs {
     /// The scene, or an INI file
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
-    /// Where the page's button, or --no-page, writes [default: the input's name with .png, here]
+    /// Output file of the page's button or of --no-page [default: the input's name with .png in the current folder]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Open the page in your browser
     #[arg(long, conflicts_with = "no_page")]
     pub open: bool,
-    /// Serve no page: write the picture again whenever a file is saved
+    /// Serve no page; write the picture after each change
     #[arg(long)]
     pub no_page: bool,
-    /// The page's port on 127.0.0.1 [default: any that is free]
+    /// Port of the page on 127.0.0.1 [default: a free port]
     #[arg(long, value_name = "N", default_value = "0", hide_default_value = true, conflicts_with = "no_page")]
     pub port: u16,
-    /// What opens a place, such as 'vi +{line} {file}' [default: a link to Visual Studio Code]
+    /// Command that opens a position, such as 'vi +{line} {file}' [default: a link to Visual Studio Code]
     #[arg(long, value_name = "COMMAND", conflicts_with = "no_page")]
-    pub editor: Option<super::values::Command>,
+    pub editor: Option<values::Command>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub look: LookArgs,
-    /// How many threads draw [default: one for each processor]
+    /// Number of threads [default: one for each processor]
     #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
 }
 
-/// `durer query`.
+/// Options of `durer query`.
 #[derive(Args, Clone, Debug)]
 pub struct QueryArgs {
     /// The scene, an INI file, or - for standard input
@@ -372,31 +361,31 @@ pub struct QueryArgs {
     #[command(flatten)]
     #[allow(missing_docs)]
     pub scene: SceneArgs,
-    /// As one JSON object
+    /// Print one JSON object
     #[arg(help_heading = TOLD, long)]
     pub json: bool,
 }
 
-/// `durer lsp`.
+/// Options of `durer lsp`.
 #[derive(Args, Clone, Debug)]
 pub struct LspArgs {
-    /// Understood and needless: nothing else is spoken
+    /// Accepted without effect: the server always uses standard input and output
     #[arg(long, hide = true)]
     pub stdio: bool,
-    /// Look for included files here too
+    /// Add a folder to the include path
     #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,
 }
 
-/// `durer explain`.
+/// Options of `durer explain`.
 #[derive(Args, Clone, Debug)]
 pub struct ExplainArgs {
-    /// The code; all are listed without one
+    /// Code of the message; without it, all codes are listed
     #[arg(value_name = "CODE")]
     pub code: Option<String>,
 }
 
-/// `durer completions`.
+/// Options of `durer completions`.
 #[derive(Args, Clone, Debug)]
 pub struct CompletionsArgs {
     /// The shell
@@ -405,7 +394,7 @@ pub struct CompletionsArgs {
 }
 
 impl SceneArgs {
-    /// Width and height.
+    /// Width and height of the picture.
     pub fn size(&self) -> Size {
         self.size.unwrap_or_default()
     }

@@ -1,62 +1,59 @@
-//! `--stats`: times, rays and memory of one picture.
+//! `--stats`: times, numbers of rays and memory of each picture.
 
-use super::args::RenderArgs;
-use super::console::Console;
-use super::exit::Result;
-use super::memory;
-use super::values::Stats;
+use crate::cli::args::values::Stats;
+use crate::cli::console::Console;
+use crate::cli::exit::Result;
+use crate::cli::memory;
 use crate::diagnostic::file;
-use crate::render::RayCounts;
+use crate::render::{self, RayCounts};
 use crate::source::{Disk, Files};
 use serde::Serialize;
 use std::time::Duration;
 
-/// Everything measured.
+/// Measurements of one picture.
 #[derive(Serialize, Debug)]
 pub struct Report {
-    /// In seconds.
     times: Times,
     rays: RayCounts,
-    /// The most that was used at once, in bytes; null where the system doesn't tell.
+    /// Largest memory of the process so far, in bytes; null if the system does not report it.
     peak_memory: Option<u64>,
     threads: usize,
     width: usize,
     height: usize,
 }
 
-/// In seconds.
+/// Durations in seconds.
 #[derive(Serialize, Debug)]
 struct Times {
-    /// Text to Scene.
+    /// Text → Scene.
     parse: f64,
-    /// Scene to World.
+    /// Scene → World.
     build: f64,
-    /// World to Frame.
+    /// World → pixels.
     trace: f64,
-    /// Frame to file.
+    /// Pixels → file.
     encode: f64,
     total: f64,
 }
 
 impl Report {
-    /// From the times of parsing, building, tracing, encoding and all together.
-    pub fn new(times: [Duration; 5], rays: RayCounts, args: &RenderArgs) -> Self {
+    /// `times` are those of parsing, building, tracing, encoding, and all together.
+    pub fn new(times: [Duration; 5], rays: RayCounts, options: &render::Options) -> Self {
         let [parse, build, trace, encode, total] = times.map(|t| t.as_secs_f64());
-        let size = args.scene.size();
         let processors = || std::thread::available_parallelism().map_or(1, usize::from);
         Self {
             times: Times { parse, build, trace, encode, total },
             rays,
             peak_memory: memory::peak(),
-            threads: args.threads.map_or_else(processors, usize::from),
-            width: size.width,
-            height: size.height,
+            threads: if options.threads == 0 { processors() } else { options.threads },
+            width: options.width,
+            height: options.height,
         }
     }
 }
 
-/// The last report to standard output, or all of them to a file: one line for each picture.
-pub fn give(reports: &[Report], console: &Console, stats: &Stats) -> Result<()> {
+/// Writes the last report to standard output, or all reports to a file: one line for each picture.
+pub fn write(reports: &[Report], console: &Console, stats: &Stats) -> Result<()> {
     match stats {
         Stats::Json => reports.last().map_or(Ok(()), |report| console.json(report)),
         Stats::File(path) => {

@@ -1,19 +1,19 @@
-//! Options of ours that POV-Ray spreads over several: put together when all are read.
+//! Options of durer that POV-Ray splits into several: assembled when all words are read.
 
 use super::number;
 use crate::cli::animation::Animation;
-use crate::cli::values::{Clock, FileGamma, Size};
+use crate::cli::args::values::{Clock, FileGamma, Size};
 use crate::image_io::Format;
 use std::path::Path;
 
-/// What was said so far.
+/// Settings that were read so far.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     pub input: Option<String>,
     pub output: Option<String>,
     pub format: Option<&'static str>,
     pub depth: Option<u8>,
-    /// Has always 16 bits, whatever `depth` says (manual, "HF_Gray_16").
+    /// True for grayscale, which always has 16 bits (manual, "HF_Gray_16").
     pub gray: bool,
     pub width: Option<usize>,
     pub height: Option<usize>,
@@ -45,7 +45,7 @@ pub struct Settings {
 type Checked = Result<(), String>;
 
 impl Settings {
-    /// POV-Ray's defaults where they differ from nothing.
+    /// POV-Ray's defaults.
     pub fn new() -> Self {
         Self { final_clock: 1.0, frame_step: 1, threshold: 0.3, jitter: 1.0, ..Self::default() }
     }
@@ -56,18 +56,18 @@ impl Settings {
     }
 
     pub fn number(&mut self, text: &str, put: impl FnOnce(&mut Self, f64)) -> Checked {
-        let x = number::real(text).filter(|x| x.is_finite()).ok_or("a number is needed")?;
+        let x = number::real(text).filter(|x| x.is_finite()).ok_or("expected a number")?;
         self.set(|p| put(p, x))
     }
 
-    /// POV-Ray cuts fractions off, and takes 0 for what is less.
+    /// Sets a frame number: fractions are cut off, and negative numbers become 0, as in POV-Ray.
     pub fn frame(&mut self, text: &str, put: impl FnOnce(&mut Self, u32)) -> Checked {
-        let n = number::whole(text).ok_or("a whole number is needed")?;
+        let n = number::whole(text).ok_or("expected a whole number")?;
         self.set(|p| put(p, n as u32))
     }
 
     pub fn pixels(&mut self, text: &str, put: impl FnOnce(&mut Self, usize)) -> Checked {
-        let n = number::whole(text).filter(|&n| n >= 1.0).ok_or("a whole number of pixels is needed, 1 or more")?;
+        let n = number::whole(text).filter(|&n| n >= 1.0).ok_or("expected a whole number of pixels, 1 or more")?;
         self.set(|p| put(p, n as usize))
     }
 
@@ -80,7 +80,7 @@ impl Settings {
         if text.is_empty() { Ok(()) } else { self.number(text, |p, x| p.threshold = x) }
     }
 
-    /// 1 or 2.
+    /// Sets the method of anti-aliasing, 1 or 2.
     pub fn sampling_method(&mut self, text: &str) -> Checked {
         let method = match number::whole(text) {
             Some(1.0) => "grid",
@@ -95,7 +95,7 @@ impl Settings {
         self.set(|p| p.sampling_depth = Some(depth as u32))
     }
 
-    /// From 0 on downwards it is off (manual).
+    /// Sets the jitter; 0 and negative numbers turn it off (manual).
     pub fn jitter(&mut self, text: &str, on: bool) -> Checked {
         self.jitters = Some(on);
         if text.is_empty() { Ok(()) } else { self.number(text, |p, x| p.jitter = x.clamp(0.0, 1.0)) }
@@ -103,11 +103,11 @@ impl Settings {
 
     pub fn antialias_gamma(&mut self, text: &str) -> Checked {
         let gamma =
-            number::real(text).filter(|x| (0.1..=10.0).contains(x)).ok_or("a number from 0.1 to 10 is needed")?;
+            number::real(text).filter(|x| (0.1..=10.0).contains(x)).ok_or("expected a number from 0.1 to 10")?;
         self.set(|p| p.antialias_gamma = Some(gamma))
     }
 
-    /// A letter and maybe bits a channel: `N16`.
+    /// Sets the file type: a letter and optional bits per channel, `N16`.
     pub fn file_type(&mut self, text: &str) -> Checked {
         let mut letters = text.chars();
         self.format = match letters.next().map(|c| c.to_ascii_uppercase()) {
@@ -126,16 +126,16 @@ impl Settings {
         if rest.is_empty() {
             Ok(())
         } else if rest.eq_ignore_ascii_case("g") {
-            // Of types without it, too: what is drawn into is told to have none.
+            // Types without grayscale are refused later, with the format's own message.
             self.set(|p| p.gray = true)
         } else if has_depth {
             self.depth(rest)
         } else {
-            rest.parse::<u8>().map(|_| ()).map_err(|_| "a number of bits is needed".into())
+            rest.parse::<u8>().map(|_| ()).map_err(|_| "expected a number of bits".into())
         }
     }
 
-    /// 5 to 16 bits a channel, of which we have 8 and 16: whichever holds them.
+    /// Sets the bits per channel: 5 to 16, rounded up to 8 or 16.
     pub fn depth(&mut self, text: &str) -> Checked {
         let bits = number::whole(text).filter(|bits| (1.0..=16.0).contains(bits)).ok_or("bits go from 5 to 16")?;
         self.set(|p| p.depth = Some(if bits > 8.0 { 16 } else { 8 }))
@@ -146,7 +146,7 @@ impl Settings {
         self.set(|p| p.file_gamma = Some(text.to_lowercase()))
     }
 
-    /// Dithering on or off, and by which method, if any is named.
+    /// Turns dithering on or off, and sets the method if one is named.
     pub fn dither(&mut self, text: &str, on: bool) -> Checked {
         self.dithers = on;
         if text.is_empty() { Ok(()) } else { self.dither_method(text) }
@@ -159,7 +159,7 @@ impl Settings {
         self.set(|p| p.dither_method = Some(method))
     }
 
-    /// Our options; `plain` where there is no anti-aliasing unless it is asked for.
+    /// The options of durer; with `plain`, anti-aliasing is off unless it was turned on.
     pub fn options(&self, plain: bool) -> Vec<String> {
         let mut out = Vec::new();
         let mut put = |name: &str, value: String| out.push(format!("{name}={value}"));
@@ -201,7 +201,7 @@ impl Settings {
         out
     }
 
-    /// The picture's file. As with POV-Ray, what isn't the ending of a format belongs to the name.
+    /// The output file. An ending that is no picture format belongs to the name, as in POV-Ray.
     fn output_name(&self) -> Option<String> {
         let name = self.output.clone().filter(|name| !name.is_empty())?;
         let path = Path::new(&name);
@@ -212,21 +212,21 @@ impl Settings {
         Some(format!("{}.{}", name.trim_end_matches('.'), self.format.unwrap_or("png")))
     }
 
-    /// The ending of the format that was asked for, or of any if none was.
+    /// True if the path has the ending of the chosen format, or of any format if none was chosen.
     fn has_ending(&self, path: &Path) -> bool {
         let found = Format::from_path(path).ok();
         found.is_some() && self.format.is_none_or(|format| Format::from_name(format) == found)
     }
 
-    /// The frames and their clock, unless it is a single picture.
+    /// The frames and their clock; `None` for a single picture.
     pub fn animation(&self) -> Option<Animation> {
-        // Measured: `+KFI1 +KFF1` gives a single picture, while `+KFF1` alone gives one frame with a number in its name.
+        // quirk: animation_of_one_frame
         let (first, last) = match (self.initial_frame, self.final_frame) {
             (None, None) | (Some(1), Some(1)) => return None,
             (first, last) => (first.unwrap_or(1), last.unwrap_or(0)),
         };
         let end = last.max(first);
-        // A cyclic animation has one frame more, which is its first one again and is not drawn.
+        // A cyclic animation has one frame more, which equals the first one and is not rendered.
         let last = end.saturating_add(u32::from(self.cyclic));
         let count = f64::from(last) - f64::from(first) + 1.0;
         let frame_of = |x: f64| if x < 1.0 { (x * count) as u32 } else { x as u32 };
@@ -243,8 +243,7 @@ impl Settings {
     }
 }
 
-/// First pixel and length along one side. Numbers above 1 count pixels from 1, up to 1 they are fractions; measured on
-/// POV-Ray 3.7, where a start of 1 is the first pixel.
+/// The first pixel and the number of pixels along one side of the region (quirk: `region_bounds`).
 fn extent(start: Option<f64>, end: Option<f64>, side: usize) -> (usize, usize) {
     let from = match start {
         Some(x) if x > 1.0 => x - 1.0,

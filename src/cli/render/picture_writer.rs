@@ -1,4 +1,4 @@
-//! What a picture is drawn on: the rows that come are stored, and what is to be known of the whole picture is noted.
+//! Writes the rows of a picture to its file as they are rendered.
 
 use crate::diagnostic::{self, Diagnostic};
 use crate::image_io::{EncodeError, Encoder, Encoding, Format, Rows};
@@ -9,26 +9,26 @@ use std::time::{Duration, Instant};
 /// Linear light that an 8-bit file stores as 0.
 const BLACK: f32 = 1.5e-4;
 
-/// A picture on its way into a file.
-pub struct Canvas<'d> {
+/// Encodes rows into a draft.
+pub struct PictureWriter<'d> {
+    /// `None` if the picture has no destination.
     encoder: Option<Encoder<&'d mut Draft>>,
     format: Format,
     unwritable: Box<dyn Fn(&io::Error) -> Diagnostic + Send + 'd>,
-    /// What is known of the rows so far.
-    noted: Noted,
+    written: Written,
 }
 
-/// What is known of a picture that is drawn.
+/// Properties of the rows that were written.
 #[derive(Clone, Copy, Debug)]
-pub struct Noted {
-    /// Is it black all over?
-    pub black: bool,
-    /// What storing it took.
+pub struct Written {
+    /// True if all pixels are black.
+    pub is_black: bool,
+    /// Duration of the encoding.
     pub time: Duration,
 }
 
-impl<'d> Canvas<'d> {
-    /// Into a draft, if the picture goes anywhere; `unwritable` tells why it can't be written.
+impl<'d> PictureWriter<'d> {
+    /// Starts a picture of `width` by `height` pixels; `unwritable` makes the message for a write error.
     pub fn new(
         draft: Option<&'d mut Draft>,
         (width, height): (usize, usize),
@@ -38,29 +38,29 @@ impl<'d> Canvas<'d> {
         let format = encoding.format;
         let encoder = draft.map(|draft| Encoder::new(draft, width, height, encoding)).transpose();
         let encoder = encoder.map_err(|error| error.told(format, &unwritable))?;
-        let noted = Noted { black: true, time: Duration::ZERO };
-        Ok(Self { encoder, format, unwritable: Box::new(unwritable), noted })
+        let written = Written { is_black: true, time: Duration::ZERO };
+        Ok(Self { encoder, format, unwritable: Box::new(unwritable), written })
     }
 
-    /// All rows are here.
-    pub fn finish(mut self) -> diagnostic::Result<Noted> {
+    /// Ends the picture after its last row.
+    pub fn finish(mut self) -> diagnostic::Result<Written> {
         let start = Instant::now();
         let done = self.encoder.take().map_or(Ok(()), Encoder::finish);
-        done.map_err(|error| self.told(error))?;
-        Ok(Noted { time: self.noted.time + start.elapsed(), ..self.noted })
+        done.map_err(|error| self.fault(error))?;
+        Ok(Written { time: self.written.time + start.elapsed(), ..self.written })
     }
 
-    fn told(&self, error: EncodeError) -> diagnostic::Fault {
+    fn fault(&self, error: EncodeError) -> diagnostic::Fault {
         error.told(self.format, &self.unwritable)
     }
 }
 
-impl Rows for Canvas<'_> {
+impl Rows for PictureWriter<'_> {
     fn take(&mut self, rows: &[[f32; 4]]) -> diagnostic::Result<()> {
         let start = Instant::now();
-        self.noted.black &= rows.iter().all(|pixel| pixel[..3].iter().all(|c| *c <= BLACK));
+        self.written.is_black &= rows.iter().all(|pixel| pixel[..3].iter().all(|c| *c <= BLACK));
         let done = self.encoder.as_mut().map_or(Ok(()), |encoder| encoder.rows(rows));
-        self.noted.time += start.elapsed();
-        done.map_err(|error| self.told(error))
+        self.written.time += start.elapsed();
+        done.map_err(|error| self.fault(error))
     }
 }

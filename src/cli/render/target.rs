@@ -1,10 +1,9 @@
-//! Where pictures go, and as what.
+//! Destination and format of pictures.
 
-use super::args::{DitherMethod, ExrPacking, LookArgs, RenderArgs};
-use super::canvas::Canvas;
-use super::console::Console;
-use super::exit::{Result, usage};
-use super::values::Size;
+use super::picture_writer::PictureWriter;
+use crate::cli::args::{DitherMethod, ExrPacking, LookArgs, RenderArgs};
+use crate::cli::console::Console;
+use crate::cli::exit::{Result, usage};
 use crate::diagnostic::{Diagnostic, codes, file};
 use crate::image_io::{Dither, Encoding, Format, Packing};
 use crate::snapshot;
@@ -12,34 +11,34 @@ use crate::source::{Disk, Draft, Files, Span};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Where the pictures of one command go.
+/// Destination and encoding of a command's pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Target {
-    place: Place,
+    location: Location,
     encoding: Encoding,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Place {
+enum Location {
     Nowhere,
     Stdout,
     File(PathBuf),
 }
 
 impl Target {
-    /// As `-o`, `--format` and `--bit-depth` say. A format that can't hold the picture is an error now, not after hours.
-    pub fn new(args: &RenderArgs) -> Result<Self> {
+    /// The destination that `-o`, `--format` and `--bit-depth` describe. A format that can't hold the picture is an error now, not after hours.
+    pub fn new(input: &Path, args: &RenderArgs) -> Result<Self> {
         let named = args.format.as_deref().and_then(Format::from_name);
-        let place = match &args.output {
-            _ if args.no_output => Place::Nowhere,
-            Some(path) if path == Path::new("-") => Place::Stdout,
-            Some(path) if is_folder(path) => Place::File(path.join(default_name(&args.input, named))),
-            Some(path) => Place::File(path.clone()),
-            None => Place::File(default_name(&args.input, named)),
+        let location = match &args.output {
+            _ if args.no_output => Location::Nowhere,
+            Some(path) if path == Path::new("-") => Location::Stdout,
+            Some(path) if is_folder(path) => Location::File(path.join(default_name(input, named))),
+            Some(path) => Location::File(path.clone()),
+            None => Location::File(default_name(input, named)),
         };
-        let format = match (&place, named) {
+        let format = match (&location, named) {
             (_, Some(format)) => format,
-            (Place::File(path), None) => Format::from_path(path)?,
+            (Location::File(path), None) => Format::from_path(path)?,
             _ => Format::Png,
         };
         let depth = args.bit_depth.as_ref().and_then(|depth| depth.parse().ok()).or(args.gray.then_some(16));
@@ -48,15 +47,15 @@ impl Target {
             return Err(Box::new(Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help("png and ppm can")).into());
         }
         let size = args.scene.size();
-        if place != Place::Nowhere {
+        if location != Location::Nowhere {
             format.check(size.width, size.height, depth)?;
         }
-        if let Place::File(path) = &place
-            && is_same(path, &args.input)
+        if let Location::File(path) = &location
+            && is_same(path, input)
         {
-            return usage(format!("the picture would take the place of the scene `{}`", path.display()));
+            return usage(format!("the picture would overwrite the scene `{}`", path.display()));
         }
-        if let Place::File(path) = &place
+        if let Location::File(path) = &location
             && snapshot::is_snapshot(path)
         {
             let path = path.display();
@@ -65,26 +64,26 @@ impl Target {
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
         }
-        Ok(Self { place, encoding: encoding(args, format, depth) })
+        Ok(Self { location, encoding: encoding(args, format, depth) })
     }
 
-    /// Does the picture go to standard output?
+    /// True if the picture goes to standard output.
     pub fn is_stdout(&self) -> bool {
-        self.place == Place::Stdout
+        self.location == Location::Stdout
     }
 
-    /// The file, if there is one.
+    /// The file, if the picture goes to one.
     pub fn file(&self) -> Option<&Path> {
-        match &self.place {
-            Place::File(path) => Some(path),
+        match &self.location {
+            Location::File(path) => Some(path),
             _ => None,
         }
     }
 
-    /// Can many pictures go there? On standard output one follows the other, which only ppm was made for.
+    /// Checks whether the destination takes several pictures. Only ppm files may follow one another on standard output.
     pub fn check_many(&self) -> Result<()> {
-        match (&self.place, self.encoding.format) {
-            (Place::Stdout, format) if format != Format::Ppm => usage(format!(
+        match (&self.location, self.encoding.format) {
+            (Location::Stdout, format) if format != Format::Ppm => usage(format!(
                 "many frames on standard output can't be {}: add `--format ppm`, or name a file: `-o film.png`",
                 format.name()
             )),
@@ -92,20 +91,20 @@ impl Target {
         }
     }
 
-    /// Does the name say where the number of a frame stands?
+    /// True if the file's name has a pattern such as `%03d` for the frame's number.
     pub fn has_pattern(&self) -> bool {
         self.file().and_then(Path::file_name).is_some_and(|name| pattern(&name.to_string_lossy()).is_some())
     }
 
-    /// The same for one frame of many: `%03d` in the name becomes the number, with so many digits at least; without it, the
-    /// number stands before the ending, with the digits that the animation gives it.
+    /// The destination of one frame: `%03d` in the name is replaced by the number with at least three digits. Without such a pattern, the number
+    /// with `digits` digits precedes the ending.
     pub fn numbered(&self, frame: u32, digits: usize) -> Self {
-        let Place::File(path) = &self.place else {
+        let Location::File(path) = &self.location else {
             return self.clone();
         };
         let whole = path.file_name().unwrap_or_default().to_string_lossy();
-        let name = if let Some((place, least)) = pattern(&whole) {
-            format!("{}{frame:0least$}{}", &whole[..place.start], &whole[place.end..]).into()
+        let name = if let Some((range, least)) = pattern(&whole) {
+            format!("{}{frame:0least$}{}", &whole[..range.start], &whole[range.end..]).into()
         } else {
             let mut name = path.file_stem().unwrap_or_default().to_os_string();
             name.push(format!("{frame:0digits$}"));
@@ -115,40 +114,40 @@ impl Target {
             }
             name
         };
-        Self { place: Place::File(path.with_file_name(name)), encoding: self.encoding }
+        Self { location: Location::File(path.with_file_name(name)), encoding: self.encoding }
     }
 
-    /// E0004 if it can't be written.
+    /// Checks whether the file can be written (E0004).
     pub fn check(&self) -> Result<()> {
-        match &self.place {
-            Place::File(path) => {
+        match &self.location {
+            Location::File(path) => {
                 Ok(Disk.check_writable(path).map_err(|e| file::unwritable(&Disk, path, &e)).map_err(Box::new)?)
             }
             _ => Ok(()),
         }
     }
 
-    /// What the bytes of the picture are written to until all are there; nothing if they go nowhere.
+    /// Starts the file; `None` if the picture has no destination.
     pub fn draft(&self) -> Result<Option<Draft>> {
-        Ok(match &self.place {
-            Place::Nowhere => None,
-            Place::Stdout => Some(Draft::in_memory(Path::new("-"))),
-            Place::File(path) => Some(Disk.draft(path).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?),
+        Ok(match &self.location {
+            Location::Nowhere => None,
+            Location::Stdout => Some(Draft::in_memory(Path::new("-"))),
+            Location::File(path) => Some(Disk.draft(path).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?),
         })
     }
 
-    /// What a picture of this size is drawn on.
-    pub fn canvas<'d>(&'d self, draft: Option<&'d mut Draft>, size: Size) -> Result<Canvas<'d>> {
+    /// Starts a picture of `width` by `height` pixels in a draft.
+    pub fn writer<'d>(&'d self, draft: Option<&'d mut Draft>, size: (usize, usize)) -> Result<PictureWriter<'d>> {
         let path = self.file().unwrap_or(Path::new("standard output"));
         let unwritable = |e: &std::io::Error| file::unwritable(&Disk, path, e);
-        Ok(Canvas::new(draft, (size.width, size.height), &self.encoding, unwritable)?)
+        Ok(PictureWriter::new(draft, size, &self.encoding, unwritable)?)
     }
 
-    /// Puts the file where it belongs, whole or not at all; returns where.
-    pub fn place(&self, console: &Console, draft: Option<Draft>) -> Result<Option<&Path>> {
-        match (&self.place, draft) {
-            (Place::Stdout, Some(draft)) => console.data(draft.into_bytes()).map(|()| None),
-            (Place::File(path), Some(draft)) => {
+    /// Puts the finished file in its place, and returns its path.
+    pub fn commit(&self, console: &Console, draft: Option<Draft>) -> Result<Option<&Path>> {
+        match (&self.location, draft) {
+            (Location::Stdout, Some(draft)) => console.data(draft.into_bytes()).map(|()| None),
+            (Location::File(path), Some(draft)) => {
                 draft.commit(&Disk).map_err(|e| Box::new(file::unwritable(&Disk, path, &e)))?;
                 Ok(Some(path))
             }
@@ -156,13 +155,12 @@ impl Target {
         }
     }
 
-    /// The bytes of memory that a pixel takes until the file is finished.
-    pub fn kept(&self) -> usize {
-        if self.place == Place::Nowhere { 0 } else { self.encoding.kept() }
+    /// Bytes of memory that each pixel occupies until the file is finished.
+    pub fn kept_bytes(&self) -> usize {
+        if self.location == Location::Nowhere { 0 } else { self.encoding.kept() }
     }
 }
 
-/// How the picture is stored.
 fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
     let plain = Encoding::new(format);
     Encoding {
@@ -187,7 +185,7 @@ fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
     }
 }
 
-/// What lies outside of `--region` is transparent too.
+/// True if the picture has transparent pixels; those outside of `--region` are.
 fn keeps_alpha(look: &LookArgs, args: &RenderArgs) -> bool {
     look.alpha || args.region.is_some()
 }
@@ -196,7 +194,7 @@ fn is_same(a: &Path, b: &Path) -> bool {
     a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }
 
-/// `%d` or `%03d` in a name, as C and ffmpeg write it: where it stands, and the number of digits.
+/// Finds `%d` or `%03d` in a name, as in C and ffmpeg; returns its range and the number of digits.
 fn pattern(name: &str) -> Option<(Range<usize>, usize)> {
     name.match_indices('%').find_map(|(at, _)| {
         let digits = name[at + 1..].bytes().take_while(u8::is_ascii_digit).count();
@@ -206,12 +204,12 @@ fn pattern(name: &str) -> Option<(Range<usize>, usize)> {
     })
 }
 
-/// Is this a folder, there or yet to be made?
+/// True if the path is a folder, existing or not.
 pub fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.as_os_str().to_string_lossy().ends_with(std::path::is_separator)
 }
 
-/// The input's name with the format's ending, without its folder.
+/// The name of `input` without its folder, with the ending of `format`.
 fn default_name(input: &Path, format: Option<Format>) -> PathBuf {
     let stem =
         if input == Path::new("-") { Path::new("stdin").as_os_str() } else { input.file_stem().unwrap_or_default() };
@@ -230,19 +228,18 @@ mod tests {
     fn target(line: &str) -> Result<Target> {
         let cli = Cli::try_parse_from(format!("durer render {line}").split(' ')).unwrap();
         let Command::Render(args) = cli.command else { unreachable!() };
-        let input = args.inputs[0].clone();
-        Target::new(&RenderArgs { input, ..*args })
+        Target::new(&args.inputs[0], &args)
     }
 
     fn file(line: &str) -> String {
-        match target(line).unwrap().place {
-            Place::File(path) => path.display().to_string(),
+        match target(line).unwrap().location {
+            Location::File(path) => path.display().to_string(),
             other => format!("{other:?}"),
         }
     }
 
     #[test]
-    fn pictures_are_called_by_the_scene_unless_named() {
+    fn pictures_have_the_scenes_name_unless_named() {
         assert_eq!(file("a/b.scene"), "b.png");
         assert_eq!(file("a/b.scene --format exr"), "b.exr");
         assert_eq!(file("-"), "stdin.png");
@@ -254,16 +251,16 @@ mod tests {
 
     #[test]
     fn frames_are_numbered() {
-        let numbered = |line: &str, digits| target(line).unwrap().numbered(7, digits).place;
-        assert_eq!(numbered("b.scene -o c/d.png", 2), Place::File("c/d07.png".into()));
-        assert_eq!(numbered("b.scene -o c/d%03d_.png", 2), Place::File("c/d007_.png".into()));
-        assert_eq!(numbered("b.scene -o 100%/%d%%.png", 2), Place::File("100%/7%%.png".into()));
-        assert_eq!(numbered("b.scene -o 5%5.png", 1), Place::File("5%57.png".into()));
+        let numbered = |line: &str, digits| target(line).unwrap().numbered(7, digits).location;
+        assert_eq!(numbered("b.scene -o c/d.png", 2), Location::File("c/d07.png".into()));
+        assert_eq!(numbered("b.scene -o c/d%03d_.png", 2), Location::File("c/d007_.png".into()));
+        assert_eq!(numbered("b.scene -o 100%/%d%%.png", 2), Location::File("100%/7%%.png".into()));
+        assert_eq!(numbered("b.scene -o 5%5.png", 1), Location::File("5%57.png".into()));
         assert_eq!(pattern("a%9999999999999999999999d"), None);
     }
 
     #[test]
-    fn what_a_format_lacks_is_refused_early() {
+    fn formats_that_cannot_hold_the_picture_are_refused() {
         for line in [
             "-o a.jpg --bit-depth 16",
             "-o a.exr --bit-depth 8",

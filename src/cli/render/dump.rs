@@ -1,28 +1,28 @@
-//! `--dump`: a Scene or a World as JSON that a person can read: one thing a line, and places as `file:line:column`.
+//! `--dump`: a Scene or a World as JSON for people: one item a line, and positions as `file:line:column`.
 
 use crate::source::{Sources, Span};
 use serde::Serialize;
 use serde_json::Value;
 
-/// What is not longer stands on one line.
+/// Longest item that is written on one line, in bytes.
 const WIDTH: usize = 100;
 
-/// As text, with the end of its last line.
-pub fn text(sources: &Sources, thing: &impl Serialize) -> String {
-    let mut value = serde_json::to_value(thing).unwrap_or_default();
-    name_places(sources, &mut value);
+/// Formats a stage as JSON, with a line ending at the end.
+pub fn text(sources: &Sources, stage: &impl Serialize) -> String {
+    let mut value = serde_json::to_value(stage).unwrap_or_default();
+    name_positions(sources, &mut value);
     let mut out = String::new();
     write(&value, 0, 0, &mut out);
     out + "\n"
 }
 
-/// A span means nothing to a person.
-fn name_places(sources: &Sources, value: &mut Value) {
+/// Replaces spans by positions in the text.
+fn name_positions(sources: &Sources, value: &mut Value) {
     match value {
-        Value::Array(items) => items.iter_mut().for_each(|item| name_places(sources, item)),
+        Value::Array(items) => items.iter_mut().for_each(|item| name_positions(sources, item)),
         Value::Object(fields) => match as_span(fields) {
             Some(span) => *value = sources.place(span).map_or(Value::Null, |place| place.to_string().into()),
-            None => fields.values_mut().for_each(|field| name_places(sources, field)),
+            None => fields.values_mut().for_each(|field| name_positions(sources, field)),
         },
         _ => {}
     }
@@ -33,7 +33,7 @@ fn as_span(fields: &serde_json::Map<String, Value>) -> Option<Span> {
     if fields.len() == 2 { Some(Span::new(number("lo")?, number("hi")?)) } else { None }
 }
 
-/// Behind `before` letters of a line that is indented by so many steps.
+/// Writes a value after `before` bytes of a line that is indented by `depth` steps.
 fn write(value: &Value, depth: usize, before: usize, out: &mut String) {
     let room = WIDTH.saturating_sub(2 * depth + before);
     let is_short = |text: &String| text.len() <= room;
@@ -72,7 +72,7 @@ fn block<T>(
     out.push(close);
 }
 
-/// On one line, with blanks; what becomes longer than `room` is not finished.
+/// Formats a value on one line; a text longer than `room` bytes is incomplete.
 fn brief(value: &Value, room: usize) -> String {
     let mut out = String::new();
     brief_to(value, room, &mut out);
@@ -111,7 +111,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn places_are_named_and_long_things_take_lines() {
+    fn positions_are_named_and_long_items_take_several_lines() {
         let sources = Sources::default();
         let file = sources.add("a.scene", None, "sphere\n  { }".into()).unwrap();
         let base = sources.base(file);

@@ -1,16 +1,17 @@
-//! Draws what the page shows, and answers what it asks.
+//! Renders the picture of the page, and handles the page's requests.
 
-use super::desk::{Desk, Next, Wish};
+use super::queue::{RenderQueue, Request, Work, is_stopped};
 use super::read::{self, Read, Scene};
 use crate::cli::args::WatchArgs;
+use crate::cli::args::values::Size;
 use crate::cli::console::Console;
 use crate::cli::exit::Result;
+use crate::cli::memory;
 use crate::cli::pick;
-use crate::cli::target::Target;
-use crate::cli::{memory, values::Size};
+use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Rows;
-use crate::preview::{self, Change, Files, Message, Screen, Settings, Spot, Told};
+use crate::preview::{self, Change, FileWatcher, Message, PageState, Screen, Settings, TextPosition};
 use crate::render::{self, RayCounts, Region, Stopped};
 use crate::source::{Sources, Span};
 use serde_json::{Value, json};
@@ -22,34 +23,36 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// See the module.
-pub struct Studio {
+pub struct RenderLoop {
     args: WatchArgs,
-    desk: Arc<Desk>,
+    queue: Arc<RenderQueue>,
     screen: Arc<Screen>,
-    /// What is seen on the screen.
+    /// The scene on the screen and its options.
     shown: Mutex<Option<(Arc<Scene>, render::Options)>>,
 }
 
-/// What one picture took.
-struct Drawn {
+/// Measurements of one picture.
+struct Rendered {
     rays: RayCounts,
+    /// Duration of the first coarse level.
     first: Duration,
-    whole: Duration,
+    /// Duration of the following levels.
+    rest: Duration,
 }
 
-impl Studio {
-    pub fn new(args: WatchArgs, desk: Arc<Desk>, screen: Arc<Screen>) -> Self {
-        desk.ring(Wish::Scene, |settings| {
+impl RenderLoop {
+    pub fn new(args: WatchArgs, queue: Arc<RenderQueue>, screen: Arc<Screen>) -> Self {
+        queue.push(Request::Scene, |settings| {
             settings.antialias = args.look.aa.is_none_or(|aa| aa.0.is_some());
             settings.quality = args.look.quality.unwrap_or(settings.quality);
         });
-        Self { args, desk, screen, shown: Mutex::default() }
+        Self { args, queue, screen, shown: Mutex::default() }
     }
 
-    /// Draws until the program ends.
-    pub fn work(&self, console: &Console, files: &Files) -> Result {
+    /// Renders until the program ends.
+    pub fn run(&self, console: &Console, files: &FileWatcher) -> Result {
         let mut scene: Option<Arc<Scene>> = None;
-        let mut told = Told {
+        let mut state = PageState {
             name: self.args.input.display().to_string(),
             status: "reading",
             settings: Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None },
@@ -62,59 +65,59 @@ impl Studio {
             editor: self.args.editor.is_some(),
         };
         loop {
-            let Next { wish, settings, stop } = self.desk.next();
-            told.settings = settings;
-            if wish == Wish::Scene || scene.is_none() {
-                told.status = "reading";
-                self.screen.tell(told.clone());
-                let read = self.read(console, &told.settings, &stop);
+            let Work { request, settings, stop } = self.queue.pop();
+            state.settings = settings;
+            if request == Request::Scene || scene.is_none() {
+                state.status = "reading";
+                self.screen.set_state(state.clone());
+                let read = self.read(console, &state.settings, &stop);
                 let (failed, files_read) = (read.failed, read.files.clone());
-                if !Desk::is_stopped(&stop) {
-                    scene = take(&mut told, read);
+                if !is_stopped(&stop) {
+                    scene = take(&mut state, read);
                 }
                 files.follow(&files_read, &self.args.input, failed);
             }
-            if Desk::is_stopped(&stop) {
+            if is_stopped(&stop) {
                 continue;
             }
             match &scene {
-                Some(scene) => self.draw(console, scene, &mut told, &stop),
-                None => told.status = "broken",
+                Some(scene) => self.render(console, scene, &mut state, &stop),
+                None => state.status = "broken",
             }
-            self.screen.tell(told.clone());
+            self.screen.set_state(state.clone());
         }
     }
 
     fn read(&self, console: &Console, settings: &Settings, stop: &Arc<AtomicBool>) -> Read {
         let work = || read::read(console, &self.args, settings, stop);
         catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Read {
-            messages: vec![own_fault()],
+            messages: vec![internal_fault()],
             failed: true,
             ..Read::default()
         })
     }
 
-    fn draw(&self, console: &Console, scene: &Arc<Scene>, told: &mut Told, stop: &AtomicBool) {
-        let options = read::drawing(scene, &told.settings);
-        told.status = "drawing";
-        told.messages.retain(|message| message.place.is_some() || message.severity == "warning");
-        self.screen.tell(told.clone());
+    fn render(&self, console: &Console, scene: &Arc<Scene>, state: &mut PageState, stop: &AtomicBool) {
+        let options = read::drawing(scene, &state.settings);
+        state.status = "drawing";
+        state.messages.retain(|message| message.place.is_some() || message.severity == "warning");
+        self.screen.set_state(state.clone());
         *self.shown.lock().unwrap_or_else(PoisonError::into_inner) = Some((scene.clone(), options.clone()));
-        let work = || self.draw_now(scene, &options, stop);
+        let work = || self.render_now(scene, &options, stop);
         match catch_unwind(AssertUnwindSafe(work)) {
-            Ok(Ok(drawn)) => {
-                told.status = "done";
-                told.rays = drawn.rays.total();
-                told.times.truncate(2);
-                told.times.push(("first pixels", drawn.first.as_secs_f64()));
-                told.times.push(("picture", drawn.whole.as_secs_f64()));
-                console.note(&format!(
-                    "{}: drawn in {:.2} s\n",
-                    told.name,
-                    told.times.iter().map(|t| t.1).sum::<f64>()
+            Ok(Ok(rendered)) => {
+                state.status = "done";
+                state.rays = rendered.rays.total();
+                state.times.truncate(2);
+                state.times.push(("first pixels", rendered.first.as_secs_f64()));
+                state.times.push(("picture", rendered.rest.as_secs_f64()));
+                console.info(&format!(
+                    "{}: rendered in {:.2} s\n",
+                    state.name,
+                    state.times.iter().map(|t| t.1).sum::<f64>()
                 ));
             }
-            Ok(Err(Stopped::Cancelled)) if Desk::is_stopped(stop) => {}
+            Ok(Err(Stopped::Cancelled)) if is_stopped(stop) => {}
             Ok(Err(stopped)) => {
                 let fault = match stopped {
                     Stopped::Fault(fault) => *fault,
@@ -125,60 +128,60 @@ impl Studio {
                 };
                 let sources = Sources::default();
                 console.report(&sources, std::slice::from_ref(&fault));
-                told.status = "broken";
-                told.messages.insert(0, read::message(&sources, &fault));
+                state.status = "broken";
+                state.messages.insert(0, read::message(&sources, &fault));
             }
             Err(_) => {
-                told.status = "broken";
-                told.messages.insert(0, own_fault());
+                state.status = "broken";
+                state.messages.insert(0, internal_fault());
             }
         }
     }
 
-    fn draw_now(
+    fn render_now(
         &self,
         scene: &Scene,
         options: &render::Options,
         stop: &AtomicBool,
-    ) -> std::result::Result<Drawn, Stopped> {
+    ) -> std::result::Result<Rendered, Stopped> {
         let limit = scene.args.scene.max_memory.map(|bytes| bytes.0);
-        // The picture, and that of before.
+        // Two pictures are in memory: this one and the previous one.
         let Region { width, height, .. } = part_of(options);
         memory::check_drawing(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
         let start = Instant::now();
         let late = scene.args.scene.max_time.map(|seconds| start + Duration::from_secs_f64(seconds.0));
-        let stop = || Desk::is_stopped(stop) || late.is_some_and(|late| Instant::now() > late);
-        let (rays, first) = preview::draw(&scene.world, options, &self.screen, &stop)?;
-        Ok(Drawn { rays, first, whole: start.elapsed().saturating_sub(first) })
+        let stop = || is_stopped(stop) || late.is_some_and(|late| Instant::now() > late);
+        let (rays, first) = preview::render_progressively(&scene.world, options, &self.screen, &stop)?;
+        Ok(Rendered { rays, first, rest: start.elapsed().saturating_sub(first) })
     }
 }
 
-/// What is shown of the picture.
+/// The displayed part of the picture.
 fn part_of(options: &render::Options) -> Region {
     options.region.unwrap_or(Region { x: 0, y: 0, width: options.width, height: options.height })
 }
 
-/// What was read is told, and becomes the scene.
-fn take(told: &mut Told, read: Read) -> Option<Arc<Scene>> {
+/// Moves the result of a run into the page's state, and returns the scene.
+fn take(state: &mut PageState, read: Read) -> Option<Arc<Scene>> {
     if let Some(size) = read.size {
-        told.size = [size.width, size.height];
-        told.clock = read.clock;
+        state.size = [size.width, size.height];
+        state.clock = read.clock;
     }
-    (told.messages, told.log) = (read.messages, read.log);
+    (state.messages, state.log) = (read.messages, read.log);
     let [parse, build] = read.times.map(|time| time.as_secs_f64());
-    told.times = vec![("text", parse), ("objects", build)];
+    state.times = vec![("text", parse), ("objects", build)];
     read.scene.map(Arc::new)
 }
 
-fn own_fault() -> Message {
-    let text = "durer itself has failed here, which is a fault of durer's; the terminal tells more\n".into();
+fn internal_fault() -> Message {
+    let text = "durer itself has failed, which is a bug of durer; the terminal shows details\n".into();
     Message { severity: "error", code: "", text, place: None }
 }
 
-impl preview::Studio for Studio {
+impl preview::Backend for RenderLoop {
     fn change(&self, change: Change) {
-        let wish = if change.keeps_scene() { Wish::Picture } else { Wish::Scene };
-        self.desk.ring(wish, |settings| settings.take(&change));
+        let request = if change.keeps_scene() { Request::Picture } else { Request::Scene };
+        self.queue.push(request, |settings| settings.apply(&change));
     }
 
     fn pick(&self, x: usize, y: usize) -> Value {
@@ -189,7 +192,7 @@ impl preview::Studio for Studio {
             return json!({"hit": false});
         }
         let (across, down) = (part.x + x, part.y + y);
-        let [r, g, b, _] = self.screen.light(x, y).unwrap_or_default().map(f64::from);
+        let [r, g, b, _] = self.screen.color_at(x, y).unwrap_or_default().map(f64::from);
         let picked = render::pick(&scene.world, &options, across, down);
         let sources = scene.sources.lock().unwrap_or_else(PoisonError::into_inner);
         let words = pick::words(&sources, picked.as_ref(), [r, g, b]);
@@ -201,33 +204,33 @@ impl preview::Studio for Studio {
         let image = self.screen.finished().ok_or("the picture is not finished yet")?;
         let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let Some((scene, _)) = shown else { return Err("there is no picture yet".into()) };
-        let size = Size { width: image.width, height: image.height };
+        let size = (image.width, image.height);
         let save = || {
-            let target = Target::new(&scene.args)?;
+            let target = Target::new(&scene.input, &scene.args)?;
             target.check()?;
             let mut draft = target.draft()?;
-            let mut canvas = target.canvas(draft.as_mut(), size)?;
-            canvas.take(&image.pixels)?;
-            canvas.finish()?;
-            let path = target.place(&Console::plain(), draft)?;
+            let mut writer = target.writer(draft.as_mut(), size)?;
+            writer.take(&image.pixels)?;
+            writer.finish()?;
+            let path = target.commit(&Console::plain(), draft)?;
             Ok(path.map(|path| path.display().to_string()).unwrap_or_default())
         };
-        save().map_err(|failure| read::in_words(failure).message)
+        save().map_err(|failure| read::diagnostic_of(failure).message)
     }
 
-    fn open(&self, Spot { file, line, column }: &Spot) -> std::result::Result<(), String> {
+    fn open(&self, TextPosition { file, line, column }: &TextPosition) -> std::result::Result<(), String> {
         let editor = self.args.editor.as_ref().ok_or("durer was started without `--editor`")?;
         let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let known = |scene: &Scene| {
             let sources = scene.sources.lock().unwrap_or_else(PoisonError::into_inner);
             sources.ids().find(|id| sources.name(*id) == file).and_then(|id| sources.path(id).map(Path::to_path_buf))
         };
-        // A broken scene has no picture; its own file can be opened all the same.
+        // The file of a broken scene can be opened, too, though it has no picture.
         let own = || (self.args.input.display().to_string() == *file).then(|| self.args.input.clone());
         let path = shown.as_ref().and_then(|(scene, _)| known(scene)).or_else(own);
-        let path = path.ok_or_else(|| format!("`{file}` is no file of this scene"))?;
+        let path = path.ok_or_else(|| format!("`{file}` is not a file of this scene"))?;
         let words = editor.at(&path.to_string_lossy(), *line, *column);
         let started = Command::new(&words[0]).args(&words[1..]).spawn();
-        started.map(|_| ()).map_err(|error| format!("`{}` could not be started: {error}", words[0]))
+        started.map(|_| ()).map_err(|error| format!("cannot start `{}`: {error}", words[0]))
     }
 }

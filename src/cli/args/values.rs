@@ -1,10 +1,10 @@
-//! The values that options take, each with its own way of being written.
+//! Values of options, each with its own syntax.
 
 use crate::value::parse_value;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// `640x480`.
+/// Size of a picture: `640x480`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     /// Pixels across.
@@ -24,7 +24,7 @@ impl FromStr for Size {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let side = |side: &str| side.parse().ok().filter(|&n| n > 0);
-        let (width, height) = text.split_once(['x', 'X', '×']).ok_or("width and height are needed, such as 640x480")?;
+        let (width, height) = text.split_once(['x', 'X', '×']).ok_or("expected width and height, such as 640x480")?;
         match (side(width), side(height)) {
             (Some(width), Some(height)) => Ok(Self { width, height }),
             _ => Err("both must be whole numbers of pixels, 1 or more".into()),
@@ -32,7 +32,7 @@ impl FromStr for Size {
     }
 }
 
-/// A version of the language: `3.1`.
+/// Language version: `3.1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Version(pub f64);
 
@@ -41,7 +41,7 @@ impl FromStr for Version {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let version = text.parse().ok().filter(|version| (1.0..=100.0).contains(version));
-        version.map(Self).ok_or("it is a number such as 3.1 or 3.7".into())
+        version.map(Self).ok_or("expected a number such as 3.1 or 3.7".into())
     }
 }
 
@@ -56,12 +56,12 @@ impl FromStr for Antialias {
         match text.parse::<f64>() {
             _ if text.eq_ignore_ascii_case("off") => Ok(Self(None)),
             Ok(threshold) if threshold >= 0.0 => Ok(Self(Some(threshold))),
-            _ => Err("it is a number from 0 (all pixels) to 3 (none), or `off`".into()),
+            _ => Err("expected a number from 0 (all pixels) to 3 (none), or `off`".into()),
         }
     }
 }
 
-/// A program and its arguments, in which `{file}`, `{line}` and `{column}` stand for a place.
+/// A program and its arguments with the placeholders `{file}`, `{line}` and `{column}` for a position.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Command(Vec<String>);
 
@@ -71,14 +71,15 @@ impl FromStr for Command {
     fn from_str(text: &str) -> Result<Self, String> {
         match shlex::split(text) {
             Some(words) if !words.is_empty() => Ok(Self(words)),
-            Some(_) => Err("a program is needed, such as 'code -g {file}:{line}:{column}'".into()),
-            None => Err("a quote has no other end".into()),
+            Some(_) => Err("expected a program, such as 'code -g {file}:{line}:{column}'".into()),
+            None => Err("missing closing quote".into()),
         }
     }
 }
 
 impl Command {
-    /// The program's words for a place. A file that no word asks for comes last.
+    /// Fills in a position. Without `{file}`, the file becomes the last argument.
+    #[cfg(feature = "watch")]
     pub fn at(&self, file: &str, line: usize, column: usize) -> Vec<String> {
         let put = |word: &String| {
             let word = word.replace("{line}", &line.to_string()).replace("{column}", &column.to_string());
@@ -98,11 +99,11 @@ impl FromStr for Share {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let share = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
-        share.map(Self).ok_or("it is a number from 0 to 1".into())
+        share.map(Self).ok_or("expected a number from 0 to 1".into())
     }
 }
 
-/// The exponent of a curve.
+/// Exponent of a transfer curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gamma(pub f64);
 
@@ -111,11 +112,11 @@ impl FromStr for Gamma {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let gamma = text.parse().ok().filter(|gamma| (0.1..=10.0).contains(gamma));
-        gamma.map(Self).ok_or("it is a number from 0.1 to 10, such as 2.2".into())
+        gamma.map(Self).ok_or("expected a number from 0.1 to 10, such as 2.2".into())
     }
 }
 
-/// `srgb`, or the gamma of a power curve.
+/// Transfer curve of a file: `srgb`, or the gamma of a power curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FileGamma(pub crate::color::Gamma);
 
@@ -126,12 +127,12 @@ impl FromStr for FileGamma {
         match text.parse::<Gamma>() {
             _ if text.eq_ignore_ascii_case("srgb") => Ok(Self(crate::color::Gamma::Srgb)),
             Ok(Gamma(gamma)) => Ok(Self(crate::color::Gamma::Power(gamma))),
-            Err(_) => Err("it is `srgb`, or a number from 0.1 to 10, such as 2.2".into()),
+            Err(_) => Err("expected `srgb`, or a number from 0.1 to 10, such as 2.2".into()),
         }
     }
 }
 
-/// `X,Y,W,H`: a part of the picture, in pixels from the top left.
+/// A region of the picture, `X,Y,W,H`, in pixels from the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part(pub crate::render::Region);
 
@@ -144,12 +145,12 @@ impl FromStr for Part {
             [x, y, width, height] if width > 0 && height > 0 && text.matches(',').count() == 3 => {
                 Ok(Self(crate::render::Region { x, y, width, height }))
             }
-            _ => Err("four whole numbers are needed: left, top, width and height, such as 100,50,64,48".into()),
+            _ => Err("expected four whole numbers: left, top, width and height, such as 100,50,64,48".into()),
         }
     }
 }
 
-/// `X,Y`: a pixel, from the top left; it may lie outside.
+/// A pixel, `X,Y`, counted from the top left; it may be outside of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pixel {
     /// Columns from the left.
@@ -166,20 +167,20 @@ impl FromStr for Pixel {
             let (x, y) = text.split_once(',')?;
             Some(Self { x: x.trim().parse().ok()?, y: y.trim().parse().ok()? })
         };
-        parse().ok_or_else(|| "two whole numbers are needed: column and row, such as 320,240".into())
+        parse().ok_or_else(|| "expected two whole numbers: column and row, such as 320,240".into())
     }
 }
 
-/// `A-B[:STEP]`: frames of an animation.
+/// Frames of an animation: `A-B[:STEP]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frames {
-    /// The first one.
+    /// Number of the first frame.
     pub first: u32,
-    /// The last one.
+    /// Number of the last frame.
     pub last: u32,
-    /// From one to the next.
+    /// Difference between consecutive frames.
     pub step: u32,
-    /// How many digits the last number is written with; file names have as many.
+    /// Number of digits of the last frame as it was typed; file names have as many.
     pub digits: usize,
 }
 
@@ -198,16 +199,16 @@ impl FromStr for Frames {
             };
             (frames.first <= frames.last && frames.step > 0).then_some(frames)
         };
-        parse().ok_or_else(|| "first and last frame are needed, such as 1-30, or 1-30:5 for every fifth".into())
+        parse().ok_or_else(|| "expected first and last frame, such as 1-30, or 1-30:5 for every fifth".into())
     }
 }
 
-/// `X`, or `A..B` for what `clock` is in the first and last of many frames.
+/// Value of `clock`: `X`, or `A..B` for the first and the last frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock {
-    /// In the first frame.
+    /// Value in the first frame.
     pub first: f64,
-    /// In the last frame.
+    /// Value in the last frame.
     pub last: f64,
 }
 
@@ -219,17 +220,17 @@ impl FromStr for Clock {
         let (first, last) = text.split_once("..").unwrap_or((text, text));
         match (number(first), number(last)) {
             (Some(first), Some(last)) => Ok(Self { first, last }),
-            _ => Err("it is a number such as 0.5, or two for an animation: 0..10".into()),
+            _ => Err("expected a number such as 0.5, or two for an animation: 0..10".into()),
         }
     }
 }
 
-/// `NAME=VALUE`: a number, text in quotes, a vector or a colour.
+/// Declaration `NAME=VALUE`, where the value is a number, text in quotes, a vector or a colour.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declare {
     /// The identifier.
     pub name: String,
-    /// As written.
+    /// Value as it was typed.
     pub value: String,
 }
 
@@ -237,23 +238,23 @@ impl FromStr for Declare {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let (name, value) = text.split_once('=').ok_or("a name and a value are needed, such as Speed=2.5")?;
+        let (name, value) = text.split_once('=').ok_or("expected a name and a value, such as Speed=2.5")?;
         let is_name = name.starts_with(|c: char| c.is_alphabetic() || c == '_')
             && name.chars().all(|c| c.is_alphanumeric() || c == '_');
         if !is_name {
-            return Err(format!("`{name}` can't be a name: letters, digits and `_` make one"));
+            return Err(format!("`{name}` is not an identifier, which consists of letters, digits and `_`"));
         }
         match parse_value(value) {
             Ok(_) => Ok(Self { name: name.into(), value: value.into() }),
             Err(why) if value.starts_with(|c: char| c.is_alphabetic()) => {
-                Err(format!("{why}; text has to stand in quotes: '{name}=\"{value}\"'"))
+                Err(format!("{why}; text needs quotes: '{name}=\"{value}\"'"))
             }
             Err(why) => Err(why),
         }
     }
 }
 
-/// A number of bytes: `500M`, `2G`.
+/// Memory size in bytes: `500M`, `2G`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bytes(pub u64);
 
@@ -269,11 +270,11 @@ impl FromStr for Bytes {
             _ => (text, 0),
         };
         let bytes = digits.parse().ok().and_then(|n: u64| n.checked_mul(1 << shift));
-        bytes.map(Self).ok_or_else(|| "it is a number of bytes, such as 500M or 2G".into())
+        bytes.map(Self).ok_or_else(|| "expected a number of bytes, such as 500M or 2G".into())
     }
 }
 
-/// A number of seconds, 0 or more.
+/// Duration in seconds, 0 or more.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seconds(pub f64);
 
@@ -282,11 +283,11 @@ impl FromStr for Seconds {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let seconds = text.trim_end_matches('s').parse().ok().filter(|s: &f64| *s >= 0.0 && *s < 1e12);
-        seconds.map(Self).ok_or_else(|| "it is a number of seconds, such as 60".into())
+        seconds.map(Self).ok_or_else(|| "expected a number of seconds, such as 60".into())
     }
 }
 
-/// Where `--stats` go.
+/// Destination of `--stats`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Stats {
     /// Standard output.
@@ -308,7 +309,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn well_written() {
+    fn valid_values_are_read() {
         assert_eq!("4x3".parse(), Ok(Size { width: 4, height: 3 }));
         assert_eq!("off".parse(), Ok(Antialias(None)));
         assert_eq!("0.1".parse(), Ok(Antialias(Some(0.1))));
@@ -324,7 +325,7 @@ mod tests {
     }
 
     #[test]
-    fn badly_written() {
+    fn invalid_values_are_refused() {
         for text in ["", "640", "0x5", "-1x5", "axb", "5x", "99999999999999999999x1"] {
             assert!(text.parse::<Size>().is_err(), "{text}");
         }

@@ -1,12 +1,14 @@
-//! What is drawn of a picture, tile by tile, in a file beside the picture: whatever ends the program, the next one goes on there.
+//! Journal of a picture: the finished tiles, in a file beside the picture. After an interruption, `--resume` continues with it.
 //!
-//! The file is one line of JSON, which says what the work was (version, options, the files that were read), and then a row of records: a pass,
-//! a tile, its pixels and a checksum. A record that is cut off is as good as none; one with a wrong checksum makes the whole journal
-//! worth nothing.
+//! The file is one line of JSON, the [`Work`] (program, options, hashes of the files that were read), and then a sequence of records: pass,
+//! tile, pixels and a checksum. A record that is cut off is ignored; a record with a wrong checksum makes the whole journal invalid.
 
+pub mod finished_frames;
+pub mod identity;
+
+use super::console::Console;
 use crate::render::{FINAL_PASS, Region, Tile};
-use crate::source::ReadFiles;
-use serde::{Deserialize, Serialize};
+use identity::Work;
 use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
@@ -14,52 +16,68 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// What the work is: the same work gives the same bytes.
-#[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
-pub struct Work {
-    /// Of this program.
-    pub program: String,
-    /// All options that change a pixel, and the moment.
-    pub options: String,
-    /// What was read.
-    pub files: ReadFiles,
+/// Opens the journal of a picture: continues the one that exists if `resume` is set, and reports why that is impossible. A new journal is
+/// written when rendering has taken longer than `after`.
+pub fn open(console: &Console, picture: &Path, work: &Work, resume: bool, after: Duration) -> Journal {
+    let path = path_beside(picture);
+    let name = path.display();
+    if path.is_file() {
+        if resume {
+            match Journal::resume(path.clone(), work) {
+                Ok(journal) => return journal,
+                Err(reason) => {
+                    console.info(&format!("cannot continue `{name}`: {reason}; the picture is rendered anew\n"))
+                }
+            }
+        } else {
+            console.info(&format!("an unfinished render exists in `{name}`; continue it with `--resume`\n"));
+        }
+    }
+    Journal::new(path, work, after)
 }
 
-impl Work {
-    /// Why work that was begun as `other` can't go on as this one.
-    pub fn differs(&self, other: &Work) -> Option<String> {
-        if self.program != other.program {
-            return Some("another version of durer drew it".into());
-        }
-        if self.options != other.options {
-            return Some("it was drawn with other options".into());
-        }
-        let changed = self.files.iter().find(|(path, print)| other.files.get(*path) != Some(print));
-        changed.map(|(path, _)| format!("`{}` has changed", path.display()))
+/// Reports where the tiles of an unfinished picture are.
+pub fn report_unfinished(console: &Console, journal: &Journal) {
+    let Some(path) = journal.close() else { return report_failure(console, journal) };
+    let path = path.display();
+    let stored = match journal.failure() {
+        None => format!("the unfinished picture is stored in `{path}`"),
+        Some(reason) => format!("a part of the unfinished picture is stored in `{path}` (writing stopped: {reason})"),
+    };
+    console.info(&format!("{stored}; `--resume` continues it\n"));
+}
+
+/// Reports a journal that could not be written.
+pub fn report_failure(console: &Console, journal: &Journal) {
+    if let Some(reason) = journal.failure() {
+        console.info(&format!("cannot write the resume journal: {reason}\n"));
     }
 }
 
-/// A picture's file and `.unfinished`.
-pub fn beside(picture: &Path) -> PathBuf {
+/// The path of a picture's journal: the picture's path and `.unfinished`.
+pub fn path_beside(picture: &Path) -> PathBuf {
     let mut name = picture.as_os_str().to_os_string();
     name.push(".unfinished");
     name.into()
 }
 
-/// Bytes of a record without its pixels: pass, x, y, width, height and, behind the pixels, the checksum.
+/// Bytes of a record before its pixels: pass, x, y, width and height.
 const HEAD: usize = 33;
+/// Bytes of the checksum after the pixels.
 const SUM: usize = 4;
-/// A tile has so many pixels at most.
-const MOST: usize = 1 << 16;
-/// Written at once, about.
+/// Largest number of pixels of a tile.
+const MAX_PIXELS: usize = 1 << 16;
+/// Bytes that are written together, approximately.
 const CHUNK: usize = 1 << 16;
 
-/// The tiles of a picture that is drawn.
+/// The tiles of a picture that is being rendered.
 pub struct Journal {
     path: PathBuf,
-    /// Where the pixels of tiles of before stand.
+    /// Offsets in `old_file` of the pixels of finished tiles, by pass and corner.
     known: HashMap<(u8, usize, usize), (Region, u64)>,
-    before: Option<Mutex<File>>,
+    /// The journal that is continued.
+    old_file: Option<Mutex<File>>,
+    /// Moment from which tiles are written.
     begins: Instant,
     state: Mutex<State>,
 }
@@ -67,20 +85,24 @@ pub struct Journal {
 struct State {
     header: Vec<u8>,
     file: Option<File>,
-    waiting: Vec<u8>,
-    failed: Option<io::Error>,
+    /// Records that are not written yet.
+    pending: Vec<u8>,
+    error: Option<io::Error>,
 }
 
 impl Journal {
-    /// A new one, which is written once drawing has taken so long.
+    /// A new journal, whose file appears when rendering has taken longer than `after`.
     pub fn new(path: PathBuf, work: &Work, after: Duration) -> Self {
         let mut header = serde_json::to_vec(work).unwrap_or_default();
         header.push(b'\n');
-        let state = State { header, file: None, waiting: vec![], failed: None };
-        Self { path, known: HashMap::new(), before: None, begins: Instant::now() + after, state: Mutex::new(state) }
+        let state = State { header, file: None, pending: vec![], error: None };
+        Self { path, known: HashMap::new(), old_file: None, begins: Instant::now() + after, state: Mutex::new(state) }
     }
 
-    /// Goes on with one that is there, if it is of this work; the reason if not.
+    /// Continues a journal of the same work.
+    ///
+    /// # Errors
+    /// The reason, if the journal belongs to other work or is damaged.
     pub fn resume(path: PathBuf, work: &Work) -> Result<Self, String> {
         let broken = |e: io::Error| format!("it can't be read: {e}");
         let file = OpenOptions::new().read(true).write(true).open(&path).map_err(broken)?;
@@ -100,20 +122,20 @@ impl Journal {
         file.set_len(end).map_err(broken)?;
         let mut more = file.try_clone().map_err(broken)?;
         more.seek(SeekFrom::Start(end)).map_err(broken)?;
-        let before = File::open(&path).map_err(broken)?;
-        let state = State { header: vec![], file: Some(more), waiting: vec![], failed: None };
+        let old_file = File::open(&path).map_err(broken)?;
+        let state = State { header: vec![], file: Some(more), pending: vec![], error: None };
         let begins = Instant::now();
-        Ok(Self { path, known, before: Some(Mutex::new(before)), begins, state: Mutex::new(state) })
+        Ok(Self { path, known, old_file: Some(Mutex::new(old_file)), begins, state: Mutex::new(state) })
     }
 
-    /// The pixels of a tile that was drawn before.
+    /// Returns the pixels of a tile that was finished by an earlier run.
     pub fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
         let (area, at) = self.known.get(&(tile.pass, tile.area.x, tile.area.y))?;
         if *area != tile.area {
             return None;
         }
         let mut bytes = vec![0; area.width * area.height * 16];
-        let mut file = self.before.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut file = self.old_file.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
         file.seek(SeekFrom::Start(*at)).ok()?;
         file.read_exact(&mut bytes).ok()?;
         let (numbers, _) = bytes.as_chunks::<4>();
@@ -121,41 +143,41 @@ impl Journal {
         Some(numbers.as_chunks::<4>().0.to_vec())
     }
 
-    /// Keeps a tile. What can't be written ends the journal, not the picture.
+    /// Adds a finished tile. A write error ends the journal, but not the rendering.
     pub fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {
         if Instant::now() < self.begins {
             return;
         }
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        if state.failed.is_some() {
+        if state.error.is_some() {
             return;
         }
-        append(&mut state.waiting, tile, pixels);
-        if state.file.is_none() || state.waiting.len() >= CHUNK {
-            state.failed = state.write(&self.path).err();
+        append(&mut state.pending, tile, pixels);
+        if state.file.is_none() || state.pending.len() >= CHUNK {
+            state.error = state.write(&self.path).err();
         }
     }
 
-    /// What was kept is written; where it is, if anything is.
+    /// Writes all pending records. Returns the path of the journal if its file exists.
     pub fn close(&self) -> Option<&Path> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        if state.file.is_some() && state.failed.is_none() {
-            state.failed = state.write(&self.path).err();
+        if state.file.is_some() && state.error.is_none() {
+            state.error = state.write(&self.path).err();
         }
         state.file.is_some().then_some(self.path.as_path())
     }
 
-    /// Why it could not be written, if it couldn't.
+    /// Returns the error that ended the journal.
     pub fn failure(&self) -> Option<String> {
         let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        state.failed.as_ref().map(ToString::to_string)
+        state.error.as_ref().map(ToString::to_string)
     }
 
-    /// The picture is where it belongs.
+    /// Deletes the file after the picture has been written.
     pub fn remove(self) {
         let written = self.state.lock().unwrap_or_else(PoisonError::into_inner).file.take().is_some();
         if written {
-            // One that stays is told and not used.
+            // A later run reports and ignores a file that remains.
             let _ = std::fs::remove_file(&self.path);
         }
     }
@@ -171,8 +193,8 @@ impl State {
                 self.file.insert(file)
             }
         };
-        file.write_all(&self.waiting)?;
-        self.waiting.clear();
+        file.write_all(&self.pending)?;
+        self.pending.clear();
         Ok(())
     }
 }
@@ -187,7 +209,7 @@ fn append(out: &mut Vec<u8>, tile: Tile, pixels: &[[f32; 4]]) {
     out.extend(sum.to_le_bytes());
 }
 
-/// Pass, tile and length of the next record; `None` at the end, also of one that is cut off.
+/// Reads pass, tile and length in bytes of the next record; `None` at the end, and if the record is cut off.
 fn record(from: &mut impl Read) -> Result<Option<(u8, Region, usize)>, String> {
     let mut bytes = vec![0; HEAD];
     if from.read_exact(&mut bytes).is_err() {
@@ -196,7 +218,7 @@ fn record(from: &mut impl Read) -> Result<Option<(u8, Region, usize)>, String> {
     let mut numbers = bytes[1..].as_chunks::<8>().0.iter().map(|&number| u64::from_le_bytes(number) as usize);
     let [x, y, width, height] = [(); 4].map(|()| numbers.next().unwrap_or(0));
     let damaged = || Err("it is damaged".to_string());
-    if width.saturating_mul(height) > MOST || bytes[0] > FINAL_PASS {
+    if width.saturating_mul(height) > MAX_PIXELS || bytes[0] > FINAL_PASS {
         return damaged();
     }
     bytes.resize(HEAD + width * height * 16 + SUM, 0);
@@ -214,6 +236,7 @@ fn record(from: &mut impl Read) -> Result<Option<(u8, Region, usize)>, String> {
 mod tests {
     use super::*;
     use crate::source::ContentHash;
+    use crate::source::ReadFiles;
 
     fn work(options: &str) -> Work {
         Work {
@@ -239,9 +262,9 @@ mod tests {
     }
 
     #[test]
-    fn whatever_is_cut_off_the_rest_is_known() {
+    fn records_before_a_cut_are_known() {
         let folder = tempfile::tempdir().unwrap();
-        let path = beside(&folder.path().join("a.png"));
+        let path = path_beside(&folder.path().join("a.png"));
         let whole = written(&path);
         let header = whole.iter().position(|&b| b == b'\n').unwrap() + 1;
         let size = (whole.len() - header) / 9;
@@ -260,12 +283,12 @@ mod tests {
     }
 
     #[test]
-    fn what_is_damaged_or_of_other_work_is_told() {
+    fn damage_and_other_work_are_reported() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a");
         let whole = written(&path);
         let reason = |work: &Work| Journal::resume(path.clone(), work).err().unwrap_or_default();
-        assert_eq!(reason(&work("b")), "it was drawn with other options");
+        assert_eq!(reason(&work("b")), "it was rendered with other options");
         let changed = Work { files: ReadFiles::from([("a.pov".into(), ContentHash::of(b"8"))]), ..work("a") };
         assert_eq!(reason(&changed), "`a.pov` has changed");
         for at in (whole.len() - 36..whole.len()).step_by(5) {

@@ -1,14 +1,13 @@
-//! `--deps FILE`: which files were read for the pictures, for make and for programs.
+//! `--deps FILE`: the files that were read for the pictures, for make and other programs.
 
-use super::console::Console;
-use super::exit::Result;
+use crate::cli::console::Console;
+use crate::cli::exit::Result;
 use crate::diagnostic::file;
 use crate::source::{Disk, Files, ReadFiles};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Writes the files that were read, as those that the pictures depend on: JSON if the file's name ends so, else a rule for
-/// make.
+/// Writes the files `read` as dependencies of the pictures: as JSON if the name of the file ends in `.json`, else as a rule for make.
 pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFiles) -> Result<()> {
     let mut files: Vec<PathBuf> = read.keys().filter(|path| path.is_file()).cloned().map(plain).collect();
     files.sort();
@@ -20,7 +19,7 @@ pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFile
     Disk.write(to, &text).map_err(|error| Box::new(file::unwritable(&Disk, to, &error)).into())
 }
 
-/// `./a.inc` is `a.inc`, as whoever wrote a rule for it would call it.
+/// Removes a leading `./`, which no rule for the file would contain.
 fn plain(path: PathBuf) -> PathBuf {
     path.strip_prefix("./").map(Path::to_path_buf).unwrap_or(path)
 }
@@ -31,7 +30,7 @@ fn as_json(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
     format!("{text:#}\n").into_bytes()
 }
 
-/// A rule without commands, and one for each file, so that make does not stop if it is gone.
+/// A rule without commands, and an empty rule for each file, so that make does not fail if the file is gone.
 fn as_rule(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
     let mut text = vec![];
     for (i, picture) in pictures.iter().enumerate() {
@@ -54,13 +53,13 @@ fn as_rule(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
     text
 }
 
-/// As make reads it. (GNU make's manual, "Rule Syntax" and "Using Wildcard Characters in File Names".)
+/// Escapes a path for make (GNU make's manual, "Rule Syntax" and "Using Wildcard Characters in File Names").
 fn escaped(path: &Path) -> Vec<u8> {
     let (mut out, mut slashes) = (vec![], 0);
     for &byte in path.as_os_str().as_encoded_bytes() {
         match byte {
             b'$' => out.push(b'$'),
-            // Backslashes before one that is put in front of a sign stand for themselves when doubled.
+            // Backslashes before an escaped character have to be doubled.
             b' ' | b'\t' | b'#' => out.extend(std::iter::repeat_n(b'\\', slashes + 1)),
             b':' | b'%' | b'*' | b'?' | b'[' | b']' | b'~' if cfg!(unix) => out.push(b'\\'),
             _ => {}

@@ -1,0 +1,121 @@
+//! Values of options that are one of a few words.
+
+use clap::ValueEnum;
+
+/// When a feature of the terminal is used.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum When {
+    /// On a terminal only
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+/// Sample layout of anti-aliasing.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AaMethod {
+    /// A lattice of 4 samples around the centre, and 5 more where these differ
+    Net,
+    /// Cells of a grid: POV-Ray's first method
+    Grid,
+    /// Recursive subdivision between corners: POV-Ray's second method
+    Corners,
+}
+
+/// Dithering method.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DitherMethod {
+    /// Bayer pattern of 2 x 2 pixels
+    B2,
+    /// Bayer pattern of 3 x 3 pixels
+    B3,
+    /// Bayer pattern of 4 x 4 pixels
+    B4,
+    /// Error diffusion to the next pixel
+    D1,
+    /// Error diffusion to the next pixel and two below
+    D2,
+    /// Error diffusion to the next pixel and three below (Floyd and Steinberg)
+    Fs,
+}
+
+/// Compression of exr.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExrPacking {
+    /// Uncompressed
+    None,
+    /// Run lengths: fast
+    Rle,
+    /// Deflate: small
+    Zip,
+}
+
+/// Source of the standard include files.
+#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Library {
+    /// Those of an installed POV-Ray, then the built-in ones
+    #[default]
+    Installed,
+    /// The built-in ones only
+    Durer,
+}
+
+/// Stage that `--dump` prints.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dump {
+    /// The scene as the author describes it
+    Scene,
+    /// The scene as rays need it
+    World,
+}
+
+/// Format of results.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MessageFormat {
+    /// For people
+    Human,
+    /// One object a line
+    Json,
+}
+
+/// Format of messages.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CheckFormat {
+    /// For people
+    Human,
+    /// file:line:column: error[CODE]: message, one a line
+    Short,
+    /// One object a line: code, severity, message, file, line, column, end, help, labels, trace
+    Json,
+}
+
+/// Messages that `--deny` turns into errors.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deny {
+    /// All warnings
+    Warnings,
+}
+
+/// Warnings that `--warn` enables.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Warn {
+    /// Identifiers that are declared and never used
+    Unused,
+    /// Identifiers in macros that hide others
+    Shadow,
+    /// Options of POV-Ray without effect in durer
+    Options,
+    /// Text that POV-Ray 3.7 would refuse
+    Portable,
+    /// Text that is often, but not always, a mistake
+    Doubtful,
+}
+
+/// Warnings that `--warn` enables while rendering.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DrawingWarn {
+    /// Options of POV-Ray without effect in durer
+    Options,
+}

@@ -1,0 +1,190 @@
+//! Configuration of one scene's pictures, resolved once from the command line and the INI file. Nothing below changes it.
+
+use super::target::Target;
+use crate::advice::Circumstances;
+use crate::cli::animation::Animation;
+use crate::cli::args::values::{Seconds, Stats};
+use crate::cli::args::{Dump, RenderArgs, When};
+use crate::cli::exit::{Result, usage};
+use crate::cli::overlay::Invocation;
+use crate::cli::{memory, session};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::interpreter::Timing;
+use crate::render::Region;
+use crate::source::Span;
+use crate::{interpreter, render};
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+/// See the module.
+pub struct Config {
+    /// The scene, or `-` for standard input.
+    pub input: PathBuf,
+    /// The pictures to render.
+    pub pictures: Pictures,
+    /// Destination of the picture; in an animation without the frame's number.
+    pub target: Target,
+    /// Prints a stage instead of rendering.
+    pub dump: Option<Dump>,
+    /// True if unfinished work is continued.
+    pub resume: bool,
+    /// Time after which a journal of the picture is written.
+    pub keep_after: Duration,
+    /// Limit of the time from text to picture.
+    pub max_time: Option<Seconds>,
+    /// When progress is shown.
+    pub progress: When,
+    /// Destination of times and counters.
+    pub stats: Option<Stats>,
+    /// Ends the work without a message when it is set.
+    pub stop: Option<Arc<AtomicBool>>,
+    /// True if the picture belongs to an animation.
+    is_animated: bool,
+    /// Options of all frames; each frame adds its moment.
+    reading: interpreter::Options,
+    drawing: render::Options,
+}
+
+/// The pictures of one scene.
+pub enum Pictures {
+    /// A single picture at this moment.
+    One(Timing),
+    /// A picture for each frame.
+    Animation(Animation),
+}
+
+impl Config {
+    /// Checks the arguments in an order that reports a mistyped input first, and everything else before hours of work.
+    pub fn resolve(invocation: Invocation, stop: Option<Arc<AtomicBool>>) -> Result<Self> {
+        let Invocation { input, args, animation, exact_name } = invocation;
+        session::check_input(&input)?;
+        if args.dump.is_none() {
+            check_region(&args)?;
+        }
+        // A single picture gets exactly the name that the command line gives, unless an INI file makes it one of many.
+        let exact_name = exact_name || animation.is_none() && args.output.is_some();
+        let animation = animation_of(&args, animation)?;
+        let target = checked_target(&input, &args)?;
+        check_stdout(&input, &args, &target, animation.is_some())?;
+        let (pictures, target) = match &animation {
+            Some(animation) if args.scene.frame.is_none() => (Pictures::Animation(animation.clone()), target),
+            _ => {
+                let timing = session::timing(&args.scene, animation.as_ref())?;
+                let is_alone = args.scene.frame.is_none() && animation.is_none();
+                // One frame rendered again replaces the file of the same frame of the animation.
+                let digits = animation.as_ref().map_or(1, |animation| animation.digits);
+                let is_exact = exact_name && !target.has_pattern() || is_alone;
+                (Pictures::One(timing), if is_exact { target } else { target.numbered(timing.frame, digits) })
+            }
+        };
+        let threads = args.threads.map_or(0, usize::from);
+        let (timing, region) = (Timing::default(), args.region.map(|part| part.0));
+        let drawing = render::Options { region, ..session::drawing_options(&args.scene, &args.look, threads, timing) };
+        let reading = session::reading_options(&args.scene, &input, timing);
+        Ok(Self {
+            input,
+            pictures,
+            target,
+            dump: args.dump,
+            resume: args.resume,
+            keep_after: Duration::from_secs_f64(args.keep_after.0),
+            max_time: args.scene.max_time,
+            progress: args.progress.unwrap_or(When::Auto),
+            stats: args.stats,
+            is_animated: args.frames.is_some() || animation.is_some(),
+            reading: interpreter::Options { stop: stop.clone(), ..reading },
+            drawing,
+            stop,
+        })
+    }
+
+    /// Options for text → World at a moment.
+    pub fn reading(&self, timing: Timing) -> interpreter::Options {
+        interpreter::Options { timing, ..self.reading.clone() }
+    }
+
+    /// Options for World → picture at a moment.
+    pub fn drawing(&self, timing: Timing) -> render::Options {
+        render::Options { frame: timing.frame, ..self.drawing.clone() }
+    }
+
+    /// Width and height of the picture in pixels.
+    pub fn size(&self) -> (usize, usize) {
+        (self.drawing.width, self.drawing.height)
+    }
+
+    /// What the advice about a finished picture depends on.
+    pub fn circumstances(&self, incomplete: bool, black: bool) -> Circumstances {
+        Circumstances { one_of_many: self.is_animated, incomplete, black }
+    }
+}
+
+/// The animation that `--frames` and the INI file ask for.
+fn animation_of(args: &RenderArgs, animation: Option<Animation>) -> Result<Option<Animation>> {
+    Ok(match (args.frames, animation) {
+        (Some(frames), Some(animation)) if !animation.has(frames.first) || !animation.has(frames.last) => {
+            let (first, last) = (animation.first, animation.end);
+            return usage(format!(
+                "`--frames` asks for frames that do not exist: the animation goes from {first} to {last}"
+            ));
+        }
+        (Some(frames), Some(animation)) => Some(animation.only(frames)),
+        (Some(frames), None) => {
+            let animation = Animation::new(frames);
+            Some(Animation { clock: args.scene.clock.unwrap_or(animation.clock), ..animation })
+        }
+        (None, animation) => animation,
+    })
+}
+
+fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
+    let (size, Some(part)) = (args.scene.size(), args.region) else {
+        return Ok(());
+    };
+    let Region { x, y, width, height } = part.0;
+    let is_inside = |at: usize, len: usize, side| at.checked_add(len).is_some_and(|end| end <= side);
+    if is_inside(x, width, size.width) && is_inside(y, height, size.height) {
+        return Ok(());
+    }
+    let text = format!(
+        "the region of {width}x{height} pixels at {x},{y} is not inside the picture of {}x{}",
+        size.width, size.height
+    );
+    Diagnostic::err(codes::OUTSIDE_PICTURE, Span::NONE, text)
+}
+
+/// The destination of the picture; an error if the picture does not fit into memory.
+fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> {
+    if args.dump.is_none() {
+        memory::check_size(args.scene.size())?;
+    }
+    let target = Target::new(input, args)?;
+    if args.dump.is_none() {
+        let limit = args.scene.max_memory.map(|bytes| bytes.0);
+        memory::check_drawing(args.scene.size(), args.region.map(|part| part.0), target.kept_bytes(), limit)?;
+    }
+    Ok(target)
+}
+
+/// Refuses output that standard output can't take.
+fn check_stdout(input: &std::path::Path, args: &RenderArgs, target: &Target, is_animated: bool) -> Result<()> {
+    if !target.is_stdout() || args.dump.is_some() && args.output.is_none() {
+        return Ok(());
+    }
+    if args.stats == Some(Stats::Json) || args.dump.is_some() {
+        return usage("standard output can't take both the picture and `--stats json` or `--dump`");
+    }
+    if is_animated && args.scene.frame.is_none() {
+        target.check_many()?;
+    }
+    if std::io::stdout().is_terminal() {
+        let input = input.display();
+        return usage(format!(
+            "a picture is not written to a terminal; send it to a file or a program: `durer render {input} -o - > picture.png`"
+        ));
+    }
+    Ok(())
+}

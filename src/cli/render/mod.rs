@@ -1,0 +1,146 @@
+//! `durer render INPUT…`: renders scenes into picture files.
+
+mod config;
+mod deps;
+mod dump;
+mod job;
+pub mod monitor;
+mod picture_writer;
+pub mod progress;
+mod stats;
+pub mod target;
+
+use super::animation::Animation;
+use super::args::RenderArgs;
+use super::console::Console;
+use super::exit::{Exit, Failure, Result, usage};
+use super::inputs::Inputs;
+use super::overlay::Invocation;
+use super::{povray, summary};
+use crate::image_io::Format;
+use crate::source::{ReadFiles, Sources};
+use config::Config;
+use job::Job;
+use stats::Report;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use target::{Target, is_folder};
+
+/// What a run is given beside its arguments.
+#[derive(Default)]
+pub struct Context {
+    /// Animation of POV-Ray's options.
+    pub animation: Option<Animation>,
+    /// INI files that the command line was read from.
+    pub ini_files: ReadFiles,
+    /// Ends the run without a message when it is set.
+    pub stop: Option<Arc<AtomicBool>>,
+}
+
+/// Results of a command's scenes so far.
+#[derive(Default)]
+struct Done {
+    reports: Vec<Report>,
+    /// Pictures that were begun.
+    pictures: Vec<PathBuf>,
+    /// All files that were read.
+    read: ReadFiles,
+}
+
+/// Renders each scene: one picture, or one for each frame. Returns also the files that were read for them, even after a failure.
+pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, ReadFiles) {
+    let mut done = Done { read: context.ini_files.clone(), ..Done::default() };
+    let exit = render_all(console, args, &context, &mut done);
+    // A tool that waits for a broken file to be mended needs the list, too.
+    let written = match (&args.deps, &exit) {
+        (Some(file), Ok(_) | Err(Failure::Reported(_) | Failure::Fault(_))) => {
+            deps::write(console, file, &done.pictures, &done.read)
+        }
+        _ => Ok(()),
+    };
+    (written.and(exit), done.read)
+}
+
+fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mut Done) -> Result {
+    let inputs = Inputs::of(&args.inputs)?;
+    if !inputs.several {
+        let mut render = |input| render_scene(console, args, context, input, done).map(|(exit, _)| exit);
+        return inputs.all.iter().try_fold(Exit::Fine, |_, input| render(input));
+    }
+    check_several(args, &inputs.all)?;
+    let print = |line: &str| {
+        console.info(line);
+        Ok(())
+    };
+    summary::each(console, &inputs.all, print, |console, input| render_scene(console, args, context, input, done))
+}
+
+/// Checks that several pictures get a file each.
+fn check_several(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
+    if let Some(picture) = inputs.iter().find(|input| Format::from_path(input).is_ok()) {
+        let picture = picture.display();
+        return usage(format!("`{picture}` is a picture, not a scene; `-o {picture}` writes the picture to it"));
+    }
+    let Some(output) = &args.output else {
+        return check_names(args, inputs);
+    };
+    if output == Path::new("-") {
+        usage("the pictures of several scenes can't all go to standard output; render them one by one")
+    } else if is_folder(output) {
+        check_names(args, inputs)
+    } else {
+        let output = output.display();
+        usage(format!("the pictures of several scenes can't all go to `{output}`; name a folder: `-o pictures/`"))
+    }
+}
+
+/// Checks that no two scenes have the same output file.
+fn check_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
+    if args.no_output || args.dump.is_some() {
+        return Ok(());
+    }
+    let mut taken = HashMap::new();
+    for input in inputs.iter().filter(|input| !povray::is_ini(&input.to_string_lossy())) {
+        let target = Target::new(input, args)?;
+        if let Some(other) = target.file().and_then(|file| taken.insert(file.to_path_buf(), input)) {
+            let (a, b) = (other.display(), input.display());
+            let file = target.file().unwrap_or(Path::new("")).display();
+            return usage(format!(
+                "the pictures of `{a}` and `{b}` would both go to `{file}`; render one of them with `-o` and another name"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Renders one scene; returns also a short text about the files that were written.
+fn render_scene(
+    console: &Console,
+    args: &RenderArgs,
+    context: &Context,
+    input: &Path,
+    done: &mut Done,
+) -> Result<(Exit, String)> {
+    let sources = Sources::default();
+    let result = render_with(console, &sources, args, context, input, done);
+    done.read.extend(sources.read_files());
+    result
+}
+
+fn render_with(
+    console: &Console,
+    sources: &Sources,
+    args: &RenderArgs,
+    context: &Context,
+    input: &Path,
+    done: &mut Done,
+) -> Result<(Exit, String)> {
+    let invocation = Invocation::new(input, args.clone(), context.animation.clone());
+    let (console, invocation) = invocation.with_ini(console, sources)?;
+    let config = Config::resolve(invocation, context.stop.clone())?;
+    let mut job = Job::new(&console, sources, &config, &context.ini_files, done)?;
+    let exit = job.run()?;
+    Ok((exit, job.summary()))
+}

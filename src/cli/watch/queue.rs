@@ -1,0 +1,70 @@
+//! Queue of one element for the work that the page and changed files ask for.
+
+use crate::preview::Settings;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+
+/// Work that has to be repeated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Request {
+    /// Render the picture.
+    Picture,
+    /// Read the scene and render the picture.
+    Scene,
+}
+
+/// Joins all pending requests into one. A new queue contains [`Request::Scene`].
+pub struct RenderQueue {
+    pending: Mutex<Pending>,
+    changed: Condvar,
+}
+
+struct Pending {
+    request: Option<Request>,
+    settings: Settings,
+    stop: Arc<AtomicBool>,
+}
+
+/// Work that was taken from the queue.
+pub struct Work {
+    /// Extent of the work.
+    pub request: Request,
+    /// Settings of the page.
+    pub settings: Settings,
+    /// Set as soon as the work is obsolete.
+    pub stop: Arc<AtomicBool>,
+}
+
+impl Default for RenderQueue {
+    fn default() -> Self {
+        let settings = Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
+        let pending = Pending { request: Some(Request::Scene), settings, stop: Arc::default() };
+        Self { pending: Mutex::new(pending), changed: Condvar::new() }
+    }
+}
+
+impl RenderQueue {
+    /// Adds a request with a change of the settings, and stops the present work.
+    pub fn push(&self, request: Request, change: impl FnOnce(&mut Settings)) {
+        let mut pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
+        pending.request = pending.request.max(Some(request));
+        change(&mut pending.settings);
+        pending.stop.store(true, Relaxed);
+        self.changed.notify_all();
+    }
+
+    /// Waits for a request, and removes it.
+    pub fn pop(&self) -> Work {
+        let pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_empty = |pending: &mut Pending| pending.request.is_none();
+        let mut pending = self.changed.wait_while(pending, is_empty).unwrap_or_else(PoisonError::into_inner);
+        pending.stop = Arc::default();
+        let request = pending.request.take().unwrap_or(Request::Scene);
+        Work { request, settings: pending.settings.clone(), stop: pending.stop.clone() }
+    }
+}
+
+/// True if work is obsolete.
+pub fn is_stopped(stop: &AtomicBool) -> bool {
+    stop.load(Relaxed)
+}
