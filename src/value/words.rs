@@ -40,8 +40,8 @@ impl Vocabulary {
     /// All words, in the order in which messages list them. Messages show a dozen, so that transforms come early.
     pub fn names(&self) -> Vec<&'static str> {
         let (first, rest) = self.words.split_at(self.words.len().min(6));
-        let moves = TRANSFORMS.iter().filter(|_| self.has_transforms);
-        let words = first.iter().chain(moves).chain(rest).map(|w| w.name);
+        let transforms = TRANSFORMS.iter().filter(|_| self.has_transforms);
+        let words = first.iter().chain(transforms).chain(rest).map(|w| w.name);
         words.chain(self.ignored.iter().copied()).chain(self.unsupported.iter().copied()).collect()
     }
 }

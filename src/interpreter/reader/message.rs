@@ -242,7 +242,7 @@ impl Interpreter<'_> {
             token => format!("`{token}`"),
         };
         let (wanted, usage) = match (brace, opens_block(word)) {
-            (true, false) => value_behind(word),
+            (true, false) => value_after(word),
             (false, true) => ("`{`".to_string(), block_usage(word)),
             // The word has what it needs, but is not allowed at this position.
             _ => {
@@ -280,7 +280,7 @@ fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagn
 }
 
 /// Description and example of the value after a word that opens no block.
-fn value_behind(word: &str) -> (String, String) {
+fn value_after(word: &str) -> (String, String) {
     let (what, value) = match kind_of(word) {
         _ if word == "matrix" => ("twelve numbers", "<…>"),
         Some(ValueKind::Float) => ("a number", "0.5"),

@@ -99,7 +99,8 @@ impl<'a> TokenStream<'a> {
         self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
     }
 
-    /// E-message for the innermost bracket that the rest of its file does not close. Faults inside it follow from it.
+    /// The error for the innermost bracket that the rest of its file does not close. Faults inside the bracket follow
+    /// from this error.
     pub(in crate::interpreter) fn unclosed_bracket(&self) -> Option<Diagnostic> {
         let unclosed = |o: &&OpenBracket| o.alone.is_some_and(|span| self.is_unclosed(span));
         let opened = self.open_brackets.iter().rev().find(unclosed)?;
