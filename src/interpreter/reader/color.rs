@@ -48,7 +48,7 @@ const COMPONENTS: &[(&str, Component)] = &[
 ];
 
 /// True if the word begins a colour.
-pub(in crate::interpreter) fn begins_color(word: &str) -> bool {
+pub fn begins_color(word: &str) -> bool {
     COLOR_WORDS.iter().any(|w| w.name == word)
 }
 

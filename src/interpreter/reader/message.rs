@@ -20,7 +20,7 @@ use crate::value::{Next, Reader, ValueKind};
 
 impl Interpreter<'_> {
     /// The error "expected …, found …" about the next token.
-    pub(in crate::interpreter) fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
+    pub fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
         let span = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
@@ -79,7 +79,7 @@ impl Interpreter<'_> {
     }
 
     /// The error for a call of a value that is no function, as in `A(2)`.
-    pub(in crate::interpreter) fn uncallable_value_error(&mut self) -> Option<Diagnostic> {
+    pub fn uncallable_value_error(&mut self) -> Option<Diagnostic> {
         let opens = matches!(
             self.peek(),
             Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. }))
@@ -100,7 +100,7 @@ impl Interpreter<'_> {
     }
 
     /// The syntax error for a token that cannot be at its position.
-    pub(in crate::interpreter) fn syntax_error_at(&self, span: Span) -> Diagnostic {
+    pub fn syntax_error_at(&self, span: Span) -> Diagnostic {
         let Some((file, range)) = self.inputs.sources.locate(span) else {
             return Diagnostic::new(codes::SYNTAX, span, "this is not allowed here");
         };
@@ -108,7 +108,7 @@ impl Interpreter<'_> {
     }
 
     /// The error for the innermost open bracket where an outer bracket closes or the text ends.
-    pub(in crate::interpreter) fn unclosed_error(&mut self) -> Diagnostic {
+    pub fn unclosed_error(&mut self) -> Diagnostic {
         let token = self.peek();
         let here = self.stream.next_span();
         let Some(opened) = self.stream.bracket() else {
@@ -138,7 +138,7 @@ impl Interpreter<'_> {
     }
 
     /// The error for a vector without `>` whose `<` is at `start`; the next token cannot be part of the vector.
-    pub(in crate::interpreter) fn unclosed_vector_error(&mut self, start: Span) -> Diagnostic {
+    pub fn unclosed_vector_error(&mut self, start: Span) -> Diagnostic {
         let here = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
