@@ -45,7 +45,7 @@ const RESERVED: &[(&str, &[&str])] = &[
     ("pest_derive", &["syntax/"]),
     ("miette", &["diagnostic/draw.rs"]),
     ("rayon", &["render/", "world/"]),
-    ("indicatif", &["cli/progress.rs"]),
+    ("indicatif", &["cli/render/progress.rs"]),
     ("clap::", &["cli/"]),
     ("lsp_types", &["lsp/"]),
     ("lsp_server", &["lsp/"]),

@@ -171,7 +171,7 @@ pub struct RenderArgs {
     /// Render only this part of the picture
     #[arg(help_heading = DRAWN, long, value_name = "X,Y,W,H")]
     pub region: Option<Part>,
-    /// Output file, a folder, or - for standard output [default: the input's name with .png in the current folder]
+    /// Output file, a folder, or - for standard output [default: the input's name with .png, here]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Picture format [default: by the ending of the output; png for standard output]
@@ -326,7 +326,7 @@ pub struct WatchArgs {
     /// The scene, or an INI file
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
-    /// Output file of the page's button or of --no-page [default: the input's name with .png in the current folder]
+    /// Output file of the page's button or of --no-page [default: the input's name with .png, here]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Open the page in your browser
