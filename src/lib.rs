@@ -131,6 +131,8 @@ pub mod lsp;
 #[doc(hidden)]
 pub mod math;
 #[doc(hidden)]
+pub mod medium;
+#[doc(hidden)]
 pub mod mesh_io;
 #[doc(hidden)]
 pub mod pattern;
@@ -155,6 +157,8 @@ pub mod syntax;
 #[doc(hidden)]
 pub mod texture;
 #[doc(hidden)]
+pub mod transport;
+#[doc(hidden)]
 pub mod value;
 #[doc(hidden)]
 pub mod world;
@@ -166,7 +170,7 @@ pub use image_io::{Encoding, Format, Frame, encode};
 #[doc(inline)]
 pub use interpreter::{Options as BuildOptions, Timing};
 #[doc(inline)]
-pub use render::{Cancelled, Options as RenderOptions, Rays, Region, Unwatched, Watch, render};
+pub use render::{Cancelled, Options as RenderOptions, RayCounts, Region, Unwatched, Watch, render};
 #[doc(inline)]
 pub use source::{
     ContentHash, Disk, Draft, Entry, FileId, FileKind, Files, Host, LocalHost, Memory, Metadata, Overlay, Place,

@@ -9,7 +9,7 @@ use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::math::{DVec3, Ray, Transform, fp};
-use crate::pattern::Turbulent;
+use crate::pattern::TurbulenceParams;
 use crate::value::Kind::{Float, Vector};
 use crate::value::words::{Row, joined, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
@@ -25,7 +25,7 @@ pub struct Fog {
     /// Its colour; `transmit` is left open at least, `filter` of the light from behind takes the colour.
     pub color: Color,
     /// Stirs it.
-    pub turbulence: Turbulent,
+    pub turbulence: TurbulenceParams,
     /// How much of it turbulence may take away.
     pub turb_depth: f64,
     /// Height up to which a ground fog is dense.
@@ -42,7 +42,7 @@ impl Default for Fog {
             fog_type: 1.0,
             distance: 0.0,
             color: Color::BLACK,
-            turbulence: Turbulent::STILL,
+            turbulence: TurbulenceParams::STILL,
             turb_depth: 0.5,
             fog_offset: 0.0,
             fog_alt: 0.0,
@@ -76,7 +76,7 @@ const FOG_ROWS: &[Row<Fog>] = &[
 pub const FOG: Vocabulary = Vocabulary {
     block: "fog",
     summary: "colour that covers what is far; its `transmit` leaves so much clear, its `filter` colours what is behind",
-    words: &joined::<{ FOG_ROWS.len() + Turbulent::WORDS.len() }>(specs!(FOG_ROWS), Turbulent::WORDS),
+    words: &joined::<{ FOG_ROWS.len() + TurbulenceParams::WORDS.len() }>(specs!(FOG_ROWS), TurbulenceParams::WORDS),
     moves: true,
     idle: &[],
     not_drawn: &[],
@@ -98,7 +98,7 @@ impl Fog {
                     }
                 }
                 next if read_row(FOG_ROWS, &mut fog, next, r)? => {}
-                next if read_row(Turbulent::ROWS, &mut fog.turbulence, next, r)? => {}
+                next if read_row(TurbulenceParams::ROWS, &mut fog.turbulence, next, r)? => {}
                 next if next.moves() => {
                     if let Some(step) = r.transform()? {
                         fog.transform(&step);
@@ -120,7 +120,7 @@ impl Fog {
     }
 
     /// What it does to light that comes along a ray, whose direction has length 1, from as far as `length`.
-    pub fn veil(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
+    pub fn segment(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
         let far = length / self.distance;
         let mut depth = far;
         if self.fog_type.trunc() == 2.0 {
@@ -156,8 +156,8 @@ impl Fog {
 }
 
 /// All fogs in one: each by itself radiance its colour, and takes from what lies behind (measured on POV-Ray 3.7).
-pub fn veil_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
-    fogs.iter().map(|fog| fog.veil(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
+pub fn segment_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
+    fogs.iter().map(|fog| fog.segment(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
         radiance: all.radiance + one.radiance,
         transmittance: all.transmittance * one.transmittance,
     })
@@ -170,7 +170,7 @@ mod tests {
 
     fn along(dir: DVec3, from_height: f64, fog: &Fog, length: f64) -> f64 {
         let ray = Ray::new(DVec3::Y * from_height, dir.normalize());
-        fog.veil(&ray, length, NoiseGenerator::default()).transmittance.x
+        fog.segment(&ray, length, NoiseGenerator::default()).transmittance.x
     }
 
     #[test]
@@ -196,7 +196,7 @@ mod tests {
         // seen in POV-Ray 3.7, of a background <1, 0.5, 0.25> behind endless fog
         let color = Color { rgb: Rgb::new(0.2, 0.4, 0.6), filter: 0.3, transmit: 0.5 };
         let fog = Fog { distance: 20.0, color, ..Fog::default() };
-        let veil = fog.veil(&Ray::new(DVec3::ZERO, DVec3::Z), Segment::FAR, NoiseGenerator::default());
+        let veil = fog.segment(&Ray::new(DVec3::ZERO, DVec3::Z), Segment::FAR, NoiseGenerator::default());
         let seen = veil.radiance + veil.transmittance * Rgb::new(1.0, 0.5, 0.25);
         assert!(seen.distance(Rgb::new(0.48, 0.405, 0.41)) < 1e-12, "{seen}");
     }

@@ -6,8 +6,8 @@ mod rainbow;
 mod sky_sphere;
 
 pub use background::{Background, ViewKind};
-pub use fog::{FOG, Fog, veil_of as fogs};
-pub use rainbow::{RAINBOW, Rainbow, veil_of as rainbows};
+pub use fog::{FOG, Fog, segment_of as fogs};
+pub use rainbow::{RAINBOW, Rainbow, segment_of as rainbows};
 pub use sky_sphere::{SKY_SPHERE, SkySphere};
 
 use crate::color::{Color, Rgb};
@@ -35,7 +35,7 @@ impl Segment {
     }
 
     /// This veil in front of another one.
-    pub fn before(self, behind: Segment) -> Self {
+    pub fn in_front_of(self, behind: Segment) -> Self {
         Self {
             radiance: self.radiance + self.transmittance * behind.radiance,
             transmittance: self.transmittance * behind.transmittance,

@@ -151,7 +151,7 @@ impl Rainbow {
     }
 
     /// What it does to light that comes along a ray from as far as `length`; `None` where it is not. `random` gives numbers in [0, 1).
-    fn veil(&self, ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Option<Segment> {
+    fn segment(&self, ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Option<Segment> {
         let map = self.color_map.as_ref()?;
         let direction = self.direction.normalize();
         let cos = ray.dir.dot(direction).clamp(-1.0, 1.0);
@@ -192,9 +192,9 @@ fn smooth_step(x: f64) -> f64 {
 }
 
 /// All rainbows that a ray meets in one: their mean (measured on POV-Ray 3.7).
-pub fn veil_of(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
+pub fn segment_of(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
     let met: smallvec::SmallVec<[Segment; 2]> =
-        rainbows.iter().filter_map(|rainbow| rainbow.veil(ray, length, random)).collect();
+        rainbows.iter().filter_map(|rainbow| rainbow.segment(ray, length, random)).collect();
     if met.is_empty() {
         return Segment::NONE;
     }
@@ -227,7 +227,7 @@ mod tests {
     }
 
     fn seen(rainbows: &[Rainbow], from_up: f64, length: f64) -> Rgb {
-        let veil = veil_of(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
+        let veil = segment_of(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
         veil.radiance + veil.transmittance * Rgb::new(1.0, 0.5, 0.25)
     }
 
@@ -244,6 +244,6 @@ mod tests {
         close(seen(std::slice::from_ref(&arc), 30.0, plane), [0.64774, 0.44197, 0.37263]);
         let near = Rainbow { distance: 30.0, ..bow(color(0.0, 0.0)) };
         close(seen(&[bow(color(0.0, 0.0)), near], 0.0, plane), [0.37366, 0.42171, 0.52403]);
-        assert_eq!(veil_of(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
+        assert_eq!(segment_of(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
     }
 }

@@ -81,11 +81,17 @@ fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Exit {
     faults.iter().map(|fault| Exit::of(fault.code)).max().unwrap_or(Exit::Scene)
 }
 
+/// The differences in the form of `diff -u`; empty if there are none.
+fn diff(name: &str, old: &str, new: &str) -> String {
+    let diff = similar::TextDiff::from_lines(old, new);
+    diff.unified_diff().header(name, &format!("{name} (formatted)")).to_string()
+}
+
 fn finish(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded, new: &str) -> Result {
     let is_same = old.text == new;
     let name = path.display().to_string();
     if args.diff {
-        console.data(format::diff(&name, &old.text, new))?;
+        console.data(diff(&name, &old.text, new))?;
     }
     if args.check {
         if !is_same {

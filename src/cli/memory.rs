@@ -23,7 +23,7 @@ pub fn check_drawing(size: Size, part: Option<Region>, kept: usize, limit: Optio
     check_size(size)?;
     let Size { width, height } = size;
     let rendered = part.unwrap_or(Region { x: 0, y: 0, width, height });
-    let needed = (width as u128 * height as u128 * kept as u128).saturating_add(render::room(rendered));
+    let needed = (width as u128 * height as u128 * kept as u128).saturating_add(render::memory_bytes(rendered));
     let fault = |rest: String| {
         let text = format!("a picture of {}x{} takes {} of memory; {rest}", size.width, size.height, in_words(needed));
         let help = "make it smaller with `--size`, or render a part of it with `--region`";

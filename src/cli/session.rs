@@ -8,7 +8,7 @@ use super::exit::{Exit, Failure, Result, usage};
 use super::memory;
 use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
-use crate::render::{Sampling, Spread};
+use crate::render::{SampleLayout, Sampling};
 use crate::source::{Disk, FileId, LocalHost, ReadError, Sandbox, SearchPath, Sources};
 use crate::syntax::Wholes;
 use crate::world::World;
@@ -131,10 +131,10 @@ pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, timin
 fn sampling(look: &LookArgs) -> Sampling {
     let default = Sampling::default();
     Sampling {
-        spread: look.aa_method.map_or(default.spread, |method| match method {
-            AaMethod::Net => Spread::Net,
-            AaMethod::Grid => Spread::Grid,
-            AaMethod::Corners => Spread::Corners,
+        layout: look.aa_method.map_or(default.layout, |method| match method {
+            AaMethod::Net => SampleLayout::Lattice,
+            AaMethod::Grid => SampleLayout::Grid,
+            AaMethod::Corners => SampleLayout::Corners,
         }),
         depth: look.aa_depth.map_or(default.depth, u32::from),
         jitter: look.aa_jitter.map_or(default.jitter, |jitter| jitter.0),

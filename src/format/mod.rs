@@ -19,14 +19,12 @@
 
 mod atoms;
 mod columns;
-mod diff;
 mod gather;
 mod layout;
 mod run;
 mod table;
 mod text;
 
-pub use diff::diff;
 pub use text::{Encoded, decode};
 
 use crate::diagnostic::{Diagnostic, Severity};

@@ -2,7 +2,7 @@
 //! constants are computed at once.
 
 use super::numeric::{self, Kernel};
-use super::{Function, Gives, Interval, Near, Program, Sampler, internal::Internal};
+use super::{Function, Gives, Interval, LocalBounds, Program, Sampler, internal::Internal};
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::syntax::ast::Operator;
@@ -152,13 +152,13 @@ impl Callee {
 
     /// What is known of the components no farther than `radius` from a point, which the first three arguments say, and of their gradients
     /// by those.
-    pub(super) fn near(&self, arguments: &[f64], radius: f64) -> [Near; 5] {
+    pub(super) fn bounds_near(&self, arguments: &[f64], radius: f64) -> [LocalBounds; 5] {
         let rest = &arguments[3..];
         let (steepest, bend) = match self {
-            Callee::Sampler(sampler) => return sampler.near(arguments, radius),
+            Callee::Sampler(sampler) => return sampler.bounds_near(arguments, radius),
             Callee::Function(function) => match &function.body {
-                super::Body::Sampled(sampler) => return sampler.near(arguments, radius),
-                super::Body::Numeric(_) => return [Near::UNKNOWN; 5],
+                super::Body::Sampled(sampler) => return sampler.bounds_near(arguments, radius),
+                super::Body::Numeric(_) => return [LocalBounds::UNKNOWN; 5],
             },
             Callee::SceneNoise(generator) => {
                 let generator = generator_of(generator);
@@ -166,11 +166,11 @@ impl Callee {
             }
             Callee::Internal(internal) => match internal.steepest {
                 Some(steepest) => (steepest(rest), internal.bend.map(|bend| bend(rest))),
-                None => return [Near::UNKNOWN; 5],
+                None => return [LocalBounds::UNKNOWN; 5],
             },
-            Callee::Series { .. } => return [Near::UNKNOWN; 5],
+            Callee::Series { .. } => return [LocalBounds::UNKNOWN; 5],
         };
-        let near = Near::of(self.call(0, arguments), steepest, radius);
+        let near = LocalBounds::of(self.call(0, arguments), steepest, radius);
         let Some(bend) = bend else { return [near; 5] };
         let aside = |by: DVec3| {
             let mut there: SmallVec<[f64; 10]> = arguments.into();

@@ -7,7 +7,7 @@
 mod graph;
 pub mod internal;
 mod interval;
-mod near;
+mod local_bounds;
 pub mod numeric;
 mod program;
 mod slope;
@@ -15,7 +15,7 @@ mod spline;
 
 pub use graph::{Callee, Graph, Id, Operation};
 pub use interval::Interval;
-pub use near::Near;
+pub use local_bounds::LocalBounds;
 pub use program::Program;
 pub use slope::Slope;
 pub use spline::{Spline, SplineKind};
@@ -65,8 +65,8 @@ pub trait Sampler: std::fmt::Debug + Send + Sync {
         self.sample(arguments)[component]
     }
     /// What is known of the five no farther than a radius from these arguments.
-    fn near(&self, _arguments: &[f64], _radius: f64) -> [Near; 5] {
-        [Near::UNKNOWN; 5]
+    fn bounds_near(&self, _arguments: &[f64], _radius: f64) -> [LocalBounds; 5] {
+        [LocalBounds::UNKNOWN; 5]
     }
     /// Between which numbers a component lies while the arguments lie in these intervals.
     fn bounds(&self, _component: usize, _arguments: &[Interval]) -> Interval {

@@ -2,7 +2,7 @@
 //! 1966, chapter 11).
 
 use super::graph::{Callee, Graph, Operation, operator_bounds};
-use super::{Body, Function, Interval, Near, numeric};
+use super::{Body, Function, Interval, LocalBounds, numeric};
 use crate::math::{DVec3, fp};
 use crate::syntax::ast::Operator;
 use smallvec::SmallVec;
@@ -280,16 +280,16 @@ fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     {
         let middle: SmallVec<[f64; 10]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
         let radius = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
-        let near = callee.near(&middle, radius);
+        let near = callee.bounds_near(&middle, radius);
         let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), longest([a, b, c]));
         return each(&|component| {
-            let Near { range, about, steepest, rough: uneven } = near[component];
+            let LocalBounds { range, gradient, steepest, rough: uneven } = near[component];
             let value = range.shared(bounds(component));
             let around = if steepest == 0.0 { 0.0 } else { steepest * longest };
             if !around.is_finite() {
                 return Slope::steep(value);
             }
-            let at_middle = [a, b, c].into_iter().zip(about.to_array());
+            let at_middle = [a, b, c].into_iter().zip(gradient.to_array());
             let sum = at_middle.fold(Slope::flat(value), |sum, (slope, by)| {
                 if by == 0.0 { sum } else { sum.plus(value, &slope.chain(value, Interval::point(by)), 1.0) }
             });

@@ -63,11 +63,6 @@ impl Encoding {
         self.format == Format::Exr || self.format == Format::Bmp && hands_on
     }
 
-    /// Numbers of a pixel.
-    pub(super) fn channels(&self) -> usize {
-        usize::from(self.keeps_alpha()) + if self.gray { 1 } else { 3 }
-    }
-
     /// The bytes of memory that a pixel takes until the file is finished.
     pub fn kept(&self) -> usize {
         match self.format {

@@ -7,10 +7,11 @@ use super::reader::TransformThing;
 use super::stream::{BlockName, Token};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::Result;
+use crate::medium::Interior;
 use crate::scene::{Object, is_object, read_camera, read_layers, read_material};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Sign};
-use crate::texture::{ColorMap, Finish, Interior, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
+use crate::texture::{ColorMap, Finish, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
 

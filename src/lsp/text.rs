@@ -1,4 +1,6 @@
 //! A text that is being edited, with positions in the protocol's units of UTF-16.
+//!
+//! Not the crate `line-index`: it ends lines at `\n` alone, where scenes may also have `\r`, and it does not follow changes.
 
 use lsp_types::{Position, Range, TextDocumentContentChangeEvent};
 

@@ -3,7 +3,7 @@
 use super::scan::{Scan, directive};
 use crate::function::numeric::{self, Kernel};
 use crate::interpreter;
-use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp, bitmap};
+use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
 use crate::reference::{BLOCKS, ELSEWHERE, FAMILIES};
 use crate::scene::words::MODIFIERS;
 use crate::shape;
@@ -79,7 +79,7 @@ pub fn of_block(block: &str) -> Vec<WordInfo> {
         add(&mut out, FieldPattern::SPECS.iter().copied());
         add(&mut out, CellPattern::SPECS.iter().copied());
         add(&mut out, Modifiers::WORDS);
-        add(&mut out, Turbulent::WORDS);
+        add(&mut out, TurbulenceParams::WORDS);
         add(&mut out, TRANSFORMS);
     }
     match block {

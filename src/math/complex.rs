@@ -1,4 +1,7 @@
-//! Complex numbers, so far as fractals need them.
+//! Complex numbers for fractals.
+//!
+//! Not `num-complex`: its `exp`, `ln`, `sqrt` and `sinh` call the functions of the system, whose last bits differ between machines, and
+//! its methods of these names would hide portable ones.
 
 use super::fp;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -31,11 +31,6 @@ impl<'a> Words<'a> {
         Some(word)
     }
 
-    /// No more words than this are left.
-    pub fn left(&self) -> usize {
-        self.rest.len().div_ceil(2)
-    }
-
     /// The place, for a message.
     pub fn place(&self) -> String {
         format!("line {}", self.line)

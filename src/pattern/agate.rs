@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { agate agate_turb 0.7 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{fp, noise};
@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 /// Bands along z, displaced by noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agate {
-    /// How much they are displaced; in single precision, as in POV-Ray.
+    /// Strength of the displacement; single precision, as in POV-Ray.
     pub turbulence: f64,
 }
 
@@ -39,12 +39,12 @@ impl Readable for Agate {
 
 impl Field for Agate {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &Words::NONE)
+        self.value_as(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        // the constants were fitted to what POV-Ray 3.7 prints
-        let turbulence = noise::turbulence(at.p, words.turbulence.series(), at.noise);
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        // quirk: agate_constants
+        let turbulence = noise::turbulence(at.p, params.turbulence.series(), at.noise);
         let turn = 1.3 * self.turbulence * turbulence + 1.1 * at.p.z;
         fp::pow(0.5 * (fp::sin(TAU * turn) + 1.0), 0.77)
     }

@@ -4,7 +4,7 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { boxed color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
@@ -31,8 +31,8 @@ impl Field for Boxed {
         (1.0 - at.p.abs().max_element()).max(0.0)
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        Near::of(self.value(at), 1.0, radius).within(0.0, 1.0)
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        LocalBounds::of(self.value(at), 1.0, radius).within(0.0, 1.0)
     }
 }
 

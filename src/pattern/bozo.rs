@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { bozo turbulence 0.6 color_map { [0.4 color rgb <0.2, 0.4, 0.9>] [0.7 color rgb 1] } scale 0.5 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::noise;
@@ -28,8 +28,8 @@ impl Field for Bozo {
         noise::noise(at.p, at.noise)
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        Near::of(self.value(at), at.noise.steepest(), radius).within(0.0, 1.0)
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        LocalBounds::of(self.value(at), at.noise.steepest(), radius).within(0.0, 1.0)
     }
 
     fn default_colors(&self) -> Vec<(f64, Color)> {

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { bumps color_map { [0.5 color rgb <0.9, 0.7, 0.4>] [0.6 color rgb <0.4, 0.2, 0.1>] } scale 0.2 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
@@ -28,11 +28,11 @@ impl Field for Bumps {
         noise::noise(at.p, at.noise)
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        Near::of(self.value(at), at.noise.steepest(), radius).within(0.0, 1.0)
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        LocalBounds::of(self.value(at), at.noise.steepest(), radius).within(0.0, 1.0)
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         Some(n + amount * noise::noise_vector(at.p))
     }
 }

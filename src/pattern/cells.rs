@@ -36,7 +36,7 @@ mod tests {
 
     #[test]
     fn a_border_belongs_to_the_cell_behind_it() {
-        // the numbers of POV-Ray 3.7
+        // POV-Ray 3.7's numbers
         let at = |x: f64| {
             (RandomCells {}.value(&TextureContext::free(DVec3::new(x, 0.5, 0.5), Default::default())) * 1e6).round()
         };

@@ -1,4 +1,4 @@
-//! `checker`: cubes with edges of length 1, of two kinds in turns (manual, "Checker").
+//! `checker`: cubes with edges of length 1, alternately of two kinds (manual, "Checker").
 //!
 //! ```pov
 //! plane { y, 0.1 pigment { checker color rgb 1, color rgb 0 } }
@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Cubes in turns.
+/// Cubes of two alternating kinds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Checker {}
 

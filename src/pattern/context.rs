@@ -1,36 +1,36 @@
-//! What a pattern is asked about.
+//! The point at which a pattern is evaluated, and the parameters that patterns share.
 
-use super::{Modifiers, Near, Turbulent, Wave};
+use super::{LocalBounds, Modifiers, TurbulenceParams, Wave};
 use crate::color::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec2, DVec3};
 
-/// A point, and what patterns want to know beside it.
+/// A point, with the properties of its surface and ray that patterns depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureContext {
-    /// The point, in the space of who is asked.
+    /// The point, in the space of the caller.
     pub p: DVec3,
-    /// Where it lies on its shape.
+    /// Surface coordinates (u, v) of the point.
     pub uv: DVec2,
-    /// The same place in world space.
+    /// The point in world space.
     pub world: DVec3,
-    /// The surface's normal in world space, turned towards the eye, length 1. Pigments see that of their texture's `normal { }`, which
-    /// `no_bump_scale` leaves as long as the bumps make it (measured on POV-Ray 3.7). Zero where there is no surface: in the sky, in a
-    /// function.
+    /// Surface normal in world space, on the viewer's side, length 1 (quirk: `pigments_see_bumped_normal`). Zero
+    /// without a surface: in the sky, in a function.
     pub normal: DVec3,
-    /// The direction of the ray that sees it, in world space; length 1.
+    /// Direction of the ray that sees the point, in world space; length 1.
     pub ray: DVec3,
-    /// The noise of patterns that do not say which.
+    /// Noise generator of patterns without `noise_generator`.
     pub noise: NoiseGenerator,
-    /// `number_of_waves`: how many sources `ripples` and `waves` have.
+    /// `number_of_waves`: number of sources of `ripples` and `waves`.
     pub waves: usize,
 }
 
 impl TextureContext {
-    /// How many sources waves have, unless the scene says.
+    /// Default number of wave sources.
     pub const WAVES: usize = 10;
 
-    /// A point that lies on nothing: what functions ask about. They do not know the scene's number of waves, as in POV-Ray.
+    /// A point without a surface, as functions evaluate patterns. Functions ignore the scene's `number_of_waves`, as in
+    /// POV-Ray.
     pub fn free(p: DVec3, noise: NoiseGenerator) -> Self {
         Self {
             p,
@@ -43,71 +43,72 @@ impl TextureContext {
         }
     }
 
-    /// Does it lie on a surface? Without one, patterns that ask how it is turned are 0 (measured on POV-Ray 3.7).
+    /// True on a surface. Without one, patterns of the surface's direction are 0 (quirk: `slope_without_surface`).
     pub fn has_surface(&self) -> bool {
         self.normal != DVec3::ZERO
     }
 
-    /// The same place seen from another space.
+    /// The same point with its coordinates in another space.
     pub fn at(&self, p: DVec3) -> Self {
         Self { p, ..*self }
     }
 }
 
-/// What else is said of a pattern.
+/// Parameters that all patterns of numbers share.
 #[derive(Clone, Copy, Debug)]
-pub struct Words<'a> {
+pub struct FieldParams<'a> {
     /// Frequency, phase, wave.
     pub modifiers: &'a Modifiers,
-    /// `turbulence` and its words.
-    pub turbulence: &'a Turbulent,
+    /// `turbulence` with its parameters.
+    pub turbulence: &'a TurbulenceParams,
 }
 
-impl Words<'_> {
-    /// Nothing is said.
-    pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &Turbulent::STILL };
+impl FieldParams<'_> {
+    /// The defaults.
+    pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &TurbulenceParams::STILL };
 }
 
-/// The colours of most patterns without a map.
+/// Colours of most patterns without a map.
 pub(super) const GRAYS: [(f64, Color); 2] = [(0.0, Color::BLACK), (1.0, Color::WHITE)];
 
-/// A pattern that gives every point a number, which a map turns into colour.
+/// A pattern that assigns a number to every point; a map turns the number into a colour.
 pub trait Field {
-    /// The number before frequency, phase and wave; mostly in [0, 1].
+    /// The number before frequency, phase and wave; in [0, 1] for most patterns.
     fn value(&self, at: &TextureContext) -> f64;
 
-    /// The number of a pattern that listens to what else is said of it.
-    fn value_as(&self, at: &TextureContext, _words: &Words) -> f64 {
+    /// The number of a pattern that depends on its shared parameters.
+    fn value_as(&self, at: &TextureContext, _params: &FieldParams) -> f64 {
         self.value(at)
     }
 
-    /// What is known of the numbers no farther away than a radius, before frequency, phase and wave.
-    fn near(&self, _at: &TextureContext, _words: &Words, _radius: f64) -> Near {
-        Near::UNKNOWN
+    /// Bounds on the numbers within a radius of the point, before frequency, phase and wave.
+    fn bounds_near(&self, _at: &TextureContext, _params: &FieldParams, _radius: f64) -> LocalBounds {
+        LocalBounds::UNKNOWN
     }
 
-    /// Does it use `turbulence` in its own way? Of all others the point is displaced.
-    fn stirs(&self) -> bool {
+    /// True if the pattern uses `turbulence` in its own way; for all others the point is displaced.
+    fn owns_turbulence(&self) -> bool {
         false
     }
 
-    /// The normal `n` with bumps of the pattern's own making, all in the pattern's space; `None` if they are found by
-    /// comparing heights.
-    fn bumped(&self, _at: &TextureContext, _words: &Words, _n: DVec3, _amount: f64) -> Option<DVec3> {
+    /// The normal `n` with bumps that the pattern computes itself, all in the pattern's space; `None` if bumps are
+    /// found by comparing heights.
+    fn bumped(&self, _at: &TextureContext, _params: &FieldParams, _n: DVec3, _amount: f64) -> Option<DVec3> {
         None
     }
 
-    /// The wave that its name brings along.
+    /// The wave type of the pattern unless one is given.
     fn default_wave(&self) -> Option<Wave> {
         None
     }
 
-    /// Does its name set the frequency to 0, so that `phase` counts for nothing until a `frequency` is said (measured on 3.7)?
+    /// True if the pattern's name sets the frequency to 0, so that `phase` has no effect until a `frequency` is given
+    /// (quirk: `still_patterns`).
     fn begins_still(&self) -> bool {
         false
     }
 
-    /// The colours it shows without a map.
+    /// The colours of the pattern without a map.
     fn default_colors(&self) -> Vec<(f64, Color)> {
         GRAYS.to_vec()
     }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { crackle color_map { [0.05 color rgb 0.1] [0.1 color rgb <0.8, 0.6, 0.4>] } scale 0.3 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise::{self, Around, Cell};
 use crate::math::{DVec3, fp};
@@ -12,16 +12,16 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 
-/// Distances to the nearest of random points, of which each unit cube holds one.
+/// Distances to the nearest of random sites; each unit cube holds one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Crackle {
-    /// What the distances to the nearest, second and third point count.
+    /// Weights of the distances to the nearest, second and third site.
     pub form: DVec3,
-    /// The power that is summed up for a distance.
+    /// Exponent of the metric: a distance is (Σ|d|ᵐ)^(1/m).
     pub metric: f64,
-    /// The distance in a fourth dimension.
+    /// Distance in a fourth dimension.
     pub offset: f64,
-    /// The same number in all of a cell.
+    /// True if all of a cell has the same number.
     pub solid: bool,
 }
 
@@ -55,36 +55,36 @@ impl Field for Crackle {
         value.clamp(0.0, 1.0)
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        // No distance grows faster than the way, but for that along the axes.
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        // No distance grows faster than the point moves, except the largest-component metric along the axes.
         let steepest = match self.metric {
             1.0 => 3f64.sqrt(),
             2.0 => 1.0,
-            _ => return Near::UNKNOWN.within(0.0, 1.0),
+            _ => return LocalBounds::UNKNOWN.within(0.0, 1.0),
         };
         if self.solid || self.offset < 0.0 {
-            return Near::UNKNOWN.within(0.0, 1.0);
+            return LocalBounds::UNKNOWN.within(0.0, 1.0);
         }
-        Near::of(self.value(at), steepest * self.form.abs().element_sum(), radius).within(0.0, 1.0)
+        LocalBounds::of(self.value(at), steepest * self.form.abs().element_sum(), radius).within(0.0, 1.0)
     }
 }
 
-/// What lies next to a point.
+/// The three nearest sites of a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest {
-    /// The sums of powers to the three nearest sites.
+    /// Sums of powers of the distances to the three nearest sites, ascending.
     pub sums: [f64; 3],
     /// The nearest site.
     pub site: DVec3,
 }
 
-/// Looks in the cubes around the point for the sites with the smallest sums.
+/// Searches the cubes around the point for the sites with the smallest sums.
 pub fn nearest(p: DVec3, metric: f64) -> Nearest {
     let (cell, within) = Cell::of(p);
     let mut near = Nearest { sums: [f64::INFINITY; 3], site: p };
     let next = if metric == 2.0 {
         near = cell.with_around(|around| near.squares(around, within));
-        // Nothing in a cube two steps away is nearer than its side.
+        // No site in a cube two steps away is nearer than that cube's side.
         let side = |x: f64| power(2.0 - x, 2.0).min(power(1.0 + x, 2.0));
         if side(within.x).min(side(within.y)).min(side(within.z)) >= near.sums[2] {
             return near;
@@ -93,7 +93,7 @@ pub fn nearest(p: DVec3, metric: f64) -> Nearest {
     } else {
         0
     };
-    // How far a cube is away along an axis, as a power: nothing for the point's own. Negative powers tell nothing.
+    // Distance of a cube along an axis, as a power: 0 for the point's own cube. Negative exponents give no bound.
     let gap = |axis: usize, step: isize| match step {
         _ if metric <= 0.0 => 0.0,
         0 => 0.0,
@@ -124,7 +124,7 @@ pub fn lowest(p: DVec3) -> DVec3 {
 }
 
 impl Nearest {
-    /// Those by the sums of squares among the points around `within`; this has none as yet.
+    /// Inserts the sums of squares of the sites around `within`; `self` is empty.
     fn squares(self, around: &Around, within: DVec3) -> Self {
         let (sums, nearest) = around.least_squares(within);
         let [xs, ys, zs] = &around.points;
@@ -132,7 +132,7 @@ impl Nearest {
         Self { sums, site: nearest.map_or(self.site, |i| self.site + of(i)) }
     }
 
-    /// Keeps the three smallest in order.
+    /// Keeps the three smallest sums, ascending.
     fn insert(&mut self, sum: f64, site: DVec3) {
         let [first, second, third] = self.sums;
         if sum < first {
@@ -145,12 +145,12 @@ impl Nearest {
     }
 }
 
-/// The cubes that are looked at, those next to the point first: one step along each axis, or two along a single one.
+/// Cubes that are searched, nearest first: one step along each axis, or two along a single one.
 const AROUND: [[isize; 3]; 81] = around();
 
 const fn around() -> [[isize; 3]; 81] {
     let (mut out, mut n) = ([[0; 3]; 81], 0);
-    // by the sum of the squares of their steps
+    // sorted by the sum of the squares of their steps
     let mut square = 0;
     while square <= 6 {
         let mut code = 0;

@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Which of the six directions +x, +y, +z, -x, -y, -z is nearest.
+/// The nearest of the six directions +x, +y, +z, -x, -y, -z.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cubic {}
 
@@ -34,7 +34,7 @@ impl Cells for Cubic {
     }
 
     fn cell(&self, p: DVec3) -> usize {
-        // the first of those that are equally near
+        // the first of equally near directions
         let along = [p.x, p.y, p.z, -p.x, -p.y, -p.z];
         let farthest = p.abs().max_element();
         along.iter().position(|&a| a == farthest).unwrap_or(0)

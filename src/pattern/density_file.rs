@@ -12,22 +12,22 @@ use std::sync::Arc;
 /// A grid of numbers from <0, 0, 0> to <1, 1, 1>; 0 outside.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DensityFile {
-    /// The numbers.
+    /// The grid.
     #[serde(serialize_with = "print_size")]
     pub voxels: Arc<Voxels>,
-    /// What lies between them.
+    /// Interpolation between the numbers.
     pub between: Voxel,
 }
 
-/// What lies between the numbers of a density file.
+/// Interpolation between the numbers of a density file.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Voxel {
     /// Each number fills a box.
     Nearest,
-    /// Straight lines.
+    /// Linear.
     Linear,
-    /// Curves.
+    /// Cubic.
     Cubic,
 }
 
@@ -75,7 +75,7 @@ impl Readable for DensityFile {
 }
 
 impl DensityFile {
-    /// The weighted sum of the numbers from `cell` on, where `weights` has those along each axis; past an end it begins anew.
+    /// The weighted sum of the numbers from `cell` on, with `weights` for each axis; the grid repeats.
     fn sum<const N: usize>(&self, cell: [i64; 3], weights: [[f64; N]; 3]) -> f64 {
         let mut sum = 0.0;
         for k in 0..N {
@@ -91,12 +91,13 @@ impl DensityFile {
     }
 }
 
-/// A place on the grid. Before the first stands the one that POV-Ray's unsigned 64 bits give: the last, if `size` is a power of two.
+/// Wraps an index into the grid. Negative indices wrap like POV-Ray's unsigned 64-bit integers (quirk:
+/// `density_file_wraps`).
 fn around(place: i64, size: usize) -> usize {
     (place as u64 % size as u64) as usize
 }
 
-/// Weights of the four numbers around a place between the middle two (Catmull and Rom 1974).
+/// Weights of the four numbers around position `t` between the middle two (Catmull and Rom 1974).
 fn curve(t: f64) -> [f64; 4] {
     let near = |d: f64| (1.5 * d - 2.5) * d * d + 1.0;
     let far = |d: f64| ((2.5 - 0.5 * d) * d - 4.0) * d + 2.0;
@@ -138,9 +139,9 @@ mod tests {
         );
         assert_eq!(value(Voxel::Linear, 0.25), 1.0);
         assert!((value(Voxel::Linear, 0.375) - 0.6).abs() < 1e-12);
-        // -1/16 and 9/16 of the four around
+        // weights -1/16 and 9/16 of the four numbers
         assert!((value(Voxel::Cubic, 0.375) - (9.0 + 9.0 * 0.2) / 16.0).abs() < 1e-12);
-        // the first stands behind the last
+        // the last is followed by the first
         assert!((value(Voxel::Linear, 0.125) - 0.5).abs() < 1e-12);
     }
 }

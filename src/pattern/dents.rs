@@ -1,10 +1,10 @@
-//! `dents`: noise with few high places (manual, "Dents").
+//! `dents`: noise with few high peaks (manual, "Dents").
 //!
 //! ```pov
 //! sphere { 0, 1 pigment { dents color_map { [0 color rgb 0.9] [0.5 color rgb <0.6, 0.1, 0>] } scale 0.2 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
@@ -28,14 +28,14 @@ impl Field for Dents {
         noise::noise(at.p, at.noise).powi(3)
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // (n³)' = 3 n² n'
-        let noise = Near::of(noise::noise(at.p, at.noise), at.noise.steepest(), radius).within(0.0, 1.0);
+        let noise = LocalBounds::of(noise::noise(at.p, at.noise), at.noise.steepest(), radius).within(0.0, 1.0);
         let steepest = 3.0 * noise.range.hi.powi(2) * noise.steepest;
-        Near { range: noise.range.growing(|n| n.powi(3)), steepest, ..noise }
+        LocalBounds { range: noise.range.growing(|n| n.powi(3)), steepest, ..noise }
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         Some(n + amount * self.value(at) * noise::noise_vector(at.p))
     }
 }

@@ -1,11 +1,11 @@
-//! `facets`: surfaces that are cut like a gem, for normals only (manual, "Facets").
+//! `facets`: surfaces cut like a gem, for normals only (manual, "Facets").
 //!
 //! ```pov
 //! sphere { 0, 1 pigment { color rgb 0.8 } normal { facets coords 0.4 scale 3 } }
 //! ```
 
 use super::crackle::{lowest, nearest};
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::words::{Row, set, specs, word};
@@ -15,15 +15,16 @@ use serde::Serialize;
 /// Flat pieces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Facets {
-    /// How far the normals of cells of space turn at random; 0 is no such cells, but normals that are alike become the same.
+    /// Strength of the random turn of the normal in each cell of space. At 0 there are no cells of space; instead
+    /// similar normals become equal.
     pub coords: f64,
-    /// How large cells of space or of normals are.
+    /// Size of the cells of space, or of the cells of normals.
     pub size: f64,
-    /// How distances are counted: 2 as usual.
+    /// Exponent of the metric; 2 is Euclidean.
     pub metric: f64,
 }
 
-/// What POV-Ray 3.7 takes for a size that is none (as was measured).
+/// POV-Ray 3.7's replacement for a size of 0 (quirk: facets_least_size).
 const LEAST_SIZE: f64 = 1e-6;
 
 impl Readable for Facets {
@@ -48,20 +49,20 @@ impl Readable for Facets {
 }
 
 impl Field for Facets {
-    /// As a pigment it shows nothing.
+    /// 0: as a pigment, the pattern is uniform.
     fn value(&self, _: &TextureContext) -> f64 {
         0.0
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, _: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, _: f64) -> Option<DVec3> {
         let unit = n.normalize_or_zero();
         let size = if self.size > 0.0 { self.size } else { LEAST_SIZE };
-        // POV-Ray 3.7 adds the differences up with their signs, as was measured: near and far do not matter.
+        // With metric 1, POV-Ray 3.7 adds the signed differences (quirk: facets_signed_metric).
         let site = |p: DVec3| if self.metric == 1.0 { lowest(p / size) } else { nearest(p / size, self.metric).site };
         if self.coords == 0.0 {
             return Some(site(unit));
         }
-        // a random vector for each cell, without its part along the normal
+        // a random vector for each cell, projected into the tangent plane
         let random = noise::noise_vector(site(at.p));
         Some(unit + self.coords * (random - random.dot(unit) * unit))
     }
@@ -79,7 +80,7 @@ mod tests {
             for (coords, size, metric) in [(0.5, 0.1, 2.0), (0.0, 0.1, 1.0), (0.0, 0.0, -3.0)] {
                 let facets = Facets { coords, size, metric };
                 for normal in [DVec3::Y, p] {
-                    assert!(facets.bumped(&there, &Words::NONE, normal, 1.0).is_some());
+                    assert!(facets.bumped(&there, &FieldParams::NONE, normal, 1.0).is_some());
                 }
             }
         }

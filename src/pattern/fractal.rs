@@ -1,8 +1,9 @@
-//! `mandel`, `julia` and `magnet`: how points of the complex plane fare under a formula that is applied again and again (manual,
-//! "Fractal Pattern").
+//! `mandel`, `julia` and `magnet`: orbits of points of the complex plane under an iterated formula (manual, "Fractal
+//! Pattern").
 //!
 //! ```pov
-//! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
+//! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb
+//! 1] } scale 0.4 } }
 //! ```
 
 use super::{Field, GRAYS, Readable, SIX_COLORS, TextureContext};
@@ -13,31 +14,31 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
 
-/// Which number is shown of an orbit, and times what.
+/// The property of an orbit that becomes the number, and its factor.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct OrbitValue {
-    /// 0 to 6, see the manual; 7 and 8 are not in it.
+    /// 0 to 6 as in the manual; 7 and 8 are undocumented (quirk: fractal_types).
     pub kind: u8,
-    /// Times this, mostly.
+    /// Factor; most types multiply by it.
     pub factor: f64,
 }
 
-/// What all of them have in common.
+/// Parameters that all fractal patterns share.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Orbits {
-    /// How often the formula is applied at most.
+    /// Maximum number of iterations.
     pub iterations: u32,
-    /// Of points that go away, or end where nothing moves any more.
+    /// For points that escape, or that reach a fixed point.
     pub exterior: OrbitValue,
-    /// Of those that stay.
+    /// For points that never escape.
     pub interior: OrbitValue,
 }
 
-/// What became of an orbit.
+/// Result of an orbit.
 enum End {
-    /// It has left with this step, to there.
+    /// Step of the escape, and the position then.
     Left(u32, Complex),
-    /// Where it is after the last step, and how near it came to 0, squared.
+    /// Last position, and the least squared distance from 0.
     Stays(Complex, f64),
 }
 
@@ -82,8 +83,8 @@ impl Orbits {
         Ok(Self { iterations, exterior, interior })
     }
 
-    /// The number of an orbit that begins at `z`, which `step` continues until it has `left`. Is `z` a part of the orbit?
-    /// What has left must not be back within `BLOCK` steps.
+    /// The number of an orbit that begins at `z` and continues by `step` until it has `left`. `starts` is true if `z`
+    /// belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
     fn value<const BLOCK: u32>(
         &self,
         z: Complex,
@@ -91,7 +92,7 @@ impl Orbits {
         left: impl Fn(Complex) -> bool,
         starts: bool,
     ) -> f64 {
-        // How near the orbit came to 0 is only asked for by one kind: loops without it are faster.
+        // Only interior type 1 needs the least distance from 0: loops without it are faster.
         let end = match self.interior.kind {
             1 => self.follow::<BLOCK, true>(z, step, left, starts),
             _ => self.follow::<BLOCK, false>(z, step, left, starts),
@@ -111,7 +112,7 @@ impl Orbits {
                 let OrbitValue { kind, factor } = self.interior;
                 match kind {
                     1 => least.sqrt() * factor,
-                    // measured; the manual has the length here
+                    // The manual says the length; POV-Ray squares the imaginary part alone (quirk: fractal_types).
                     6 => z.x * z.x + z.y * z.y * factor,
                     _ => Self::common(kind, z) * factor,
                 }
@@ -134,12 +135,12 @@ impl Orbits {
                 *least = least.min(z.length_squared());
             }
         };
-        // An orbit that comes back to where it has been goes round for ever: it is held against one point, which is changed ever
+        // An orbit that returns to an earlier position is periodic: compare with one position, which is replaced ever
         // more rarely (R. P. Brent, "An improved Monte Carlo factorization algorithm", 1980, section 2).
         let (mut been, mut since, mut change) = (Complex::new(f64::NAN, f64::NAN), 0, BLOCK);
         let mut i = 0;
         while i < self.iterations {
-            // Some steps without a look; with one each, if that went too far.
+            // Iterate some steps without tests; if the orbit left meanwhile, repeat them one by one.
             let (mut ahead, mut ahead_least) = (z, least);
             let blind = self.iterations - i >= BLOCK;
             if blind {
@@ -178,13 +179,12 @@ impl Orbits {
         }
     }
 
-    /// Step i of `turn`, which begins anew all the time, by the factor (measured on POV-Ray 3.7, which crashes where it would be
-    /// endless).
+    /// `i` modulo `turn`, divided by the factor (quirk: `fractal_types`); 0 for a `turn` of 0, where POV-Ray crashes.
     fn turn(i: u32, turn: f64, factor: f64) -> f64 {
         if turn == 0.0 { 0.0 } else { f64::from(i) % turn / factor }
     }
 
-    /// What exterior and interior have in common.
+    /// Types that exterior and interior share.
     fn common(kind: u8, z: Complex) -> f64 {
         match kind {
             2 => z.x,
@@ -196,13 +196,13 @@ impl Orbits {
     }
 }
 
-/// Has z left? It goes further and further then if |c| ≤ 2.
+/// True if z has escaped: |z| then grows for ever if |c| ≤ 2.
 fn far(z: Complex) -> bool {
     z.length_squared() > 4.0
 }
 
 fn read_exponent(r: &mut dyn Reader) -> Result<u32> {
-    // others were seen to count as 2
+    // quirk: fractal_exponents
     let exponent = r.float()?.trunc();
     Ok(if (2.0..=33.0).contains(&exponent) { exponent as u32 } else { 2 })
 }
@@ -210,7 +210,7 @@ fn read_exponent(r: &mut dyn Reader) -> Result<u32> {
 /// z → zⁿ + c, where c is the point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Mandel {
-    /// What is shown.
+    /// Iterations, exterior and interior.
     pub orbits: Orbits,
     /// n
     pub exponent: u32,
@@ -235,10 +235,11 @@ impl Readable for Mandel {
     }
 }
 
-/// Does the orbit of z² + c surely never leave? So it is in the cardioid where orbits end in a point and the disc left of it where
-/// they end in two (B. B. Mandelbrot, "Fractal aspects of the iteration of z → Λz(1-z)", 1980); most of the set lies there.
+/// True if the orbit of z² + c certainly never escapes: in the cardioid, where orbits converge to a point, and in the
+/// disc to its left, where they converge to a cycle of two (B. B. Mandelbrot, "Fractal aspects of the iteration of z →
+/// Λz(1-z)", 1980). Most of the set is there.
 fn is_in_main_bodies(c: Complex) -> bool {
-    // Right at the borders, where orbits take longest, they are asked themselves.
+    // Points at the very border, where orbits take longest, are iterated.
     const LEAST: f64 = 1e-9;
     let (x, y2) = (c.x - 0.25, c.y * c.y);
     let q = x * x + y2;
@@ -255,7 +256,7 @@ impl Field for Mandel {
         self.orbits.powers(self.exponent, c, c)
     }
 
-    /// Other powers are gray (measured on POV-Ray 3.7).
+    /// Other exponents have gray defaults (quirk: `fractal_exponents`).
     fn default_colors(&self) -> Vec<(f64, Color)> {
         if self.exponent != 2 {
             return GRAYS.to_vec();
@@ -270,7 +271,7 @@ impl Field for Mandel {
 pub struct Julia {
     /// x + iy is the number c.
     pub constant: DVec2,
-    /// What is shown.
+    /// Iterations, exterior and interior.
     pub orbits: Orbits,
     /// n
     pub exponent: u32,
@@ -305,11 +306,11 @@ impl Field for Julia {
 /// The two formulas of magnetic renormalisation (H.-O. Peitgen and P. H. Richter, "The Beauty of Fractals", 1986).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Magnet {
-    /// The second formula?
+    /// True for the second formula.
     pub second: bool,
     /// For `julia`: the number c is x + iy for all points.
     pub constant: Option<DVec2>,
-    /// What is shown.
+    /// Iterations, exterior and interior.
     pub orbits: Orbits,
 }
 
@@ -367,7 +368,7 @@ impl Field for Magnet {
             Some(c) => (point, Complex::new(c.x, c.y)),
             None => (Complex::new(0.0, 0.0), point),
         };
-        // gone away, or arrived at 1, where nothing moves
+        // escaped, or converged to the fixed point 1
         let left = |z: Complex| z.length_squared() > 10_000.0 || (z + -1.0).length_squared() < 1e-4;
         let (c1, c2) = (c + -1.0, c + -2.0);
         let starts = self.constant.is_some();
@@ -403,7 +404,7 @@ mod tests {
     #[test]
     fn points_leave_or_stay() {
         assert_eq!(mandel(3.0, 0.0, 1, 0), 0.0);
-        // 1, 2, 5: leaves with the second iteration
+        // 1, 2, 5: escapes in the second iteration
         assert_eq!(mandel(1.0, 0.0, 1, 0), 0.1);
         assert_eq!(mandel(1.0, 0.0, 2, 0), 2.5);
         assert_eq!(mandel(0.0, 0.0, 1, 0), 0.5);
@@ -422,7 +423,7 @@ mod tests {
             stays += u32::from(orbit);
             assert!(orbit || !is_in_main_bodies(c), "{} {}", c.x, c.y);
         }
-        // Their areas are 3π/8 and π/16, of the 1.507 of the whole.
+        // The areas are 3π/8 and π/16, of 1.507 for the whole set.
         let share = f64::from(within) / f64::from(stays);
         assert!((share - 0.912).abs() < 0.01, "{share}");
     }

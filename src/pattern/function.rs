@@ -53,7 +53,7 @@ impl Readable for FunctionPattern {
 impl Field for FunctionPattern {
     fn value(&self, at: &TextureContext) -> f64 {
         let [value, ..] = self.0.call(&at.p.to_array());
-        // It begins anew after each 1, which belongs to the numbers below; those under 0 are left to the wave.
+        // Numbers above 1 wrap; 1 belongs to the first period. The wave handles numbers below 0.
         if value > 1.0 { value.fract() } else { value }
     }
 }

@@ -1,10 +1,10 @@
-//! `gradient <vector>`: grows along a direction and begins anew after each unit (manual, "Gradient").
+//! `gradient <vector>`: grows along a direction and repeats after each unit (manual, "Gradient").
 //!
 //! ```pov
 //! sphere { 0, 1 pigment { gradient y color_map { [0 color rgb 0] [1 color rgb 1] } scale 2 translate -y } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::value::{Kind, Param, Reader, Spec};
@@ -13,7 +13,7 @@ use serde::Serialize;
 /// A ramp along a direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Gradient {
-    /// Length 1.
+    /// Unit vector.
     pub direction: DVec3,
 }
 
@@ -41,17 +41,18 @@ impl Readable for Gradient {
 
 impl Field for Gradient {
     fn value(&self, at: &TextureContext) -> f64 {
-        // Negative numbers keep their sign here; frequency and phase bring them into [0, 1]. The first unit keeps its end.
+        // Negative numbers keep their sign here; frequency and phase bring them into [0, 1]. The first period includes
+        // its end.
         let along = at.p.dot(self.direction);
         if along > 1.0 { along.fract() } else { along }
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        let along = Near::of(at.p.dot(self.direction), self.direction.length(), radius);
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        let along = LocalBounds::of(at.p.dot(self.direction), self.direction.length(), radius);
         match along.range {
             range if range.hi <= 1.0 => along,
             range if range.lo > 1.0 => along.fraction(),
-            _ => Near::UNKNOWN,
+            _ => LocalBounds::UNKNOWN,
         }
     }
 }

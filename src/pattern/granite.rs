@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { granite color_map { [0 color rgb <0.3, 0.2, 0.2>] [0.5 color rgb 0.9] } } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise;
 use crate::value::{Reader, Spec};
@@ -24,16 +24,16 @@ impl Readable for Granite {
 
 impl Field for Granite {
     fn value(&self, at: &TextureContext) -> f64 {
-        // six octaves, each half as strong and twice as fine: how far the noise lies from the middle
+        // six octaves, each half as strong and twice as fine, of the distance of the noise from its mean
         let octaves = noise::octaves::<6>(at.p * 4.0, at.noise);
         let far = octaves.iter().rev().fold(0.0, |sum, noise| 0.5 * sum + (0.5 - noise).abs());
         far.min(1.0)
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        // All of the six octaves are equally steep, but for the range that each has, and hardly ever in the same place.
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        // All six octaves are equally steep, apart from each one's range, and rarely in the same place.
         let steepest = 8.0 * at.noise.steepest();
         let octave = |i: i32| (steepest * radius).min(0.5f64.powi(i + 1));
-        Near::rough(self.value(at), (0..6).map(octave).sum(), 6.0 * steepest).within(0.0, 1.0)
+        LocalBounds::rough(self.value(at), (0..6).map(octave).sum(), 6.0 * steepest).within(0.0, 1.0)
     }
 }

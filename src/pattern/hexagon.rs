@@ -29,11 +29,11 @@ impl Cells for Hexagon {
     }
 
     fn cell(&self, p: DVec3) -> usize {
-        // Centres lie at (3a/2, √3(b + a/2)): the cell is that of the nearest one, found by rounding cube
-        // coordinates (a, b, -a-b) and mending the one that was rounded most.
+        // Centres are at (3a/2, √3(b + a/2)): the cell is that of the nearest centre, found by rounding cube
+        // coordinates (a, b, -a-b) and correcting the coordinate with the largest rounding error.
         const ROOT3: f64 = 1.732_050_807_568_877_2;
-        // On z = 0, where walls stand too, lie edges, and corners with exact coordinates: there the cell behind it counts, or the one
-        // farther out (measured on POV-Ray 3.7).
+        // z = 0 contains edges and corners with exact coordinates: take the cell beyond the edge, or the outer one
+        // (quirk: hexagon_edges).
         let (x, z) = if p.z.abs() < EDGE { (p.x + 2.0 * EDGE.copysign(p.x), EDGE) } else { (p.x, p.z) };
         let a = x / 1.5;
         let b = z / ROOT3 - a / 2.0;

@@ -4,7 +4,7 @@
 //! box { -1, 1 pigment { leopard color_map { [0.1 color rgb <0.9, 0.7, 0.3>] [0.4 color rgb <0.2, 0.1, 0>] } scale 0.1 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::fp;
 use crate::value::{Reader, Spec};
@@ -28,11 +28,11 @@ impl Field for Leopard {
         mean * mean
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // The gradient of the mean is (cos x, cos y, cos z) / 3.
         let mean = (fp::sin(at.p.x) + fp::sin(at.p.y) + fp::sin(at.p.z)) / 3.0;
-        let mean = Near::of(mean, 1.0 / 3f64.sqrt(), radius).within(-1.0, 1.0);
+        let mean = LocalBounds::of(mean, 1.0 / 3f64.sqrt(), radius).within(-1.0, 1.0);
         let most = mean.range.abs().hi;
-        Near { range: mean.range.square(), steepest: 2.0 * most * mean.steepest, ..mean }
+        LocalBounds { range: mean.range.square(), steepest: 2.0 * most * mean.steepest, ..mean }
     }
 }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { marble turbulence 0.8 scale 0.4 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Wave, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext, Wave};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -34,22 +34,22 @@ impl Field for Marble {
         at.p.x
     }
 
-    fn near(&self, at: &TextureContext, words: &Words, radius: f64) -> Near {
-        if words.turbulence.amount != DVec3::ZERO {
-            return Near::UNKNOWN;
+    fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
+        if params.turbulence.amount != DVec3::ZERO {
+            return LocalBounds::UNKNOWN;
         }
-        Near::of(self.value(at), 1.0, radius)
+        LocalBounds::of(self.value(at), 1.0, radius)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        let by = words.turbulence;
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        let by = params.turbulence;
         if by.amount.x == 0.0 {
             return at.p.x;
         }
         at.p.x + by.amount.x * noise::turbulence(at.p, by.series(), at.noise)
     }
 
-    fn stirs(&self) -> bool {
+    fn owns_turbulence(&self) -> bool {
         true
     }
 

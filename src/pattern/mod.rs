@@ -1,4 +1,4 @@
-//! Patterns: a number, or the index of a cell, for each point of space. Adding one is a file here and a row in the
+//! Patterns: a number, or the index of a cell, for each point of space. A new pattern is a file here and a row in the
 //! tables below.
 
 mod agate;
@@ -23,9 +23,9 @@ mod gradient;
 mod granite;
 mod hexagon;
 mod leopard;
+mod local_bounds;
 mod marble;
 mod modifiers;
-mod near;
 mod object;
 mod onion;
 mod pavement;
@@ -51,6 +51,7 @@ mod waves;
 mod wood;
 mod wrinkles;
 
+use crate::function::LocalBounds;
 pub use agate::Agate;
 pub use aoi::Aoi;
 pub use bitmap::{ImagePattern, MaterialMap};
@@ -61,7 +62,7 @@ pub use bumps::Bumps;
 pub use cells::RandomCells;
 pub use checker::Checker;
 use context::GRAYS;
-pub use context::{Field, TextureContext, Words};
+pub use context::{Field, FieldParams, TextureContext};
 pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
@@ -76,11 +77,10 @@ pub use hexagon::Hexagon;
 pub use leopard::Leopard;
 pub use marble::Marble;
 pub use modifiers::{Modifiers, Wave};
-pub use near::Near;
 pub use object::ObjectPattern;
 pub use onion::Onion;
 pub use pavement::Pavement;
-pub use pigment::{Bright, PigmentPattern};
+pub use pigment::{PigmentBrightness, PigmentPattern};
 pub use placed::{Kind, Pattern, read_noise_generator};
 pub use planar::Planar;
 pub use program::PatternProgram;
@@ -96,7 +96,7 @@ pub use spotted::Spotted;
 pub use square::Square;
 pub use tiling::Tiling;
 pub use triangular::Triangular;
-pub use turbulence::Turbulent;
+pub use turbulence::TurbulenceParams;
 pub use warp::{
     BlackHole, CubicWarp, CylindricalWarp, Layout, PlanarWarp, Repeat, SphericalWarp, ToroidalWarp, TurbulenceWarp,
     Warp,
@@ -112,7 +112,7 @@ use crate::value::words::{Row, read_row};
 use crate::value::{Next, Reader, Spec};
 use serde::Serialize;
 
-/// Where arithmetic goes wrong, for tests: far away, next to zero, and nowhere, in all mixes.
+/// Points at which arithmetic fails, for tests: far away, next to zero, and not finite, in all combinations.
 #[cfg(test)]
 pub(crate) fn extreme_points() -> impl Iterator<Item = DVec3> {
     const EXTREMES: [f64; 17] = [
@@ -138,17 +138,17 @@ pub(crate) fn extreme_points() -> impl Iterator<Item = DVec3> {
     (0..n * n * n).map(move |i| DVec3::new(EXTREMES[i % n], EXTREMES[i / n % n], EXTREMES[i / n / n]))
 }
 
-/// A pattern that tells cells apart: each has a colour, pigment or texture of its own.
+/// A pattern of cells: each kind of cell has a colour, pigment or texture of its own.
 pub trait Cells {
-    /// How many kinds of cells there are.
+    /// Number of kinds of cells.
     fn count(&self) -> usize;
-    /// Which kind the point is in.
+    /// The kind of the cell that contains the point.
     fn cell(&self, p: DVec3) -> usize;
-    /// Is all in the same cell that is no farther from a point than a radius, as far as that is quickly known?
+    /// True if all points within a radius are certainly in the same cell; false if that is not quickly decided.
     fn is_uniform(&self, _p: DVec3, _radius: f64) -> bool {
         false
     }
-    /// What cells are painted that the author gives nothing for.
+    /// Default colour of a kind of cell.
     fn default_color(&self, cell: usize) -> Color;
 }
 
@@ -157,7 +157,7 @@ pub trait Readable: Sized + 'static {
     /// Its table.
     const SPEC: Spec;
 
-    /// Words of its own, which `SPEC` names.
+    /// FieldParams of its own, which `SPEC` names.
     const WORDS: &'static [Row<Self>] = &[];
 
     /// Reads what follows its name.
@@ -166,8 +166,7 @@ pub trait Readable: Sized + 'static {
     /// With the place of what is not understood, and what was expected there.
     fn read(_r: &mut dyn Reader) -> Result<Self>;
 
-    /// Reads what stands in the braces behind its name, of a pattern that can be written with and without them; and leaves
-    /// them.
+    /// Reads the contents of the braces after the name of a pattern that may have braces; the closing brace is left.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -175,7 +174,7 @@ pub trait Readable: Sized + 'static {
         Self::read(r)
     }
 
-    /// Reads one of [`Self::WORDS`], if it comes next, and what follows it; false if none does.
+    /// Reads one of [`Self::WORDS`] and its argument if it comes next; false if not.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -192,7 +191,7 @@ macro_rules! family {
         pub enum $enum { $(#[doc = concat!("See [`", stringify!($name), "`].")] $name($name)),* }
 
         impl $enum {
-            /// Reads the pattern of this name, which is consumed; `None` if there is no such pattern.
+            /// Reads the pattern of this name, which is already consumed; `None` if no pattern has this name.
             pub fn read(name: &str, block: bool, r: &mut dyn Reader) -> Option<Result<$enum>> {
                 $(if name == $name::SPEC.name {
                     let read = if block { $name::read_block(r) } else { $name::read(r) };
@@ -201,13 +200,13 @@ macro_rules! family {
                 None
             }
 
-            /// Is there a pattern of this name?
+            /// True if a pattern has this name.
             pub fn is_name(word: &str) -> bool { Self::SPECS.iter().any(|s| s.name == word) }
 
             /// The table of its words.
             pub fn spec(&self) -> &'static Spec { match self { $($enum::$name(_) => &$name::SPEC),* } }
 
-            /// Reads one of the words of its own table, if it comes next; false if none does.
+            /// Reads one of the pattern's own words if it comes next; false if not.
             ///
             /// # Errors
             /// With the place of what is not understood, and what was expected there.
@@ -230,17 +229,17 @@ macro_rules! fields {
 
         impl Field for FieldPattern {
             fn value(&self, at: &TextureContext) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
-            fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-                match self { $(FieldPattern::$name(f) => f.value_as(at, words)),* }
+            fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+                match self { $(FieldPattern::$name(f) => f.value_as(at, params)),* }
             }
-            fn near(&self, at: &TextureContext, words: &Words, radius: f64) -> Near {
-                match self { $(FieldPattern::$name(f) => f.near(at, words, radius)),* }
+            fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
+                match self { $(FieldPattern::$name(f) => f.bounds_near(at, params, radius)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
             fn begins_still(&self) -> bool { match self { $(FieldPattern::$name(f) => f.begins_still()),* } }
-            fn stirs(&self) -> bool { match self { $(FieldPattern::$name(f) => f.stirs()),* } }
-            fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
-                match self { $(FieldPattern::$name(f) => f.bumped(at, words, n, amount)),* }
+            fn owns_turbulence(&self) -> bool { match self { $(FieldPattern::$name(f) => f.owns_turbulence()),* } }
+            fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+                match self { $(FieldPattern::$name(f) => f.bumped(at, params, n, amount)),* }
             }
             fn default_colors(&self) -> Vec<(f64, Color)> {
                 match self { $(FieldPattern::$name(f) => f.default_colors()),* }
@@ -276,9 +275,9 @@ fields! {
     Wood Wrinkles Mandel Julia Magnet Aoi Slope DensityFile Facets Tiling Pavement
 }
 
-/// Red, green, blue, yellow, cyan, magenta: what patterns show by themselves.
+/// Red, green, blue, yellow, cyan, magenta: default colours of cells.
 const SIX_COLORS: [Rgb; 6] =
     [Rgb::X, Rgb::Y, Rgb::Z, Rgb::new(1.0, 1.0, 0.0), Rgb::new(0.0, 1.0, 1.0), Rgb::new(1.0, 0.0, 1.0)];
 
-/// Added before `floor`, so that a surface at a whole number lies on one side (measured on POV-Ray 3.7).
+/// Added before `floor`, so that a surface at a whole number is entirely in one cell (quirk: cell_edges).
 const EDGE: f64 = 1e-10;

@@ -1,4 +1,4 @@
-//! What any field pattern takes: `frequency`, `phase` and the wave's shape (manual, "Pattern Modifiers").
+//! Parameters of all patterns of numbers: `frequency`, `phase` and wave type (manual, "Pattern Modifiers").
 
 use crate::math::fp;
 use crate::value::words::{Row, set, specs, word};
@@ -6,45 +6,45 @@ use crate::value::{Kind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// How a number in [0, 1) becomes another.
+/// Function from [0, 1) to [0, 1] after frequency and phase.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Wave {
-    /// As it is.
+    /// Identity.
     #[default]
     Ramp,
-    /// Up and down again.
+    /// Linear up, then linear down.
     Triangle,
-    /// Up and down, rounded.
+    /// Sine from 0 to 1 and back.
     Sine,
-    /// Two half circles, more or less.
+    /// Absolute value of a sine.
     Scallop,
-    /// Flat at both ends.
+    /// Cubic, with zero slope at both ends.
     Cubic,
-    /// To a power.
+    /// Power with this exponent.
     Poly(f64),
 }
 
-/// Frequency, phase, wave. Numbers are kept in single precision, as in POV-Ray (seen from the 8th digit on).
+/// Frequency, phase and wave type. Numbers have single precision, as in POV-Ray (quirk: `single_precision_modifiers`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Modifiers {
-    /// How often the map is run through in a unit; 0 leaves the pattern as it is. Unless said, 1; the names of cells and of some
-    /// other patterns set it to 0.
+    /// Repetitions of the map per unit; 0 leaves the number unchanged. The default is 1, or 0 for cells and some other
+    /// patterns.
     pub frequency: Option<f64>,
-    /// Where the map begins.
+    /// Offset of the map.
     pub phase: f64,
-    /// The wave's shape.
+    /// Wave type.
     pub wave: Wave,
 }
 
-/// POV-Ray 3.7 wraps at this rather than at 1, as was measured: 3.9375 below 0 comes out at 0.0625 + 0.00003.
+/// Period of the wave. (quirk: wave_period)
 pub(super) const PERIOD: f64 = 1.00001;
 
 impl Modifiers {
-    /// Nothing said.
+    /// The defaults.
     pub const NONE: Self = Self { frequency: None, phase: 0.0, wave: Wave::Ramp };
 
-    /// The words it takes.
+    /// The keywords.
     pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
     pub(super) const ROWS: &[Row<Self>] = &[
@@ -61,7 +61,7 @@ impl Modifiers {
             .sets(|s, r| set(&mut s.wave, r.optional_float().map(|x| Wave::Poly(single(x.unwrap_or(1.0)))))),
     ];
 
-    /// The pattern's number as the map sees it. A frequency of 0 leaves it as it is, but the wave still works on it.
+    /// The number that the map receives. A frequency of 0 leaves the number unchanged except for the wave.
     pub fn apply(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 { raw } else { raw * frequency + self.phase };
@@ -77,14 +77,14 @@ impl Modifiers {
         }
     }
 
-    /// The number of a cell as the list sees it: cells have no frequency unless it is said.
+    /// The index that a list of cells receives: frequency and phase apply only if a frequency is given.
     pub fn apply_to_cell(&self, cell: usize) -> f64 {
         let cells = Self { frequency: Some(self.frequency.unwrap_or(0.0)), ..*self };
         cells.apply(cell as f64)
     }
 }
 
-/// What `%` leaves of a number after all of its periods, by subtractions that are exact too, as long as they are few.
+/// `x % PERIOD`, by subtractions that are exact too, as long as they are few.
 fn wrapped(x: f64) -> f64 {
     let mut rest = x.abs();
     if rest < PERIOD {
@@ -93,7 +93,8 @@ fn wrapped(x: f64) -> f64 {
     if rest >= 16.0 * PERIOD {
         return x % PERIOD;
     }
-    // A difference is exact if neither number is more than twice the other (Sterbenz, Floating-point computation, 1974).
+    // A difference is exact if neither number is more than twice the other (Sterbenz, Floating-point computation,
+    // 1974).
     for periods in [8.0, 4.0, 2.0, 1.0] {
         if rest >= periods * PERIOD {
             rest -= periods * PERIOD;

@@ -12,7 +12,7 @@ use crate::value::{Kind, Param, Reader, Solid, Spec};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// An object whose inside is painted otherwise.
+/// An object whose inside is the second kind.
 #[derive(Clone, Debug)]
 pub struct ObjectPattern(Arc<dyn Solid>);
 

@@ -4,7 +4,7 @@
 //! box { <-1, -1, 0>, 1 pigment { onion color_map { [0 color rgb <0.5, 0.2, 0.4>] [1 color rgb <1, 0.9, 0.9>] } scale 0.3 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
@@ -27,7 +27,7 @@ impl Field for Onion {
         at.p.length().fract()
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        Near::of(at.p.length(), 1.0, radius).fraction()
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        LocalBounds::of(at.p.length(), 1.0, radius).fraction()
     }
 }

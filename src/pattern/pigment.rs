@@ -11,25 +11,26 @@ use crate::value::{Kind, Param, Reader, Spec, Thing, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A pigment, which is of a higher layer, as this pattern sees it.
-pub trait Bright: std::fmt::Debug + Send + Sync {
-    /// How bright it is at a place: on a surface it is asked about that, as `slope` and `uv_mapping` are (measured on POV-Ray 3.7).
+/// A pigment as this pattern uses it; pigments belong to a higher layer.
+pub trait PigmentBrightness: std::fmt::Debug + Send + Sync {
+    /// PigmentBrightness at a point. On a surface, the pigment depends on the surface as well, as with `slope` and
+    /// `uv_mapping` (quirk: `pigment_pattern_sees_surface`).
     fn brightness(&self, at: &TextureContext) -> f64;
-    /// Does it ask where the point lies on its shape?
+    /// True if the pigment depends on surface coordinates.
     fn asks_uv(&self) -> bool;
 }
 
 /// The brightness of a pigment.
 #[derive(Clone, Debug)]
-pub struct PigmentPattern(Arc<dyn Bright>);
+pub struct PigmentPattern(Arc<dyn PigmentBrightness>);
 
 impl PigmentPattern {
-    /// That of a pigment.
-    pub fn new(pigment: Arc<dyn Bright>) -> Self {
+    /// The pattern of a pigment's brightness.
+    pub fn new(pigment: Arc<dyn PigmentBrightness>) -> Self {
         Self(pigment)
     }
 
-    /// Does its pigment ask where the point lies on its shape?
+    /// True if the pigment depends on surface coordinates.
     pub fn asks_uv(&self) -> bool {
         self.0.asks_uv()
     }

@@ -1,6 +1,6 @@
-//! A pattern where it lies: what pigments, normals and textures have in common.
+//! A pattern with its space and parameters: the common part of pigments, normals and textures.
 
-use super::{CellPattern, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, Turbulent, Warp};
+use super::{CellPattern, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, TurbulenceParams, Warp};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
@@ -8,43 +8,44 @@ use crate::value::words::{is_row, read_row};
 use crate::value::{Next, Reader, Seldom, Usual};
 use serde::Serialize;
 
-/// What tells points apart.
+/// Function from points to what is chosen.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
-    /// Nothing: it is the same everywhere.
+    /// Constant.
     #[default]
     Plain,
-    /// A number for each point, and a map from numbers to what is seen.
+    /// A number for each point; a map turns the number into what is shown.
     Field(FieldPattern),
-    /// A list from which each cell takes its own.
+    /// The index of a cell, into a list.
     Cells(CellPattern),
-    /// `average`: all entries of the map at once, by their weights.
+    /// `average`: the weighted mean of all entries of the map.
     Average,
-    /// Places on the surface, (u, v, 0), stand for points, and the first entry of the map shows: what a block with `uv_mapping` is
-    /// to a pigment or normal that begins with it (see [`Pattern::around`]).
+    /// The point is replaced by (u, v, 0), and the first entry of the map shows: the form of a block with `uv_mapping`
+    /// for a pigment or normal that begins with it (see [`Pattern::around`]).
     Surface,
 }
 
-/// A pattern with all that is said of it, but for its colours.
+/// A pattern with all its parameters except its colours.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Pattern {
-    /// What tells points apart.
+    /// Function from points to what is chosen.
     pub kind: Kind,
-    /// What is done to its numbers.
+    /// Frequency, phase and wave type.
     pub modifiers: Modifiers,
-    /// Where it lies.
+    /// Transforms, warps and turbulence.
     pub space: Space,
-    /// Which noise it is made of, if it says so.
+    /// `noise_generator`, if given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub noise: Option<NoiseGenerator>,
-    /// `uv_mapping`: it sees the place on the surface, (u, v, 0), instead of the point.
+    /// True for `uv_mapping`: the pattern receives (u, v, 0) instead of the point.
     pub uv: bool,
-    /// It sees that because all of its texture does, not by a word of its own.
+    /// True if `uv_mapping` is given for the texture around the pattern, not for the pattern itself.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub framed: bool,
-    /// Of what was mapped by uv when its block ended: the space around the surface. What moves it later moves this one, which shows
-    /// only if a pattern is named over it: that one sees the map of one entry that is left (measured on POV-Ray 3.7).
+    /// For a pattern that was mapped by uv when its block ended: the space around the mapping, which later transforms
+    /// change. It shows only if a pattern is named later, whose map then is the one entry that is left (quirk:
+    /// `uv_mapping_keeps_space`).
     #[serde(skip)]
     pub around: Option<Box<Space>>,
 }
@@ -75,7 +76,8 @@ impl Usual for Pattern {
 }
 
 impl Pattern {
-    /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; else false.
+    /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; false if
+    /// not.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -88,13 +90,12 @@ impl Pattern {
             }
             next if self.kind.read_own(next, r)? => {}
             next if read_row(Modifiers::ROWS, &mut self.modifiers, next, r)? => {}
-            next if is_row(Turbulent::ROWS, next) => {
-                read_row(Turbulent::ROWS, self.space.turbulence_mut(), next, r)?;
+            next if is_row(TurbulenceParams::ROWS, next) => {
+                read_row(TurbulenceParams::ROWS, self.space.turbulence_mut(), next, r)?;
             }
             Next::Word("noise_generator") => {
                 r.take()?;
-                // POV-Ray 3.7 keeps two bits, and adds those of a second number to those of the first, which may be a declared or
-                // default pigment's (measured).
+                // quirk: noise_generator_bits
                 let bits = |noise: Option<NoiseGenerator>| noise.map_or(0, NoiseGenerator::number);
                 self.noise = match bits(self.noise) | bits(read_noise_generator(r, 0.0)?) {
                     0 => None,
@@ -122,7 +123,7 @@ impl Pattern {
         Ok(true)
     }
 
-    /// Reads what follows the name of a pattern; false if it is none.
+    /// Reads the rest of a pattern after its name; false if the word is not a pattern.
     fn read_name(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<bool> {
         let block = matches!(r.next()?, Next::Block(_));
         if FieldPattern::is_name(word) {
@@ -147,30 +148,31 @@ impl Pattern {
         Ok(true)
     }
 
-    /// Does this begin a pattern: its name, or a function?
+    /// True if `next` begins a pattern: its name, or a function.
     pub fn is_named_by(next: Next) -> bool {
         let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
         matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function
     }
 
-    /// Does it show all of its map's entries at once?
+    /// True if all entries of the map are mixed.
     pub fn averages(&self) -> bool {
         self.kind == Kind::Average
     }
 
-    /// Moves it after all it has been moved before.
+    /// Appends a transform to those of the pattern.
     pub fn transform(&mut self, by: &Transform) {
         self.around.as_deref_mut().unwrap_or(&mut self.space).then(by);
     }
 
-    /// The end of the block that it stands in.
+    /// Ends the block that contains the pattern.
     pub fn end(&mut self) {
         if self.uv {
             self.around.get_or_insert_default();
         }
     }
 
-    /// The surface around what was mapped by uv, which from now on sees points; `None` if it was not.
+    /// Takes the space around a pattern that was mapped by uv; from then on the pattern receives points. `None` if the
+    /// pattern was not mapped.
     pub fn take_around(&mut self) -> Option<Self> {
         let space = *self.around.take()?;
         self.uv = false;
@@ -182,24 +184,24 @@ impl Pattern {
         (self.uv, self.around) = (true, Some(Box::new(around.space)));
     }
 
-    /// Does it see the place on the surface, (u, v, 0), instead of the point?
+    /// True if the pattern receives (u, v, 0) instead of the point.
     pub fn by_uv(&self) -> bool {
         self.uv || self.kind == Kind::Surface
     }
 
-    /// Does it, or the pigment of which it is the brightness, ask where the point lies on its shape?
+    /// True if the pattern, or the pigment whose brightness it is, depends on surface coordinates.
     pub fn asks_uv(&self) -> bool {
         self.by_uv() || matches!(&self.kind, Kind::Field(FieldPattern::PigmentPattern(inner)) if inner.asks_uv())
     }
 
-    /// May it see the surface's normal? (What is in a function or in the pigment of a pattern is not looked at.)
+    /// True if the pattern may depend on the surface normal. (Functions and the pigments of patterns are not searched.)
     pub fn may_see_normal(&self) -> bool {
         use FieldPattern::{Aoi, FunctionPattern, PigmentPattern, Slope};
         matches!(self.kind, Kind::Field(Slope(_) | Aoi(_) | FunctionPattern(_) | PigmentPattern(_)))
     }
 }
 
-/// `noise_generator N`, after the word; 0, which is less than `least` where it can't be said, is the scene's.
+/// Reads the argument of `noise_generator`; 0, where `least` allows it, is the scene's generator.
 ///
 /// # Errors
 /// With the place of what is not understood, and what was expected there.

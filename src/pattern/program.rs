@@ -1,50 +1,50 @@
-//! Patterns as a ray needs them: the way from the space around to the pattern's own is worked out.
+//! Patterns in the form that rays evaluate: the transform from the outer space to the pattern's own is precomputed.
 
 use super::{
-    CellPattern, Cells, Field, FieldPattern, Kind, Modifiers, Near, Pattern, Step, TextureContext, Turbulent, Warp,
-    Words, near::stretch,
+    CellPattern, Cells, Field, FieldParams, FieldPattern, Kind, LocalBounds, Modifiers, Pattern, Step, TextureContext,
+    TurbulenceParams, Warp, local_bounds::stretch,
 };
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
 use glam::DAffine3;
 use serde::Serialize;
 
-/// A lowered pattern: the one way in which pigments, normals, texture maps and functions see what an author's [`Pattern`] shows.
+/// A lowered [`Pattern`]: pigments, normals, texture maps and functions all evaluate patterns through this type.
 #[derive(Clone, Debug, Serialize)]
 pub struct PatternProgram {
-    /// `uv_mapping`: the way begins with the place on the surface.
+    /// `uv_mapping`: the steps begin at (u, v, 0).
     uv: bool,
-    /// From the space around it to its own, in the order in which a point goes it.
+    /// Steps from the outer space to the pattern's own, in the order in which they apply to a point.
     way: Box<[Move]>,
     value: Value,
 }
 
-/// A piece of the way.
+/// A step from one space to the next.
 #[derive(Clone, Debug, Serialize)]
 enum Move {
-    /// M⁻¹ of all transforms in a row.
+    /// The product of the inverses of consecutive transforms.
     Affine(DAffine3),
     Warp(Warp),
-    /// `turbulence`: how far, and its octaves.
+    /// `turbulence`: strength along each axis, and its octaves.
     Turbulence(DVec3, #[serde(skip)] Turbulence),
 }
 
-/// What gives a point its number.
+/// Function from points to numbers.
 #[derive(Clone, Debug, Serialize)]
 enum Value {
     Plain,
-    /// All entries are seen at once.
+    /// All entries are mixed.
     Average,
     Field(Box<Number>),
     Cells(Box<(CellPattern, Modifiers)>),
 }
 
-/// A pattern of numbers with what it takes. (Apart, because most pigments are colours.)
+/// A pattern of numbers with its parameters. (Boxed, because most pigments are colours.)
 #[derive(Clone, Debug, Serialize)]
 struct Number {
     field: FieldPattern,
     modifiers: Modifiers,
-    turbulence: Turbulent,
+    turbulence: TurbulenceParams,
     noise: Option<NoiseGenerator>,
 }
 
@@ -54,22 +54,22 @@ impl PatternProgram {
         Self { uv: pattern.by_uv(), way: way(pattern), value: value(pattern) }
     }
 
-    /// Is there no pattern, and everything the same?
+    /// True if the pattern is constant.
     pub fn is_plain(&self) -> bool {
         matches!(self.value, Value::Plain)
     }
 
-    /// Does it show all of its map's entries at once?
+    /// True if all entries of the map are mixed.
     pub fn averages(&self) -> bool {
         matches!(self.value, Value::Average)
     }
 
-    /// Does it see the place on the surface?
+    /// True if the pattern receives (u, v, 0) instead of the point.
     pub fn by_uv(&self) -> bool {
         self.uv
     }
 
-    /// The number that the map sees, or that of the cell; and the point as the pattern's own entries see it.
+    /// The number that the map receives, or the index of the cell; and the point in the space of the pattern's entries.
     pub fn see(&self, ctx: &TextureContext) -> (f64, TextureContext) {
         let inner = self.enter(ctx);
         (self.number(&inner), inner)
@@ -80,7 +80,7 @@ impl PatternProgram {
         if self.way.is_empty() && !self.uv { self.number(ctx) } else { self.number(&self.enter(ctx)) }
     }
 
-    /// The point as the pattern itself and its entries see it.
+    /// The point in the space of the pattern and its entries.
     pub fn enter(&self, ctx: &TextureContext) -> TextureContext {
         let p = if self.uv { ctx.uv.extend(0.0) } else { ctx.p };
         ctx.at(self.way.iter().fold(p, |p, step| match step {
@@ -90,7 +90,7 @@ impl PatternProgram {
         }))
     }
 
-    /// The number that the map sees, or that of the cell, at a point in the pattern's space.
+    /// The number that the map receives, or the index of the cell, at a point in the pattern's space.
     pub fn number(&self, inner: &TextureContext) -> f64 {
         match &self.value {
             Value::Plain | Value::Average => 0.0,
@@ -105,8 +105,8 @@ impl PatternProgram {
         }
     }
 
-    /// What is known of [`Self::see`]'s numbers no farther from a point than a radius.
-    pub fn near(&self, ctx: &TextureContext, radius: f64) -> Near {
+    /// Bounds on the numbers of [`Self::see`] within a radius of a point.
+    pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
         let mut longer = if self.uv { f64::INFINITY } else { 1.0 };
         for step in &self.way {
             longer *= match step {
@@ -116,17 +116,19 @@ impl PatternProgram {
         }
         let (inner, radius) = (self.enter(ctx), radius * longer);
         let near = match &self.value {
-            Value::Plain | Value::Average => Near::same(0.0),
-            Value::Cells(pattern) if pattern.0.is_uniform(inner.p, radius) => Near::same(self.number(&inner)),
-            Value::Cells(_) => Near::UNKNOWN,
+            Value::Plain | Value::Average => LocalBounds::constant(0.0),
+            Value::Cells(pattern) if pattern.0.is_uniform(inner.p, radius) => {
+                LocalBounds::constant(self.number(&inner))
+            }
+            Value::Cells(_) => LocalBounds::UNKNOWN,
             Value::Field(number) => {
-                number.modifiers.near(number.field.near(&number.context(&inner), &number.words(), radius))
+                number.modifiers.bounds_near(number.field.bounds_near(&number.context(&inner), &number.words(), radius))
             }
         };
-        Near { steepest: if near.steepest == 0.0 { 0.0 } else { near.steepest * longer }, ..near }
+        LocalBounds { steepest: if near.steepest == 0.0 { 0.0 } else { near.steepest * longer }, ..near }
     }
 
-    /// The normal `n` with bumps of the pattern's own making, at a point in its space.
+    /// The normal `n` with bumps that the pattern computes itself, at a point in the pattern's space.
     pub fn bumped(&self, inner: &TextureContext, n: DVec3, amount: f64) -> Option<DVec3> {
         match &self.value {
             Value::Field(number) => number.field.bumped(&number.context(inner), &number.words(), n, amount),
@@ -136,11 +138,11 @@ impl PatternProgram {
 }
 
 impl Number {
-    fn words(&self) -> Words<'_> {
-        Words { modifiers: &self.modifiers, turbulence: &self.turbulence }
+    fn words(&self) -> FieldParams<'_> {
+        FieldParams { modifiers: &self.modifiers, turbulence: &self.turbulence }
     }
 
-    /// The point with the pattern's own noise.
+    /// The context with the pattern's own noise generator.
     fn context(&self, inner: &TextureContext) -> TextureContext {
         TextureContext { noise: self.noise.unwrap_or(inner.noise), ..*inner }
     }
@@ -159,7 +161,7 @@ fn value(pattern: &Pattern) -> Value {
     }
 }
 
-/// What was written last is undone first.
+/// The steps of a pattern: the transform that was written last applies first.
 fn way(pattern: &Pattern) -> Box<[Move]> {
     if pattern.kind == Kind::Surface {
         return Box::default();
@@ -177,8 +179,8 @@ fn way(pattern: &Pattern) -> Box<[Move]> {
         }
     }
     way.push(Move::Affine(affine));
-    let stirs = matches!(&pattern.kind, Kind::Field(field) if field.stirs());
-    if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !stirs && t.amount != DVec3::ZERO) {
+    let owns_turbulence = matches!(&pattern.kind, Kind::Field(field) if field.owns_turbulence());
+    if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !owns_turbulence && t.amount != DVec3::ZERO) {
         way.push(Move::Turbulence(turbulence.amount, turbulence.series()));
     }
     way.retain(|step| !matches!(step, Move::Affine(inverse) if *inverse == DAffine3::IDENTITY));
@@ -195,7 +197,7 @@ mod tests {
     fn steps_are_undone_from_the_last_to_the_first() {
         let mut space = Space::default();
         space.then(&Transform::translate(DVec3::X));
-        space.warp(Warp::Turbulence(TurbulenceWarp(Turbulent::default())));
+        space.warp(Warp::Turbulence(TurbulenceWarp(TurbulenceParams::default())));
         space.then(&Transform::rotate(DVec3::Z * 90.0));
         assert_eq!(space.inner.len(), 2);
         let program = PatternProgram::new(&Pattern { space, ..Pattern::default() });

@@ -4,23 +4,23 @@
 //! box { -1, 1 pigment { quilted control0 0.8 control1 0.5 color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, Reader, Spec};
 use serde::Serialize;
 
-/// Unit cubes that sink towards their seams.
+/// Unit cubes with rounded edges: the number falls towards the seams.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quilted {
-    /// How steep it is in the middle.
+    /// Steepness in the middle.
     pub control0: f64,
-    /// How steep it is at the seam.
+    /// Steepness at the seam.
     pub control1: f64,
 }
 
-/// 1/√3 as POV-Ray has it, as was measured.
+/// 1/√3 with POV-Ray's digits (quirk: quilted_constant).
 const PART: f64 = 0.577350269;
 
 impl Readable for Quilted {
@@ -53,12 +53,12 @@ impl Field for Quilted {
     }
 
     fn value(&self, at: &TextureContext) -> f64 {
-        // from the middle of the cube
+        // distance from the middle of the cube
         let from = (at.p - at.p.floor() - 0.5).abs();
         self.curve(from.length()).abs() * PART * (from.x + from.y + from.z) * 2.0 / 3.0
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         let from = at.p - at.p.floor() - 0.5;
         Some(n + amount * 2.0 * PART * self.curve(from.length()) * from)
     }

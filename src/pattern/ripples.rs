@@ -5,7 +5,7 @@
 //! ```
 
 use super::waves::{Source, sources};
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
 use crate::value::{Reader, Spec};
@@ -31,18 +31,18 @@ impl Readable for Ripples {
 
 impl Field for Ripples {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &Words::NONE)
+        self.value_as(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| fp::sin(TAU * (frequency * at.p.distance(s.place) + phase));
         let sources = sources(at.waves);
         0.5 + 0.5 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
     }
 
-    fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
-        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+    fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let from = at.p - s.place;
             let r = from.length();

@@ -1,4 +1,5 @@
-//! `slope`: how far the surface is turned towards a direction or a point, and how high it lies (manual, "Slope Pattern").
+//! `slope`: angle between the surface and a direction or a point, optionally mixed with altitude (manual, "Slope
+//! Pattern").
 //!
 //! ```pov
 //! sphere { 0, 1 pigment { slope { -y, 0.3, 0.7 } color_map { [0 color rgb 1] [1 color rgb <0.3, 0.5, 0.2>] } } }
@@ -11,33 +12,33 @@ use crate::value::{Kind, Param, Reader, ReaderExt, Spec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// Turned away from the direction gives 0, across it 0.5, towards it 1.
+/// 0 for a normal against the direction, 0.5 across it, 1 along it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Slope {
-    /// Where to, in world space.
+    /// The direction or point, in world space.
     pub towards: Towards,
-    /// Which slopes give 0 and 1.
+    /// Slopes that give 0 and 1.
     pub range: [f64; 2],
-    /// What height adds.
+    /// Altitude that is mixed in.
     pub altitude: Option<Box<Altitude>>,
 }
 
-/// Where a surface that gives 1 faces.
+/// Direction that gives 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Towards {
-    /// That way; the length counts against that of the altitude.
+    /// A direction; its length is its weight against the altitude's.
     Direction(DVec3),
-    /// That place.
+    /// Towards a point.
     Point(DVec3),
 }
 
 /// A ramp that is mixed in.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Altitude {
-    /// Which way is up, in the pattern's space; the length counts against that of the direction.
+    /// Upward direction, in the pattern's space; its length is its weight against the direction's.
     pub up: DVec3,
-    /// Which heights give 0 and 1.
+    /// Heights that give 0 and 1.
     pub range: [f64; 2],
 }
 
@@ -67,7 +68,7 @@ impl Readable for Slope {
         let mut altitude = None;
         if matches!(towards, Towards::Direction(_)) && r.accept("altitude")? {
             let (up, range) = (r.vector()?, read_range(r)?);
-            // POV-Ray takes an altitude that has no direction for none.
+            // POV-Ray ignores an altitude without a direction.
             altitude = (up != DVec3::ZERO).then(|| Box::new(Altitude { up, range }));
         }
         r.leave()?;
@@ -94,7 +95,7 @@ fn read_range(r: &mut dyn Reader) -> Result<[f64; 2]> {
     }
 }
 
-/// 0 at the low end, 1 at the high one, and on beyond; as it is where they are the same.
+/// Linear from 0 at the low end to 1 at the high end, and beyond; unchanged if both are equal.
 fn within(x: f64, [low, high]: [f64; 2]) -> f64 {
     if low == high { x } else { (x - low) / (high - low) }
 }
@@ -112,14 +113,14 @@ impl Field for Slope {
         let slope = within(facing, self.range);
         let value = match self.altitude.as_deref() {
             None => slope,
-            // weighed by the lengths of the two vectors
+            // weighted by the lengths of the two vectors
             Some(Altitude { up, range }) => {
                 let (by_slope, by_height) = (towards.length(), up.length());
                 let height = within(at.p.dot(*up) / by_height, *range);
                 (by_slope * slope + by_height * height) / (by_slope + by_height)
             }
         };
-        // before the frequency counts (measured on POV-Ray 3.7)
+        // wraps before the frequency applies (quirk: slope_wraps_first)
         if (0.0..=1.0).contains(&value) { value } else { fp::fraction(value) }
     }
 }

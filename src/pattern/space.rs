@@ -1,25 +1,25 @@
-//! Where a pattern lies: transforms and warps in the order in which they are written, then `turbulence` (manual, "Pattern
-//! Modifiers").
+//! The space of a pattern: transforms and warps in the order in which they are written, then `turbulence` (manual,
+//! "Pattern Modifiers").
 
-use super::{Turbulent, Warp};
+use super::{TurbulenceParams, Warp};
 use crate::math::{DVec3, Transform};
 use crate::value::Seldom;
 use serde::Serialize;
 
-/// From the space around a pattern to its own.
+/// Transforms, warps and turbulence between the outer space and the pattern's own.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Space {
-    /// What was written first, with its warps; mostly there are none.
+    /// The steps up to the last warp, in the order written; usually none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inner: Vec<Step>,
-    /// The transforms behind the last warp.
+    /// The transforms after the last warp.
     pub transform: Seldom<Transform>,
-    /// `turbulence`, nearest to the pattern wherever it stands.
+    /// `turbulence`, which applies last to a point wherever it is written.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub turbulence: Option<Box<Turbulent>>,
+    pub turbulence: Option<Box<TurbulenceParams>>,
 }
 
-/// One of the steps that move a point.
+/// A step that moves a point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Step {
@@ -30,12 +30,12 @@ pub enum Step {
 }
 
 impl Space {
-    /// Moves the pattern after all it has been moved before.
+    /// Appends a transform.
     pub fn then(&mut self, by: &Transform) {
         self.transform = self.transform.then(by).into();
     }
 
-    /// Adds a warp, which moves along with transforms that come later.
+    /// Appends a warp, which later transforms move too.
     pub fn warp(&mut self, warp: Warp) {
         if !self.transform.is_identity() {
             self.inner.push(Step::Moved(*std::mem::take(&mut self.transform)));
@@ -43,12 +43,12 @@ impl Space {
         self.inner.push(Step::Warped(warp));
     }
 
-    /// The `turbulence` words, to be changed.
-    pub fn turbulence_mut(&mut self) -> &mut Turbulent {
+    /// The parameters of `turbulence`, to be changed.
+    pub fn turbulence_mut(&mut self) -> &mut TurbulenceParams {
         self.turbulence.get_or_insert_default()
     }
 
-    /// A normal of the space around, in the pattern's own: transposed matrices turn it, warps do not.
+    /// A normal of the outer space, in the pattern's own: transforms by transposed matrices; warps have no effect.
     pub fn normal_inside(&self, n: DVec3) -> DVec3 {
         self.inner.iter().rev().fold(self.transform.inverse_normal(n), |n, step| match step {
             Step::Moved(transform) => transform.inverse_normal(n),
@@ -56,7 +56,7 @@ impl Space {
         })
     }
 
-    /// A normal of the pattern's own space, in the space around.
+    /// A normal of the pattern's own space, in the outer space.
     pub fn normal_outside(&self, n: DVec3) -> DVec3 {
         let n = self.inner.iter().fold(n, |n, step| match step {
             Step::Moved(transform) => transform.normal(n),
@@ -65,7 +65,7 @@ impl Space {
         self.transform.normal(n)
     }
 
-    /// Does it leave all points where they are?
+    /// True if no point moves.
     pub fn is_plain(&self) -> bool {
         self.inner.is_empty() && self.turbulence.is_none() && self.transform.is_identity()
     }

@@ -4,14 +4,14 @@
 //! cylinder { 0, 0.2*z, 1 pigment { spiral1 5 color_map { [0.5 color rgb <0.1, 0.2, 0.5>] [0.5 color rgb 1] } scale 0.6 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Wave, Words};
+use super::{Field, FieldParams, Readable, TextureContext, Wave};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// The number of arms, as both spirals take it.
+/// The parameter for the number of arms, which both spirals have.
 pub(super) const ARMS: &[Param] = &[Param {
     name: "arms",
     kind: Kind::Float,
@@ -21,7 +21,7 @@ pub(super) const ARMS: &[Param] = &[Param {
 /// A spiral.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spiral1 {
-    /// How many arms wind around the axis.
+    /// Number of arms around the axis.
     pub arms: f64,
 }
 
@@ -36,11 +36,11 @@ impl Readable for Spiral1 {
 
 impl Field for Spiral1 {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &Words::NONE)
+        self.value_as(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        thread(at.p, self.arms) + shift(at, words)
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        thread(at.p, self.arms) + shift(at, params)
     }
 
     fn default_wave(&self) -> Option<Wave> {
@@ -48,7 +48,7 @@ impl Field for Spiral1 {
     }
 }
 
-/// Grows by 1 with each unit along z and away from it, and by the number of arms with each turn, from -y on.
+/// Grows by 1 with each unit along z and away from it, and by the number of arms with each turn, starting at -y.
 pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
     if p.x == 0.0 && p.y == 0.0 {
         return p.z;
@@ -57,8 +57,8 @@ pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
     p.z + p.truncate().length() + arms * fp::fraction(turn)
 }
 
-/// What `turbulence` adds beside displacing the point.
-pub(super) fn shift(at: &TextureContext, words: &Words) -> f64 {
-    let amount = words.turbulence.amount.x;
-    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, words.turbulence.series(), at.noise) }
+/// The number that `turbulence` adds, in addition to the displacement of the point.
+pub(super) fn shift(at: &TextureContext, params: &FieldParams) -> f64 {
+    let amount = params.turbulence.amount.x;
+    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, params.turbulence.series(), at.noise) }
 }

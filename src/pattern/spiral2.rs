@@ -1,11 +1,12 @@
-//! `spiral2 N`: two spirals that cross each other (manual, "Spiral2").
+//! `spiral2 N`: two crossing spirals (manual, "Spiral2").
 //!
 //! ```pov
-//! cylinder { 0, 0.2*z, 1 pigment { spiral2 8 color_map { [0.4 color rgb <0.5, 0.3, 0.1>] [0.6 color rgb <1, 0.9, 0.5>] } scale 0.6 } }
+//! cylinder { 0, 0.2*z, 1 pigment { spiral2 8 color_map { [0.4 color rgb <0.5, 0.3, 0.1>] [0.6 color rgb <1, 0.9, 0.5>]
+//! } scale 0.6 } }
 //! ```
 
 use super::spiral1::{ARMS, shift, thread};
-use super::{Field, Readable, TextureContext, Wave, Words};
+use super::{Field, FieldParams, Readable, TextureContext, Wave};
 use crate::diagnostic::Result;
 use crate::math::fp;
 use crate::value::{Reader, Spec};
@@ -14,7 +15,7 @@ use serde::Serialize;
 /// A spiral over rings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spiral2 {
-    /// How many arms wind around the axis.
+    /// Number of arms around the axis.
     pub arms: f64,
 }
 
@@ -29,12 +30,12 @@ impl Readable for Spiral2 {
 
 impl Field for Spiral2 {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &Words::NONE)
+        self.value_as(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        // rings and a thread, each up and down again
-        triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, words))
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        // rings and a thread, each as a triangle wave
+        triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, params))
     }
 
     fn default_wave(&self) -> Option<Wave> {

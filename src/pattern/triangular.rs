@@ -30,7 +30,7 @@ impl Cells for Triangular {
     }
 
     fn cell(&self, p: DVec3) -> usize {
-        // sheared so that triangles are halves of squares
+        // Shear the plane so that triangles are halves of squares.
         let row = p.z / (3f64.sqrt() / 2.0);
         let along = p.x - row / 2.0;
         let (j, i) = (row.floor(), along.ceil() - 1.0);

@@ -6,33 +6,33 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, WordSpec};
 use serde::Serialize;
 
-/// The words of `turbulence`.
+/// Parameters of `turbulence`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Turbulent {
-    /// How far a point is displaced along each axis, at most about.
+pub struct TurbulenceParams {
+    /// Approximate maximum displacement along each axis.
     pub amount: DVec3,
-    /// How many octaves are added up.
+    /// Number of octaves.
     pub octaves: f64,
-    /// How much finer each octave is than the one before.
+    /// Factor of the frequency from one octave to the next.
     pub lambda: f64,
-    /// How much weaker.
+    /// Factor of the strength from one octave to the next.
     pub omega: f64,
 }
 
-impl Default for Turbulent {
+impl Default for TurbulenceParams {
     fn default() -> Self {
         Self::STILL
     }
 }
 
-impl Turbulent {
+impl TurbulenceParams {
     /// No turbulence.
     pub const STILL: Self = Self { amount: DVec3::ZERO, octaves: 6.0, lambda: 2.0, omega: 0.5 };
 
-    /// The words it takes.
+    /// The keywords.
     pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
-    /// How they are read.
+    /// The readers of the keywords.
     pub const ROWS: &[Row<Self>] = &[
         word("turbulence", Kind::Vector, "0", "how far points are displaced")
             .sets(|s, r| set(&mut s.amount, r.vector())),
@@ -42,7 +42,7 @@ impl Turbulent {
         word("omega", Kind::Float, "0.5", "how much weaker each step is").sets(|s, r| set(&mut s.omega, r.float())),
     ];
 
-    /// How its octaves add up.
+    /// The sum of octaves.
     pub fn series(&self) -> Turbulence {
         Turbulence::new(self.lambda, self.omega, self.octaves)
     }

@@ -4,7 +4,7 @@
 //! plane { y, 0.1 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
 //! ```
 
-use super::{Field, Readable, TextureContext, Words};
+use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
 use crate::value::{Reader, Spec};
@@ -31,11 +31,11 @@ impl Readable for Waves {
 
 impl Field for Waves {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &Words::NONE)
+        self.value_as(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let turns = s.frequency * frequency * at.p.distance(s.place) + phase;
             fp::sin(TAU * turns) / s.frequency
@@ -44,8 +44,8 @@ impl Field for Waves {
         0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
     }
 
-    fn bumped(&self, at: &TextureContext, words: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
-        let (frequency, phase) = (words.modifiers.frequency.unwrap_or(1.0), words.modifiers.phase);
+    fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+        let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let from = at.p - s.place;
             let r = from.length();
@@ -56,22 +56,22 @@ impl Field for Waves {
     }
 }
 
-/// Where waves come from.
+/// A source of waves.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
-    /// On the unit sphere.
+    /// Position on the unit sphere.
     pub place: DVec3,
-    /// Waves in a unit, 0.01 to 1.01.
+    /// Waves per unit, from 0.01 to 1.01.
     pub frequency: f64,
 }
 
-/// The first `count` of all sources; there are no more than 4096.
+/// The first `count` sources; at most 4096 exist.
 pub fn sources(count: usize) -> &'static [Source] {
     &SOURCES[..count.clamp(1, SOURCES.len())]
 }
 
-/// Measured with `tests/patterns/measure.py waves`: the places are vector noise of length 1 at whole numbers, the frequencies POV-Ray's random
-/// numbers of 15 bits behind the first 7168 of those that begin at 1.
+/// Positions are vector noise at whole numbers, normalised; frequencies are POV-Ray's random numbers of 15 bits after
+/// the first 7168 with seed 1 (quirk: wave_sources).
 static SOURCES: LazyLock<Vec<Source>> = LazyLock::new(|| {
     let mut state = 1u32;
     let mut random = move || {
@@ -83,7 +83,7 @@ static SOURCES: LazyLock<Vec<Source>> = LazyLock::new(|| {
     }
     let source = |i| Source {
         place: noise::noise_vector(DVec3::new(f64::from(i), 0.0, 0.0)).normalize_or_zero(),
-        // 1/32767 with as many digits as POV-Ray has of it
+        // 1/32767 with POV-Ray's digits
         frequency: random() * 3.0518509476e-5 + 0.01,
     };
     (0..4096).map(source).collect()

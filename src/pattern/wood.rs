@@ -4,7 +4,7 @@
 //! box { -1, 1 pigment { wood turbulence 0.1 scale 0.2 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Wave, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext, Wave};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{DVec2, DVec3, fp, noise};
@@ -30,25 +30,25 @@ impl Field for Wood {
         at.p.truncate().length()
     }
 
-    fn near(&self, at: &TextureContext, words: &Words, radius: f64) -> Near {
-        if words.turbulence.amount != DVec3::ZERO {
-            return Near::UNKNOWN;
+    fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
+        if params.turbulence.amount != DVec3::ZERO {
+            return LocalBounds::UNKNOWN;
         }
-        Near::of(self.value(at), 1.0, radius)
+        LocalBounds::of(self.value(at), 1.0, radius)
     }
 
-    fn value_as(&self, at: &TextureContext, words: &Words) -> f64 {
-        let by = words.turbulence;
+    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        let by = params.turbulence;
         if by.amount == DVec3::ZERO {
             return self.value(at);
         }
-        // each coordinate is moved by a sine of itself, which the noise shifts
+        // Each coordinate is shifted by a sine of itself, whose phase is the noise.
         let p = at.p.truncate();
         let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.series()).truncate());
         (p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length()
     }
 
-    fn stirs(&self) -> bool {
+    fn owns_turbulence(&self) -> bool {
         true
     }
 

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { wrinkles color_map { [0.2 color rgb <0.2, 0.3, 0.1>] [0.8 color rgb <0.9, 1, 0.6>] } scale 0.3 } }
 //! ```
 
-use super::{Field, Near, Readable, TextureContext, Words};
+use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
@@ -33,16 +33,16 @@ impl Field for Wrinkles {
         octaves.iter().zip(HALVES).map(|(noise, weight)| 0.5 * weight * noise).sum()
     }
 
-    fn near(&self, at: &TextureContext, _: &Words, radius: f64) -> Near {
-        // All of the ten octaves are equally steep, but for the range that each has, and hardly ever in the same place.
+    fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
+        // All ten octaves are equally steep, apart from each one's range, and rarely in the same place.
         let steepest = at.noise.steepest();
         let octave = |most: f64| (steepest * radius).min(0.5 * most);
         let far = HALVES.into_iter().map(octave).sum();
-        Near::rough(self.value(at), far, 10.0 * steepest).within(0.0, 1.0)
+        LocalBounds::rough(self.value(at), far, 10.0 * steepest).within(0.0, 1.0)
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
-        // ten octaves of the noise's size along each axis
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+        // ten octaves of the noise's absolute value along each axis
         let octave = |weight| weight * noise::noise_vector(at.p / weight).abs();
         Some(n + amount * HALVES.into_iter().map(octave).sum::<DVec3>())
     }

@@ -3,7 +3,7 @@
 use super::screen::{Image, Screen, View};
 use crate::diagnostic;
 use crate::image_io::Rows;
-use crate::render::{self, Options, Rays, Region, Stopped, Tile, Watch};
+use crate::render::{self, Options, RayCounts, Region, Stopped, Tile, Watch};
 use crate::world::World;
 use std::time::{Duration, Instant};
 
@@ -24,7 +24,7 @@ pub fn render_progressively(
     options: &Options,
     screen: &Screen,
     stop: &(dyn Fn() -> bool + Sync),
-) -> Result<(Rays, Duration), Stopped> {
+) -> Result<(RayCounts, Duration), Stopped> {
     let (begin, mut first) = (Instant::now(), None);
     let whole = Region { x: 0, y: 0, width: options.width, height: options.height };
     let area = options.region.unwrap_or(whole);
@@ -99,7 +99,7 @@ impl Watch for TileDisplay<'_> {
         (self.stop)()
     }
 
-    fn keep(&self, tile: Tile, pixels: &[[f32; 4]]) {
+    fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {
         let lit: Vec<_> = pixels.iter().map(|pixel| render::light(self.world, self.options, pixel)).collect();
         self.screen.put(tile.area, &lit);
     }

@@ -4,7 +4,7 @@
 //! (`quirk: shadow_min_distance`); the text of a comment needs no other reference to measurements. The manual's page "What POV-Ray 3.7
 //! really does" is generated from the tables.
 //!
-//! To add a quirk: add a row to the topic's file, in alphabetical order of ids, and cite the id where the code obeys it. `tests/quirks.rs`
+//! To add a quirk: add a row to the topic's file, in alphabetical order of ids, and cite the id where the code obeys it. `tests/suite/quirks.rs`
 //! checks that ids are unique, that every emulated quirk is cited, that every cited id exists, and that all evidence exists.
 
 mod atmosphere;

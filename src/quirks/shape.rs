@@ -10,7 +10,8 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated(
         "blob_textures_move",
-        "The textures of a blob's components move with the blob, even under `uv_mapping`, which keeps other textures in place.",
+        "The textures of a blob's components move with the blob, even under `uv_mapping`, which keeps other textures \
+         in place.",
         &["light_cases/uv_fixed"],
     ),
     emulated(
@@ -20,7 +21,8 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     differs(
         "flat_triangle_sides",
-        "Which side of a single `triangle` shows its `interior_texture` depends on each transform between the triangle and the scene.",
+        "Which side of a single `triangle` shows its `interior_texture` depends on each transform between the \
+         triangle and the scene.",
         "The order of the three corners alone decides.",
         &["light_cases/csg_polygon_sides"],
     ),
@@ -31,7 +33,8 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     differs(
         "smooth_triangle_normal_steps",
-        "The normals of a single `smooth_triangle` get length 1 at each `scale`; other transforms that stretch them change their lengths, \
+        "The normals of a single `smooth_triangle` get length 1 at each `scale`; other transforms that stretch them \
+         change their lengths, \
          and a triangle that one transform twists is lost, whatever follows.",
         "Normals get length 1 under the whole transform, as they do in meshes.",
         &["light_cases/smooth_stretched"],

@@ -1,5 +1,154 @@
 //! Finish, reflection, refraction, dispersion, layers.
 
-use super::Quirk;
+use super::{Quirk, emulated};
 
-pub(super) const QUIRKS: &[Quirk] = &[];
+pub(super) const QUIRKS: &[Quirk] = &[
+    emulated(
+        "adc_transmission",
+        "A transmitted ray ends where the gray of the surface's transmittance, or the ray's weight times the largest \
+         channel, is at most `adc_bailout`. Negative transmittances count by their absolute value.",
+        &["light_cases/adc", "light_cases/adc_filter", "light_cases/transmit_below_0"],
+    ),
+    emulated(
+        "attenuation_beyond_surface",
+        "`fade_distance` attenuates only light from beyond the surface where a ray leaves the interior; diffuse \
+         light, highlights and reflection of that surface arrive without attenuation.",
+        &["light_cases/glass_leaving", "light_cases/light_fade"],
+    ),
+    emulated(
+        "attenuation_keeps_weight",
+        "The attenuation of an interior does not lower the weight that is compared with `adc_bailout`.",
+        &["light_cases/adc_fade"],
+    ),
+    emulated(
+        "blend_by_light",
+        "A `texture_map` or `average` blends the light of its textures, not their colours: each is lit, reflects and \
+         refracts with its own finish and normal.",
+        &["light_cases/blend_each_its_own", "light_cases/layers_apart"],
+    ),
+    emulated(
+        "bumps_from_behind",
+        "Where bumps turn the normal away from the ray, `fresnel` reflects all light, `metallic` does not tint, and \
+         refraction and `irid` use the absolute value of the cosine.",
+        &["light_cases/bumps_behind", "light_cases/reflection_falloff"],
+    ),
+    emulated(
+        "bumps_reflect_twice",
+        "Where bumps would reflect a ray into the surface, the surface reflects the ray a second time; bumps that are \
+         seen from behind have no effect on reflection.",
+        &["light_cases/bumps_behind"],
+    ),
+    emulated(
+        "caustics_factor",
+        "`caustics C` brightens a shadow by 1 + cos(a)^(45 C), where a is the angle of incidence at the surface.",
+        &["light_cases/glass", "light_cases/inside_glass"],
+    ),
+    emulated(
+        "conserve_energy_without_pigment",
+        "`conserve_energy` takes nothing from transmitted light where the pigment is a picture shown `once` and the \
+         point is beside it.",
+        &["light_cases/conserve_no_picture", "light_cases/conserve_no_picture_uv"],
+    ),
+    emulated(
+        "crand_ignores_opacity",
+        "`crand` is subtracted from diffuse light whatever the pigment transmits, and a negative result darkens the \
+         other terms.",
+        &["light_cases/finish_mixed_1"],
+    ),
+    emulated(
+        "dispersion_ior",
+        "`dispersion D` gives red the index n/sqrt(D) and violet n*sqrt(D), with equal ratios between equal steps of \
+         the spectrum. Reflection uses n for all colours.",
+        &["light_cases/dispersion", "light_cases/dispersion_fresnel"],
+    ),
+    emulated("dispersion_needs_ior", "`dispersion` has no effect without `ior`.", &["light_cases/dispersion_inside"]),
+    emulated(
+        "dispersion_samples_beyond",
+        "Of two interiors that meet, the one behind the boundary says into how many colours light splits.",
+        &["light_cases/dispersion_overlap", "light_cases/dispersion_two"],
+    ),
+    emulated(
+        "dispersion_spectrum",
+        "Each part of the spectrum has a fixed colour: three parabolic lobes for red, green and blue, and a second \
+         lobe of red at the violet end.",
+        &["src/transport/dispersion.rs::lobes_are_parabolas", "light_cases/dispersion_fine"],
+    ),
+    emulated(
+        "dispersion_total_reflection",
+        "The colours that are totally reflected continue as one ray of white light, which the surface's transmittance \
+         and film tint.",
+        &["light_cases/dispersion_total", "light_cases/dispersion_total_irid"],
+    ),
+    emulated(
+        "embedded_shares_below_adc_bailout",
+        "At a point that shows several textures of a mesh or blob, textures with a share below `adc_bailout` are left \
+         out, and the other shares do not grow.",
+        &["light_cases/mesh_adc_corners", "light_cases/blob_adc_components"],
+    ),
+    emulated(
+        "fresnel_of_last_entered",
+        "Where a ray leaves one of several interiors, `fresnel` uses the index of that interior and the index of the \
+         interior that was entered last, even if both are the same.",
+        &["light_cases/fresnel_nested", "light_cases/fresnel_overlap"],
+    ),
+    emulated(
+        "layers_below_adc_bailout",
+        "Layers below a stack whose transmittance is at most `adc_bailout` are not evaluated.",
+        &["light_cases/adc_conserve", "light_cases/shadow_layers"],
+    ),
+    emulated(
+        "layers_keep_reflection",
+        "Upper layers of a texture do not attenuate the reflection of lower layers.",
+        &["light_cases/reflection_twice", "light_cases/conserve_layers"],
+    ),
+    emulated(
+        "nan_normal_is_black",
+        "Where bumps make a normal that is not a number, the pixel is black.",
+        &["light_cases/nan_patterns"],
+    ),
+    emulated(
+        "quality_levels",
+        "Quality 2 adds light sources, 4 shadows, 5 area lights, 6 patterns and transparency, 8 reflection and \
+         normals, 9 fog and rainbows; 0 and 1 are the same.",
+        &[
+            "light_cases/quality_q0",
+            "light_cases/quality_q2",
+            "light_cases/quality_q4",
+            "light_cases/quality_q6",
+            "light_cases/quality_q8",
+        ],
+    ),
+    emulated(
+        "reflection_weight",
+        "A reflected ray's weight is the larger of the two `reflection` colours times the gray of the layers above; \
+         shares of a blend, `metallic`, and the angle (without `fresnel`) do not count.",
+        &["light_cases/mirror_fresnel_metallic_adc"],
+    ),
+    emulated(
+        "straight_ray_keeps_level",
+        "A ray that passes a surface without being bent stays on its level of `max_trace_level`.",
+        &["light_cases/dispersion_level"],
+    ),
+    emulated(
+        "total_reflection_replaces_mirror",
+        "Total reflection replaces the `reflection` of the same texture where both have the same normal, even if it \
+         is too faint to be traced.",
+        &["light_cases/tir_prism", "light_cases/adc_prism"],
+    ),
+    emulated(
+        "total_reflection_weight",
+        "All light is totally reflected, but the ray's weight falls as if the light were transmitted.",
+        &["light_cases/adc_prism"],
+    ),
+    emulated(
+        "unlit_layers",
+        "At quality 0 and 1, the lowest visible layer of a texture is shown alone.",
+        &["light_cases/layers_unlit_q1"],
+    ),
+    emulated(
+        "upper_texture_first",
+        "Of the two textures that a `texture_map` blends, the upper one is evaluated first; `slope` and `aoi` in the \
+         other use the normal that its bumps left.",
+        &["light_cases/map_ends", "light_cases/slope_after_bumps"],
+    ),
+];

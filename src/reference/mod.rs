@@ -4,8 +4,9 @@ mod sorts;
 
 pub use sorts::{Sorts, sorts};
 
+use crate::medium::INTERIOR;
 use crate::pattern::{CellPattern, FieldPattern, Warp};
-use crate::texture::words::{FINISH, IMAGE_MAP, INTERIOR, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
+use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
 use crate::value::{Spec, Vocabulary};
 use crate::{atmosphere, camera, interpreter, light, scene, shape};
 

@@ -1,18 +1,20 @@
-//! Adaptive anti-aliasing (manual, "Anti-Aliasing Options"): a first pass takes one sample for each pixel, or one for each corner; the
-//! second one takes more where those differ.
+//! Adaptive anti-aliasing (manual, "Anti-Aliasing Options"): the first pass takes one sample for each pixel or corner; the final pass takes
+//! more where neighbours differ.
 
 use super::blocks::{BLOCK, Blocks};
 use super::corners::Corners;
-use super::grid::{Grid, Pixel};
-use super::trace::{Sample, Setup, Tracer};
-use super::{Options, Region, Sampling, Spread, blur, net};
+use super::pixel_rows::{Pixel, PixelRows};
+use super::sampler::Sampler;
+use super::{Options, Region, SampleLayout, Sampling, blur, lattice};
 use crate::camera::Lens;
 use crate::color::Gamma;
 use crate::math::fp;
+use crate::transport::Radiance;
+use crate::world::World;
 
-/// How the pixels of a picture come to be.
+/// How samples become the pixels of a picture.
 pub(super) struct Method {
-    kind: Kind,
+    kind: MethodKind,
     sampling: Sampling,
     difference: Difference,
     width: usize,
@@ -20,38 +22,40 @@ pub(super) struct Method {
 }
 
 #[derive(Clone)]
-enum Kind {
+enum MethodKind {
     /// One sample a pixel.
-    Once,
-    /// What is blurred needs no second pass.
+    Single,
+    /// Focal blur: many samples a pixel, in one pass.
     Blurred(Lens),
-    Adaptive(Spread),
+    /// Two passes.
+    Adaptive(SampleLayout),
 }
 
 impl Method {
-    pub fn new(setup: &Setup, options: &Options) -> Self {
+    pub fn new(world: &World, lens: Option<&Lens>, options: &Options) -> Self {
         let sampling = options.sampling;
-        // From 1 on no difference counts (measured on 3.7).
-        let threshold = options.antialias.filter(|threshold| *threshold < 1.0 || sampling.spread == Spread::Corners);
-        let kind = match (setup.world.eye.lens.clone(), threshold) {
-            (Some(lens), _) => Kind::Blurred(lens),
-            (None, Some(_)) => Kind::Adaptive(sampling.spread),
-            (None, None) => Kind::Once,
+        // quirk: antialias_threshold_1
+        let threshold =
+            options.antialias.filter(|threshold| *threshold < 1.0 || sampling.layout == SampleLayout::Corners);
+        let kind = match (lens, threshold) {
+            (Some(lens), _) => MethodKind::Blurred(lens.clone()),
+            (None, Some(_)) => MethodKind::Adaptive(sampling.layout),
+            (None, None) => MethodKind::Single,
         };
-        let difference = Difference::new(threshold.unwrap_or(0.0), sampling.gamma, setup.world.gamma, options.alpha);
+        let difference = Difference::new(threshold.unwrap_or(0.0), sampling.gamma, world.gamma, options.alpha);
         Self { kind, sampling, difference, width: options.width, height: options.height }
     }
 
-    /// What the first pass goes over, if there is one: also the pixels around a region, whose differences count too. So a region
-    /// looks as it does in the whole picture.
+    /// Area of the first pass for a region; `None` for methods of one pass. The area includes the neighbours of the region, so that a
+    /// region looks the same as in the whole picture.
     pub fn first_area(&self, region: Region) -> Option<Region> {
         match self.kind {
-            Kind::Once | Kind::Blurred(_) => None,
-            Kind::Adaptive(Spread::Grid) => Some(self.blocks().first_area(region)),
-            Kind::Adaptive(Spread::Corners) => {
+            MethodKind::Single | MethodKind::Blurred(_) => None,
+            MethodKind::Adaptive(SampleLayout::Grid) => Some(self.blocks().first_area(region)),
+            MethodKind::Adaptive(SampleLayout::Corners) => {
                 Some(Region { width: region.width + 1, height: region.height + 1, ..region })
             }
-            Kind::Adaptive(Spread::Net) => {
+            MethodKind::Adaptive(SampleLayout::Lattice) => {
                 let (x, y) = (region.x.saturating_sub(1), region.y.saturating_sub(1));
                 let (right, bottom) = (region.x + region.width + 1, region.y + region.height + 1);
                 Some(Region { x, y, width: right.min(self.width) - x, height: bottom.min(self.height) - y })
@@ -59,47 +63,47 @@ impl Method {
         }
     }
 
-    /// A pixel or corner of the first pass.
-    pub fn first(&self, tracer: &mut Tracer, x: usize, y: usize) -> Pixel {
+    /// Takes the sample of the first pass at a pixel or corner.
+    pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
         match self.kind {
-            Kind::Adaptive(Spread::Corners) => return self.corners().sample(tracer, [x, y], [0, 0]),
-            Kind::Adaptive(Spread::Grid) => return self.blocks().first(tracer, x, y),
+            MethodKind::Adaptive(SampleLayout::Corners) => return self.corners().sample(sampler, [x, y], [0, 0]),
+            MethodKind::Adaptive(SampleLayout::Grid) => return self.blocks().first_sample(sampler, x, y),
             _ => {}
         }
-        tracer.begin(self.number(x, y), 0);
-        pixel(&tracer.see(x as f64 + 0.5, y as f64 + 0.5))
+        sampler.begin(self.number(x, y), 0);
+        pixel(&sampler.sample(x as f64 + 0.5, y as f64 + 0.5))
     }
 
-    /// Tiles of the second pass begin at multiples of this; and the first pass must know all that lies in a tile's rows down to one.
+    /// Edge of the blocks to which the final pass is bound, if it is; a block needs all first samples of its rows and one row around.
     pub fn tile_edge(&self) -> Option<usize> {
-        matches!(self.kind, Kind::Adaptive(Spread::Grid)).then_some(BLOCK)
+        matches!(self.kind, MethodKind::Adaptive(SampleLayout::Grid)).then_some(BLOCK)
     }
 
-    /// Some pixels of the picture, row by row, from what the first pass saw there and around them.
-    pub fn tile(&self, tracer: &mut Tracer, seen: &Grid, area: Region) -> Vec<Pixel> {
-        if let Kind::Adaptive(Spread::Grid) = self.kind {
-            return self.blocks().tile(tracer, seen, area).into_iter().map(finished).collect();
+    /// Computes the pixels of an area, row by row, from the first samples there and around.
+    pub fn tile(&self, sampler: &mut Sampler, first_samples: &PixelRows, area: Region) -> Vec<Pixel> {
+        if let MethodKind::Adaptive(SampleLayout::Grid) = self.kind {
+            return self.blocks().tile(sampler, first_samples, area).into_iter().map(finished).collect();
         }
         let mut pixels = Vec::with_capacity(area.width * area.height);
         for y in area.y..area.y + area.height {
-            pixels.extend((area.x..area.x + area.width).map(|x| self.second(tracer, seen, x, y)));
-            if tracer.stopped() {
+            pixels.extend((area.x..area.x + area.width).map(|x| self.final_pixel(sampler, first_samples, x, y)));
+            if sampler.is_stopped() {
                 break;
             }
         }
         pixels
     }
 
-    /// A pixel of the picture, from what the first pass saw there and around it.
-    fn second(&self, tracer: &mut Tracer, seen: &Grid, x: usize, y: usize) -> Pixel {
+    fn final_pixel(&self, sampler: &mut Sampler, first_samples: &PixelRows, x: usize, y: usize) -> Pixel {
         finished(match &self.kind {
-            Kind::Once => self.first(tracer, x, y),
-            Kind::Blurred(lens) => blur::pixel(tracer, lens, self.number(x, y), x, y),
-            Kind::Adaptive(Spread::Corners) => self.corners().pixel(tracer, seen, x, y),
-            Kind::Adaptive(_) if self.is_rough(seen, x, y) => {
-                net::pixel(tracer, &self.difference, self.number(x, y), [x, y], seen.at(x, y))
+            MethodKind::Single => self.first_sample(sampler, x, y),
+            MethodKind::Blurred(lens) => blur::pixel(sampler, lens, self.number(x, y), x, y),
+            MethodKind::Adaptive(SampleLayout::Corners) => self.corners().pixel(sampler, first_samples, x, y),
+            MethodKind::Adaptive(_) if self.differs_from_neighbours(first_samples, x, y) => {
+                let middle = first_samples.at(x, y);
+                lattice::pixel(sampler, &self.difference, self.number(x, y), [x, y], middle)
             }
-            Kind::Adaptive(_) => *seen.at(x, y),
+            MethodKind::Adaptive(_) => *first_samples.at(x, y),
         })
     }
 
@@ -113,66 +117,65 @@ impl Method {
         Corners { difference: &self.difference, depth, jitter, width: self.width }
     }
 
-    /// Does the pixel differ from one of those around?
-    fn is_rough(&self, seen: &Grid, x: usize, y: usize) -> bool {
-        let middle = seen.at(x, y);
-        let place = |[right, down]: &[isize; 2]| (x.wrapping_add_signed(*right), y.wrapping_add_signed(*down));
-        let mut others = AROUND.iter().map(place).filter_map(|(x, y)| seen.get(x, y));
-        others.any(|other| self.difference.counts(middle, other))
+    fn differs_from_neighbours(&self, first_samples: &PixelRows, x: usize, y: usize) -> bool {
+        let middle = first_samples.at(x, y);
+        let position = |[right, down]: &[isize; 2]| (x.wrapping_add_signed(*right), y.wrapping_add_signed(*down));
+        let mut neighbours = NEIGHBOURS.iter().map(position).filter_map(|(x, y)| first_samples.get(x, y));
+        neighbours.any(|other| self.difference.counts(middle, other))
     }
 
-    /// A number for each pixel of the whole picture, whatever part of it is drawn.
+    /// The key of a pixel's random numbers: its index in the whole picture.
     fn number(&self, x: usize, y: usize) -> u64 {
         y as u64 * self.width as u64 + x as u64
     }
 }
 
-/// The neighbours, those that share an edge first.
-const AROUND: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [1, -1], [-1, 1], [1, 1]];
+/// Offsets of the neighbours, those that share an edge first.
+const NEIGHBOURS: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [1, -1], [-1, 1], [1, 1]];
 
-/// Which differences count.
+/// Decides whether two samples differ visibly.
 pub(super) struct Difference {
     threshold: f64,
-    /// Differences are judged after this (`Antialias_Gamma`).
+    /// Gamma after which differences are measured (`Antialias_Gamma`).
     gamma: f64,
-    /// Is that to be applied to what the sRGB curve makes of the numbers?
+    /// True if the numbers of the scene follow the sRGB curve.
     is_srgb: bool,
     alpha: bool,
-    /// How steep that curve is at most from [`DARK`] on, and at least up to 1.
+    /// Maximum slope of the curve from [`DARK`] on, and minimum slope up to 1: bounds that save most powers.
     slopes: [f64; 2],
-    /// Numbers that differ by no more than this differ by no more than a quarter of the threshold on the curve, wherever they are.
-    little: f64,
+    /// Numbers that differ by no more than this differ by at most a quarter of the threshold on the curve.
+    negligible: f64,
 }
 
 const DARK: f64 = 1.0 / 32.0;
 
 impl Difference {
-    /// It is light to the power of 1/`gamma` that is judged, and `numbers` tells which light they are (both measured on POV-Ray 3.7).
+    /// Differences are measured on light to the power of 1/`gamma`; `numbers` converts the numbers of the scene to light
+    /// (quirk: `antialias_gamma`).
     fn new(threshold: f64, gamma: f64, numbers: Gamma, alpha: bool) -> Self {
         let (gamma, is_srgb) = match numbers {
             Gamma::Power(power) => (gamma / power, false),
             Gamma::Raw => (gamma, false),
             Gamma::Srgb => (gamma, true),
         };
-        // The slope of x^(1/γ), which falls where γ is more than 1; and there no step is as high as that from 0. So most neighbours
-        // need no powers.
-        let (slopes, little) = match gamma >= 1.0 && !is_srgb {
+        // For γ > 1 the slope of x^(1/γ) decreases with x, and a step of a given size is largest at 0.
+        let (slopes, negligible) = match gamma >= 1.0 && !is_srgb {
             true => ([fp::pow(DARK, 1.0 / gamma - 1.0) / gamma, 1.0 / gamma], fp::pow(threshold * 0.25, gamma)),
             false => ([f64::INFINITY, 0.0], 0.0),
         };
-        Self { threshold, gamma, is_srgb, alpha, slopes, little }
+        Self { threshold, gamma, is_srgb, alpha, slopes, negligible }
     }
 
-    /// Does the sum of the channels' differences reach the threshold, after the gamma?
+    /// True if the sum of the channels' differences, after the gamma, reaches the threshold.
     pub fn counts(&self, a: &Pixel, b: &Pixel) -> bool {
         self.exceeds(a, b, 1.0)
     }
 
-    /// Does it reach so many thresholds?
+    /// True if the sum reaches `times` the threshold.
     pub fn exceeds(&self, a: &Pixel, b: &Pixel, times: f64) -> bool {
         let threshold = self.threshold * times;
         let opacity = if self.alpha { f64::from((a[3] - b[3]).abs()) } else { 0.0 };
-        // A threshold of 0 lets all count (measured on POV-Ray 3.7).
+        // quirk: antialias_threshold_0
         if threshold <= 0.0 || a == b {
             return threshold <= 0.0;
         }
@@ -182,7 +185,7 @@ impl Difference {
             let (difference, [low, high]) = ((a - b).abs(), [a.min(b), a.max(b)]);
             most += match low >= DARK {
                 true => self.slopes[0] * difference,
-                false if difference <= self.little => threshold * 0.25,
+                false if difference <= self.negligible => threshold * 0.25,
                 false => f64::INFINITY,
             };
             least += if high <= 1.0 { self.slopes[1] * difference } else { 0.0 };
@@ -196,12 +199,13 @@ impl Difference {
     }
 }
 
-pub(super) fn pixel(sample: &Sample) -> Pixel {
-    let Sample { rgb, passed } = sample;
-    [rgb.x as f32, rgb.y as f32, rgb.z as f32, *passed as f32]
+/// Converts a sample to a pixel.
+pub(super) fn pixel(sample: &Radiance) -> Pixel {
+    let Radiance { rgb, transparency } = sample;
+    [rgb.x as f32, rgb.y as f32, rgb.z as f32, *transparency as f32]
 }
 
-/// A pixel, one of whose samples is not a number, is black (measured on POV-Ray 3.7).
+/// Turns NaN into black (quirk: `nan_pixel_is_black`).
 fn finished(pixel: Pixel) -> Pixel {
     pixel.map(|c| if c.is_nan() { 0.0 } else { c })
 }

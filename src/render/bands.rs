@@ -1,146 +1,161 @@
-//! A picture in bands of rows, from the top: each is handed on when it is done, so that a large picture needs no more room than a
-//! few bands. While the second pass goes over one band, the first goes over the next one already.
+//! Renders a picture in scanline bands from the top. Each band is passed on when it is finished, so a large picture needs memory for a few
+//! bands only. While the final pass works on one band, the first pass works on the next.
 
 use super::antialias::Method;
-use super::grid::{Grid, Pixel};
-use super::trace::{Setup, Tracer};
+use super::pixel_rows::{Pixel, PixelRows};
+use super::sampler::{FrameCamera, Sampler};
 use super::workers::Workers;
-use super::{Cancelled, Rays, Region, Stopped, Tile};
+use super::{Cancelled, FINAL_PASS, FIRST_PASS, RayCounts, Region, Stopped, Tile};
 use crate::diagnostic;
+use crate::transport::FrameContext;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Edge of a tile in pixels.
 const TILE: usize = 16;
-/// A band has about so many pixels, but a whole row at least: enough for many threads.
+/// Approximate number of pixels in a band, which is at least one row: enough work for many threads.
 const BAND: usize = 1 << 18;
-/// A pixel of a band takes so many bytes: in the tiles of both passes and twice in the rows of both.
-const BYTES: u128 = 6 * size_of::<Pixel>() as u128;
+/// Bytes for each pixel of a band: in the tiles of both passes and twice in the rows of both.
+const BYTES_PER_PIXEL: u128 = 6 * size_of::<Pixel>() as u128;
 
-/// How many rows the bands of an area have.
+/// Number of rows of the bands of an area.
 fn band_rows(area: Region) -> usize {
     let bands = area.width.saturating_mul(area.height).div_ceil(BAND).max(1);
     let rows = area.height.div_ceil(bands).max(1);
     if rows < TILE { rows } else { rows.next_multiple_of(TILE) }
 }
 
-/// The bytes that drawing an area takes, beside the World and what becomes of the bands.
-pub(super) fn room(area: Region) -> u128 {
-    area.width as u128 * band_rows(area).min(area.height) as u128 * BYTES
+/// Maximum number of bytes for the bands of an area.
+pub(super) fn memory_bytes(area: Region) -> u128 {
+    area.width as u128 * band_rows(area).min(area.height) as u128 * BYTES_PER_PIXEL
 }
 
-/// What both passes share.
-pub(super) struct Drawing<'a> {
-    pub setup: &'a Setup<'a>,
+/// One render of a region.
+pub(super) struct FrameRender<'a> {
+    pub context: &'a FrameContext<'a>,
+    pub camera: &'a FrameCamera,
     pub workers: &'a Workers<'a>,
     pub method: Method,
     pub region: Region,
 }
 
-/// Hands the pixels of some whole rows of the region on.
-pub(super) type Taker<'a> = dyn FnMut(Vec<Pixel>) -> diagnostic::Result<()> + Send + 'a;
+/// Receives the pixels of whole rows of the region.
+pub(super) type RowReceiver<'a> = dyn FnMut(Vec<Pixel>) -> diagnostic::Result<()> + Send + 'a;
 
-impl Drawing<'_> {
-    /// Every pixel of the region, row by row.
-    pub fn draw(&self, taker: &mut Taker) -> Result<Rays, Stopped> {
+impl FrameRender<'_> {
+    /// Renders every pixel of the region and passes the rows on.
+    pub fn run(&self, receiver: &mut RowReceiver) -> Result<RayCounts, Stopped> {
         let (region, area) = (self.region, self.first_area());
         let rows = band_rows(region);
-        let (mut rays, done) = (Rays::default(), AtomicUsize::new(0));
-        let mut seen = Grid::new(area.unwrap_or(Region { height: 0, ..region }));
-        let (mut drawn, mut ready) = (region.y, vec![]);
-        while drawn < region.y + region.height {
-            let first = area.map_or(0..0, |area| seen.bottom()..(seen.bottom() + rows).min(area.y + area.height));
-            let second = drawn..self.ready_until(&seen, drawn, rows);
-            let jobs: Vec<Tile> = tiles(&seen.area, first.clone(), TILE)
-                .map(|area| Tile { second: false, area })
-                .chain(tiles(&region, second.clone(), self.edge()).map(|area| Tile { second: true, area }))
+        let (mut counts, n_done) = (RayCounts::default(), AtomicUsize::new(0));
+        let mut first_samples = PixelRows::new(area.unwrap_or(Region { height: 0, ..region }));
+        let (mut next_row, mut finished) = (region.y, vec![]);
+        while next_row < region.y + region.height {
+            // Tiles of both passes that can be rendered now
+            let bottom = first_samples.bottom();
+            let first_rows = area.map_or(0..0, |area| bottom..(bottom + rows).min(area.y + area.height));
+            let final_rows = next_row..self.final_rows_end(&first_samples, next_row, rows);
+            let tile = |pass| move |area| Tile { pass, area };
+            let jobs: Vec<Tile> = tiles(&first_samples.area, first_rows.clone(), TILE)
+                .map(tile(FIRST_PASS))
+                .chain(tiles(&region, final_rows.clone(), self.tile_edge()).map(tile(FINAL_PASS)))
                 .collect();
-            let done_rows = std::mem::take(&mut ready);
-            let hand_on = || if done_rows.is_empty() { Ok(()) } else { taker(done_rows) };
-            let (tiles, handed) = self.workers.map(&jobs, |job| self.tile(job, &seen, &done), hand_on);
-            handed?;
-            let mut band = Grid::new(Region { height: 0, y: second.start, ..region });
-            seen.add(first.len());
-            band.add(second.len());
+            // Render them while the rows of the band before are passed on
+            let band_before = std::mem::take(&mut finished);
+            let pass_on = || if band_before.is_empty() { Ok(()) } else { receiver(band_before) };
+            let (tiles, passed_on) = self.workers.map(&jobs, |job| self.tile(job, &first_samples, &n_done), pass_on);
+            passed_on?;
+            // Collect the results
+            let mut band = PixelRows::new(Region { height: 0, y: final_rows.start, ..region });
+            first_samples.add(first_rows.len());
+            band.add(final_rows.len());
             for (job, (pixels, cast)) in jobs.iter().zip(tiles?) {
-                if job.second { &mut band } else { &mut seen }.put(job.area, &pixels);
-                rays.add(&cast);
+                if job.pass == FINAL_PASS { &mut band } else { &mut first_samples }.put(job.area, &pixels);
+                counts.add(&cast);
             }
-            (drawn, ready) = (second.end, band.pixels);
-            seen.forget((drawn / self.reach() * self.reach()).saturating_sub(1));
+            (next_row, finished) = (final_rows.end, band.pixels);
+            first_samples.drop_above((next_row / self.row_alignment() * self.row_alignment()).saturating_sub(1));
         }
-        taker(ready)?;
-        Ok(rays)
+        receiver(finished)?;
+        Ok(counts)
     }
 
-    /// Up to which row the second pass can go now: it asks for what the first one saw around each pixel.
-    fn ready_until(&self, seen: &Grid, drawn: usize, rows: usize) -> usize {
+    /// Returns the end of the rows that the final pass can render now: it needs the first samples around each pixel.
+    fn final_rows_end(&self, first_samples: &PixelRows, next_row: usize, rows: usize) -> usize {
         let end = self.region.y + self.region.height;
+        let alignment = self.row_alignment();
         match self.first_area() {
-            None => (drawn + rows).min(end),
-            Some(area) if seen.bottom() == area.y + area.height => end,
-            Some(_) => (seen.bottom().saturating_sub(1) / self.reach() * self.reach()).clamp(drawn, end),
+            None => (next_row + rows).min(end),
+            Some(area) if first_samples.bottom() == area.y + area.height => end,
+            Some(_) => (first_samples.bottom().saturating_sub(1) / alignment * alignment).clamp(next_row, end),
         }
     }
 
-    fn tile(&self, tile: &Tile, seen: &Grid, done: &AtomicUsize) -> Result<(Vec<Pixel>, Rays), Cancelled> {
+    /// Loads a tile from an earlier run, or renders and stores it.
+    fn tile(
+        &self,
+        tile: &Tile,
+        first_samples: &PixelRows,
+        n_done: &AtomicUsize,
+    ) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
         let watch = self.workers.watch;
-        let (pixels, rays) = match watch.recall(*tile) {
-            Some(pixels) if pixels.len() == tile.area.width * tile.area.height => (pixels, Rays::default()),
+        let (pixels, counts) = match watch.load_tile(*tile) {
+            Some(pixels) if pixels.len() == tile.area.width * tile.area.height => (pixels, RayCounts::default()),
             _ => {
-                let drawn = self.trace(tile, seen)?;
-                watch.keep(*tile, &drawn.0);
-                drawn
+                let rendered = self.render_tile(tile, first_samples)?;
+                watch.store_tile(*tile, &rendered.0);
+                rendered
             }
         };
-        let done = done.fetch_add(pixels.len(), Ordering::Relaxed) + pixels.len();
-        watch.progress(done, self.total());
-        Ok((pixels, rays))
+        let n_done = n_done.fetch_add(pixels.len(), Ordering::Relaxed) + pixels.len();
+        watch.progress(n_done, self.total());
+        Ok((pixels, counts))
     }
 
-    fn trace(&self, tile: &Tile, seen: &Grid) -> Result<(Vec<Pixel>, Rays), Cancelled> {
-        let mut tracer = Tracer::new(self.setup, Some(self.workers.watch));
-        let pixels = match tile.second {
-            true => self.method.tile(&mut tracer, seen, tile.area),
-            false => self.first_tile(&mut tracer, &tile.area),
+    fn render_tile(&self, tile: &Tile, first_samples: &PixelRows) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
+        let is_cancelled = || self.workers.watch.cancelled();
+        let mut sampler = Sampler::new(self.context, self.camera, &is_cancelled);
+        let pixels = match tile.pass {
+            FINAL_PASS => self.method.tile(&mut sampler, first_samples, tile.area),
+            _ => self.first_tile(&mut sampler, &tile.area),
         };
-        if tracer.stopped() { Err(Cancelled) } else { Ok((pixels, tracer.rays)) }
+        if sampler.is_stopped() { Err(Cancelled) } else { Ok((pixels, *sampler.counts())) }
     }
 
-    /// What the first pass goes over, if there is one.
+    /// The area of the first pass; `None` for methods of one pass.
     fn first_area(&self) -> Option<Region> {
         self.method.first_area(self.region)
     }
 
-    /// What the second pass asks for begins and ends at multiples of this, and one row before and behind them.
-    fn reach(&self) -> usize {
+    /// The final pass needs first samples of whole groups of so many rows, and of one row above and below them.
+    fn row_alignment(&self) -> usize {
         self.method.tile_edge().unwrap_or(1)
     }
 
-    /// Tiles of the second pass begin at multiples of this.
-    fn edge(&self) -> usize {
+    /// Edge of the tiles of the final pass.
+    fn tile_edge(&self) -> usize {
         self.method.tile_edge().unwrap_or(TILE)
     }
 
-    fn first_tile(&self, tracer: &mut Tracer, area: &Region) -> Vec<Pixel> {
+    fn first_tile(&self, sampler: &mut Sampler, area: &Region) -> Vec<Pixel> {
         let mut pixels = Vec::with_capacity(area.width * area.height);
         for y in area.y..area.y + area.height {
-            pixels.extend((area.x..area.x + area.width).map(|x| self.method.first(tracer, x, y)));
-            if tracer.stopped() {
+            pixels.extend((area.x..area.x + area.width).map(|x| self.method.first_sample(sampler, x, y)));
+            if sampler.is_stopped() {
                 break;
             }
         }
         pixels
     }
 
-    /// How many pixels both passes have.
+    /// Number of pixels of both passes.
     fn total(&self) -> usize {
         let pixels = |area: Region| area.width.saturating_mul(area.height);
         pixels(self.region).saturating_add(self.first_area().map_or(0, pixels))
     }
 }
 
-/// Some rows of an area in tiles, which begin at multiples of an edge.
+/// Splits rows of an area into tiles whose corners are at multiples of `edge`.
 fn tiles(area: &Region, rows: Range<usize>, edge: usize) -> impl Iterator<Item = Region> + use<> {
     let cuts = move |range: Range<usize>| {
         let first = if range.is_empty() { range.end } else { range.start / edge * edge };
@@ -159,26 +174,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bands_of_large_pictures_are_small() {
+    fn bands_bound_the_memory_of_large_pictures() {
         let rows = |width, height| band_rows(Region { x: 0, y: 0, width, height });
         assert_eq!((rows(640, 480), rows(3840, 2160), rows(1 << 30, 5), rows(1, 1)), (240, 80, 1, 1));
-        assert!(room(Region { x: 0, y: 0, width: 3840, height: 2160 }) < 32 << 20);
+        assert!(memory_bytes(Region { x: 0, y: 0, width: 3840, height: 2160 }) < 32 << 20);
     }
 
     #[test]
     fn tiles_cover_their_rows_once() {
         let area = Region { x: 3, y: 5, width: 40, height: 100 };
-        let mut seen = Grid::new(Region { height: 0, y: 10, ..area });
-        seen.add(37);
+        let mut counts = PixelRows::new(Region { height: 0, y: 10, ..area });
+        counts.add(37);
         for tile in tiles(&area, 10..47, 16) {
             for y in tile.y..tile.y + tile.height {
                 for x in tile.x..tile.x + tile.width {
-                    let count = seen.at(x, y)[0] + 1.0;
-                    seen.put(Region { x, y, width: 1, height: 1 }, &[[count; 4]]);
+                    let count = counts.at(x, y)[0] + 1.0;
+                    counts.put(Region { x, y, width: 1, height: 1 }, &[[count; 4]]);
                 }
             }
         }
-        assert!(seen.pixels.iter().all(|p| p[0] == 1.0) && seen.pixels.len() == 40 * 37);
+        assert!(counts.pixels.iter().all(|p| p[0] == 1.0) && counts.pixels.len() == 40 * 37);
         assert_eq!(tiles(&area, 10..10, 16).count(), 0);
     }
 }

@@ -1,31 +1,31 @@
-//! POV-Ray's first sampling method: in blocks of pixels, from the top left, each is compared with those to the left and above, as they are by
-//! then; what differs gets a grid of samples (manual, "Anti-Aliasing Options"; blocks and order were measured on POV-Ray 3.7). A block
-//! also looks at the row above it and the column to the left, even where those lie outside the picture.
+//! POV-Ray's first sampling method (manual, "Anti-Aliasing Options"): each pixel of a block, from the top left, is compared with the pixels
+//! to its left and above, in their current state; pixels that differ get a grid of samples (quirk: `antialias_blocks`). A block also
+//! samples the row above and the column to the left, even outside the picture.
 //!
-//! Places are counted from there: what the first pass saw at (x + 1, y + 1) is the pixel (x, y).
+//! Coordinates of first samples are shifted: the first sample at (x + 1, y + 1) is the pixel (x, y).
 
 use super::Region;
 use super::antialias::{Difference, pixel};
-use super::grid::{Grid, Pixel};
-use super::random::Purpose;
-use super::trace::Tracer;
+use super::pixel_rows::{Pixel, PixelRows};
+use super::sampler::Sampler;
+use crate::transport::Purpose;
 
 /// Edge of a block in pixels.
 pub(super) const BLOCK: usize = 32;
 
-/// How samples lie.
+/// The method's settings.
 pub(super) struct Blocks<'m> {
     pub difference: &'m Difference,
     /// Rows and columns of the grid.
     pub depth: u32,
-    /// How far samples are off the middles of their cells at random, of half a cell.
+    /// Random displacement of samples from the centres of their cells, as a share of half a cell.
     pub jitter: f64,
-    /// Of the picture in pixels.
+    /// Width and height of the picture in pixels.
     pub size: [usize; 2],
 }
 
 impl Blocks<'_> {
-    /// What the first pass goes over for a region: all of its blocks, and what lies above and to the left.
+    /// Area of the first pass for a region: all of its blocks, with one row above and one column to the left.
     pub fn first_area(&self, region: Region) -> Region {
         let start = [region.x, region.y].map(|at| at / BLOCK * BLOCK);
         let end = [region.x + region.width, region.y + region.height].map(|at| at.next_multiple_of(BLOCK));
@@ -33,27 +33,27 @@ impl Blocks<'_> {
         Region { x: start[0], y: start[1], width, height }
     }
 
-    /// A pixel of the first pass.
-    pub fn first(&self, tracer: &mut Tracer, x: usize, y: usize) -> Pixel {
-        tracer.begin(self.number(x, y), 0);
-        pixel(&tracer.see(x as f64 - 0.5, y as f64 - 0.5))
+    /// Takes one sample of the first pass.
+    pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
+        sampler.begin(self.number(x, y), 0);
+        pixel(&sampler.sample(x as f64 - 0.5, y as f64 - 0.5))
     }
 
-    /// The pixels of a part of one block.
-    pub fn tile(&self, tracer: &mut Tracer, seen: &Grid, part: Region) -> Vec<Pixel> {
+    /// Computes the pixels of a part of one block.
+    pub fn tile(&self, sampler: &mut Sampler, first_samples: &PixelRows, part: Region) -> Vec<Pixel> {
         let area = self.first_area(part);
-        let mut now = Grid::new(area);
+        let mut now = PixelRows::new(area);
         now.add(area.height);
         for y in area.y..area.y + area.height {
-            let row: Vec<Pixel> = (area.x..area.x + area.width).map(|x| *seen.at(x, y)).collect();
+            let row: Vec<Pixel> = (area.x..area.x + area.width).map(|x| *first_samples.at(x, y)).collect();
             now.put(Region { y, height: 1, ..area }, &row);
         }
         let mut sampled = vec![false; area.width * area.height];
         for y in area.y..area.y + area.height {
             for x in area.x..area.x + area.width {
-                self.look(tracer, &mut now, &mut sampled, [x, y]);
+                self.compare(sampler, &mut now, &mut sampled, [x, y]);
             }
-            if tracer.stopped() {
+            if sampler.is_stopped() {
                 break;
             }
         }
@@ -61,50 +61,50 @@ impl Blocks<'_> {
         (part.y..part.y + part.height).flat_map(row).map(|(x, y)| *now.at(x, y)).collect()
     }
 
-    /// Compares a pixel with the one to the left and the one above.
-    fn look(&self, tracer: &mut Tracer, now: &mut Grid, sampled: &mut [bool], [x, y]: [usize; 2]) {
+    /// Compares a pixel with the pixels to the left and above, and samples those that differ.
+    fn compare(&self, sampler: &mut Sampler, now: &mut PixelRows, sampled: &mut [bool], [x, y]: [usize; 2]) {
         let mut differs = false;
         let (left, above) = ((x > now.area.x).then(|| [x - 1, y]), (y > now.area.y).then(|| [x, y - 1]));
         for other in [left, above].into_iter().flatten() {
             if self.difference.counts(now.at(x, y), now.at(other[0], other[1])) {
                 differs = true;
-                self.sample_once(tracer, now, sampled, other);
+                self.sample_once(sampler, now, sampled, other);
             }
         }
         if differs {
-            self.sample_once(tracer, now, sampled, [x, y]);
+            self.sample_once(sampler, now, sampled, [x, y]);
         }
     }
 
-    /// What lies outside of the block stays as it was first seen.
-    fn sample_once(&self, tracer: &mut Tracer, now: &mut Grid, sampled: &mut [bool], [x, y]: [usize; 2]) {
+    /// Samples a pixel of the block once; the row above and the column to the left keep their first samples.
+    fn sample_once(&self, sampler: &mut Sampler, now: &mut PixelRows, sampled: &mut [bool], [x, y]: [usize; 2]) {
         if x == now.area.x || y == now.area.y {
             return;
         }
         let known = &mut sampled[(y - now.area.y) * now.area.width + x - now.area.x];
         if !std::mem::replace(known, true) {
-            let pixel = self.resample(tracer, [x, y], now.at(x, y));
+            let pixel = self.resample(sampler, [x, y], now.at(x, y));
             now.put(Region { x, y, width: 1, height: 1 }, &[pixel]);
         }
     }
 
-    /// The mean of one sample in each cell of a grid, at a random place of it, and of the sample in the middle.
-    fn resample(&self, tracer: &mut Tracer, [x, y]: [usize; 2], middle: &Pixel) -> Pixel {
+    /// Returns the mean of one sample in each cell of a grid, at a random position in the cell, and of the first sample.
+    fn resample(&self, sampler: &mut Sampler, [x, y]: [usize; 2], middle: &Pixel) -> Pixel {
         let Self { depth, jitter, .. } = *self;
         let mut sum = middle.map(f64::from);
         for cell in 0..depth * depth {
-            tracer.begin(self.number(x, y), u64::from(cell) + 1);
-            let random = tracer.random.row(Purpose::Place);
+            sampler.begin(self.number(x, y), u64::from(cell) + 1);
+            let random = sampler.random(Purpose::PixelPosition);
             let off = |i| if jitter == 0.0 { 0.5 } else { 0.5 + (random.at(i) - 0.5) * jitter };
             let dx = (f64::from(cell % depth) + off(0)) / f64::from(depth);
             let dy = (f64::from(cell / depth) + off(1)) / f64::from(depth);
-            let sample = pixel(&tracer.see(x as f64 - 1.0 + dx, y as f64 - 1.0 + dy));
+            let sample = pixel(&sampler.sample(x as f64 - 1.0 + dx, y as f64 - 1.0 + dy));
             sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
         }
         sum.map(|c| (c / f64::from(depth * depth + 1)) as f32)
     }
 
-    /// A number for each place, whatever part of the picture is drawn.
+    /// The key of a position's random numbers: its index in the whole picture.
     fn number(&self, x: usize, y: usize) -> u64 {
         y as u64 * (self.size[0] as u64 + 1) + x as u64
     }

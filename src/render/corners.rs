@@ -1,82 +1,82 @@
-//! POV-Ray's second sampling method: a pixel is the mean of its corners, and is halved both ways where those differ (manual,
-//! "Anti-Aliasing Options"; that the depth counts the pixel itself was measured on POV-Ray 3.7).
+//! POV-Ray's second sampling method: a pixel is the mean of its corners, and is subdivided where those differ (manual, "Anti-Aliasing
+//! Options"). The depth counts the pixel itself (quirk: `antialias_depth`).
 
 use super::antialias::{Difference, pixel};
-use super::grid::{Grid, Pixel};
-use super::random::Purpose;
-use super::trace::Tracer;
+use super::pixel_rows::{Pixel, PixelRows};
+use super::sampler::Sampler;
+use crate::transport::Purpose;
 use rustc_hash::FxHashMap;
 
-/// How pixels are halved.
+/// The method's settings.
 pub(super) struct Corners<'m> {
     pub difference: &'m Difference,
-    /// 1: never.
+    /// Maximum depth of subdivision, counting the pixel; 1 for none.
     pub depth: u32,
-    /// How far samples are off their places at random, of half of the smallest piece's edge.
+    /// Random displacement of samples, as a share of half of the smallest piece's edge.
     pub jitter: f64,
-    /// Of the picture in pixels.
+    /// Width of the picture in pixels.
     pub width: usize,
 }
 
-/// A pixel that is being looked at.
-struct Looking<'a, 'm, 't, 'w> {
+/// The subdivision of one pixel.
+struct Subdivision<'a, 'm, 't, 'w> {
     corners: &'a Corners<'m>,
-    tracer: &'t mut Tracer<'w>,
-    seen: &'a Grid,
+    sampler: &'t mut Sampler<'w>,
+    corner_samples: &'a PixelRows,
     x: usize,
     y: usize,
-    /// What was seen between the corners, by place in smallest pieces.
+    /// Samples within the pixel, by position in smallest pieces.
     between: FxHashMap<[u32; 2], Pixel>,
 }
 
 impl Corners<'_> {
-    /// The smallest pieces along the edge of a pixel.
+    /// Number of smallest pieces along the edge of a pixel.
     fn pieces(&self) -> u32 {
         1 << (self.depth - 1)
     }
 
-    /// What is seen at a place, in smallest pieces from the pixel's top left corner: whichever pixel asks, it is the same.
-    pub fn sample(&self, tracer: &mut Tracer, [x, y]: [usize; 2], [right, down]: [u32; 2]) -> Pixel {
+    /// Takes the sample at a position, in smallest pieces from the pixel's top left corner; the same for all pixels that share it.
+    pub fn sample(&self, sampler: &mut Sampler, [x, y]: [usize; 2], [right, down]: [u32; 2]) -> Pixel {
         let pieces = self.pieces();
         let (x, y) = (x + (right / pieces) as usize, y + (down / pieces) as usize);
         let (right, down) = (right % pieces, down % pieces);
         // (There is one corner more than pixels in a row.)
         let number = y as u64 * (self.width as u64 + 1) + x as u64;
-        tracer.begin(number, u64::from(down) << 32 | u64::from(right));
-        let random = tracer.random.row(Purpose::Place);
+        sampler.begin(number, u64::from(down) << 32 | u64::from(right));
+        let random = sampler.random(Purpose::PixelPosition);
         let off = |i| if self.jitter == 0.0 { 0.0 } else { (random.at(i) - 0.5) * self.jitter };
         let at = |corner: usize, piece: u32, i| corner as f64 + (f64::from(piece) + off(i)) / f64::from(pieces);
-        pixel(&tracer.see(at(x, right, 0), at(y, down, 1)))
+        pixel(&sampler.sample(at(x, right, 0), at(y, down, 1)))
     }
 
-    /// A pixel, between corners that are known.
-    pub fn pixel(&self, tracer: &mut Tracer, seen: &Grid, x: usize, y: usize) -> Pixel {
+    /// Computes a pixel from its corners.
+    pub fn pixel(&self, sampler: &mut Sampler, corner_samples: &PixelRows, x: usize, y: usize) -> Pixel {
         let between = FxHashMap::default();
-        let mut looking = Looking { corners: self, tracer, seen, x, y, between };
-        looking.piece([0, 0], self.pieces()).map(|c| c as f32)
+        let mut subdivision = Subdivision { corners: self, sampler, corner_samples, x, y, between };
+        subdivision.piece([0, 0], self.pieces()).map(|c| c as f32)
     }
 }
 
-impl Looking<'_, '_, '_, '_> {
+impl Subdivision<'_, '_, '_, '_> {
     fn at(&mut self, [right, down]: [u32; 2]) -> Pixel {
         let pieces = self.corners.pieces();
         if right % pieces == 0 && down % pieces == 0 {
-            return *self.seen.at(self.x + (right / pieces) as usize, self.y + (down / pieces) as usize);
+            return *self.corner_samples.at(self.x + (right / pieces) as usize, self.y + (down / pieces) as usize);
         }
         if let Some(known) = self.between.get(&[right, down]) {
             return *known;
         }
-        let seen = self.corners.sample(self.tracer, [self.x, self.y], [right, down]);
-        self.between.insert([right, down], seen);
-        seen
+        let sample = self.corners.sample(self.sampler, [self.x, self.y], [right, down]);
+        self.between.insert([right, down], sample);
+        sample
     }
 
-    /// The mean of a square piece.
+    /// Returns the mean of a square piece, subdivided where its corners differ.
     fn piece(&mut self, [right, down]: [u32; 2], edge: u32) -> [f64; 4] {
         let places = [[right, down], [right + edge, down], [right, down + edge], [right + edge, down + edge]];
         let corners = places.map(|place| self.at(place));
         let differ = (1..4).any(|i| (0..i).any(|j| self.corners.difference.counts(&corners[i], &corners[j])));
-        let parts = if edge == 1 || !differ || self.tracer.stopped() {
+        let parts = if edge == 1 || !differ || self.sampler.is_stopped() {
             corners.map(|corner| corner.map(f64::from))
         } else {
             let half = edge / 2;

@@ -1,25 +1,16 @@
-//! From rays to light: shading, shadows, reflection; tiles, anti-aliasing, progress.
+//! The pixels of a picture: anti-aliasing, focal blur, scanline bands, worker threads, progress.
 
 mod antialias;
-mod area;
 mod bands;
 mod blocks;
 mod blur;
 mod corners;
-mod dispersion;
-mod grid;
-mod mirror;
-mod net;
+mod lattice;
 mod output;
 mod pick;
+mod pixel_rows;
 mod prepare;
-mod random;
-mod refract;
-mod shade;
-mod shading_point;
-mod shadow;
-mod trace;
-mod travel;
+mod sampler;
 mod workers;
 
 pub use pick::pick;
@@ -27,35 +18,37 @@ pub use pick::pick;
 use crate::diagnostic::{self, Fault};
 use crate::image_io::{Frame, Rows};
 use crate::source::Span;
+pub use crate::transport::RayCounts;
 use crate::world::World;
-use serde::Serialize;
+use sampler::FrameCamera;
 use workers::Workers;
 
-/// How a picture is made. None of it but size, antialias, quality, region and frame changes a byte of it.
+/// How a picture is rendered. Size, anti-aliasing, quality, region, frame and alpha determine every byte of it; the number of threads
+/// does not.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Pixels across.
+    /// Width in pixels.
     pub width: usize,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: usize,
-    /// Threshold of adaptive anti-aliasing; `None` is off.
+    /// Threshold of adaptive anti-aliasing; `None` for one sample a pixel.
     pub antialias: Option<f64>,
-    /// How it is done.
+    /// Where the samples of anti-aliasing are.
     pub sampling: Sampling,
-    /// 0 to 11, as POV-Ray's `+Q`.
+    /// Quality level, 0 to 11, as POV-Ray's `+Q`.
     pub quality: u8,
-    /// 0: one for each processor.
+    /// Number of threads; 0 for one a processor.
     pub threads: usize,
-    /// Draw only this part; the rest stays transparent.
+    /// The part of the picture to render; pixels outside stay transparent.
     pub region: Option<Region>,
-    /// Seeds everything random.
+    /// Number of the frame: a part of each random number's key.
     pub frame: u32,
-    /// Keep alpha (`+UA`): the background is then see-through.
+    /// True to keep alpha (`+UA`): the background is then transparent.
     pub alpha: bool,
 }
 
 impl Options {
-    /// A whole picture of this size at full quality on one thread, with one sample a pixel.
+    /// A whole picture at full quality on one thread, with one sample a pixel.
     pub fn new(width: usize, height: usize) -> Self {
         Self {
             width,
@@ -71,73 +64,78 @@ impl Options {
     }
 }
 
-/// How anti-aliasing is done.
+/// Samples of anti-aliasing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
-    /// Where samples lie.
-    pub spread: Spread,
-    /// How many rows and columns the grid has, 1 to 9; or how often pieces between corners are halved, and one more.
+    /// Where samples are.
+    pub layout: SampleLayout,
+    /// Rows and columns of a grid, 1 to 9; for corners, the number of subdivisions, plus one.
     pub depth: u32,
-    /// How far samples are off their places at random: 0 to 1, of what is theirs.
+    /// Random displacement of samples, from 0 to 1, as a share of their cell.
     pub jitter: f64,
-    /// Differences are judged after this gamma, which is above 0.
+    /// Gamma after which the difference of two samples is measured; above 0.
     pub gamma: f64,
 }
 
 impl Default for Sampling {
     fn default() -> Self {
-        Self { spread: Spread::Net, depth: 3, jitter: 1.0, gamma: 2.5 }
+        Self { layout: SampleLayout::Lattice, depth: 3, jitter: 1.0, gamma: 2.5 }
     }
 }
 
-/// Where samples lie.
+/// Where the samples of anti-aliasing are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spread {
-    /// As evenly as possible; depth and jitter say nothing.
-    Net,
-    /// POV-Ray's first method.
+pub enum SampleLayout {
+    /// Points of a lattice; depth and jitter have no effect.
+    Lattice,
+    /// A grid in each pixel that differs: POV-Ray's first method.
     Grid,
-    /// POV-Ray's second method.
+    /// Corners of pixels, with subdivision: POV-Ray's second method.
     Corners,
 }
 
-/// Pixels, counted from the top left.
+/// A rectangle of pixels, counted from the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Region {
-    /// Left.
+    /// Leftmost column.
     pub x: usize,
-    /// Top.
+    /// Topmost row.
     pub y: usize,
-    /// Pixels across.
+    /// Width in pixels.
     pub width: usize,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: usize,
 }
 
-/// A part of the work; what becomes of it depends on nothing but the World and the options.
+/// A unit of work. Its result depends on nothing but the World, the options and the tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
-    /// Of the second pass?
-    pub second: bool,
-    /// Where it is in the picture.
+    /// Number of the pass: [`FIRST_PASS`] takes the samples that anti-aliasing compares, [`FINAL_PASS`] computes the pixels.
+    pub pass: u8,
+    /// Its pixels.
     pub area: Region,
 }
 
-/// Whoever waits for the picture.
+/// The pass that takes the samples which adaptive anti-aliasing compares.
+pub const FIRST_PASS: u8 = 0;
+/// The pass that computes the pixels of the picture.
+pub const FINAL_PASS: u8 = 1;
+
+/// The caller's side of a render: progress, cancellation, and storage of finished tiles.
 pub trait Watch: Sync {
-    /// So many pixels of the total are done (with anti-aliasing, both passes count).
+    /// Called after each tile with the number of finished pixels; with adaptive anti-aliasing the pixels of both passes count.
     fn progress(&self, done: usize, total: usize);
-    /// Should the work stop?
+    /// Returns true to stop the render.
     fn cancelled(&self) -> bool;
-    /// The pixels of a tile, row by row, if it was drawn before.
-    fn recall(&self, _: Tile) -> Option<Vec<[f32; 4]>> {
+    /// Returns the pixels of a tile, row by row, if an earlier run stored them.
+    fn load_tile(&self, _: Tile) -> Option<Vec<[f32; 4]>> {
         None
     }
-    /// A tile is drawn; [`light`] makes of its pixels what the picture shows.
-    fn keep(&self, _: Tile, _: &[[f32; 4]]) {}
+    /// Stores the pixels of a finished tile; [`light`] converts them to what the picture shows.
+    fn store_tile(&self, _: Tile, _: &[[f32; 4]]) {}
 }
 
-/// Nobody watches.
+/// A [`Watch`] that ignores progress and never cancels.
 pub struct Unwatched;
 
 impl Watch for Unwatched {
@@ -147,51 +145,24 @@ impl Watch for Unwatched {
     }
 }
 
-/// How many rays were cast.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Rays {
-    /// From the eye.
-    pub camera: u64,
-    /// Towards lights.
-    pub shadow: u64,
-    /// Off mirrors.
-    pub reflected: u64,
-    /// Through see-through surfaces.
-    pub transmitted: u64,
-}
-
-/// The watcher wanted it to stop.
+/// The error of a render that was cancelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cancelled;
 
-impl Rays {
-    fn add(&mut self, other: &Rays) {
-        self.camera += other.camera;
-        self.shadow += other.shadow;
-        self.reflected += other.reflected;
-        self.transmitted += other.transmitted;
-    }
-
-    /// All of them.
-    pub fn total(&self) -> u64 {
-        self.camera + self.shadow + self.reflected + self.transmitted
-    }
-}
-
 impl Region {
-    /// What of it lies in a picture of this size.
+    /// The part of the region that is within a picture of this size.
     fn within(self, width: usize, height: usize) -> Region {
         let (x, y) = (self.x.min(width), self.y.min(height));
         Region { x, y, width: self.width.min(width - x), height: self.height.min(height - y) }
     }
 }
 
-/// What ends a picture before its end.
+/// Why a render ended early.
 #[derive(Debug)]
 pub enum Stopped {
-    /// The watcher wanted it to stop.
+    /// The caller cancelled it.
     Cancelled,
-    /// Its rows could not be handed on.
+    /// The receiver of the rows failed.
     Fault(Fault),
 }
 
@@ -207,79 +178,80 @@ impl From<Fault> for Stopped {
     }
 }
 
-/// Draws the picture into memory. The same bytes whatever the number of threads.
+/// Renders a picture into memory.
 ///
 /// # Errors
-/// When the watcher wants it to stop.
-pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Frame, Rays), Cancelled> {
+/// [`Cancelled`] if `watch` cancels.
+pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Frame, RayCounts), Cancelled> {
     let mut frame = Frame { width: options.width, height: options.height, pixels: vec![] };
     frame.pixels.reserve_exact(options.width * options.height);
-    let rays = draw(world, options, watch, &mut frame).map_err(|_| Cancelled)?;
-    Ok((frame, rays))
+    let counts = draw(world, options, watch, &mut frame).map_err(|_| Cancelled)?;
+    Ok((frame, counts))
 }
 
-/// Draws the picture and hands its rows on, from the top, as they are done.
+/// Renders a picture and passes its rows on, from the top, as they are finished.
 ///
 /// # Errors
-/// When the watcher wants it to stop, or the rows can't be handed on.
-pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn Rows) -> Result<Rays, Stopped> {
+/// [`Stopped`] if `watch` cancels or `rows` fails.
+pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn Rows) -> Result<RayCounts, Stopped> {
     let (width, height) = (options.width, options.height);
     let whole = Region { x: 0, y: 0, width, height };
     let region = options.region.unwrap_or(whole).within(width, height);
     if region.width == 0 || region.height == 0 {
-        empty(rows, width, height)?;
-        return Ok(Rays::default());
+        transparent_rows(rows, width, height)?;
+        return Ok(RayCounts::default());
     }
     let workers = Workers::new(options.threads, watch);
-    let setup = prepare::prepare(world, options, &workers)?;
-    let method = antialias::Method::new(&setup, options);
-    empty(rows, width, region.y)?;
-    let mut take = |mut pixels: Vec<grid::Pixel>| {
+    let camera = FrameCamera::new(&world.eye, width, height);
+    let context = prepare::prepare(world, &camera, options, &workers)?;
+    let method = antialias::Method::new(world, camera.lens.as_ref(), options);
+    transparent_rows(rows, width, region.y)?;
+    let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
         pixels.iter_mut().for_each(|pixel| *pixel = light(world, options, pixel));
         if region.width == width {
             return rows.take(&pixels);
         }
-        // One by one: the rows of the whole picture may be far longer than those of the region.
+        // One row at a time: rows of the picture can be far longer than those of the region.
         let mut whole = vec![[0.0; 4]; width];
         pixels.chunks(region.width).try_for_each(|row| {
             whole[region.x..region.x + region.width].copy_from_slice(row);
             rows.take(&whole)
         })
     };
-    let rays = bands::Drawing { setup: &setup, workers: &workers, method, region }.draw(&mut take)?;
-    empty(rows, width, height - region.y - region.height)?;
-    Ok(rays)
+    let frame = bands::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
+    let counts = frame.run(&mut take)?;
+    transparent_rows(rows, width, height - region.y - region.height)?;
+    Ok(counts)
 }
 
-/// Transparent rows.
-fn empty(to: &mut dyn Rows, width: usize, rows: usize) -> diagnostic::Result<()> {
+fn transparent_rows(to: &mut dyn Rows, width: usize, rows: usize) -> diagnostic::Result<()> {
     let row = vec![[0.0; 4]; if rows > 0 { width } else { 0 }];
     (0..rows).try_for_each(|_| to.take(&row))
 }
 
-/// Linear light and alpha of a pixel that [`Watch::keep`] was given.
+/// Converts a pixel from [`Watch::store_tile`] to linear light and alpha.
 pub fn light(world: &World, options: &Options, pixel: &[f32; 4]) -> [f32; 4] {
     output::light(pixel, world.gamma, options.alpha)
 }
 
-/// The most bytes that drawing a part of a picture takes, beside the World and what becomes of its rows.
-pub fn room(part: Region) -> u128 {
-    bands::room(part)
+/// Maximum number of bytes that the render of a region needs, besides the World and what the receiver of the rows keeps.
+pub fn memory_bytes(region: Region) -> u128 {
+    bands::memory_bytes(region)
 }
 
-/// What is seen through one pixel.
+/// The first hit through the centre of a pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picked {
-    /// The word of the language: `sphere` …
+    /// Name of the shape: `sphere` …
     pub shape: &'static str,
-    /// Distance in world space along the unit ray.
+    /// Distance from the camera, in world units.
     pub t: f64,
-    /// World space.
+    /// Point in world space.
     pub point: [f64; 3],
-    /// World space, unit length, as the surface has it (outward).
+    /// Outward normal in world space, length 1.
     pub normal: [f64; 3],
-    /// As `uv_mapping` sees it.
+    /// Surface coordinates, as `uv_mapping` uses them.
     pub uv: [f64; 2],
-    /// The text that put it there.
+    /// Text of the object.
     pub source: Span,
 }

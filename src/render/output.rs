@@ -1,26 +1,26 @@
-//! From the numbers of the scene to light (manual, "assumed_gamma", "Output_Alpha").
+//! Conversion from the numbers of the scene to linear light and alpha (manual, "assumed_gamma", "Output_Alpha").
 
-use super::grid::Pixel;
+use super::pixel_rows::Pixel;
 use crate::color::Gamma;
 use crate::color::transfer::srgb_decode;
 use crate::color::{Rgb, gray};
 use crate::math::fp;
 
-/// Linear light and alpha of a pixel.
+/// Returns linear red, green, blue and alpha of a pixel.
 pub(super) fn light(pixel: &Pixel, gamma: Gamma, keep_alpha: bool) -> [f32; 4] {
-    let [r, g, b, passed] = pixel.map(f64::from);
-    // (`max` also turns what is not a number into black.)
+    let [r, g, b, transparency] = pixel.map(f64::from);
+    // (`max` also turns NaN into black.)
     let mut rgb = Rgb::new(r.max(0.0), g.max(0.0), b.max(0.0));
     let mut alpha = 1.0;
     if keep_alpha {
-        // A highlight on clear glass is light that covers what is behind it.
-        alpha = (1.0 - passed).max(gray(rgb)).clamp(0.0, 1.0);
+        // A highlight on clear glass covers the background.
+        alpha = (1.0 - transparency).max(gray(rgb)).clamp(0.0, 1.0);
         rgb = if alpha > 0.0 { rgb / alpha } else { Rgb::ZERO };
     }
     let decode = |x: f64| match gamma {
         Gamma::Power(1.0) => x,
         Gamma::Power(g) => fp::pow(x, g),
-        // No gamma at all: a file with the usual curve must show the number itself.
+        // Without gamma, a file with the sRGB curve must show the number itself.
         Gamma::Srgb | Gamma::Raw => srgb_decode(x),
     };
     [decode(rgb.x) as f32, decode(rgb.y) as f32, decode(rgb.z) as f32, alpha as f32]

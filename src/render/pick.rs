@@ -1,10 +1,10 @@
-//! What is seen through a pixel, told rather than drawn.
+//! `durer pick`: the first hit through a pixel.
 
 use super::{Options, Picked};
 use crate::math::Range;
 use crate::world::World;
 
-/// The nearest thing through the centre of pixel (x, y) counted from the top left.
+/// Returns the closest visible hit through the centre of pixel (x, y), counted from the top left; `None` where nothing is hit.
 pub fn pick(world: &World, options: &Options, x: usize, y: usize) -> Option<Picked> {
     let ray = world.eye.view(options.width, options.height).ray(x as f64 + 0.5, y as f64 + 0.5)?;
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };

@@ -1,14 +1,24 @@
-//! What is computed before the picture, and is then only read.
+//! Preparation of a frame: what is computed before the picture and only read while it is rendered.
 //!
-//! Photons and radiosity belong here: each an ordered map ([`Workers::map`]) whose results go into the [`Setup`], so that no ray of
-//! the picture can change them and none depends on who was first.
+//! Photon maps and radiosity belong here: each is an ordered map ([`Workers::map`]) whose result becomes a part of the
+//! [`FrameContext`], so that no ray of the picture can change it.
 
-use super::trace::Setup;
+use super::sampler::FrameCamera;
 use super::workers::Workers;
 use super::{Cancelled, Options};
+use crate::transport::{CameraOrigin, FrameContext, Quality};
 use crate::world::World;
 
-/// All that the rays of a picture share.
-pub(super) fn prepare<'w>(world: &'w World, options: &Options, workers: &Workers) -> Result<Setup<'w>, Cancelled> {
-    if workers.watch.cancelled() { Err(Cancelled) } else { Ok(Setup::new(world, options)) }
+/// Computes what all rays of a frame share.
+pub(super) fn prepare<'w>(
+    world: &'w World,
+    camera: &FrameCamera,
+    options: &Options,
+    workers: &Workers,
+) -> Result<FrameContext<'w>, Cancelled> {
+    if workers.watch.cancelled() {
+        return Err(Cancelled);
+    }
+    let origin = CameraOrigin { origin: camera.view.origin(), reach: camera.view.reach() };
+    Ok(FrameContext::new(world, Quality::new(options.quality), origin, options.frame, options.alpha))
 }

@@ -1,27 +1,26 @@
-//! Work for many threads: the only file that knows rayon. Results come back in the order of the jobs, so nothing ever
-//! depends on who did what.
+//! Parallel work: the only file of this module that uses rayon. Results are in the order of the jobs, whatever thread did them.
 
 use super::{Cancelled, Watch};
 use rayon::prelude::*;
 
-/// Objects that are inside each other 5000 deep, as many as are read, need 17 MB of stack. Only what is used costs memory.
+/// Stack of each thread in bytes. Solids that are nested 5000 deep, which is the parser's limit, need 17 MB; unused stack costs no memory.
 const STACK: usize = 32 << 20;
 
-/// The threads, and who waits for them.
+/// A pool of threads.
 pub(super) struct Workers<'a> {
     pool: Option<rayon::ThreadPool>,
     pub watch: &'a dyn Watch,
 }
 
 impl<'a> Workers<'a> {
-    /// So many threads; 0: one for each processor.
+    /// A pool of `threads` threads; 0 for one a processor.
     pub fn new(threads: usize, watch: &'a dyn Watch) -> Self {
         let builder = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK);
-        // A system that gives no threads still gets its picture.
+        // Without threads the work is done on the caller's.
         Self { pool: builder.build().ok(), watch }
     }
 
-    /// What `work` makes of each job, in the order of the jobs; `beside` is done meanwhile.
+    /// Returns the results of `work` for all jobs, in order, and the result of `beside`, which runs at the same time.
     pub fn map<J: Sync, T: Send, B: Send>(
         &self,
         jobs: &[J],
@@ -49,7 +48,7 @@ mod tests {
     use crate::render::Unwatched;
 
     #[test]
-    fn results_of_any_kind_stand_in_the_order_of_the_jobs() {
+    fn results_are_in_the_order_of_the_jobs() {
         let jobs: Vec<u64> = (0..1000).collect();
         for threads in [1, 2, 7] {
             let workers = Workers::new(threads, &Unwatched);
@@ -60,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn one_that_is_cancelled_ends_all() {
+    fn a_cancelled_job_cancels_all() {
         let workers = Workers::new(2, &Unwatched);
         let (all, ()) = workers.map(&[1, 2, 3], |job| if *job == 2 { Err(Cancelled) } else { Ok(()) }, || ());
         assert_eq!(all, Err(Cancelled));

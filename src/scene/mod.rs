@@ -13,7 +13,7 @@ pub use object::{
     Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, Uncommon, is_object, read_camera,
 };
 pub use settings::Settings;
-pub use surface::{Painted, read_layers, read_material};
+pub use surface::{Material, Painted, read_layers, read_material};
 pub use weight::Weight;
 
 use crate::atmosphere::{Background, Fog, Rainbow, SkySphere};

@@ -3,8 +3,9 @@
 use super::Defaults;
 use crate::diagnostic::Result;
 use crate::math::Transform;
-use crate::texture::{Interior, Material, Texture};
-use crate::value::{Next, Reader, ReaderExt};
+use crate::medium::Interior;
+use crate::texture::Texture;
+use crate::value::{Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use std::sync::{Arc, LazyLock};
 
@@ -70,6 +71,23 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
 /// No layers yet.
 fn nothing() -> Arc<Texture> {
     Arc::new(Texture { layers: vec![] })
+}
+
+/// A texture, an inner texture and an interior (manual, "Material").
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Material {
+    /// Texture of the outside.
+    pub texture: Option<Arc<Texture>>,
+    /// Texture seen from inside.
+    pub interior_texture: Option<Arc<Texture>>,
+    /// What fills the object.
+    pub interior: Option<Arc<Interior>>,
+}
+
+impl Thing for Material {
+    fn kind(&self) -> &'static str {
+        "material"
+    }
 }
 
 /// Reads what stands between the braces of a `material` of something that is filled so far with `interior`.

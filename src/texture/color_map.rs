@@ -5,7 +5,7 @@ use super::doubts::tell_falling;
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
-use crate::pattern::Near;
+use crate::function::LocalBounds;
 use crate::value::{FloatOrColor, Next, Reader, ReaderExt};
 
 /// Colours at numbers.
@@ -21,15 +21,18 @@ impl ColorMap {
     }
 
     /// What is known of the components (red, green, blue, filter, transmit) where the numbers are known to be so.
-    pub fn near(&self, near: Near) -> [Near; 5] {
+    pub fn bounds_near(&self, near: LocalBounds) -> [LocalBounds; 5] {
         let Interval { lo, hi } = near.range;
         let (first, last) = (self.at(lo).to_array(), self.at(hi).to_array());
-        let mut all =
-            [0, 1, 2, 3, 4].map(|i: usize| Near { range: Interval::new(first[i], last[i]), steepest: 0.0, ..near });
+        let mut all = [0, 1, 2, 3, 4].map(|i: usize| LocalBounds {
+            range: Interval::new(first[i], last[i]),
+            steepest: 0.0,
+            ..near
+        });
         for pair in self.entries.windows(2) {
             let [(a, from), (b, to)] = pair else { continue };
             if b < a {
-                return [Near::UNKNOWN; 5];
+                return [LocalBounds::UNKNOWN; 5];
             }
             if *b < lo || *a > hi {
                 continue;
@@ -41,7 +44,10 @@ impl ColorMap {
                 one.steepest = if from == to { one.steepest } else { one.steepest.max((to - from).abs() / (b - a)) };
             }
         }
-        all.map(|one| Near { steepest: if one.steepest == 0.0 { 0.0 } else { one.steepest * near.steepest }, ..one })
+        all.map(|one| LocalBounds {
+            steepest: if one.steepest == 0.0 { 0.0 } else { one.steepest * near.steepest },
+            ..one
+        })
     }
 
     /// Reads `{ [0.0 color …] [1.0 color …] }`, after the brace; also the old entries of two numbers and two colours, and a

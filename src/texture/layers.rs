@@ -3,7 +3,7 @@
 use super::blend::{self, Blend, Entry, Map};
 use super::pigment::read_uv_mapping;
 use super::words::{FINISH, TEXTURE};
-use super::{Finish, Interior, Normal, Pigment};
+use super::{Finish, Normal, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
 use crate::pattern::{CellPattern, Kind, MaterialMap, Pattern, Readable};
@@ -336,15 +336,4 @@ impl Entry for Texture {
     fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(r.thing::<Texture>()?.map(|texture| (*texture).clone()))
     }
-}
-
-/// A texture and what is inside it.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Material {
-    /// The outside.
-    pub texture: Option<Arc<Texture>>,
-    /// Seen from inside.
-    pub interior_texture: Option<Arc<Texture>>,
-    /// What fills it.
-    pub interior: Option<Arc<Interior>>,
 }

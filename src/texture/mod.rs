@@ -1,11 +1,10 @@
-//! What a surface looks like: pigment, finish, texture; what is behind it: interior.
+//! Appearance of a surface: pigment, normal, finish, layered textures.
 
 mod blend;
 mod color_map;
 mod doubts;
 mod finish;
 mod image_map;
-mod interior;
 mod layers;
 mod normal;
 mod normal_program;
@@ -19,8 +18,7 @@ pub use color_map::ColorMap;
 pub use doubts::tell_bytes;
 pub use finish::{Finish, Irid, Reflection, Uncommon};
 pub use image_map::ImageMap;
-pub use interior::Interior;
-pub use layers::{Choice, Layer, Material, Texture};
+pub use layers::{Choice, Layer, Texture};
 pub use normal::{Normal, Relief, Slope, SlopeMap};
 pub use normal_program::NormalProgram;
 pub use pigment::{Paint, Pigment};
@@ -34,7 +32,7 @@ macro_rules! things {
     })* };
 }
 
-things! { Finish "finish" Interior "interior" ColorMap "color_map" Pigment "pigment" Texture "texture" Material "material"
+things! { Finish "finish" ColorMap "color_map" Pigment "pigment" Texture "texture"
 Normal "normal" SlopeMap "slope_map" PigmentMap "pigment_map" NormalMap "normal_map" TextureMap "texture_map" }
 
 /// Pigments at numbers.

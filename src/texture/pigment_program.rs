@@ -2,7 +2,8 @@
 
 use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
 use crate::color::{Color, gray};
-use crate::pattern::{Bright, Kind, Near, Pattern, PatternProgram, TextureContext};
+use crate::function::LocalBounds;
+use crate::pattern::{Kind, Pattern, PatternProgram, PigmentBrightness, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -71,16 +72,18 @@ impl PigmentProgram {
     }
 
     /// What is known of [`Self::number_at`] no farther from a point than a radius.
-    pub fn near(&self, ctx: &TextureContext, radius: f64) -> Near {
-        self.nodes.last().map_or(Near::UNKNOWN, |node| node.pattern.near(ctx, radius))
+    pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
+        self.nodes.last().map_or(LocalBounds::UNKNOWN, |node| node.pattern.bounds_near(ctx, radius))
     }
 
     /// The same of what [`Self::at`] gives: red, green, blue, filter, transmit.
-    pub fn colors_near(&self, ctx: &TextureContext, radius: f64) -> [Near; 5] {
+    pub fn colors_near(&self, ctx: &TextureContext, radius: f64) -> [LocalBounds; 5] {
         match self.nodes.last() {
-            Some(PigmentNode { shows: Shows::Solid(color), .. }) => color.to_array().map(Near::same),
-            Some(PigmentNode { shows: Shows::Colors(map), pattern }) => map.near(pattern.near(ctx, radius)),
-            _ => [Near::UNKNOWN; 5],
+            Some(PigmentNode { shows: Shows::Solid(color), .. }) => color.to_array().map(LocalBounds::constant),
+            Some(PigmentNode { shows: Shows::Colors(map), pattern }) => {
+                map.bounds_near(pattern.bounds_near(ctx, radius))
+            }
+            _ => [LocalBounds::UNKNOWN; 5],
         }
     }
 
@@ -119,7 +122,7 @@ impl Brightness {
     }
 }
 
-impl Bright for Brightness {
+impl PigmentBrightness for Brightness {
     fn brightness(&self, at: &TextureContext) -> f64 {
         // Where it has no colour it is dark, though its colour is a clear white there (measured on POV-Ray 3.7).
         if self.pigment.is_nothing(at) { 0.0 } else { gray(self.pigment.at(at).rgb) }

@@ -1,8 +1,7 @@
-//! The words of `pigment`, `finish`, `texture` and `interior`: what the readers obey and the manual lists.
+//! The words of `pigment`, `finish` and `texture`: what the readers obey and the manual lists.
 
 use super::finish::{Finish, Irid, Reflection};
 use super::image_map::Clearness;
-use super::interior::{Interior, read_samples};
 use super::normal::Normal;
 use super::pigment::Pigment;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers};
@@ -221,42 +220,4 @@ pub const REFLECTION: Vocabulary = Vocabulary {
     moves: false,
     idle: &[],
     not_drawn: &[],
-};
-
-/// How [`INTERIOR`]'s words are read.
-pub(super) const INTERIOR_ROWS: &[Row<Interior>] = &[
-    word("ior", Float, "1", "how much light is bent that enters: 1.33 is water, 1.5 glass, 2.4 diamond").sets(
-        |s, r| {
-            s.has_ior = true;
-            set(&mut s.ior, r.float())
-        },
-    ),
-    word(
-        "dispersion",
-        Float,
-        "1",
-        "the ratio of violet's index of refraction to red's: 1.01 to 1.1 shows the colours of a prism",
-    )
-    .sets(|s, r| set(&mut s.dispersion, r.float())),
-    word("dispersion_samples", Float, "7", "into how many colours light splits, 2 or more")
-        .sets(|s, r| set(&mut s.dispersion_samples, read_samples(r))),
-    word("fade_distance", Float, "0", "how far light goes until it has lost half; 0 if it loses nothing")
-        .sets(|s, r| set(&mut s.fade_distance, r.float())),
-    word("fade_power", Float, "0", "how fast light fades; 1 to 2 is usual, from 1000 on it fades exponentially")
-        .sets(|s, r| set(&mut s.fade_power, r.float())),
-    word("fade_color", Color, "0", "what is left of light that has gone far")
-        .sets(|s, r| set(&mut s.fade_color, r.color().map(|c| c.rgb))),
-    word("fade_colour", Color, "", "the same").sets(|s, r| set(&mut s.fade_color, r.color().map(|c| c.rgb))),
-    word("caustics", Float, "0", "makes shadows bright where light falls straight in; larger is narrower")
-        .sets(|s, r| set(&mut s.caustics, r.float())),
-];
-
-/// `interior { … }`
-pub const INTERIOR: Vocabulary = Vocabulary {
-    block: "interior",
-    summary: "what fills a shape",
-    words: specs!(INTERIOR_ROWS),
-    moves: false,
-    idle: &["refraction"],
-    not_drawn: &["media"],
 };

@@ -166,8 +166,8 @@ impl Intersection<'_> {
         self.leaf.inverse
     }
 
-    /// Was it turned inside out, but not the textures of its sides?
-    pub fn keeps_sides(&self) -> bool {
+    /// True if the shape was inverted but its textures keep their sides (quirk: `quadric_keeps_sides`).
+    pub fn keeps_texture_sides(&self) -> bool {
         self.leaf.inverse && self.leaf.shape.quirks().keeps_texture_sides
     }
 

@@ -74,8 +74,10 @@ pub struct Layer {
 /// A lowered finish.
 #[derive(Clone, Debug, Serialize)]
 pub struct LoweredFinish {
-    /// Light without a light: `ambient` times the scene's `ambient_light`, and `emission`.
-    pub glow: Rgb,
+    /// `ambient` times the scene's `ambient_light`: a constant in place of indirect light.
+    pub ambient: Rgb,
+    /// `emission`: light that the surface sends in any case.
+    pub emission: Rgb,
     /// Scattered on the side of the light.
     pub diffuse: f64,
     /// Scattered on the other side.
@@ -219,7 +221,8 @@ impl LoweredFinish {
         let [diffuse, diffuse_back, phong, specular] =
             [plain.diffuse, plain.diffuse_back, plain.phong, plain.specular].map(|amount| amount.max(0.0));
         Self {
-            glow: f.ambient * ambient_light + f.emission,
+            ambient: f.ambient * ambient_light,
+            emission: f.emission,
             diffuse,
             diffuse_back,
             brilliance: f.brilliance,

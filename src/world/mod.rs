@@ -29,8 +29,8 @@ use crate::color::Rgb;
 use crate::light::LoweredLight;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
+use crate::medium::Interior;
 use crate::source::Span;
-use crate::texture::Interior;
 use serde::Serialize;
 use std::sync::Arc;
 

@@ -75,7 +75,7 @@ impl Sky {
             radiance: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
             transmittance: color.passing(),
         };
-        colors.fold(Segment::NONE, |above, color| above.before(veil(color))).before(behind)
+        colors.fold(Segment::NONE, |above, color| above.in_front_of(veil(color))).in_front_of(behind)
     }
 
     /// As before 3.7: each by its share; what transmittance them all takes the colour of all at once (measured on POV-Ray 3.7 with
@@ -88,7 +88,8 @@ impl Sky {
             share *= color.filter + color.transmit;
             (transmit, filter, tint) = (transmit * color.transmit, filter * color.filter, tint * color.rgb);
         }
-        Segment { radiance: self.emission * light, transmittance: Rgb::splat(transmit) + filter * tint }.before(behind)
+        Segment { radiance: self.emission * light, transmittance: Rgb::splat(transmit) + filter * tint }
+            .in_front_of(behind)
     }
 }
 

@@ -10,34 +10,35 @@ const LAYERS: &[(&str, u32)] = &[
     ("diagnostic", 1),
     ("color", 1),
     ("quirks", 1),
-    ("font", 2),
     ("image_io", 2),
     ("mesh_io", 2),
+    ("font", 2),
     ("syntax", 2),
     ("value", 3),
+    ("snapshot", 3),
+    ("format", 3),
     ("function", 4),
+    ("light", 4),
     ("shape", 5),
     ("pattern", 5),
     ("texture", 6),
-    ("light", 6),
-    ("media", 6),
+    ("medium", 7),
     ("atmosphere", 7),
     ("camera", 7),
     ("scene", 8),
     ("world", 9),
     ("interpreter", 10),
-    ("render", 10),
-    ("snapshot", 11),
-    ("advice", 11),
-    ("cli", 13),
-    ("lsp", 12),
-    ("format", 11),
-    ("reference", 11),
-    ("preview", 12),
+    ("transport", 10),
+    ("render", 11),
+    ("advice", 12),
+    ("reference", 12),
+    ("lsp", 14),
+    ("preview", 14),
+    ("cli", 15),
 ];
 
-/// What `lib.rs` itself offers stands above all layers but the front ends.
-const ROOT: u32 = 11;
+/// Layer of what `lib.rs` itself offers: only front ends may use it.
+const ROOT: u32 = 13;
 
 /// Words that only some files may hold, as paths below `src/` begin.
 const RESERVED: &[(&str, &[&str])] = &[

@@ -299,7 +299,7 @@ fn fonts_of_the_system_are_found_by_their_families() {
     let scratch = Scratch::new();
     std::fs::create_dir_all(scratch.path().join("fonts/deep")).unwrap();
     // A font that calls itself otherwise: durer brings Roboto along.
-    let mut font = std::fs::read("scenes/gallery/Roboto-Regular.ttf").unwrap();
+    let mut font = include_bytes!("../../scenes/gallery/Roboto-Regular.ttf").to_vec();
     let [from, to] =
         ["Roboto", "Durero"].map(|name| name.encode_utf16().flat_map(u16::to_be_bytes).collect::<Vec<_>>());
     for at in 0..font.len() - from.len() {

@@ -5,9 +5,10 @@ use durer::atmosphere::Background;
 use durer::color::Gamma;
 use durer::color::{Color, Rgb};
 use durer::math::DVec3;
+use durer::medium::Interior;
 use durer::render::Options;
 use durer::scene::Scene;
-use durer::texture::{Finish, Interior, Pigment, Reflection};
+use durer::texture::{Finish, Pigment, Reflection};
 
 /// A wall at z = 0, seen straight on.
 fn wall(color: Color, finish: Finish, others: Vec<durer::scene::Object>) -> Scene {

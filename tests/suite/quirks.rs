@@ -1,7 +1,5 @@
 //! The table of POV-Ray's quirks (`src/quirks/`): every row is cited where it is obeyed and proven by POV-Ray's own numbers.
 
-#![allow(clippy::unwrap_used)]
-
 use durer::quirks::{Quirk, Status, TOPICS};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

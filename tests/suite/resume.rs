@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-/// It takes a second or two.
+/// A scene that takes half a second for a small picture.
 const SCENE: &str = "#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at 0 }
@@ -86,17 +86,17 @@ fn kill_and_resume(words: &str, short: usize) {
 
 #[test]
 fn a_still() {
-    kill_and_resume("--size 140x105 --aa 0.1 -o a.png", 4);
+    kill_and_resume("--size 100x75 --aa 0.1 -o a.png", 4);
 }
 
 #[test]
 fn a_region_by_povrays_second_method() {
-    kill_and_resume("--size 160x120 --aa 0.1 --aa-method corners --region 30,20,100,80 -o a.exr", 2);
+    kill_and_resume("--size 120x90 --aa 0.1 --aa-method corners --region 30,20,75,60 -o a.exr", 2);
 }
 
 #[test]
 fn an_animation() {
-    kill_and_resume("--size 70x52 --aa 0.1 --frames 1-4 -o a.png", 3);
+    kill_and_resume("--size 52x39 --aa 0.1 --frames 1-4 -o a.png", 3);
 }
 
 #[test]
@@ -128,7 +128,7 @@ fn what_is_stale_or_damaged_is_told_and_not_used() {
 fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
     let scratch = Scratch::new();
     std::fs::create_dir(scratch.at("out")).unwrap();
-    let mut durer = scratch.durer("--size 600x450 --aa 0.1 -o out/a.png").spawn().unwrap();
+    let mut durer = scratch.durer("--size 300x225 --aa 0.1 --threads 1 -o out/a.png").spawn().unwrap();
     std::thread::sleep(Duration::from_millis(300));
     std::fs::rename(scratch.at("out"), scratch.at("away")).unwrap();
     let out = {
@@ -136,9 +136,11 @@ fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
         durer.wait_with_output().unwrap()
     };
     assert_eq!(out.status.code(), Some(5), "{}", err(&out));
-    assert!(err(&out).contains("out/a.png` can't be written") && err(&out).contains("the unfinished picture is stored"));
+    assert!(
+        err(&out).contains("out/a.png` can't be written") && err(&out).contains("the unfinished picture is stored")
+    );
     std::fs::rename(scratch.at("away"), scratch.at("out")).unwrap();
-    let again = scratch.run("--size 600x450 --aa 0.1 -o out/a.png --resume --stats json");
+    let again = scratch.run("--size 300x225 --aa 0.1 -o out/a.png --resume --stats json");
     assert!(again.status.success(), "{}", err(&again));
     let stats: serde_json::Value = serde_json::from_slice(&again.stdout).unwrap();
     assert_eq!(stats["rays"]["camera"], 0);

@@ -5,11 +5,12 @@ use durer::color::{Color, Rgb};
 use durer::image_io::Frame;
 use durer::light::Light;
 use durer::math::{DVec3, Transform};
-use durer::render::{Options, Rays, Unwatched, render};
+use durer::medium::Interior;
+use durer::render::{Options, RayCounts, Unwatched, render};
 use durer::scene::{CsgOp, Defaults, Object, ObjectKind, Painted, Scene};
 use durer::shape::{Cuboid, Disc, Plane, Shape, Sphere};
 use durer::source::Span;
-use durer::texture::{Finish, Interior, Layer, Pigment, Texture};
+use durer::texture::{Finish, Layer, Pigment, Texture};
 use durer::world::lower;
 use std::sync::Arc;
 
@@ -119,7 +120,7 @@ pub fn scene(eye: DVec3, dir: DVec3, objects: Vec<Object>) -> Scene {
     Scene { version: 370, camera, objects, ..Scene::default() }
 }
 
-pub fn draw(scene: &Scene, options: &Options) -> (Frame, Rays) {
+pub fn draw(scene: &Scene, options: &Options) -> (Frame, RayCounts) {
     render(&lower(scene).unwrap(), options, &Unwatched).unwrap()
 }
 

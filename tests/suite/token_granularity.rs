@@ -175,7 +175,7 @@ fn povrays_scenes() {
     let files = gather(Path::new("/usr/share/doc/povray/examples"));
     let spread: Vec<PathBuf> =
         (0..STRIDE).flat_map(|first| files.iter().skip(first).step_by(STRIDE).cloned()).collect();
-    let time = if all { LONG } else { Duration::from_secs(8) };
+    let time = if all { LONG } else { Duration::from_secs(4) };
     let count = compare_all(&spread, if all { 10_000_000 } else { MANY }, time);
     println!("{count} of {} compared", files.len());
 }

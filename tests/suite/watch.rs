@@ -4,7 +4,7 @@ use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Child, ChildStderr, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -296,5 +296,5 @@ fn without_a_page_the_file_is_written_again() {
     watch.line("waiting for the next change");
     let blue = image::open(watch.at("out.png")).unwrap().to_rgba8();
     assert!(blue != red && blue == watch.rendered(""));
-    assert!(!Path::new("out.png.unfinished").exists());
+    assert!(!watch.at("out.png.unfinished").exists());
 }

@@ -7,7 +7,7 @@ pub mod finished_frames;
 pub mod identity;
 
 use super::console::Console;
-use crate::render::{Region, Tile};
+use crate::render::{FINAL_PASS, Region, Tile};
 use identity::Work;
 use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
@@ -74,7 +74,7 @@ const CHUNK: usize = 1 << 16;
 pub struct Journal {
     path: PathBuf,
     /// Offsets in `old_file` of the pixels of finished tiles, by pass and corner.
-    known: HashMap<(bool, usize, usize), (Region, u64)>,
+    known: HashMap<(u8, usize, usize), (Region, u64)>,
     /// The journal that is continued.
     old_file: Option<Mutex<File>>,
     /// Moment from which tiles are written.
@@ -114,8 +114,8 @@ impl Journal {
             return Err(reason);
         }
         let (mut known, mut end) = (HashMap::new(), header.len() as u64);
-        while let Some((second, tile, length)) = record(&mut reader)? {
-            known.insert((second, tile.x, tile.y), (tile, end + HEAD as u64));
+        while let Some((pass, tile, length)) = record(&mut reader)? {
+            known.insert((pass, tile.x, tile.y), (tile, end + HEAD as u64));
             end += length as u64;
         }
         drop(reader);
@@ -130,7 +130,7 @@ impl Journal {
 
     /// Returns the pixels of a tile that was finished by an earlier run.
     pub fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
-        let (area, at) = self.known.get(&(tile.second, tile.area.x, tile.area.y))?;
+        let (area, at) = self.known.get(&(tile.pass, tile.area.x, tile.area.y))?;
         if *area != tile.area {
             return None;
         }
@@ -201,7 +201,7 @@ impl State {
 
 fn append(out: &mut Vec<u8>, tile: Tile, pixels: &[[f32; 4]]) {
     let start = out.len();
-    out.push(tile.second.into());
+    out.push(tile.pass);
     let Region { x, y, width, height } = tile.area;
     [x, y, width, height].iter().for_each(|&n| out.extend((n as u64).to_le_bytes()));
     pixels.as_flattened().iter().for_each(|x| out.extend(x.to_le_bytes()));
@@ -210,7 +210,7 @@ fn append(out: &mut Vec<u8>, tile: Tile, pixels: &[[f32; 4]]) {
 }
 
 /// Reads pass, tile and length in bytes of the next record; `None` at the end, and if the record is cut off.
-fn record(from: &mut impl Read) -> Result<Option<(bool, Region, usize)>, String> {
+fn record(from: &mut impl Read) -> Result<Option<(u8, Region, usize)>, String> {
     let mut bytes = vec![0; HEAD];
     if from.read_exact(&mut bytes).is_err() {
         return Ok(None);
@@ -218,7 +218,7 @@ fn record(from: &mut impl Read) -> Result<Option<(bool, Region, usize)>, String>
     let mut numbers = bytes[1..].as_chunks::<8>().0.iter().map(|&number| u64::from_le_bytes(number) as usize);
     let [x, y, width, height] = [(); 4].map(|()| numbers.next().unwrap_or(0));
     let damaged = || Err("it is damaged".to_string());
-    if width.saturating_mul(height) > MAX_PIXELS || bytes[0] > 1 {
+    if width.saturating_mul(height) > MAX_PIXELS || bytes[0] > FINAL_PASS {
         return damaged();
     }
     bytes.resize(HEAD + width * height * 16 + SUM, 0);
@@ -229,7 +229,7 @@ fn record(from: &mut impl Read) -> Result<Option<(bool, Region, usize)>, String>
     if crc32fast::hash(content).to_le_bytes() != sum {
         return damaged();
     }
-    Ok(Some((bytes[0] == 1, Region { x, y, width, height }, bytes.len())))
+    Ok(Some((bytes[0], Region { x, y, width, height }, bytes.len())))
 }
 
 #[cfg(test)]
@@ -247,7 +247,7 @@ mod tests {
     }
 
     fn tile(x: usize) -> Tile {
-        Tile { second: x % 2 == 1, area: Region { x, y: 3, width: 2, height: 1 } }
+        Tile { pass: (x % 2) as u8, area: Region { x, y: 3, width: 2, height: 1 } }
     }
 
     fn pixels(x: usize) -> Vec<[f32; 4]> {

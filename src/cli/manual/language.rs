@@ -1,7 +1,7 @@
 //! Pages about blocks and their words.
 
 use super::{code, kind, list, section, table, word_table};
-use crate::pattern::{CellPattern, FieldPattern, Modifiers, Turbulent, Warp, bitmap};
+use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
 use crate::syntax::word::contextual;
 use crate::value::Spec;
 use crate::value::words::TRANSFORMS;
@@ -117,7 +117,7 @@ pub(super) fn colors() -> String {
 pub(super) fn pigments() -> String {
     let modifiers = word_table(Modifiers::WORDS, &[])
         + "And what stirs the point that the pattern is asked about:\n\n"
-        + &word_table(Turbulent::WORDS, &[]);
+        + &word_table(TurbulenceParams::WORDS, &[]);
     let warps = Warp::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let cells = CellPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
     let fields = FieldPattern::SPECS.iter().map(|spec| pattern_section(spec)).collect::<String>();
@@ -164,7 +164,8 @@ fn pattern_section(spec: &Spec) -> String {
 }
 
 pub(super) fn finishes() -> String {
-    use texture::words::{FINISH, INTERIOR, IRID, NORMAL, REFLECTION, TEXTURE};
+    use crate::medium::INTERIOR;
+    use texture::words::{FINISH, IRID, NORMAL, REFLECTION, TEXTURE};
     let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &IRID, &INTERIOR];
     blocks.map(|block| section(block, block.block, &[])).concat()
 }

@@ -1,7 +1,7 @@
 //! Index of all words of the language, with the blocks that take them.
 
 use super::{code, list, table};
-use crate::pattern::{Modifiers, Turbulent, bitmap};
+use crate::pattern::{Modifiers, TurbulenceParams, bitmap};
 use crate::reference::{BLOCKS, Block, ELSEWHERE, FAMILIES};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
 use crate::value::words::TRANSFORMS;
@@ -74,7 +74,7 @@ fn families(index: &mut Index) {
     add_words(index, bitmap::CHANNELS, "[`image_pattern`, `bump_map`](pigments.md#what-counts-of-a-pixel)");
     bitmap::FORMATS.iter().for_each(|word| add(index, word, "[pictures](pigments.md#pictures), without effect"));
     add_words(index, Modifiers::WORDS, "[patterns](pigments.md)");
-    add_words(index, Turbulent::WORDS, "[patterns](pigments.md)");
+    add_words(index, TurbulenceParams::WORDS, "[patterns](pigments.md)");
     add_words(index, TRANSFORMS, "[transforms](objects.md#transforms)");
 }
 

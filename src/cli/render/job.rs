@@ -17,7 +17,7 @@ use crate::cli::journal::{self, Journal};
 use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{ParsedFiles, Timing};
-use crate::render::Rays;
+use crate::render::RayCounts;
 use crate::source::{FileId, ReadFiles, Sources};
 use crate::world::World;
 use crate::{Built, Keep, advice};
@@ -47,7 +47,7 @@ pub struct Job<'a> {
 
 /// A picture that was written to its file.
 struct Rendered {
-    rays: Rays,
+    rays: RayCounts,
     is_black: bool,
     trace_time: Duration,
     encode_time: Duration,

@@ -8,7 +8,7 @@ use crate::cli::journal::Journal;
 use crate::cli::render::progress::Progress;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::{Frame, Rows};
-use crate::render::{self, Rays, Stopped, Tile, Watch};
+use crate::render::{self, RayCounts, Stopped, Tile, Watch};
 use crate::source::Span;
 use crate::world::World;
 use std::sync::Arc;
@@ -35,11 +35,11 @@ impl Watch for Monitor {
         interrupt::is_requested() || self.is_late() || self.is_stopped()
     }
 
-    fn recall(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
+    fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
         self.journal.as_ref()?.load_tile(tile)
     }
 
-    fn keep(&self, tile: Tile, pixels: &[[f32; 4]]) {
+    fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {
         if let Some(journal) = &self.journal {
             journal.store_tile(tile, pixels);
         }
@@ -53,7 +53,7 @@ impl Monitor {
     }
 
     /// Renders a World into rows, unless the rendering is stopped.
-    pub fn render_rows(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<Rays> {
+    pub fn render_rows(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<RayCounts> {
         if self.cancelled() {
             return Err(self.reason());
         }

@@ -5,7 +5,7 @@ use crate::cli::console::Console;
 use crate::cli::exit::Result;
 use crate::cli::memory;
 use crate::diagnostic::file;
-use crate::render::{self, Rays};
+use crate::render::{self, RayCounts};
 use crate::source::{Disk, Files};
 use serde::Serialize;
 use std::time::Duration;
@@ -14,7 +14,7 @@ use std::time::Duration;
 #[derive(Serialize, Debug)]
 pub struct Report {
     times: Times,
-    rays: Rays,
+    rays: RayCounts,
     /// Largest memory of the process so far, in bytes; null if the system does not report it.
     peak_memory: Option<u64>,
     threads: usize,
@@ -38,7 +38,7 @@ struct Times {
 
 impl Report {
     /// `times` are those of parsing, building, tracing, encoding, and all together.
-    pub fn new(times: [Duration; 5], rays: Rays, options: &render::Options) -> Self {
+    pub fn new(times: [Duration; 5], rays: RayCounts, options: &render::Options) -> Self {
         let [parse, build, trace, encode, total] = times.map(|t| t.as_secs_f64());
         let processors = || std::thread::available_parallelism().map_or(1, usize::from);
         Self {

@@ -12,7 +12,7 @@ use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Rows;
 use crate::preview::{self, Change, FileWatcher, Message, PageState, Screen, Settings, TextPosition};
-use crate::render::{self, Rays, Region, Stopped};
+use crate::render::{self, RayCounts, Region, Stopped};
 use crate::source::{Sources, Span};
 use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -33,7 +33,7 @@ pub struct RenderLoop {
 
 /// Measurements of one picture.
 struct Rendered {
-    rays: Rays,
+    rays: RayCounts,
     /// Duration of the first coarse level.
     first: Duration,
     /// Duration of the following levels.

@@ -103,7 +103,7 @@ fn noise_near_a_point_is_as_is_said() {
         let mut bent = 0;
         for k in 0..20_000 {
             let (p, radius) = (vector(50.0), 0.5f64.powi(k % 12));
-            let near = callee.near(&[p.x, p.y, p.z, number], radius)[0];
+            let near = callee.bounds_near(&[p.x, p.y, p.z, number], radius)[0];
             bent += usize::from(near.about != DVec3::ZERO);
             let [a, b] = [(); 2].map(|()| p + vector(1.0).normalize() * radius * vector(1.0).x);
             let (fa, fb) = (at(a), at(b));

@@ -1,9 +1,9 @@
 //! Functions made of a pigment, a pattern or a transform.
 
-use crate::function::{self, Gives, Sampler};
+use crate::function::{Gives, LocalBounds, Sampler};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
-use crate::pattern::{Near, TextureContext};
+use crate::pattern::TextureContext;
 use crate::texture::PigmentProgram;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -14,10 +14,6 @@ pub(super) type SceneNoise = Arc<AtomicU8>;
 fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
     let generator = NoiseGenerator::from_number(f64::from(noise.load(Ordering::Relaxed)));
     TextureContext::free(DVec3::new(p[0], p[1], p[2]), generator)
-}
-
-fn known(Near { range, steepest, rough }: Near) -> function::Near {
-    function::Near { range, steepest, rough, ..function::Near::UNKNOWN }
 }
 
 /// `function { pigment { … } }`
@@ -37,8 +33,8 @@ impl Sampler for PigmentSampler {
         self.0.at(&ctx(p, &self.1)).to_array()
     }
 
-    fn near(&self, p: &[f64], radius: f64) -> [function::Near; 5] {
-        self.0.colors_near(&ctx(p, &self.1), radius).map(known)
+    fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
+        self.0.colors_near(&ctx(p, &self.1), radius)
     }
 }
 
@@ -63,8 +59,8 @@ impl Sampler for PatternSampler {
         if component == 0 { self.0.number_at(&ctx(p, &self.1)) } else { 0.0 }
     }
 
-    fn near(&self, p: &[f64], radius: f64) -> [function::Near; 5] {
-        [known(self.0.near(&ctx(p, &self.1), radius)); 5]
+    fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
+        [self.0.bounds_near(&ctx(p, &self.1), radius); 5]
     }
 }
 

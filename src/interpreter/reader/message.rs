@@ -6,6 +6,7 @@ use super::super::{Interpreter, reporter::hints};
 use crate::camera::words::{LECTURE, POVRAY};
 use crate::diagnostic::{Diagnostic, Remedy, Result, codes, did_you_mean};
 use crate::light::words::LIGHT;
+use crate::medium::INTERIOR;
 use crate::scene::is_object;
 use crate::scene::words::{MODIFIERS, SETTINGS};
 use crate::shape::SPECS;
@@ -13,7 +14,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::fault;
 use crate::syntax::word::lookup;
-use crate::texture::words::{FINISH, INTERIOR, NORMAL, PIGMENT, TEXTURE};
+use crate::texture::words::{FINISH, NORMAL, PIGMENT, TEXTURE};
 use crate::value::words::TRANSFORMS;
 use crate::value::{Kind, Next, Reader};
 

@@ -1,5 +1,5 @@
-//! Which pixels of a picture a point shows: `map_type`, `once`, `interpolate` (manual, "Bitmap Modifiers"; details measured
-//! on POV-Ray 3.7).
+//! Maps points to pixels of a picture: `map_type`, `once`, `interpolate` (manual, "Bitmap Modifiers"; quirk:
+//! `image_pixel_centres`).
 
 use crate::math::{DVec3, fp};
 use crate::pattern::EDGE;
@@ -7,14 +7,14 @@ use serde::Serialize;
 use smallvec::{SmallVec, smallvec};
 use std::f64::consts::{PI, TAU};
 
-/// How a picture lies in space and between its pixels.
+/// Projection of a picture and interpolation between its pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Mapping {
-    /// How it is wrapped around.
+    /// Projection from points to the picture.
     pub wrap: Wrap,
-    /// It is there once, not again and again.
+    /// True if the picture is not repeated.
     pub once: bool,
-    /// What is between the pixels.
+    /// Interpolation between pixels.
     pub between: Between,
 }
 
@@ -37,22 +37,22 @@ pub enum Wrap {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Between {
-    /// Steps.
+    /// The pixel that contains the point.
     #[default]
     Nearest,
-    /// 2: straight lines.
+    /// 2: linear in both directions.
     Bilinear,
-    /// 3: curves through 16 pixels.
+    /// 3: cubic curves through 16 pixels.
     Bicubic,
-    /// 4: by the distance to four pixels.
+    /// 4: weighted by the distance to four pixels.
     Distance,
 }
 
-/// Numbers of pixels, row by row from the top, and how much each counts.
+/// Pixel numbers, row by row from the top, each with its weight.
 pub type Weighted = SmallVec<[(usize, f64); 4]>;
 
 impl Wrap {
-    /// From the number behind `map_type`; those that do not exist are flat.
+    /// From the number after `map_type`; unknown numbers give the planar projection.
     pub fn from_number(n: f64) -> Self {
         match n as i64 {
             1 => Self::Spherical,
@@ -64,7 +64,7 @@ impl Wrap {
 }
 
 impl Between {
-    /// From the number behind `interpolate`.
+    /// From the number after `interpolate`.
     pub fn from_number(n: f64) -> Option<Self> {
         Some(match n as i64 {
             0 => Self::Nearest,
@@ -77,7 +77,8 @@ impl Between {
 }
 
 impl Mapping {
-    /// Where a point lies on the picture: (0, 0) is its lower left corner, (1, 1) the upper right one. `None` outside of it.
+    /// Position of a point on the picture: (0, 0) is the lower left corner, (1, 1) the upper right one. `None` outside
+    /// the picture.
     pub fn place(&self, p: DVec3) -> Option<(f64, f64)> {
         let around = || fp::turn(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
@@ -102,11 +103,11 @@ impl Mapping {
         }
     }
 
-    /// The pixels of a picture of this size that a place shows.
+    /// The weighted pixels at a position, for a picture of this size.
     pub fn pixels(&self, (u, v): (f64, f64), width: usize, height: usize) -> Weighted {
         let (w, h) = (width as f64, height as f64);
         let size = Size { width, height, once: self.once };
-        // Pixel centres lie at halves, counted from the top left corner.
+        // Pixel centres are at half numbers, counted from the top left corner.
         let (a, b) = (u * w - 0.5, (1.0 - v) * h - 0.5);
         let (i, j) = (a.floor(), b.floor());
         let (s, t) = (a - i, b - j);
@@ -123,7 +124,7 @@ impl Mapping {
                 grid(i - 1, j - 1, &row(s), &row(t), size)
             }
             Between::Distance => {
-                // Counted from the left and from below; level with centres, the four are those and the next.
+                // Lower left of the four pixels; a point level with the centres takes those and the next.
                 let (left, above) = ((a + EDGE).floor(), (b - EDGE).ceil() - 1.0);
                 by_distance(left as i64, above as i64, a - left, b - above, size)
             }
@@ -131,7 +132,7 @@ impl Mapping {
     }
 }
 
-/// Of a picture, and whether what lies past its edges is the edge, or the other side.
+/// Size of a picture, and whether pixels beyond an edge repeat the edge or continue at the opposite side.
 #[derive(Clone, Copy)]
 struct Size {
     width: usize,
@@ -149,7 +150,7 @@ impl Size {
     }
 }
 
-/// The pixels of a grid whose first is (i, j), with the products of these weights.
+/// The pixels of a grid that begins at (i, j), each with the product of its column's and row's weight.
 fn grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (y, t) in (j..).zip(rows) {
@@ -160,12 +161,12 @@ fn grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
     out
 }
 
-/// The weight of a pixel at a distance below 2 (Catmull and Rom, A class of local interpolating splines, 1974).
+/// Weight of a pixel at a distance below 2 (Catmull and Rom, A class of local interpolating splines, 1974).
 fn catmull_rom(d: f64) -> f64 {
     if d < 1.0 { 1.0 - 2.5 * d * d + 1.5 * d * d * d } else { 2.0 - 4.0 * d + 2.5 * d * d - 0.5 * d * d * d }
 }
 
-/// Four pixels by one over the squares of their distances.
+/// Four pixels, weighted by the inverse squares of their distances.
 fn by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {

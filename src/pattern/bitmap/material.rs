@@ -8,14 +8,14 @@ use crate::pattern::{Cells, Readable};
 use crate::value::{Kind, Next, Param, Reader, Spec};
 use serde::Serialize;
 
-/// A picture whose pixels are numbers.
+/// A picture whose palette indices choose textures.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MaterialMap {
     /// Its pixels.
     pub texels: Texels,
-    /// Where it lies.
+    /// Projection of the picture.
     pub mapping: Mapping,
-    /// How many textures there are; numbers go round.
+    /// Number of textures; larger indices wrap around.
     pub count: usize,
 }
 
@@ -27,7 +27,7 @@ impl Readable for MaterialMap {
         words: &[],
     };
 
-    /// Up to the first texture; the block stays open.
+    /// Reads up to the first texture; the block stays open.
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut bitmap = Bitmap::read(r)?;
         loop {
@@ -52,7 +52,7 @@ impl Cells for MaterialMap {
     fn cell(&self, p: DVec3) -> usize {
         let Some(place) = self.mapping.place(p) else { return 0 };
         let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
-        // Of a picture without palette, red counts.
+        // In a picture without a palette, red is the index.
         let number = |i| self.texels.index(i).map_or_else(|| self.texels.rgba(i)[0] * 255.0, f64::from);
         let number: f64 = pixels.iter().map(|(i, weight)| weight * number(*i)).sum();
         number.max(0.0) as usize % self.count.max(1)

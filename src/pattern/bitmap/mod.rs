@@ -33,35 +33,35 @@ const ROWS: &[Row<Bitmap>] = &[
         .sets(|s, r| set(&mut s.mapping.between, read_between(r))),
 ];
 
-/// The words of all of them, behind the file's name.
+/// The keywords of all of them, after the file's name.
 pub const WORDS: &[WordSpec] = specs!(ROWS);
 
-/// Their names.
+/// Names of [`WORDS`].
 pub fn word_names() -> impl Iterator<Item = &'static str> {
     WORDS.iter().map(|w| w.name)
 }
 
-/// The names of file formats, which change nothing: the bytes tell.
+/// Names of file formats. They are accepted and ignored: the bytes of the file decide.
 pub const FORMATS: &[&str] =
     &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
 
-/// Those that POV-Ray 3.7 refuses in pictures too, and why.
+/// Formats that POV-Ray 3.7 rejects for pictures too, with the reason.
 const NO_PICTURES: &[(&str, &str)] = &[
     ("pot", "only a `height_field` takes a pot file; the picture in it can be read by `gif`"),
     ("sys", "`sys` is a format of the system where POV-Ray runs, and there is none; save the picture as a png"),
     ("iff", "iff pictures are not read, as they are not by POV-Ray 3.7; save the picture as a png"),
 ];
 
-/// A picture with what is said of it in the words of all kinds.
+/// A picture with the settings that all kinds of bitmaps share.
 #[derive(Clone, Debug)]
 pub struct Bitmap {
-    /// Its file, or what a function made.
+    /// The picture of the file or of the function.
     pub picture: Arc<Picture>,
     /// `gamma`
     pub gamma: Option<Gamma>,
     /// `premultiplied`
     pub premultiplied: bool,
-    /// Where it lies.
+    /// Projection of the picture.
     pub mapping: Mapping,
 }
 
@@ -88,7 +88,7 @@ impl Bitmap {
         Ok(Self { picture, gamma: None, premultiplied: false, mapping: Mapping::default() })
     }
 
-    /// Reads one of [`WORDS`], which comes next; false if it is none.
+    /// Reads the next word if it is one of [`WORDS`]; false if not.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -96,7 +96,7 @@ impl Bitmap {
         read_row(ROWS, self, next, r)
     }
 
-    /// Its pixels as colours of the scene.
+    /// The pixels as colours of the scene.
     pub fn colors(&self, r: &dyn Reader) -> Texels {
         let language = r.language();
         let scene = language.assumed_gamma.unwrap_or(language.other_gamma);
@@ -104,7 +104,7 @@ impl Bitmap {
         Texels::new(self.picture.clone(), curve, self.premultiplied)
     }
 
-    /// Its pixels as numbers, which are what the file holds unless `gamma` is said.
+    /// The pixels as numbers, exactly as the file stores them unless `gamma` is given.
     pub fn numbers(&self) -> Texels {
         let curve = color_curve(Stored::Plain, self.gamma, Gamma::Power(1.0), false);
         Texels::new(self.picture.clone(), curve, self.premultiplied)
@@ -125,8 +125,7 @@ fn read_between(r: &mut dyn Reader) -> Result<Between> {
     })
 }
 
-/// `function W, H { … }`: a picture of W by H points from (0, 0), on top, to (1, 1), whose channels and alpha are kept in
-/// 16 bits each.
+/// `function W, H { … }`: a picture of W by H samples from (0, 0), at the top, to (1, 1), with 16 bits per channel.
 fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let at = r.span();
     let Some(([width, height], thing)) = r.sized_function()? else {
@@ -140,11 +139,11 @@ fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let color = function.gives() == Gives::Color;
     let step = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
     let points = (0..height).flat_map(|j| (0..width).map(move |i| DVec3::new(step(i, width), step(j, height), 0.0)));
-    // All its room at once: a list that grows would take twice as much.
+    // Reserve all memory at once: a growing list would need twice as much.
     let mut samples = Vec::with_capacity(width * height * 4);
     samples.extend(points.flat_map(|p| {
         let c = function.call(&p.to_array());
-        // A number is a gray; what a colour lets through unfiltered is not there.
+        // A number is a gray; alpha is 1 minus `transmit`.
         let [r, g, b] = if color { [c[0], c[1], c[2]] } else { [c[0]; 3] }.map(|x| x as f32);
         let alpha = if color { 1.0 - c[4] as f32 } else { 1.0 };
         [r, g, b, alpha].map(|x| f32::from(wrapped(x)) / 65535.0)

@@ -4,7 +4,7 @@ use super::{Bitmap, Mapping, Texels, word_names};
 use crate::color::{Rgb, gray};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
-use crate::pattern::{Field, Readable, TextureContext, Words};
+use crate::pattern::{Field, FieldParams, Readable, TextureContext};
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
@@ -14,23 +14,23 @@ use serde::Serialize;
 pub struct ImagePattern {
     /// Its pixels.
     pub texels: Texels,
-    /// Where it lies.
+    /// Projection of the picture.
     pub mapping: Mapping,
-    /// What counts of a pixel.
+    /// The channel that gives the number.
     pub channel: Channel,
-    /// `bump_map`: bumps come from neighbouring pixels.
+    /// True for `bump_map`: bumps come from neighbouring pixels.
     pub bumps: bool,
 }
 
-/// What counts of a pixel.
+/// The channel of a pixel that gives the number.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
-    /// Its brightness.
+    /// Brightness.
     Gray,
     /// `use_alpha`: 1 - alpha.
     Alpha,
-    /// `use_index`: its number in the palette.
+    /// `use_index`: the index in the palette.
     Index,
 }
 
@@ -44,7 +44,7 @@ const CHANNEL_ROWS: &[Row<Channel>] = &[
         .sets(|s, _| set(s, Ok(Channel::Index))),
 ];
 
-/// What says which channel counts, in `image_pattern` and `bump_map`.
+/// The words that choose the channel, in `image_pattern` and `bump_map`.
 pub const CHANNELS: &[WordSpec] = specs!(CHANNEL_ROWS);
 
 impl Readable for ImagePattern {
@@ -58,14 +58,14 @@ impl Readable for ImagePattern {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let out = Self::read_words(r, "image_pattern", &mut |_, _| Ok(false))?;
         r.leave()?;
-        // Of an `image_pattern`, the palette's numbers do not count (measured on POV-Ray 3.7).
+        // quirk: image_pattern_ignores_index
         let channel = if out.channel == Channel::Index { Channel::Gray } else { out.channel };
         Ok(Self { channel, ..out })
     }
 }
 
 impl ImagePattern {
-    /// Reads what stands between the braces of `block`, which takes other words too.
+    /// Reads the contents of the braces of `block`, which takes other words too.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -98,7 +98,7 @@ impl ImagePattern {
         Ok(Self { texels, mapping: bitmap.mapping, channel, bumps: false })
     }
 
-    /// What counts of a pixel.
+    /// The number of a pixel in a channel.
     fn number(&self, i: usize, channel: Channel) -> f64 {
         let [r, g, b, a] = self.texels.rgba(i);
         match channel {
@@ -110,12 +110,12 @@ impl ImagePattern {
 }
 
 impl ImagePattern {
-    /// The number at a place of the picture.
+    /// The interpolated number at a position on the picture.
     fn number_at(&self, place: (f64, f64)) -> f64 {
         let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
         let sum = |channel| pixels.iter().map(|(i, weight)| weight * self.number(*i, channel)).sum::<f64>();
         match self.channel {
-            // Between the numbers of a palette there are no others (measured on POV-Ray 3.7).
+            // quirk: palette_index_truncated
             Channel::Index => sum(Channel::Index).trunc(),
             channel => sum(channel),
         }
@@ -131,18 +131,19 @@ impl Field for ImagePattern {
         self.mapping.place(at.p).map_or(0.0, |place| self.number_at(place).clamp(0.0, 1.0))
     }
 
-    fn bumped(&self, at: &TextureContext, _: &Words, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         if !self.bumps {
             return None;
         }
         let Some((u, v)) = self.mapping.place(at.p) else { return Some(n) };
-        // The slant of a triangle of three pixels: this one and those below it, to the right and to the left (measured on
-        // POV-Ray 3.7).
+        // The slope of the triangle of three pixels: this one, the one below and the one to the right or left (quirk:
+        // bump_map_three_pixels).
         let (across, up) = (1.0 / self.texels.width() as f64, 1.0 / self.texels.height() as f64);
-        // Past an edge comes the other side, also of a picture that is there `once`.
+        // Past an edge the picture continues at its opposite side, also with `once`.
         let height = |du: f64, dv: f64| self.number_at((fp::fraction(u + du), fp::fraction(v + dv)));
         let (here, right, left) = (height(0.0, 0.0), height(across, -up), height(-across, -up));
-        // The picture's directions, laid into the surface; those of one that is level to 1e-10 are x and z (measured on POV-Ray 3.7).
+        // The picture's directions in the surface; for a surface level to 1e-10 these are x and z (quirk:
+        // bump_map_three_pixels).
         let x = n.cross(DVec3::Y);
         let x = if x.length() < 1e-10 { DVec3::X } else { x.normalize() };
         let y = x.cross(n).normalize_or_zero();

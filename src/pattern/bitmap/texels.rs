@@ -5,13 +5,13 @@ use crate::image_io::{Picture, Samples, Stored, kept_gray, spread};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A picture's pixels, decoded when they are asked for.
+/// A picture's pixels, decoded when they are read.
 #[derive(Clone, Debug)]
 pub struct Texels {
     picture: Arc<Picture>,
-    /// What stands for each number of a channel of colour; empty for floating-point numbers.
+    /// Decoded value of each stored integer of a colour channel; empty for floating-point pictures.
     curve: Arc<[f32]>,
-    /// Colours are to be divided by alpha.
+    /// True if colours have to be divided by alpha.
     premultiplied: bool,
 }
 
@@ -28,7 +28,7 @@ impl Serialize for Texels {
 }
 
 impl Texels {
-    /// A picture whose numbers go through `curve`, which takes numbers in [0, 1].
+    /// A picture whose numbers are decoded by `curve`, which takes numbers in [0, 1].
     pub fn new(picture: Arc<Picture>, curve: impl Fn(f64) -> f64, premultiplied: bool) -> Self {
         let number = |part: f64| curve(part) as f32;
         let kept = |part: f64| if picture.gray_bytes { kept_gray(number(part)) } else { number(part) };
@@ -41,22 +41,22 @@ impl Texels {
         Self { picture, curve, premultiplied }
     }
 
-    /// In pixels.
+    /// Width in pixels.
     pub fn width(&self) -> usize {
         self.picture.pixels.width
     }
 
-    /// In pixels.
+    /// Height in pixels.
     pub fn height(&self) -> usize {
         self.picture.pixels.height
     }
 
-    /// Does the file store alpha, or a palette, which may hold it?
+    /// True if the file stores alpha, or a palette, which may have alpha.
     pub fn has_alpha(&self) -> bool {
         matches!(self.picture.pixels.channels, 2 | 4)
     }
 
-    /// The number of a pixel's colour in the file's palette.
+    /// Palette index of a pixel.
     pub fn index(&self, i: usize) -> Option<u8> {
         self.picture.indices.as_ref().and_then(|indices| indices.get(i).copied())
     }
@@ -75,9 +75,9 @@ impl Texels {
     }
 }
 
-/// From a file's numbers to those of a scene, whose colours relate to light by `scene`. `decodes` tells whether files that
-/// say nothing follow the sRGB curve. Without any `assumed_gamma` before 3.7, numbers stay what they are (measured on POV-Ray
-/// 3.7).
+/// Curve from a file's numbers to those of a scene, whose colours relate to light by `scene`. `decodes` is true if
+/// files without gamma information follow the sRGB curve. In scenes before version 3.7 without `assumed_gamma`, numbers
+/// stay unchanged (quirk: `no_gamma_before_3_7`).
 pub fn color_curve(stored: Stored, said: Option<Gamma>, scene: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
     let file = match (said, stored) {
         (Some(gamma), _) => Some(gamma),
@@ -104,7 +104,7 @@ mod tests {
             let texels = Texels::new(Arc::new(picture.clone()), curve, false);
             (0..256).map(|i| (texels.rgba(i)[0] * 255.0).round() as usize).collect::<Vec<_>>()
         };
-        // 84 of the 256 lose one although nothing is done to them, as in POV-Ray
+        // 84 of the 256 numbers become one less although nothing is done to them, as in POV-Ray.
         let linear = bytes(|v| v);
         assert_eq!(linear.iter().enumerate().filter(|&(i, byte)| byte + 1 == i).count(), 84);
         assert_eq!([linear[0], linear[253], linear[255]], [0, 253, 255]);

@@ -10,7 +10,7 @@ pub const H: f64 = 0.866_025_403_784_438_6;
 /// The cells' shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cells {
-    /// Two in each place of the grid: the first points up, the second down.
+    /// Two in each position of the grid: the first points up, the second down.
     Triangles,
     /// The first from (0, 0) to (1, 1).
     Squares,
@@ -18,7 +18,7 @@ pub enum Cells {
     Hexagons,
 }
 
-/// A cell: the grid's steps along its axes, and which of the cells in that place.
+/// A cell: steps along the grid's axes, and the number of the cell at that position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
     /// Steps along the first axis.
@@ -29,19 +29,19 @@ pub struct Cell {
     pub kind: usize,
 }
 
-/// Seen from each edge of a triangle that points up, a square, a hexagon: the steps to the cell behind it.
+/// The steps to the neighbour across each edge, for a triangle that points up, a square, a hexagon.
 const BEHIND_UP: &[(i64, i64)] = &[(0, -1), (0, 0), (-1, 0)];
 const BEHIND_DOWN: &[(i64, i64)] = &[(0, 0), (1, 0), (0, 1)];
 const BEHIND_SQUARE: &[(i64, i64)] = &[(0, -1), (1, 0), (0, 1), (-1, 0)];
 const BEHIND_HEXAGON: &[(i64, i64)] = &[(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
 
 impl Cells {
-    /// The cells with so many sides.
+    /// The grid of cells with this number of sides.
     pub fn with_sides(sides: f64) -> Option<Self> {
         [Self::Triangles, Self::Squares, Self::Hexagons].into_iter().find(|cells| cells.sides() as f64 == sides)
     }
 
-    /// How many sides they have.
+    /// Number of sides of a cell.
     pub fn sides(self) -> usize {
         match self {
             Self::Triangles => 3,
@@ -50,7 +50,7 @@ impl Cells {
         }
     }
 
-    /// The rows of numbers of tiles, each with those of its variants.
+    /// The tables of plans by number of cells in a tile, then by variant.
     pub fn plans(self) -> &'static [&'static [&'static str]] {
         match self {
             Self::Triangles => plans::TRIANGLES,
@@ -59,7 +59,7 @@ impl Cells {
         }
     }
 
-    /// From the middle to a corner.
+    /// Distance from the centre to a corner.
     pub fn radius(self) -> f64 {
         match self {
             Self::Triangles => 0.5 / H,
@@ -68,17 +68,17 @@ impl Cells {
         }
     }
 
-    /// How far the bevel reaches into a cell.
+    /// Width of the bevel.
     pub fn depth(self) -> f64 {
         if self == Self::Squares { 0.5 } else { H / 3.0 }
     }
 
-    /// How many cells lie in each place of the grid.
+    /// Number of cells at each position of the grid.
     fn kinds(self) -> usize {
         if self == Self::Triangles { 2 } else { 1 }
     }
 
-    /// The directions of the corners, seen from the middle.
+    /// Directions of the corners from the centre.
     pub fn corners(self) -> Vec<Vec<DVec2>> {
         let first: &[f64] = match self {
             Self::Triangles => &[210.0, 150.0],
@@ -93,7 +93,7 @@ impl Cells {
         first.iter().map(|&first| (0..n).map(|k| corner(first, k)).collect()).collect()
     }
 
-    /// The cell of a point, and where the point lies, seen from the cell's middle.
+    /// The cell of a point, and the point relative to the cell's centre.
     pub fn locate(self, p: DVec2) -> (Cell, DVec2) {
         let cell = |i: f64, j: f64, kind| Cell { i: i as i64, j: j as i64, kind };
         match self {
@@ -111,7 +111,7 @@ impl Cells {
                 (cell(i, j, kind), p - corner - middle)
             }
             Self::Hexagons => {
-                // the nearest middle, found by rounding a, b and -a-b and mending what was rounded most
+                // The nearest centre: round a, b and -a-b and correct the one with the largest rounding error.
                 let a = (p.x - 1.0) / 1.5;
                 let b = p.y / (2.0 * H) - a / 2.0;
                 let c = -a - b;
@@ -127,7 +127,7 @@ impl Cells {
         }
     }
 
-    /// The cell behind an edge.
+    /// The neighbour across an edge.
     fn behind(self, cell: Cell, edge: usize) -> Cell {
         let steps = match (self, cell.kind) {
             (Self::Triangles, 0) => BEHIND_UP,
@@ -140,7 +140,7 @@ impl Cells {
         Cell { i: cell.i + i, j: cell.j + j, kind }
     }
 
-    /// Which edge of the cell behind is this edge of the cell?
+    /// The number of an edge in the cell on its other side.
     fn same_edge(self, cell: Cell, edge: usize) -> usize {
         match (self, cell.kind) {
             (Self::Triangles, 0) => (edge + 2) % 3,
@@ -150,35 +150,35 @@ impl Cells {
     }
 }
 
-/// What meets at a corner of a cell.
+/// The edges that meet at a corner of a cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Corner {
-    /// Is the edge before it (against the clock) a joint?
+    /// True if the edge before the corner (against the clock) is a joint.
     pub before: bool,
-    /// Is the edge after it a joint?
+    /// True if the edge after the corner is a joint.
     pub after: bool,
-    /// The edges of other cells that are joints: the first behind the edge after it, …
+    /// True if other edges at the corner are joints: the first one beyond the edge after the corner, …
     pub first: bool,
-    /// … the last behind the edge before it, …
+    /// … the last one, next to the edge before the corner, …
     pub last: bool,
     /// … and any.
     pub any: bool,
 }
 
-/// Which edges of the grid are joints.
+/// The edges of the grid that are joints.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     cells: Cells,
-    /// Steps after which it repeats: a along the first axis; b along the first and c along the second.
+    /// The period of the plan: a along the first axis; b along the first and c along the second.
     steps: [i64; 3],
-    /// For each cell that the steps do not repeat, the bits of its edges.
+    /// For each cell of a period, a bit for each edge that is a joint.
     joints: Vec<u8>,
-    /// The same cells' corners.
+    /// The corners of the same cells.
     corners: Vec<Vec<Corner>>,
 }
 
 impl Plan {
-    /// From a row of `plans.rs`.
+    /// Parses a row of `plans.rs`.
     pub fn new(cells: Cells, row: &str) -> Self {
         let mut words = row.split(' ');
         let mut number = || words.next().and_then(|word| word.parse().ok()).unwrap_or(1);
@@ -198,7 +198,7 @@ impl Plan {
     fn index(&self, cell: Cell) -> usize {
         let [a, b, c] = self.steps;
         let (up, j) = (cell.j.div_euclid(c), cell.j.rem_euclid(c));
-        // no step overflows, wherever the cell is
+        // no step overflows, for any cell
         let i = (cell.i.rem_euclid(a) - up.rem_euclid(a) * b).rem_euclid(a);
         (j * a + i) as usize * self.cells.kinds() + cell.kind
     }
@@ -209,7 +209,7 @@ impl Plan {
 
     fn corner(&self, cell: Cell, k: usize) -> Corner {
         let n = self.cells.sides();
-        // around the corner, from behind the edge after it to behind the edge before it
+        // around the corner, from the edge after it to the edge before it
         let (mut there, mut edge) = (cell, k);
         let mut others = vec![];
         for _ in 0..2 * n / (n - 2) - 2 {

@@ -1,5 +1,5 @@
-//! `pavement`: tiles of several triangles, squares or hexagons that pave the xz plane, with a bevel that leads to the joints (manual,
-//! "Pavement Pattern"; what it leaves open was measured on POV-Ray 3.7).
+//! `pavement`: tiles of several triangles, squares or hexagons that pave the xz plane, with bevels at the joints
+//! (manual, "Pavement Pattern"; quirk: `pavement_plans`).
 //!
 //! ```pov
 //! plane { y, 0.1 pigment { pavement number_of_sides 4 number_of_tiles 5 pattern 7 exterior 2 interior 1 form 2
@@ -23,10 +23,10 @@ use std::sync::Arc;
 /// Numbers from 0 in the middle of tiles to 1 at the joints.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pavement {
-    /// What the author said.
+    /// The parameters as written.
     #[serde(flatten)]
     pub said: PavementWords,
-    /// What this makes.
+    /// The plan of these parameters.
     #[serde(skip)]
     laid: Arc<Laid>,
 }
@@ -36,19 +36,19 @@ pub struct Pavement {
 pub struct PavementWords {
     /// 3, 4 or 6.
     pub number_of_sides: f64,
-    /// How many cells make a tile.
+    /// Number of cells in a tile.
     pub number_of_tiles: f64,
-    /// Which of the tiles that can be made of so many.
+    /// Variant among the tiles of this number of cells.
     pub pattern: f64,
-    /// How joints turn at tips.
+    /// Shape of joints at tips.
     pub exterior: f64,
-    /// How joints turn at notches.
+    /// Shape of joints at notches.
     pub interior: f64,
-    /// How joints turn at corners that are neither.
+    /// Shape of joints at all other corners.
     pub form: f64,
 }
 
-/// How a joint turns.
+/// Shape of a joint at a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Look {
     /// With a corner.
@@ -57,23 +57,23 @@ enum Look {
     Cut,
     /// In an arc.
     Round,
-    /// `form` of squares: as `exterior` and `interior` say.
+    /// `form` of squares: as `exterior` and `interior`.
     AsOthers,
 }
 
 impl Look {
-    /// POV-Ray keeps eight bits of the number, and counts around.
+    /// From the number in the scene. POV-Ray keeps eight bits of it, and wraps around.
     fn numbered(n: f64, looks: u8) -> Self {
         [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % looks)]
     }
 }
 
-/// A plan, and what else is known of all its cells.
+/// A plan with the directions of its corners.
 #[derive(Clone, Debug, PartialEq)]
 struct Laid {
     cells: Cells,
     plan: Plan,
-    /// The directions of corners, seen from the middle of each kind of cell.
+    /// Directions of the corners from the centre, for each kind of cell.
     corners: Vec<Vec<DVec2>>,
     exterior: Look,
     interior: Look,
@@ -130,7 +130,8 @@ impl PavementWords {
         .sets(|s, r| set(&mut s.form, r.float())),
     ];
 
-    /// Reads on while words of its own follow: they depend on each other in any order, so none is checked before the last.
+    /// Reads the remaining words of the pattern: they depend on each other in any order, so they are checked after the
+    /// last.
     fn continued(mut self, r: &mut dyn Reader) -> Result<Pavement> {
         let at = r.span();
         loop {
@@ -171,24 +172,24 @@ impl Pavement {
     }
 }
 
-/// The n-th; they count from 1.
+/// The n-th entry, counted from 1.
 fn pick<T: Copy>(all: &[T], n: f64) -> Option<T> {
     (n >= 1.0).then(|| all.get(n as usize - 1).copied()).flatten()
 }
 
-/// A point near a corner of its cell, on this side of all other corners.
+/// A point relative to the nearest corner of its cell.
 #[derive(Clone, Copy, Debug)]
-struct Near {
-    /// From the corner towards the middle.
+struct NearCorner {
+    /// Distance from the corner towards the centre.
     along: f64,
-    /// From the line between them, towards the edge after the corner (against the clock).
+    /// Distance from the line between corner and centre, towards the edge after the corner (against the clock).
     across: f64,
-    /// To the middle.
+    /// Distance to the centre.
     to_middle: f64,
 }
 
-impl Near {
-    /// To the corner.
+impl NearCorner {
+    /// Distance to the corner.
     fn to_corner(self) -> f64 {
         fp::hypot(self.along, self.across)
     }
@@ -200,7 +201,7 @@ impl Laid {
         let directions = &self.corners[cell.kind];
         let k = nearest(directions, place);
         let direction = directions[k];
-        let near = Near {
+        let near = NearCorner {
             along: self.cells.radius() - place.dot(direction),
             across: direction.perp_dot(place),
             to_middle: place.length(),
@@ -217,8 +218,8 @@ impl Laid {
         value.clamp(0.0, 1.0)
     }
 
-    /// The bevel's heights at the joints before and after the corner, 0 where there is none.
-    fn bevels(&self, corner: Corner, near: Near) -> [f64; 2] {
+    /// Heights of the bevels of the joints before and after the corner; 0 without a joint.
+    fn bevels(&self, corner: Corner, near: NearCorner) -> [f64; 2] {
         let (sin, cos) = match self.cells {
             Cells::Triangles => (0.5, H),
             Cells::Squares => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
@@ -231,8 +232,8 @@ impl Laid {
         [height(corner.before, -near.across), height(corner.after, near.across)]
     }
 
-    /// A tip of a triangle or square, with two joints.
-    fn tip(&self, [before, after]: [f64; 2], near: Near, look: Look) -> f64 {
+    /// Height at the tip of a triangle or square, between two joints.
+    fn tip(&self, [before, after]: [f64; 2], near: NearCorner, look: Look) -> f64 {
         match look {
             Look::Cut => before + after,
             Look::Round => near.to_middle / self.cells.depth(),
@@ -240,11 +241,11 @@ impl Laid {
         }
     }
 
-    fn triangle(&self, corner: Corner, near: Near) -> f64 {
+    fn triangle(&self, corner: Corner, near: NearCorner) -> f64 {
         let bevels = self.bevels(corner, near);
         match (corner.before, corner.after) {
             (true, true) => self.tip(bevels, near, self.exterior),
-            // half of a corner of 120°, with the open edge in its middle
+            // half of a 120° corner, with the open edge in its middle
             (true, false) if corner.first => self.blunt(bevels, near.along * H + near.across / 2.0, near),
             (false, true) if corner.last => self.blunt(bevels, near.along * H - near.across / 2.0, near),
             (false, false) if corner.any => match self.interior {
@@ -256,9 +257,9 @@ impl Laid {
         }
     }
 
-    fn hexagon(&self, corner: Corner, near: Near) -> f64 {
+    fn hexagon(&self, corner: Corner, near: NearCorner) -> f64 {
         let bevels = self.bevels(corner, near);
-        // towards the edge that is no joint, if there is one
+        // towards the edge that is not a joint, if one is not
         let open = if corner.before { near.across } else { -near.across };
         match (corner.before, corner.after) {
             (true, true) => self.blunt(bevels, near.along, near),
@@ -269,12 +270,12 @@ impl Laid {
         }
     }
 
-    /// A corner of 120°, which looks like a hexagon's; the point lies so far along the line that halves it.
-    fn blunt(&self, [before, after]: [f64; 2], along: f64, near: Near) -> f64 {
+    /// Height at a 120° corner, which looks like a hexagon's; the point is `along` from the corner on its bisector.
+    fn blunt(&self, [before, after]: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
             Look::Cut => 2.0 - 4.0 * along,
             Look::Round => {
-                // the hexagon's middle is at 1 on that line
+                // the hexagon's centre is at distance 1 on the bisector
                 let from_corner = near.to_corner();
                 let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
                 1.0 - (H - from_middle) / self.cells.depth()
@@ -283,7 +284,7 @@ impl Laid {
         }
     }
 
-    fn square(&self, corner: Corner, near: Near, exterior: Look, interior: Look) -> f64 {
+    fn square(&self, corner: Corner, near: NearCorner, exterior: Look, interior: Look) -> f64 {
         let bevels = self.bevels(corner, near);
         match (corner.before, corner.after) {
             (true, true) => self.tip(bevels, near, exterior),
@@ -297,8 +298,9 @@ impl Laid {
         }
     }
 
-    /// A square where a tile turns, from a notch to the corner across. `along`: from the middle towards that corner.
-    fn square_that_turns(&self, corner: Corner, near: Near, along: f64) -> f64 {
+    /// Height in a square at which a tile turns, from a notch to the opposite corner. `along`: from the centre towards
+    /// that corner.
+    fn square_that_turns(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
         match self.form {
             Look::Pointed => self.square(corner, near, Look::Pointed, Look::Pointed),
             Look::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
@@ -313,7 +315,7 @@ impl Laid {
     }
 }
 
-/// The corner in whose direction the place lies.
+/// The corner nearest to the direction of a point.
 fn nearest(directions: &[DVec2], place: DVec2) -> usize {
     let mut best = (0, f64::NEG_INFINITY);
     for (k, direction) in directions.iter().enumerate() {
@@ -325,7 +327,7 @@ fn nearest(directions: &[DVec2], place: DVec2) -> usize {
     best.0
 }
 
-/// The corner between two joints that lies across from a notch.
+/// The corner between two joints that is opposite a notch.
 fn turn(corners: &[Corner]) -> Option<usize> {
     (0..4).find(|&k| {
         let across = corners[(k + 2) % 4];
@@ -345,7 +347,7 @@ mod tests {
     use crate::math::DVec3;
     use crate::pattern::extreme_points;
 
-    /// What POV-Ray 3.7 gives: sides, tiles, pattern, exterior, interior, form, x, z, number (in single precision).
+    /// POV-Ray 3.7's output: sides, tiles, pattern, exterior, interior, form, x, z, number (in single precision).
     const MEASURED: &str = include_str!("../../../tests/patterns/pavement.txt");
 
     #[test]

@@ -1,9 +1,10 @@
-//! Which tiles lie where in each `pavement`, as measured on POV-Ray 3.7.
+//! The tiles of each `pavement` (quirk: `pavement_plans`).
 //!
-//! A row `a b c digits` repeats after a steps along the first axis of the grid, and after b along the first and c along the second. Digits are the
-//! cells of the first c rows, a places each: bit k of a digit says that there is a joint at the cell's edge k. Edges are counted against the clock
-//! (seen with x to the right, z upwards) from where the grid's first corner lies. A place of the triangles' grid has one that points up and one that
-//! points down. Hexagons have two octal digits, edges 3 to 5 before 0 to 2.
+//! A row `a b c digits` repeats after a steps along the first axis of the grid, and after b along the first and c along
+//! the second. The digits describe the cells of the first c rows, with a positions each: bit k of a digit is set if the
+//! cell's edge k is a joint. Edges are counted against the clock (seen with x to the right, z upwards) from the grid's
+//! first corner. A position of the triangles' grid has one digit for the triangle that points up and one for the other.
+//! Hexagons have two octal digits, edges 3 to 5 before 0 to 2.
 
 /// Tiles of 1 to 6 triangles.
 pub const TRIANGLES: &[&[&str]] = &[

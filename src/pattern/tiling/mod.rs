@@ -1,7 +1,8 @@
-//! `tiling N`: 27 ways to tile the xz plane, each tile with a bevel that leads to the joints (manual, "Tiling Pattern").
+//! `tiling N`: 27 tilings of the xz plane, each tile with a bevel at the joints (manual, "Tiling Pattern").
 //!
 //! ```pov
-//! plane { y, 0.1 pigment { tiling 7 color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1, 0.2, 0.6>] [1 color rgb 1] } } }
+//! plane { y, 0.1 pigment { tiling 7 color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1,
+//! 0.2, 0.6>] [1 color rgb 1] } } }
 //! ```
 
 mod penrose;
@@ -20,39 +21,39 @@ use std::sync::Arc;
 /// √3 / 2, the height of a triangle whose sides are 1.
 const H: f64 = 0.866_025_403_784_438_6;
 
-/// What lies on the joint of two tiles is, in most tilings, of the one on this side of it (measured on POV-Ray 3.7): a box from -1 to 1
-/// shows nothing else.
+/// Offset that decides the tile of a point exactly on a joint, as on a face of a box from -1 to 1 (quirk:
+/// tiling_joints).
 const LEAN: DVec2 = DVec2::new(0.3e-9, 1e-9);
 
-/// How many tilings there are.
+/// Number of tilings.
 const TILINGS: f64 = 27.0;
 
-/// Tiles of `kinds` kinds: that of number i has numbers from i/kinds, at its middle, to (i + 1)/kinds at its edges.
+/// Tiles of several kinds: kind i of n has numbers from i/n, in its middle, to (i + 1)/n at its edges.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Tiling {
     /// 1 to 27.
     pub number: usize,
-    /// Where its tiles are.
+    /// The tiles.
     #[serde(skip)]
     tiles: Tiles,
 }
 
-/// Tiles with a period, and without one: the last three numbers.
+/// Periodic tilings, and the last three, which have no period.
 #[derive(Clone, Debug, PartialEq)]
 enum Tiles {
     Plan(Arc<Plan>),
     Penrose(Penrose),
 }
 
-/// A tiling of the plane that repeats.
+/// A periodic tiling of the plane.
 #[derive(Clone, Debug, PartialEq)]
 struct Plan {
-    /// It looks the same after a step by either of these.
+    /// The two periods.
     steps: [DVec2; 2],
     kinds: usize,
-    /// How far the bevel reaches into a tile.
+    /// Width of the bevel.
     depth: f64,
-    /// One of each that the steps do not make; once [`Self::spread`], all that reach into the cell between the steps.
+    /// The tiles of one period; after [`Self::spread`], all that reach into the parallelogram of the periods.
     tiles: Vec<Tile>,
 }
 
@@ -61,11 +62,11 @@ struct Plan {
 struct Tile {
     kind: usize,
     edges: Vec<Edge>,
-    /// The corners' least and greatest coordinates.
+    /// Bounding box of the corners.
     bounds: [DVec2; 2],
 }
 
-/// The line where a·p = b; the tile lies where a·p is smaller. Its length makes the bevel's depth 1.
+/// The line a·p = b; the tile is where a·p is smaller. The length of `a` makes the bevel's width 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Edge {
     a: DVec2,
@@ -89,7 +90,7 @@ impl Plan {
         self
     }
 
-    /// Copies the tiles to wherever they reach into the cell between the steps.
+    /// Copies the tiles to all positions that reach into the parallelogram of the periods.
     fn spread(mut self) -> Self {
         let [a, b] = self.steps;
         let [low, high] = bounds(&[DVec2::ZERO, a, b, a + b]);
@@ -108,7 +109,8 @@ impl Plan {
         self
     }
 
-    /// Adds a polygon with sides of length 1 around a point; one of its corners lies in the direction of `angle`.
+    /// Adds a regular polygon with sides of length 1 around a centre; one of its corners is in the direction of
+    /// `angle`.
     fn regular(self, kind: usize, corners: u32, center: DVec2, angle: f64) -> Self {
         let radius = 0.5 / fp::sin(std::f64::consts::PI / f64::from(corners));
         let corner = |i| center + radius * towards(angle + 360.0 * f64::from(i) / f64::from(corners));
@@ -202,7 +204,7 @@ impl Plan {
         })
     }
 
-    /// Squares in frames of four boards, mitred.
+    /// Squares in mitred frames of four boards.
     fn frames(kinds: usize, kind: [usize; 5]) -> Self {
         let s = FRAC_1_SQRT_2;
         let board = |corners: [(f64, f64); 4]| points(&corners.map(|(x, z)| (x * s, z * s)));
@@ -232,7 +234,7 @@ impl Plan {
         plan
     }
 
-    /// Hexagons with a ring of triangles each, turned one way or the other.
+    /// Hexagons with a ring of triangles each, in one of two orientations.
     fn snub(hand: f64, middle: DVec2) -> Self {
         // centres of triangles: x, and z in thirds of their height
         let at = |x: f64, thirds: f64| (middle.x + hand * x, middle.y + thirds * H / 3.0);
@@ -242,7 +244,7 @@ impl Plan {
             .triangles(1, false, &[at(-5.0, -10.0), at(-4.0, -4.0), at(-3.5, -1.0), at(-3.0, 2.0)])
     }
 
-    /// Pairs of squares and triangles in turns around each corner.
+    /// Alternating pairs of squares and triangles around each corner.
     fn snub_squares() -> Self {
         let half = (1.0 + 2.0 * H) / 2.0;
         let third = 1.0 / (2.0 * H);
@@ -261,7 +263,7 @@ impl Plan {
         let middle = DVec2::splat(apart / 2.0);
         let gap = DVec2::new(apart / 2.0, apart * H / 3.0);
         let mut plan = Self::new([(apart, 0.0), (apart / 2.0, apart * H)], 3, H / 3.0).regular(2, 12, middle, 15.0);
-        // Three of its sides have a deeper bevel, as was measured: the right, left and lower ones.
+        // Three of the sides have a deeper bevel: right, left and lower (quirk: tiling_bevels).
         for side in [11, 5, 8] {
             let edge = &mut plan.tiles[0].edges[side];
             (edge.a, edge.b) = (edge.a * H, edge.b * H);
@@ -284,10 +286,11 @@ impl Plan {
         })
     }
 
-    /// The kind of the tile at a point, and how far within its bevel the point lies: 0 at the edge, 1 at its end and beyond.
+    /// The kind of the tile at a point, and the point's position in its bevel: 0 at the edge, 1 at the bevel's end and
+    /// beyond.
     fn at(&self, p: DVec2) -> (usize, f64) {
         let [a, b] = self.steps;
-        // in steps along a and b; their whole parts are dropped
+        // in steps along a and b, without their whole parts
         let across = a.perp_dot(b);
         let (i, j) = ((p.perp_dot(b) / across).floor(), (a.perp_dot(p) / across).floor());
         let p = p - i * a - j * b + LEAN;
@@ -306,13 +309,13 @@ impl Plan {
 }
 
 impl Tile {
-    /// How far within the bevel the point lies; below 0 outside of the tile.
+    /// Position in the bevel; negative outside the tile.
     fn within(&self, p: DVec2) -> f64 {
         self.edges.iter().map(|edge| edge.b - edge.a.dot(p)).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// Length 1, at an angle in degrees from x towards z.
+/// Unit vector at an angle in degrees from x towards z.
 fn towards(angle: f64) -> DVec2 {
     let (sin, cos) = fp::sin_cos(angle.to_radians());
     DVec2::new(cos, sin)
@@ -379,7 +382,7 @@ mod tests {
             let tiling = Tiling::numbered(number);
             for p in extreme_points() {
                 let value = tiling.value(&TextureContext::free(p, Default::default()));
-                // (On a seam, it may be more.)
+                // (A seam may give a larger number.)
                 assert!(value.is_nan() || (0.0..=7.0 / 3.0).contains(&value), "{number} {p}: {value}");
             }
         }
@@ -387,7 +390,7 @@ mod tests {
 
     #[test]
     fn seams_are_povrays() {
-        // what POV-Ray 3.7 shows at <x, 0, z>
+        // POV-Ray 3.7's numbers at <x, 0, z>
         for (number, x, z, shown) in [
             (3, -8.0, -7.5, 0.5048),
             (3, -8.0, 3.5, 0.4689),
@@ -411,7 +414,7 @@ mod tests {
 
     #[test]
     fn joints_belong_to_one_side() {
-        // what POV-Ray 3.7 shows at x = 0, 1/2 … 5/2 and z = 0, 1/2, 1, 3/2, times 180
+        // POV-Ray 3.7's numbers at x = 0, 1/2 … 5/2 and z = 0, 1/2, 1, 3/2, times 180
         const SHOWN: [(usize, [u8; 24]); 6] = [
             (
                 5,

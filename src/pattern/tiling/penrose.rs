@@ -1,11 +1,11 @@
 //! `tiling` 25 to 27: Penrose's tilings of pentagons, of kites and darts, and of rhombs, which have no period.
 //!
-//! All three come from triangles with the golden ratio's proportions (R. M. Robinson; B. Grünbaum and G. C. Shephard, *Tilings and
-//! Patterns*, 1987, § 10.3): an acute one, with angles of 36°, 72°, 72°, and an obtuse one, with 108°, 36°, 36°. Each can be cut into
-//! smaller ones of both kinds. Ten acute ones around a point, cut again and again and made larger as often, tile the plane. A point
-//! is found from the outside inwards: it lies in one of the ten, then in one of its pieces, and so on, in as many steps as the
-//! logarithm of its distance. That POV-Ray 3.7 shows these very tilings, with the origin as their centre, was measured at random
-//! points, and so were size, direction and bevel.
+//! All three come from triangles with the golden ratio's proportions (R. M. Robinson; B. Grünbaum and G. C. Shephard,
+//! *Tilings and Patterns*, 1987, § 10.3): an acute one, with angles of 36°, 72°, 72°, and an obtuse one, with 108°,
+//! 36°, 36°. Each can be cut into smaller ones of both kinds. Ten acute ones around a point, cut repeatedly and
+//! enlarged as often, tile the plane. A point is located from the outside inwards: in one of the ten, then in one of
+//! its pieces, and so on, in a number of steps proportional to the logarithm of its distance. POV-Ray 3.7 shows these
+//! tilings with the origin as their centre (quirk: `penrose_bevels`, also for size, direction and bevel).
 
 use crate::math::{DVec2, fp};
 
@@ -32,15 +32,16 @@ const TOWARDS: [DVec2; 10] = [
     DVec2::new(C36, -S36),
 ];
 
-/// How deep the bevels of kites and darts reach; those of pentagons and rhombs.
+/// Width of the bevels of kites and darts; then that of pentagons and rhombs.
 const KITE_DEPTH: f64 = 1.0 / 4.46;
 const DEPTH: f64 = PHI / 5.55;
-/// How much more than the number before it that of a bevel's end is.
+/// Difference between the number at a bevel's end and the next kind's first number.
 const MARGIN: f64 = 1e-6;
 
-/// Between the centres of two pentagons with a common side of length 1; also from the centre of a star to its tips.
+/// Distance between the centres of two pentagons with a common side of length 1; also from the centre of a star to its
+/// tips.
 const APART: f64 = 1.376_381_920_471_173_5;
-/// The legs of the triangles that have the same piece of the tiling with pentagons each: `APART` φ².
+/// Legs of the triangles that contain the same piece of the tiling with pentagons: `APART` φ².
 const LEG: f64 = 3.603_414_649_294_386_6;
 
 /// A tiling.
@@ -54,7 +55,7 @@ pub enum Penrose {
     Rhombs,
 }
 
-/// A point in a triangle with corners A, where its equal legs meet, B and C: how much weight each corner has.
+/// A point in a triangle with corners A, where its equal legs meet, B and C, as barycentric weights.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     obtuse: bool,
@@ -64,10 +65,10 @@ struct Place {
 }
 
 impl Place {
-    /// Where a point lies, given the legs of the smallest triangles, and how often the first ones are cut at least, a multiple of four
-    /// times more if they do not reach far enough: after four cuts all lie as before, but φ⁴ times smaller.
+    /// Locates a point, given the legs of the smallest triangles and the least number of cuts, which grows by four
+    /// until the first triangles reach far enough: after four cuts all positions repeat, scaled by φ⁻⁴.
     fn of(p: DVec2, leg: f64, cuts: i32) -> Self {
-        // Fivefold symmetry and a mirror leave one of the ten triangles, with B at 36° and C at 0°.
+        // By fivefold symmetry and a mirror, one of the ten triangles is enough, with B at 36° and C at 0°.
         let p = DVec2::new(p.x, p.y.abs());
         let (x, z) = turn(p, widest(p, &[0, 2, 4]));
         let (x, z) = (x, z.abs());
@@ -80,7 +81,7 @@ impl Place {
         (0..cuts).fold(Self { obtuse: false, a: 1.0 - b - c, b, c }, |place, _| place.cut())
     }
 
-    /// In which piece it lies.
+    /// Cuts the triangle and returns the piece that contains the point.
     fn cut(self) -> Self {
         let Self { obtuse, a, b, c } = self;
         let inverse = PHI - 1.0;
@@ -92,7 +93,8 @@ impl Place {
                 Self { obtuse: true, a: PHI * b, b: c, c: a - inverse * b }
             };
         }
-        // cut from A to the point R that divides BC, nearer to C; the part at B from R to the point that divides AB, nearer to A
+        // cut from A to the point R that divides BC, nearer to C; then the part at B from R to the point that divides
+        // AB, nearer to A
         if c >= PHI * b {
             return Self { obtuse: true, a: (PHI + 1.0) * b, b: c - PHI * b, c: a };
         }
@@ -111,13 +113,13 @@ impl Penrose {
         [Self::Pentagons, Self::Kites, Self::Rhombs].get(number.checked_sub(25)?).copied()
     }
 
-    /// How many kinds of tiles there are.
+    /// Number of kinds of tiles.
     pub fn kinds(self) -> usize {
         if self == Self::Pentagons { 6 } else { 2 }
     }
 
-    /// The kind of the tile at a point, and how far within its bevel the point lies: 0 at the edge, 1 at its end and beyond; a little
-    /// less, as was measured, so that no number is the same as that of the edges of the kind before.
+    /// The kind of the tile at a point, and the point's position in its bevel: 0 at the edge, just below 1 at the
+    /// bevel's end and beyond (quirk: `penrose_bevels`), so that no number equals that of the next kind's edges.
     pub fn at(self, p: DVec2) -> (usize, f64) {
         let (kind, within) = match self {
             Self::Pentagons => {
@@ -132,14 +134,14 @@ impl Penrose {
     }
 }
 
-/// Rhombs are two triangles that meet along BC.
+/// Rhombs consist of two triangles with the common side BC.
 fn rhombs(at: Place) -> (usize, f64) {
     let height = if at.obtuse { C18 } else { S36 };
     (usize::from(!at.obtuse), at.b.min(at.c) * height / DEPTH)
 }
 
-/// Kites and darts are two triangles that meet along AB: the acute ones as they are, and the obtuse ones cut from A to the point R
-/// that divides BC.
+/// Kites and darts consist of two triangles with the common side AB: the acute ones unchanged, and the obtuse ones cut
+/// from A to the point R that divides BC.
 fn kites(at: Place) -> (usize, f64) {
     let Place { obtuse, a, b, c } = at;
     let inverse = PHI - 1.0;
@@ -151,9 +153,9 @@ fn kites(at: Place) -> (usize, f64) {
     (usize::from(dart), distance / KITE_DEPTH)
 }
 
-/// The tile and the distance from its edge.
+/// The kind of the tile and the distance from its edge.
 fn pentagons(at: Place) -> (usize, f64) {
-    // A lies at the origin, B at <LEG, 0>.
+    // A is at the origin, B at <LEG, 0>.
     let tip = TOWARDS[if at.obtuse { 3 } else { 1 }] * LEG;
     let (end, p) = (DVec2::X * LEG, DVec2::X * (LEG * at.b) + tip * at.c);
     let (left, right) = if at.obtuse { (1, 2) } else { (2, 1) };
@@ -179,7 +181,7 @@ fn pentagons(at: Place) -> (usize, f64) {
     if at.obtuse && p.distance_squared(middle) < p.distance_squared(tip) { boat(p - middle) } else { star(p - tip) }
 }
 
-/// The distance from the edge of a pentagon around the origin, with a corner at 0°; below 0 outside.
+/// Distance from the edge of a pentagon around the origin, with a corner at 0°; negative outside.
 fn pentagon(p: DVec2) -> f64 {
     APART / 2.0 - [1, 3, 5, 7, 9].map(|k| TOWARDS[k].dot(p)).into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
@@ -194,19 +196,19 @@ fn star(p: DVec2) -> (usize, f64) {
     (3, arm(turn(p, widest(p, &[0, 2, 4, 6, 8]))))
 }
 
-/// Three arms of a star, the one in the middle at -36°, and a side across where the others would begin.
+/// Three arms of a star, the middle one at -36°, and a side across the missing two.
 fn boat(p: DVec2) -> (usize, f64) {
     let across = (S18 * S18 / S36) + p.dot(TOWARDS[9]);
     let k = widest(p, &[9, 1, 7, 3, 5]);
     (4, if matches!(k, 3 | 5) { across } else { across.min(arm(turn(p, k))) })
 }
 
-/// The distance from the edges of a star's arm at 0°, 36° wide at its tip.
+/// Distance from the edges of a star's arm at 0°, 36° wide at its tip; negative outside.
 fn arm((x, z): (f64, f64)) -> f64 {
     (APART - x) * S18 - z.abs() * C18
 }
 
-/// Which of these directions the point lies nearest to.
+/// The direction among `among` that is nearest to the point.
 fn widest(p: DVec2, among: &[usize]) -> usize {
     let farther = |best: usize, &k: &usize| if TOWARDS[k].dot(p) > TOWARDS[best].dot(p) { k } else { best };
     among.iter().fold(among[0], farther)
@@ -226,7 +228,7 @@ mod tests {
 
     #[test]
     fn thick_tiles_are_the_golden_ratio_of_thin_ones() {
-        // So are their numbers in any Penrose tiling: of kites to darts too.
+        // The numbers of the two kinds of tiles have the same proportion in any Penrose tiling.
         for (tiling, area) in [(Penrose::Kites, PHI), (Penrose::Rhombs, PHI)] {
             let (mut first, mut all) = (0.0, 0.0);
             for i in 0..400_000 {
@@ -236,7 +238,7 @@ mod tests {
                 first += f64::from(u8::from(tiling.at((p - 0.5) * 4000.0).0 == 0));
                 all += 1.0;
             }
-            // in number φ : 1, and in area φ times more
+            // φ : 1 by number, and by area φ times more
             let expected = PHI * area / (PHI * area + 1.0);
             assert!((first / all - expected).abs() < 2e-3, "{tiling:?}: {}", first / all);
         }

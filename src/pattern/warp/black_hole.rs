@@ -13,22 +13,22 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Kind, Param, Reader, Spec};
 use serde::Serialize;
 
-/// Points within a sphere are moved along its radii.
+/// Moves points within a sphere along its radii.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BlackHole {
-    /// The sphere's centre; with `repeat` that of the block at the origin.
+    /// Centre of the sphere; with `repeat` that of the block at the origin.
     pub center: DVec3,
-    /// The sphere's radius.
+    /// Radius of the sphere.
     pub radius: f64,
-    /// How strong it pulls near the centre.
+    /// Strength of the pull near the centre.
     pub strength: f64,
-    /// To which power the pull grows from the surface to the centre.
+    /// Exponent with which the pull grows from the surface to the centre.
     pub falloff: f64,
-    /// Does it push?
+    /// True if the pattern is pushed away.
     pub inverse: bool,
-    /// Size of the blocks that have a black hole each; none along an axis where it is 0 or less.
+    /// Size of the blocks that have a black hole each; no repetition along an axis where the size is 0 or less.
     pub repeat: DVec3,
-    /// How far each one's centre is moved along each axis, at most; without `repeat` it stays where it is.
+    /// Maximum random displacement of each centre along each axis; none without `repeat`.
     pub turbulence: DVec3,
 }
 
@@ -68,17 +68,18 @@ impl Readable for BlackHole {
 }
 
 impl BlackHole {
-    /// The centre of the hole that the point may be in.
+    /// Centre of the hole that may contain the point.
     fn center_near(&self, p: DVec3) -> DVec3 {
         if self.repeat == DVec3::ZERO {
             return self.center;
         }
-        // The hole must lie within its block: moved up and the block widened, if need be.
+        // The hole must be within its block: shift the centre and widen the block if need be.
         let repeats = self.repeat.cmpgt(DVec3::ZERO);
         let center = DVec3::select(repeats, self.center.max(DVec3::splat(self.radius)), self.center);
         let size = self.repeat.max(center + self.radius + self.turbulence.max(DVec3::ZERO));
         let block = DVec3::select(repeats, (p / size).floor(), DVec3::ZERO);
-        // The numbers of unit cubes: each block has those of the cube of its number, as was measured.
+        // Random numbers of unit cubes: each block has those of the cube with its number (quirk:
+        // black_hole_random_cells).
         let random = Cell::of(block).0.random_point();
         block * size + center + self.turbulence * random
     }
@@ -93,7 +94,7 @@ impl Bend for BlackHole {
         }
         // from 0 on the surface to 1 at the centre
         let closeness = (self.radius - distance) / self.radius;
-        // The pattern is pulled inwards where the point sees what lies farther out, at most twice as far.
+        // A pattern is pulled inwards where the point is moved outwards, at most to twice its distance.
         let pull = (self.strength * fp::pow(closeness, self.falloff)).min(1.0);
         if self.inverse { p - pull * out } else { p + pull * out }
     }

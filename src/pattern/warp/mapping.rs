@@ -1,5 +1,5 @@
-//! `warp { cylindrical }`, `spherical`, `toroidal`, `planar`, `cubic`: lay the xy plane of a pattern around things, as image maps are
-//! laid (manual, "Mapping using warps").
+//! `warp { cylindrical }`, `spherical`, `toroidal`, `planar`, `cubic`: wrap the xy plane of a pattern around a surface,
+//! as image maps do (manual, "Mapping using warps").
 //!
 //! ```pov
 //! sphere { 0, 1 pigment { checker color rgb 1, color rgb <0.6, 0, 0> scale 1/8 warp { spherical } } }
@@ -14,12 +14,12 @@ use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
-/// From where the pattern's plane comes: z as it is, any other direction turned.
+/// Orientation of the pattern's plane: with z it is unchanged, with any other direction it is turned.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Layout {
-    /// Length 1, or zero.
+    /// Unit vector, or zero.
     pub orientation: DVec3,
-    /// To which power of the distance the plane grows.
+    /// Exponent of the distance in the growth of the plane.
     pub dist_exp: f64,
 }
 
@@ -38,14 +38,14 @@ impl Layout {
         set(&mut self.orientation, r.vector().map(DVec3::normalize_or_zero))
     }
 
-    /// Lays (u, v) and the depth out along the axes.
+    /// The point of the pattern for (u, v) and a depth.
     fn place(&self, u: f64, v: f64, depth: f64) -> DVec3 {
-        // measured with directions at random; it is a rotation only for those along an axis
+        // A rotation only for directions along an axis (quirk: warp_orientation).
         let n = self.orientation;
         DVec3::new((n.y + n.z) * u + n.x * depth, (n.x + n.z) * v - n.y * depth, n.y * v - n.x * u + n.z * depth)
     }
 
-    /// How much the plane has grown at this distance.
+    /// Scale of the plane at this distance.
     fn growth(&self, distance: f64) -> f64 {
         if self.dist_exp == 0.0 { 1.0 } else { fp::pow(distance, self.dist_exp) }
     }
@@ -81,7 +81,7 @@ impl Bend for CylindricalWarp {
     }
 }
 
-/// Around the origin: u is a part of a turn, v goes from pole to pole.
+/// Around the origin: u is a part of a turn, v runs from pole to pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct SphericalWarp(pub Layout);
 
@@ -116,9 +116,9 @@ impl Bend for SphericalWarp {
 /// Around a ring about the y axis: u is a part of a turn about the axis, v of one about the ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ToroidalWarp {
-    /// How it is laid out.
+    /// Orientation and growth.
     pub layout: Layout,
-    /// Of the ring.
+    /// Major radius of the ring.
     pub major_radius: f64,
 }
 
@@ -154,12 +154,12 @@ impl Bend for ToroidalWarp {
     }
 }
 
-/// Every point sees the plane in front of it.
+/// Projects every point along the normal to the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PlanarWarp {
-    /// The plane's normal.
+    /// Normal of the plane.
     pub layout: Layout,
-    /// How far the plane lies from the origin.
+    /// Distance of the plane from the origin.
     pub distance: f64,
 }
 
@@ -194,7 +194,7 @@ impl Bend for PlanarWarp {
     }
 }
 
-/// Around a cube about the origin, unfolded as a box's uv mapping unfolds it.
+/// Around a cube about the origin, unfolded like the uv mapping of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CubicWarp {}
 
@@ -218,7 +218,8 @@ impl Bend for CubicWarp {
             return p;
         }
         let q = p / depth;
-        // six squares, 4 beside and 3 above each other: which one, and how far right and up from its centre; at edges as in the pattern `cubic`
+        // Six squares, 4 side by side and 3 above each other: find the square, and the offset right and up from its
+        // centre; edges as in the pattern `cubic`.
         let ((column, row), right, up) = match (Cubic {}).cell(p) {
             0 => ((2.0, 1.0), -q.z, q.y),
             1 => ((1.0, 2.0), q.x, -q.z),

@@ -1,4 +1,5 @@
-//! `warp`: moves points in ways that no matrix can (manual, "Warps"). Adding one is a file here and a row in the table below.
+//! `warp`: moves points in ways that no matrix can (manual, "Warps"). A new warp is a file here and a row in the table
+//! below.
 
 mod black_hole;
 mod mapping;
@@ -16,9 +17,9 @@ use crate::math::DVec3;
 use crate::value::{Next, Reader, Spec};
 use serde::Serialize;
 
-/// What every warp can do.
+/// Function of every warp.
 pub trait Bend {
-    /// From the point asked about to the point that the pattern sees.
+    /// Maps the evaluated point to the point that the pattern receives.
     fn apply(&self, p: DVec3) -> DVec3;
 }
 
@@ -33,7 +34,7 @@ macro_rules! warps {
             /// Every warp's table.
             pub const SPECS: &[&Spec] = &[$(&$name::SPEC),*];
 
-            /// From the point asked about to the point that the pattern sees.
+            /// Maps the evaluated point to the point that the pattern receives.
             pub fn apply(&self, p: DVec3) -> DVec3 { match self { $(Warp::$variant(w) => w.apply(p)),* } }
 
             fn begin(name: &str, r: &mut dyn Reader) -> Option<Result<Warp>> {
@@ -62,7 +63,7 @@ warps! {
 }
 
 impl Warp {
-    /// Reads what stands between the braces of `warp { … }`.
+    /// Reads the contents of the braces of `warp { … }`.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.

@@ -1,4 +1,4 @@
-//! `warp { repeat <vector> }`: a slice of the pattern again and again (manual, "Repeat Warp").
+//! `warp { repeat <vector> }`: repeats a slice of the pattern (manual, "Repeat Warp").
 //!
 //! ```pov
 //! box { -1, 1 pigment { planar warp { repeat 0.5*y flip y offset x } } }
@@ -15,13 +15,13 @@ use serde::Serialize;
 /// Slices of the pattern side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Repeat {
-    /// Along x, y or z: 0, 1 or 2.
+    /// Axis: 0, 1 or 2 for x, y or z.
     pub axis: usize,
-    /// Of a slice; a negative one begins with its far side.
+    /// Width of a slice; a negative one begins with its far side.
     pub width: f64,
-    /// How much farther each slice lies in the pattern than the one before.
+    /// Offset in the pattern from each slice to the next.
     pub offset: DVec3,
-    /// Along which axes every other slice is mirrored.
+    /// Axes along which every other slice is mirrored.
     pub flip: [bool; 3],
 }
 
@@ -49,7 +49,7 @@ impl Readable for Repeat {
         let widths = r.vector()?.to_array();
         let mut axes = (0..3).filter(|&i| widths[i] != 0.0);
         match (axes.next(), axes.next()) {
-            // POV-Ray keeps it in single precision
+            // POV-Ray keeps the width in single precision.
             (Some(axis), None) => {
                 Ok(Self { axis, width: f64::from(widths[axis] as f32), offset: DVec3::ZERO, flip: [false; 3] })
             }
@@ -69,7 +69,7 @@ impl Bend for Repeat {
     fn apply(&self, p: DVec3) -> DVec3 {
         let slice = (p[self.axis] / self.width).floor();
         let mut q = p;
-        // in single precision, as was measured
+        // quirk: repeat_single_precision
         q[self.axis] -= f64::from(slice as f32 * self.width as f32);
         if slice % 2.0 != 0.0 {
             for axis in (0..3).filter(|&i| self.flip[i]) {

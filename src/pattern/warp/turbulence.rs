@@ -1,11 +1,10 @@
-//! `warp { turbulence <vector> }`: turbulence that stands where it is written among the transforms (manual, "Turbulence
-//! Warp").
+//! `warp { turbulence <vector> }`: turbulence at its position among the transforms (manual, "Turbulence Warp").
 //!
 //! ```pov
 //! sphere { 0, 1 pigment { gradient x warp { turbulence 0.5 octaves 3 } scale 0.25 } }
 //! ```
 
-use super::super::{Readable, Turbulent};
+use super::super::{Readable, TurbulenceParams};
 use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -15,22 +14,22 @@ use serde::Serialize;
 
 /// Displaces points at random.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct TurbulenceWarp(pub Turbulent);
+pub struct TurbulenceWarp(pub TurbulenceParams);
 
 impl Readable for TurbulenceWarp {
     const SPEC: Spec = Spec {
         name: "turbulence",
         summary: "displaces points at random",
         params: &[Param { name: "amount", kind: Kind::Vector, summary: "how far points are displaced" }],
-        words: Turbulent::WORDS,
+        words: TurbulenceParams::WORDS,
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        Ok(Self(Turbulent { amount: r.vector()?, ..Turbulent::default() }))
+        Ok(Self(TurbulenceParams { amount: r.vector()?, ..TurbulenceParams::default() }))
     }
 
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
-        read_row(Turbulent::ROWS, &mut self.0, next, r)
+        read_row(TurbulenceParams::ROWS, &mut self.0, next, r)
     }
 }
 

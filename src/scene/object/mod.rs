@@ -7,9 +7,10 @@ mod read;
 
 use super::{Defaults, Painted, Weight};
 use crate::math::{Aabb, Transform};
+use crate::medium::Interior;
 use crate::shape::{Shape, moved_box};
 use crate::source::Span;
-use crate::texture::{Interior, Texture};
+use crate::texture::Texture;
 use crate::value::{RawItem, Seldom, Thing, Usual};
 use serde::Serialize;
 use std::ops::{Deref, DerefMut};

@@ -16,10 +16,11 @@ use super::{
 use crate::color::Gamma;
 use crate::color::Rgb;
 use crate::diagnostic::Result;
+use crate::medium::Interior;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Bounding, Kernel, Shape, moved_box};
 use crate::source::Span;
-use crate::texture::{Interior, Texture, Uncommon};
+use crate::texture::{Texture, Uncommon};
 use crate::value::Seldom;
 use instances::Copies;
 use place::{Look, Place, not_finite};

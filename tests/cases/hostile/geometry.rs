@@ -216,7 +216,8 @@ fn csg() -> Vec<Case> {
         drawn("csg_of_triangles", "difference { triangle { -x, x, y } triangle { -x, x, y } }", 0, &[]),
         drawn("csg_inverse", "intersection { sphere { 0, 1 inverse } sphere { 0, 1 inverse } inverse }", 0, &[]),
         drawn("csg_clipped_by_nothing", "sphere { 0, 1 clipped_by { } }", 0, &["W0205", "a.scene:1:15"]),
-        drawn("csg_just_deep", nested("difference { ", "sphere { 0, 1 }", " sphere { 9, 1 } }", 900), 0, &[]),
+        drawn("csg_just_deep", nested("difference { ", "sphere { 0, 1 }", " sphere { 9, 1 } }", 900), 0, &[])
+            .args("render a.scene -o out.png --size 4x3"),
     ]
 }
 

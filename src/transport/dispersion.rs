@@ -1,60 +1,56 @@
-//! `dispersion`: glass bends each colour by another angle (manual, "Dispersion"; details measured on 3.7).
+//! `dispersion`: an interior refracts each colour by another angle (manual, "Dispersion").
 //!
-//! White light splits where it passes between interiors of different dispersion; each part then keeps its hue on its whole
-//! way. How many parts there are changes neither how much a ray counts nor, in all, what is seen.
+//! White light splits where it passes between interiors of different dispersion; each part keeps its hue from there on. The number of
+//! parts changes neither the weight of a ray nor the sum of the colours.
 
-use super::mirror;
-use super::refract::Interface;
-use super::shading_point::{Coat, ShadingPoint};
-use super::trace::{Path, Tracer, bounce};
+use super::ray_state::RayState;
+use super::reflect;
+use super::scatter::{Boundary, mirror_direction};
+use super::shading_point::MaterialSample;
+use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::math::Ray;
 
 impl Tracer<'_> {
-    /// Follows white light into the colours that it splits into at the border of what it meets, as one coat bends it. Those that
-    /// can't pass are mirrored together, as white light, by the film on the coat; the coat takes its share of them too (measured on
-    /// 3.7).
-    pub(super) fn split(
+    /// Pushes one ray for each colour into which white light splits at a boundary. The colours that are totally reflected continue
+    /// together, as one ray of white light that the material's film and transmittance tint (quirk: `dispersion_total_reflection`).
+    pub(super) fn push_dispersed(
         &mut self,
-        path: &Path,
-        (shading, coat): (&ShadingPoint, &Coat),
-        interface: &Interface,
+        state: &RayState,
+        boundary: &Boundary,
+        material: &MaterialSample,
         samples: u32,
-    ) -> Rgb {
-        let own = shading.part.interior;
-        let mut light = Rgb::ZERO;
-        // The colours that can't pass.
-        let mut kept = Rgb::ZERO;
+    ) {
+        let Boundary { shading, interface, attenuation } = boundary;
+        let (world, own) = (self.context.world, shading.part.interior);
+        let throughput = material.share * attenuation * material.transmittance;
+        let weight = state.weight * material.transmittance.max_element();
+        let mut totally_reflected = Rgb::ZERO;
         for i in 0..samples {
-            if self.stopped() {
-                break;
-            }
-            let share = share(i, samples);
+            let color = share(i, samples);
             let hue = (f64::from(i) + 0.5) / f64::from(samples);
-            let interface = interface.of_hue(hue, &path.inside, own, &self.setup.world.interiors);
-            let Some(dir) = interface.refract(path.ray.dir, coat.normal) else {
-                kept += share;
+            let interface = interface.of_hue(hue, &state.inside, own, &world.interiors);
+            let Some(dir) = interface.refract(state.ray.dir, material.normal) else {
+                totally_reflected += color;
                 continue;
             };
-            let mut inside = path.inside.clone();
-            interface.cross(&mut inside, own);
-            self.rays.transmitted += 1;
-            let ray = Ray::new(shading.point, dir);
-            let (level, hue) = (path.level + 1, Some(hue));
-            light += share * self.follow(Path { ray, level, inside, hue, passed: true, ..*path }).rgb;
+            let mut next = state.continued(Ray::new(shading.point, dir), throughput * color);
+            interface.cross(&mut next.inside, own);
+            self.counts.transmitted += 1;
+            let level = state.level + 1;
+            self.queue.push(RayState { level, weight, hue: Some(hue), has_transmitted: true, ..next });
         }
-        if kept != Rgb::ZERO {
-            self.rays.reflected += 1;
-            let out = bounce(path.ray.dir, coat.normal, shading.smooth);
-            let (ray, inside) = (Ray::new(shading.point, out), path.inside.clone());
-            kept *= mirror::total(coat, shading.point, out, self.setup.world);
-            light += kept * self.follow(Path { ray, level: path.level + 1, mirrored: true, inside, ..*path }).rgb;
+        if totally_reflected != Rgb::ZERO {
+            self.counts.reflected += 1;
+            let out = mirror_direction(state.ray.dir, material.normal, shading.smooth);
+            let share = throughput * totally_reflected * reflect::total(material, shading.point, out, world);
+            let next = state.continued(Ray::new(shading.point, out), share);
+            self.queue.push(RayState { level: state.level + 1, weight, is_reflected: true, ..next });
         }
-        light
     }
 }
 
-/// The colour of one of so many equal parts of the spectrum, of which the first is red: its part of [`SPECTRUM`].
+/// Returns the colour of part `i` of `samples` equal parts of the spectrum; part 0 is red.
 fn share(i: u32, samples: u32) -> Rgb {
     let steps = SPECTRUM.len() as f64;
     let (from, to) = (f64::from(i) * steps / f64::from(samples), f64::from(i + 1) * steps / f64::from(samples));
@@ -66,8 +62,8 @@ fn share(i: u32, samples: u32) -> Rgb {
     sum / 10_000.0
 }
 
-/// How much of red, green and blue light each of 70 equal steps of the spectrum from red to violet holds, in 1/10000. Each lobe
-/// is a parabola but for rounding (measured on 3.7).
+/// Red, green and blue of 70 equal steps of the spectrum from red to violet, in 1/10000 (quirk: `dispersion_spectrum`). Each lobe is a
+/// parabola but for rounding.
 #[rustfmt::skip]
 const SPECTRUM: [[u16; 3]; 70] = [
     [98, 0, 0], [142, 0, 0], [182, 0, 0], [219, 0, 0], [254, 0, 0],
@@ -89,7 +85,8 @@ const SPECTRUM: [[u16; 3]; 70] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::texture::Interior;
+    use crate::medium::Interior;
+    use crate::transport::interface::Interface;
 
     #[test]
     fn shares_sum_up_to_almost_white() {
@@ -97,7 +94,7 @@ mod tests {
             let sum = (0..samples).map(|i| share(i, samples)).fold(Rgb::ZERO, |a, b| a + b);
             assert!(sum.distance(Rgb::new(0.9938, 1.0, 0.9962)) < 1e-12, "{samples}: {sum}");
         }
-        // what 3.7 showed with 3 and with 100 samples
+        // POV-Ray's colours with 3 and with 100 samples
         assert!(share(1, 3).distance(Rgb::new(0.15929, 0.73487, 0.30179)) < 2e-5);
         assert!((share(20, 100).x - 0.03003).abs() < 1e-5);
     }

@@ -1,36 +1,31 @@
-//! Borders between what fills the objects: indices of refraction, Snell's law, Fresnel's formula.
+//! Optical boundaries between interiors: indices of refraction, Snell's law, Fresnel's equations.
 
 use crate::math::DVec3;
-use crate::texture::Interior;
+use crate::medium::Interior;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// The interiors that a ray is in, the last entered on top.
+/// Numbers of the interiors around a ray, the last entered on top.
 pub(super) type Interiors = SmallVec<[u32; 6]>;
 
-/// The same interiors; mostly there are none, which is quicker told than copied.
-pub(super) fn copied(interiors: &Interiors) -> Interiors {
-    if interiors.is_empty() { Interiors::new() } else { interiors.clone() }
-}
-
-/// What lies on both sides of a surface that a ray meets.
+/// Both sides of a surface that a ray hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Interface {
     /// Index of refraction on the ray's side.
     pub n1: f64,
-    /// Index of refraction behind the surface.
+    /// Index of refraction beyond the surface.
     pub n2: f64,
-    /// Both as Fresnel's formula takes them, which differ where more than one thing is left.
+    /// The indices (n1, n2) for Fresnel's equations; they differ from the above where the ray is in more than one interior.
     mirror: (f64, f64),
-    /// The place in the stack of what the ray leaves; `None` if it enters something.
+    /// Position of the interior that the ray leaves in the list of interiors; `None` if the ray enters.
     leaves: Option<usize>,
 }
 
 impl Interface {
-    /// The same on both sides.
+    /// The same medium on both sides.
     pub const NONE: Interface = Interface { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
-    /// The border of interior `own` for a ray in `inside`: a ray that is in it leaves it, any other enters it.
+    /// The boundary of interior `own` for a ray inside `inside`: the ray leaves the interior if it is in the list, and enters it otherwise.
     pub fn new(inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<&u32>| i.and_then(|&i| interiors.get(i as usize)).map_or(1.0, |interior| interior.ior);
         let (n1, own_ior) = (ior(inside.last()), ior(Some(&own)));
@@ -38,47 +33,46 @@ impl Interface {
             return Self { n1, n2: own_ior, mirror: (n1, own_ior), leaves: None };
         };
         let n2 = ior(inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, i)| i));
-        // For its mirror the ray comes from what it leaves, and goes to what it entered last, even if that is the same
-        // (measured on 3.7: glass in glass mirrors nothing on its far side).
-        let behind = if inside.len() == 1 { 1.0 } else { n1 };
-        Self { n1, n2, mirror: (own_ior, behind), leaves: Some(at) }
+        // quirk: fresnel_of_last_entered
+        let beyond = if inside.len() == 1 { 1.0 } else { n1 };
+        Self { n1, n2, mirror: (own_ior, beyond), leaves: Some(at) }
     }
 
-    /// The same border for one hue (see [`Interior::ior_of`]); what it mirrors stays that of white light (measured on 3.7).
+    /// The same boundary for one hue (see [`Interior::ior_of`]); reflection stays that of white light (quirk: `dispersion_ior`).
     pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of(hue));
-        Self { n1: ior(inside.last().copied()), n2: ior(self.behind(inside, own)), ..self }
+        Self { n1: ior(inside.last().copied()), n2: ior(self.beyond(inside, own)), ..self }
     }
 
-    /// Into how many colours white light splits here: where both sides spread it in the same way it stays white. What lies
-    /// behind the border says the number (both measured on 3.7).
+    /// Number of colours into which white light splits here; `None` if both sides have the same dispersion. The interior beyond the
+    /// boundary says how many (quirk: `dispersion_samples_beyond`).
     pub fn samples(&self, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Option<u32> {
         let interior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize));
-        let spread = |interior: Option<&Arc<Interior>>| interior.map_or(1.0, |interior| interior.dispersion);
-        let (before, behind) = (interior(inside.last().copied()), interior(self.behind(inside, own)));
-        let samples = || behind.or(interior(Some(own))).map_or(0, |interior| interior.dispersion_samples);
-        (spread(before) != spread(behind)).then(samples)
+        let dispersion = |interior: Option<&Arc<Interior>>| interior.map_or(1.0, |interior| interior.dispersion);
+        let (before, beyond) = (interior(inside.last().copied()), interior(self.beyond(inside, own)));
+        let samples = || beyond.or(interior(Some(own))).map_or(0, |interior| interior.dispersion_samples);
+        (dispersion(before) != dispersion(beyond)).then(samples)
     }
 
-    /// What a ray is in behind the border of `own`.
-    fn behind(&self, inside: &Interiors, own: u32) -> Option<u32> {
+    /// The interior on top of the list after the ray has crossed the boundary of `own`.
+    fn beyond(&self, inside: &Interiors, own: u32) -> Option<u32> {
         match self.leaves {
             Some(at) => inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, &i)| i),
             None => Some(own),
         }
     }
 
-    /// Does the ray leave what it meets?
+    /// True if the ray leaves an interior.
     pub fn leaves(&self) -> bool {
         self.leaves.is_some()
     }
 
-    /// Is a ray bent here?
+    /// True if a ray is refracted here.
     pub fn bends(&self) -> bool {
         self.n1 != self.n2
     }
 
-    /// Takes a ray across the border of `own`.
+    /// Updates the list of interiors of a ray that crosses the boundary of `own`.
     pub fn cross(&self, inside: &mut Interiors, own: u32) {
         match self.leaves {
             Some(at) => drop(inside.remove(at)),
@@ -86,8 +80,8 @@ impl Interface {
         }
     }
 
-    /// The part of unpolarised light that a dielectric mirrors (Fresnel's formula); `cos` is that of the angle between
-    /// ray and normal; bumps that are seen from behind mirror all of it (measured on 3.7).
+    /// Reflectance of a dielectric for unpolarised light (Fresnel's equations). `cos` is the cosine of the angle between ray and normal;
+    /// bumps that are seen from behind (`cos` < 0) reflect all light (quirk: `bumps_from_behind`).
     pub fn fresnel(&self, cos: f64) -> f64 {
         let (n1, n2) = self.mirror;
         if cos < 0.0 {
@@ -102,13 +96,13 @@ impl Interface {
             return 1.0;
         }
         let cos2 = (1.0 - sin2).sqrt();
-        let across = (n1 * cos - n2 * cos2) / (n1 * cos + n2 * cos2);
-        let along = (n1 * cos2 - n2 * cos) / (n1 * cos2 + n2 * cos);
-        (across * across + along * along) / 2.0
+        let perpendicular = (n1 * cos - n2 * cos2) / (n1 * cos + n2 * cos2);
+        let parallel = (n1 * cos2 - n2 * cos) / (n1 * cos2 + n2 * cos);
+        (perpendicular * perpendicular + parallel * parallel) / 2.0
     }
 
-    /// The direction behind the border, by Snell's law; `None` if all is reflected. `normal` points to the ray's side, or where
-    /// bumps are seen from behind away from it, which is the same (measured on 3.7).
+    /// Direction beyond the boundary by Snell's law, length 1; `None` for total internal reflection. The side of `normal` does not matter
+    /// (quirk: `bumps_from_behind`).
     pub fn refract(&self, dir: DVec3, normal: DVec3) -> Option<DVec3> {
         if !self.bends() {
             return Some(dir);
@@ -122,7 +116,7 @@ impl Interface {
     }
 }
 
-/// The mirrored direction: d - 2(d·n)n.
+/// Returns the mirror direction d - 2(d·n)n, length 1.
 pub(super) fn reflect(dir: DVec3, normal: DVec3) -> DVec3 {
     (dir - normal * (2.0 * dir.dot(normal))).normalize()
 }
@@ -151,14 +145,14 @@ mod tests {
         // ((n₁ - n₂)/(n₁ + n₂))²
         assert!((interface(1.0, 1.5).fresnel(1.0) - 0.04).abs() < 1e-15);
         assert!((interface(1.5, 1.0).fresnel(0.1) - 1.0).abs() < 1e-15);
-        // at Brewster's angle, tan θ = n₂/n₁, only the part across is mirrored: ((n² - 1)/(n² + 1))²/2
+        // At Brewster's angle, tan θ = n₂/n₁, only perpendicular light is reflected: ((n² - 1)/(n² + 1))²/2
         let cos = fp::cos(fp::atan(1.5f64));
         assert!((interface(1.0, 1.5).fresnel(cos) - (1.25f64 / 3.25).powi(2) / 2.0).abs() < 1e-15);
     }
 
     #[test]
     fn overlapping_glasses() {
-        // A 1.5 and B 1.2 overlap: in A, in both, in B, out
+        // A (1.5) and B (1.2) overlap: the ray enters A, enters B, leaves A, leaves B
         let iors = [1.5, 1.2].map(|ior| Arc::new(Interior { ior, ..Interior::default() }));
         let mut inside = Interiors::new();
         let mut seen = vec![];
@@ -170,7 +164,7 @@ mod tests {
         let both = |n1: f64, n2: f64| ((n1, n2), (n1, n2));
         assert_eq!(seen, [both(1.0, 1.5), both(1.5, 1.2), ((1.2, 1.2), (1.5, 1.2)), both(1.2, 1.0)]);
         assert!(inside.is_empty());
-        // out of B, which lies in A
+        // The ray leaves B, which is inside A
         let interface = Interface::new(&Interiors::from_slice(&[0, 1]), 1, &iors);
         assert_eq!(((interface.n1, interface.n2), interface.mirror), ((1.2, 1.5), (1.2, 1.2)));
     }

@@ -1,8 +1,8 @@
-//! A place on a surface: what is painted there.
+//! The materials at a hit: pigments, normals and layers, evaluated at one point.
 
-use super::mirror::left_over;
-use super::refract::Interface;
-use super::trace::Quality;
+use super::context::Quality;
+use super::interface::Interface;
+use super::reflect::left_over;
 use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray};
 use crate::pattern::{Space, TextureContext};
@@ -11,62 +11,62 @@ use crate::texture::NormalProgram;
 use crate::world::{Intersection, Layer, Material, Part, PlacedMaterial, SolidNode, Surface, World};
 use smallvec::SmallVec;
 
-/// A layer of the texture at a place.
+/// One layer of a texture, evaluated at a point.
 pub(super) struct ShadedLayer<'w> {
     pub layer: &'w Layer,
-    /// Its pigment there.
+    /// Colour of the pigment.
     pub color: Color,
-    /// The part of the pigment that is not see-through.
+    /// Share of the pigment that is not transparent.
     pub opacity: f64,
-    /// What the layers above let pass of it.
+    /// Transmittance of the layers above.
     pub weight: Rgb,
-    /// With its bumps; length 1, in world space.
+    /// Normal with the layer's bumps, length 1, in world space.
     pub normal: DVec3,
-    /// Between the ray, turned round, and this normal; negative where bumps are seen from behind.
+    /// Cosine of the angle between the reversed ray and `normal`; negative where bumps are seen from behind.
     pub cos: f64,
 }
 
-/// A texture at a place. Where a pattern chooses among several, what is seen is the sum over them by their shares, each with the mirror
-/// and the refraction of its own (measured on POV-Ray 3.7).
-pub(super) struct Coat<'w> {
-    /// How much of the place shows it.
+/// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts by itself, and the
+/// result is their sum by shares (quirk: `blend_by_light`).
+pub(super) struct MaterialSample<'w> {
+    /// Share of the point that shows the texture.
     pub share: f64,
-    /// Length 1, towards the ray's origin, with the bumps of the topmost layer.
+    /// Normal with the bumps of the topmost layer, length 1, towards the ray's origin.
     pub normal: DVec3,
-    /// From the topmost to the lowest that can be seen; never empty.
+    /// Layers from the topmost to the lowest visible one; never empty.
     pub layers: SmallVec<[ShadedLayer<'w>; 2]>,
-    /// What passes all layers of the light from behind.
-    pub pass: Rgb,
+    /// Transmittance of all layers, for light from beyond the surface.
+    pub transmittance: Rgb,
 }
 
-/// The place where a ray meets a surface.
+/// The point where a ray hits a surface, with all that depends on the materials there.
 pub(super) struct ShadingPoint<'w> {
     pub part: &'w Part,
     pub point: DVec3,
-    /// Length 1, towards the ray's origin, without bumps.
+    /// Normal without bumps, length 1, towards the ray's origin.
     pub smooth: DVec3,
-    /// Never empty, but where all shares are none.
-    pub coats: SmallVec<[Coat<'w>; 1]>,
+    /// The textures there; empty only if all shares are too small.
+    pub materials: SmallVec<[MaterialSample<'w>; 1]>,
 }
 
 impl<'w> ShadingPoint<'w> {
-    /// Where `ray` meets `found` at a border.
+    /// Evaluates the materials where `ray` hits `found`; `interface` is the optical boundary there.
     pub fn new(world: &'w World, ray: &Ray, found: &Intersection, quality: &Quality, interface: &Interface) -> Self {
         let part = &world.parts[found.part() as usize];
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
         let normal = if against > 0.0 { -surface.normal } else { surface.normal };
-        let mut this = Self { part, point: surface.point, smooth: normal, coats: SmallVec::new() };
+        let mut this = Self { part, point: surface.point, smooth: normal, materials: SmallVec::new() };
         let mut painter = Painter {
             placed: &part.outside,
             quality,
             interface,
             opacity_by_color: world.opacity_by_color,
             bailout: world.adc_bailout,
-            seen: normal,
-            coats: &mut this.coats,
+            pattern_normal: normal,
+            materials: &mut this.materials,
         };
-        of_materials(world, found, &surface, against > 0.0, |placed, share| {
+        each_material(world, found, &surface, against > 0.0, |placed, share| {
             let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
             painter.placed = placed;
             painter.paint(material, &ctx, share, None);
@@ -74,45 +74,44 @@ impl<'w> ShadingPoint<'w> {
         this
     }
 
-    /// All layers of all coats.
+    /// All layers of all materials.
     pub fn layers(&self) -> impl Iterator<Item = &ShadedLayer<'w>> {
-        self.coats.iter().flat_map(|coat| &coat.layers)
+        self.materials.iter().flat_map(|material| &material.layers)
     }
 
-    /// The sum over all layers of what `light` says, by the shares of their coats.
+    /// Returns the sum of `light` over all layers, weighted by the shares of their materials.
     pub fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
         let mut sum = Rgb::ZERO;
-        for coat in &self.coats {
-            sum += coat.share * coat.layers.iter().map(&mut light).sum::<Rgb>();
+        for material in &self.materials {
+            sum += material.share * material.layers.iter().map(&mut light).sum::<Rgb>();
         }
         sum
     }
 }
 
-/// Collects what is painted at a place.
+/// Collects the materials at a point.
 struct Painter<'w, 'a> {
     placed: &'w PlacedMaterial,
     quality: &'a Quality,
     interface: &'a Interface,
     opacity_by_color: bool,
     bailout: f64,
-    /// The normal that patterns see: that of the last bumps before them, in whatever space those were (measured on POV-Ray 3.7); only
-    /// `slope` and `aoi` show it.
-    seen: DVec3,
-    coats: &'a mut SmallVec<[Coat<'w>; 1]>,
+    /// Normal that the patterns `slope` and `aoi` use: the result of the last bumps before them, in the space of those bumps
+    /// (quirk: `slope_after_bumps`).
+    pattern_normal: DVec3,
+    materials: &'a mut SmallVec<[MaterialSample<'w>; 1]>,
 }
 
 impl<'w> Painter<'w, '_> {
-    /// Adds the coats of a material that counts for `share`. (A texture that a pattern chooses has no layers beside it: POV-Ray refuses
-    /// that, and so do we.)
+    /// Adds a material with its share. A texture that a pattern chooses is the only layer: others are refused when the scene is read.
     fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
-                let (number, inner) = choice.pattern.see(&self.sees(ctx));
+                let (number, inner) = choice.pattern.see(&self.pattern_context(ctx));
                 let inner = TextureContext { normal: ctx.normal, ..inner };
                 let within = PatternSpaces { space: &choice.space, outer: frame };
                 let mut shares = choice.shares(number);
-                // (The upper of two goes first, as `seen` shows.)
+                // quirk: upper_texture_first
                 if !choice.averages() {
                     shares.reverse();
                 }
@@ -120,72 +119,73 @@ impl<'w> Painter<'w, '_> {
                     self.paint(part, &inner, share * s, Some(&within));
                 }
             }
-            None => self.coat(material, ctx, share, frame),
+            None => self.add(material, ctx, share, frame),
         }
     }
 
-    /// The place as patterns see it.
-    fn sees(&self, ctx: &TextureContext) -> TextureContext {
-        TextureContext { normal: self.seen, ..*ctx }
+    /// The context with the normal for patterns.
+    fn pattern_context(&self, ctx: &TextureContext) -> TextureContext {
+        TextureContext { normal: self.pattern_normal, ..*ctx }
     }
 
-    /// Without light, the last layer that is looked at is seen alone (measured on POV-Ray 3.7).
-    fn coat(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
-        // (It is filled where it stays: it is large.)
-        let number = self.coats.len();
-        self.coats.push(Coat { share, normal: ctx.normal, layers: SmallVec::new(), pass: Rgb::ONE });
-        let mut pass = Rgb::ONE;
+    /// Evaluates the layers of a material. At qualities without light, the lowest visible layer is shown alone (quirk: `unlit_layers`).
+    fn add(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
+        // (The sample is large and therefore filled in place.)
+        let number = self.materials.len();
+        let layers = SmallVec::new();
+        self.materials.push(MaterialSample { share, normal: ctx.normal, layers, transmittance: Rgb::ONE });
+        let mut transmittance = Rgb::ONE;
         for layer in &material.layers {
-            let bumps = layer.normal.as_ref().filter(|_| self.quality.mirrors);
-            let quick = !self.quality.real;
+            let bumps = layer.normal.as_ref().filter(|_| self.quality.reflection);
+            let quick = !self.quality.pigments;
             let (normal, seen, weight) = match bumps.map(|bumps| self.bumped(bumps, ctx, frame)) {
-                None => (ctx.normal, self.seen, pass),
-                // as was measured: `slope` and `aoi` of a pigment see the bumps
+                None => (ctx.normal, self.pattern_normal, transmittance),
+                // quirk: slope_after_bumps
                 Some(bumped) if bumped.seen.is_finite() => {
-                    self.seen = bumped.seen;
-                    (bumped.lit.normalize_or(ctx.normal), bumped.seen, pass)
+                    self.pattern_normal = bumped.seen;
+                    (bumped.lit.normalize_or(ctx.normal), bumped.seen, transmittance)
                 }
-                // Where a normal is no number, nothing that is seen of it is (measured on POV-Ray 3.7).
+                // quirk: nan_normal_is_black
                 Some(_) => (ctx.normal, ctx.normal, Rgb::NAN),
             };
             let seen = TextureContext { normal: seen, ..*ctx };
             let color = layer.color(&seen, quick);
             let cos = -ctx.ray.dot(normal);
             let opacity = color.opacity(self.opacity_by_color);
-            let layers = &mut self.coats[number].layers;
-            if !self.quality.lit {
+            let layers = &mut self.materials[number].layers;
+            if !self.quality.lights {
                 layers.clear();
             }
-            let weight = if self.quality.lit { weight } else { Rgb::ONE };
+            let weight = if self.quality.lights { weight } else { Rgb::ONE };
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos };
-            pass *= color.passing();
-            // The mirror takes nothing where there is no pigment (measured on POV-Ray 3.7).
+            transmittance *= color.passing();
+            // quirk: conserve_energy_without_pigment
             if layer.finish.conserve_energy && !layer.is_nothing(&seen, quick) {
-                pass *= left_over(&shaded, self.interface);
+                transmittance *= left_over(&shaded, self.interface);
             }
             layers.push(shaded);
-            // What shows too little of itself is not looked at (measured on POV-Ray 3.7).
-            if pass == Rgb::ZERO || gray(pass) <= self.bailout {
+            // quirk: layers_below_adc_bailout
+            if transmittance == Rgb::ZERO || gray(transmittance) <= self.bailout {
                 break;
             }
         }
-        let coat = &mut self.coats[number];
-        let refraction = coat.layers.first().map_or(1.0, |top| {
-            coat.normal = top.normal;
+        let material = &mut self.materials[number];
+        let refraction = material.layers.first().map_or(1.0, |top| {
+            material.normal = top.normal;
             top.layer.finish.refraction
         });
-        coat.pass = refraction * pass;
+        material.transmittance = refraction * transmittance;
     }
 
-    /// The normal with bumps: into the space of its texture by Mᵀ, back by M⁻ᵀ. What is in the entry of a map, or in a texture with
-    /// `uv_mapping`, begins with one of length 1, and its pigment sees it as it is in there (all measured on POV-Ray 3.7).
+    /// Perturbs the normal: into the space of the texture by Mᵀ, back by M⁻ᵀ. Within the entry of a map, or a texture with `uv_mapping`,
+    /// bumps start from a normal of length 1, and the pigment uses the normal of that space (quirk: `bumps_within_maps`).
     fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
         let within = frame.is_some() || bumps.framed;
         let place = self.placed.place.as_deref().filter(|_| within || !bumps.stays);
         let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
         let local = frame.map_or(local, |frame| frame.inside(local));
         let local = if within { local.normalize_or(local) } else { local };
-        let inner = bumps.perturb(&self.sees(ctx), local);
+        let inner = bumps.perturb(&self.pattern_context(ctx), local);
         let outer = frame.map_or(inner, |frame| frame.outside(inner));
         let lit = place.map_or(outer, |m| m.normal(outer));
         let seen = if within { inner } else { lit };
@@ -193,15 +193,15 @@ impl<'w> Painter<'w, '_> {
     }
 }
 
-/// A normal with bumps.
+/// A perturbed normal.
 struct Bumped {
-    /// As light meets it, of any length, in world space.
+    /// For shading, of any length, in world space.
     lit: DVec3,
-    /// As the pigment sees it; no number where it is none.
+    /// For patterns of the pigment; not finite where the bumps are not.
     seen: DVec3,
 }
 
-/// The spaces of the patterns that chose a texture, the innermost first.
+/// Spaces of the nested patterns that chose a texture, the innermost first.
 struct PatternSpaces<'a> {
     space: &'a Space,
     outer: Option<&'a PatternSpaces<'a>>,
@@ -218,32 +218,31 @@ impl PatternSpaces<'_> {
     }
 }
 
-/// Tells what is painted on the side that a ray sees, and in what shares; mostly one.
-fn of_materials<'w>(
+/// Calls `visit` with each material on the side that a ray hits, and its share; mostly one.
+fn each_material<'w>(
     world: &'w World,
     found: &Intersection,
     surface: &Surface,
     from_inside: bool,
-    mut tell: impl FnMut(&'w PlacedMaterial, f64),
+    mut visit: impl FnMut(&'w PlacedMaterial, f64),
 ) {
     let part = &world.parts[found.part() as usize];
-    let Some(uncommon) = &part.uncommon else { return tell(&part.outside, 1.0) };
-    if let Some(inside) = uncommon.inside.as_ref().filter(|_| from_inside != found.keeps_sides()) {
-        return tell(inside, 1.0);
+    let Some(uncommon) = &part.uncommon else { return visit(&part.outside, 1.0) };
+    if let Some(inside) = uncommon.inside.as_ref().filter(|_| from_inside != found.keeps_texture_sides()) {
+        return visit(inside, 1.0);
     }
     if let Some(cut) = uncommon.cut {
         let holds = |(node, placed): &'w (SolidNode, PlacedMaterial)| node.inside(surface.point).then_some(placed);
         let materials: SmallVec<[&PlacedMaterial; 4]> = world.cuts[cut as usize].iter().filter_map(holds).collect();
         if !materials.is_empty() {
             let share = 1.0 / materials.len() as f64;
-            return materials.into_iter().for_each(|placed| tell(placed, share));
+            return materials.into_iter().for_each(|placed| visit(placed, share));
         }
     }
     if uncommon.embedded.is_empty() {
-        return tell(&part.outside, 1.0);
+        return visit(&part.outside, 1.0);
     }
-    // Small shares are not seen, and the others get no more for it; each component and each corner is asked by itself, whether or not
-    // others look the same (measured on POV-Ray 3.7, for blobs and meshes).
+    // quirk: embedded_shares_below_adc_bailout
     let mut seen = TextureWeights::new();
     for (slot, share) in found.leaf.shape.texture_weights(surface.object_point, &found.hit) {
         match seen.iter_mut().find(|(other, _)| *other == slot) {
@@ -254,11 +253,11 @@ fn of_materials<'w>(
     }
     for (slot, share) in seen {
         let own = slot.checked_sub(1).and_then(|number| uncommon.embedded.get(number as usize));
-        tell(own.unwrap_or(&part.outside), share);
+        visit(own.unwrap_or(&part.outside), share);
     }
 }
 
-/// A material, and the place as it sees it; the normal is in world space.
+/// Returns a material and the context for its patterns; the context's normal is in world space.
 fn texture_context<'w>(
     world: &'w World,
     placed: &PlacedMaterial,
@@ -282,8 +281,8 @@ fn texture_context<'w>(
     (material, ctx)
 }
 
-/// What all layers at the place where `ray` meets `found` let pass; `quick` as the lower qualities show them.
-pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
+/// Returns the transmittance of all layers where a shadow ray hits `found`; `quick` uses `quick_color`.
+pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
     let part = &world.parts[found.part() as usize];
     let outside = &world.materials[part.outside.material as usize];
     if part.uncommon.is_none() && outside.solid && !quick {
@@ -291,25 +290,27 @@ pub(super) fn pass(world: &World, ray: &Ray, found: &Intersection, quick: bool) 
     }
     let surface = found.surface(ray);
     let from_inside = ray.dir.dot(surface.normal) > 0.0;
-    // Patterns see it from where the ray comes, as elsewhere (measured on POV-Ray 3.7).
+    // quirk: slope_faces_ray
     let normal = if from_inside { -surface.normal } else { surface.normal };
-    let (mut pass, mut seen) = (Rgb::ZERO, 0.0);
-    of_materials(world, found, &surface, from_inside, |placed, share| {
+    let (mut sum, mut shares) = (Rgb::ZERO, 0.0);
+    each_material(world, found, &surface, from_inside, |placed, share| {
         let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
-        pass += share * pass_of(material, &ctx, quick);
-        seen += share;
+        sum += share * material_transmittance(material, &ctx, quick);
+        shares += share;
     });
-    // Shares that are too small to be seen are missing twice from light (measured on POV-Ray 3.7).
-    pass * seen
+    // quirk: missing_shares_darken_twice
+    sum * shares
 }
 
-/// What passes the layers of a material.
-fn pass_of(material: &Material, ctx: &TextureContext, quick: bool) -> Rgb {
+/// Returns the product of the transmittances of a material's layers.
+fn material_transmittance(material: &Material, ctx: &TextureContext, quick: bool) -> Rgb {
     material.layers.iter().fold(Rgb::ONE, |pass, layer| match &layer.choice {
         Some(choice) => {
             let (number, inner) = choice.pattern.see(ctx);
             let shares = choice.shares(number);
-            pass * shares.iter().fold(Rgb::ZERO, |sum, (part, share)| sum + *share * pass_of(part, &inner, quick))
+            pass * shares
+                .iter()
+                .fold(Rgb::ZERO, |sum, (part, share)| sum + *share * material_transmittance(part, &inner, quick))
         }
         None => pass * layer.color(ctx, quick).passing(),
     })

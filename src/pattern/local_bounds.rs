@@ -1,76 +1,25 @@
-//! What is known of a pattern's numbers around a point: between which they lie, and how steep they are. Isosurfaces skip what holds
-//! none of their surface.
+//! Bounds on a pattern's numbers around a point: their range and the length of their gradient. Isosurfaces skip balls
+//! that cannot contain their surface.
 
 use super::{Modifiers, Wave, modifiers::PERIOD};
-use crate::function::Interval;
+use crate::function::{Interval, LocalBounds};
 use crate::math::{DMat3, fp};
 use std::f64::consts::PI;
 
-/// Of all points no farther than a radius from one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Near {
-    /// Where their numbers lie.
-    pub range: Interval,
-    /// No shorter than the gradient is anywhere among them; infinite where numbers jump, and where nothing so good is known that it
-    /// helps.
-    pub steepest: f64,
-    /// Nearly all gradients are far shorter than that.
-    pub rough: bool,
-}
-
-impl Near {
-    /// Nothing is known.
-    pub const UNKNOWN: Self = Self { range: Interval::ALL, steepest: f64::INFINITY, rough: false };
-
-    /// The same number everywhere.
-    pub fn same(value: f64) -> Self {
-        Self { range: Interval::point(value), steepest: 0.0, rough: false }
-    }
-
-    /// Around a point of this value, where no gradient is longer than `steepest`.
-    pub fn of(value: f64, steepest: f64, radius: f64) -> Self {
-        let far = steepest * radius;
-        if !(value.is_finite() && far.is_finite()) {
-            return Self::UNKNOWN;
-        }
-        Self { range: Interval::new(value - far, value + far).widened(), steepest, rough: false }
-    }
-
-    /// No farther than this from a value; no gradient is longer than `steepest`, and nearly all are far shorter.
-    pub fn rough(value: f64, far: f64, steepest: f64) -> Self {
-        Self { steepest, rough: true, ..Self::of(value, far, 1.0) }
-    }
-
-    /// Its numbers lie there in any case.
-    pub fn within(self, lo: f64, hi: f64) -> Self {
-        Self { range: Interval { lo: self.range.lo.clamp(lo, hi), hi: self.range.hi.clamp(lo, hi) }, ..self }
-    }
-
-    /// What is left of its numbers above whole ones.
-    pub fn fraction(self) -> Self {
-        let whole = self.range.lo.floor();
-        if whole == self.range.hi.floor() {
-            let range = Interval { lo: self.range.lo - whole, hi: self.range.hi - whole };
-            Self { range, ..self }
-        } else {
-            Self { range: Interval::TRUTH, ..Self::UNKNOWN }
-        }
-    }
-}
-
 impl Modifiers {
-    /// What [`Modifiers::apply`] makes of such numbers.
-    pub fn near(&self, raw: Near) -> Near {
+    /// Bounds of [`Modifiers::apply`] over numbers with the bounds `raw`.
+    pub fn bounds_near(&self, raw: LocalBounds) -> LocalBounds {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 {
             raw
         } else {
-            // (As it is computed, which keeps the order of numbers; wider, what begins at 0 would begin in the period before.)
+            // (Computed like the numbers themselves, which preserves their order; a wider range that begins at 0 would
+            // begin in the period before.)
             let [a, b] = [raw.range.lo, raw.range.hi].map(|x| x * frequency + self.phase);
-            Near { range: Interval::new(a, b), steepest: raw.steepest * frequency.abs(), ..raw }
+            LocalBounds { range: Interval::new(a, b), steepest: raw.steepest * frequency.abs(), ..raw }
         };
         let Interval { lo, hi } = shifted.range;
-        // Numbers of one period, from 0 on; those below 0 are counted from 1 on.
+        // Numbers within one period, from 0 on; negative ones are counted from 1 on.
         let start = match ((lo / PERIOD).floor(), (hi / PERIOD).floor()) {
             _ if frequency == 0.0 && lo >= 0.0 => Some(0.0),
             _ if frequency == 0.0 => None,
@@ -79,23 +28,24 @@ impl Modifiers {
             (a, _) => Some(a * PERIOD),
         };
         match start {
-            Some(0.0) => self.wave.near(shifted),
-            Some(start) if lo - start >= 0.0 => {
-                self.wave.near(Near { range: Interval { lo: lo - start, hi: hi - start }.widened(), ..shifted })
-            }
-            _ => Near::UNKNOWN,
+            Some(0.0) => self.wave.bounds_near(shifted),
+            Some(start) if lo - start >= 0.0 => self
+                .wave
+                .bounds_near(LocalBounds { range: Interval { lo: lo - start, hi: hi - start }.widened(), ..shifted }),
+            _ => LocalBounds::UNKNOWN,
         }
     }
 }
 
 impl Wave {
-    /// Of numbers in one period.
-    fn near(self, v: Near) -> Near {
+    /// Bounds of the wave over numbers within one period.
+    fn bounds_near(self, v: LocalBounds) -> LocalBounds {
         let Interval { lo, hi } = v.range;
-        let chain = |range: Interval, factor: f64| Near { range: range.widened(), steepest: v.steepest * factor, ..v };
+        let chain =
+            |range: Interval, factor: f64| LocalBounds { range: range.widened(), steepest: v.steepest * factor, ..v };
         match self {
             Wave::Ramp => v,
-            _ if !(lo >= 0.0 && hi <= 1.0) => Near::UNKNOWN,
+            _ if !(lo >= 0.0 && hi <= 1.0) => LocalBounds::UNKNOWN,
             Wave::Triangle => {
                 let ends = Interval::new(1.0 - (2.0 * lo - 1.0).abs(), 1.0 - (2.0 * hi - 1.0).abs());
                 chain(if v.range.contains(0.5) { ends.hull(Interval::point(1.0)) } else { ends }, 2.0)
@@ -107,12 +57,13 @@ impl Wave {
             Wave::Scallop => chain((v.range * Interval::point(PI)).sin().abs(), PI),
             Wave::Cubic => chain(v.range.growing(|v| v * v * (3.0 - 2.0 * v)), 1.5),
             Wave::Poly(power) if power >= 1.0 => chain(v.range.growing(|v| fp::pow(v, power)), power),
-            Wave::Poly(_) => Near::UNKNOWN,
+            Wave::Poly(_) => LocalBounds::UNKNOWN,
         }
     }
 }
 
-/// How much longer a matrix makes a vector at most, and a little more: the largest eigenvalue of MᵀM, by squaring that.
+/// Upper bound of the factor by which a matrix lengthens a vector: the square root of the largest eigenvalue of MᵀM,
+/// found by repeated squaring.
 pub fn stretch(m: &DMat3) -> f64 {
     let s = m.transpose() * *m;
     let size = s.to_cols_array().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -168,7 +119,7 @@ mod tests {
         fields.into_iter().map(Kind::Field).chain(cells.into_iter().map(Kind::Cells)).collect()
     }
 
-    /// Each pattern, each wave, some frequencies, in a space of its own: what is said of a ball holds for all points in it.
+    /// Each pattern, wave and some frequencies, in a transformed space: the bounds of a ball hold for all points in it.
     #[test]
     fn numbers_near_a_point_are_as_is_said() {
         let waves =
@@ -193,7 +144,7 @@ mod tests {
                         };
                         let (p, radius) = (vector() * 3.0, vector().x.abs() * 0.2);
                         let at = |p| TextureContext::free(p, NoiseGenerator::RangeCorrected);
-                        let near = program.near(&at(p), radius);
+                        let near = program.bounds_near(&at(p), radius);
                         known += usize::from(near.steepest.is_finite());
                         let q = p + vector().normalize() * radius * vector().x.abs();
                         let (a, b) = (program.see(&at(p)).0, program.see(&at(q)).0);

@@ -1,0 +1,80 @@
+//! Bounds on a function's or pattern's numbers around a point, and on their gradients.
+
+use super::Interval;
+use crate::math::DVec3;
+
+/// Bounds over all points within a radius of one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocalBounds {
+    /// Range of the numbers.
+    pub range: Interval,
+    /// Centre of the ball that contains all gradients.
+    pub gradient: DVec3,
+    /// Radius of the ball that contains all gradients; infinite where the numbers jump, or where no useful bound is known.
+    pub steepest: f64,
+    /// True if nearly all gradients are far nearer to `gradient` than `steepest`.
+    pub rough: bool,
+}
+
+/// Step of the differences that approximate a gradient; those of noise are then accurate to 1e-7.
+const STEP: f64 = 1e-4;
+/// Upper bound of the error of such a gradient.
+const SLACK: f64 = 1e-6;
+
+impl LocalBounds {
+    /// No bounds.
+    pub const UNKNOWN: Self =
+        Self { range: Interval::ALL, gradient: DVec3::ZERO, steepest: f64::INFINITY, rough: false };
+
+    /// Bounds of a constant.
+    pub fn constant(value: f64) -> Self {
+        Self { range: Interval::point(value), steepest: 0.0, ..Self::UNKNOWN }
+    }
+
+    /// Bounds within `radius` of a point with this value, where no gradient is longer than `steepest`.
+    pub fn of(value: f64, steepest: f64, radius: f64) -> Self {
+        let far = steepest * radius;
+        if !(value.is_finite() && far.is_finite()) {
+            return Self::UNKNOWN;
+        }
+        Self { range: Interval::new(value - far, value + far).widened(), steepest, ..Self::UNKNOWN }
+    }
+
+    /// Numbers no farther than `far` from a value; no gradient is longer than `steepest`, and nearly all are far
+    /// shorter.
+    pub fn rough(value: f64, far: f64, steepest: f64) -> Self {
+        Self { steepest, rough: true, ..Self::of(value, far, 1.0) }
+    }
+
+    /// Intersects the range with [lo, hi].
+    pub fn within(self, lo: f64, hi: f64) -> Self {
+        Self { range: Interval { lo: self.range.lo.clamp(lo, hi), hi: self.range.hi.clamp(lo, hi) }, ..self }
+    }
+
+    /// Bounds of the fractional parts.
+    pub fn fraction(self) -> Self {
+        let whole = self.range.lo.floor();
+        if whole == self.range.hi.floor() {
+            let range = Interval { lo: self.range.lo - whole, hi: self.range.hi - whole };
+            Self { range, ..self }
+        } else {
+            Self { range: Interval::TRUTH, ..Self::UNKNOWN }
+        }
+    }
+
+    /// Tighter bounds where gradients change by at most `bend` per unit of length while the numbers are strictly `within`: all gradients
+    /// are then near the one at the point (Taylor's theorem). `at` gives the number at an offset from the point.
+    pub fn bent(self, at: impl Fn(DVec3) -> f64, bend: f64, radius: f64, within: Interval) -> Self {
+        let turn = bend * radius + SLACK;
+        if !(turn < self.steepest && self.range.lo > within.lo && self.range.hi < within.hi) {
+            return self;
+        }
+        let by = |axis: DVec3| (at(axis * STEP) - at(axis * -STEP)) / (2.0 * STEP);
+        let gradient = DVec3::new(by(DVec3::X), by(DVec3::Y), by(DVec3::Z));
+        // |f(p) − f(0)| ≤ |g|·r + b·r²/2
+        let far = (gradient.length() + SLACK + 0.5 * bend * radius) * radius;
+        let value = 0.5 * (self.range.lo + self.range.hi);
+        let range = self.range.shared(Interval::new(value - far, value + far).widened());
+        Self { range, gradient, steepest: turn, ..self }
+    }
+}

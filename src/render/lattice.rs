@@ -1,0 +1,70 @@
+//! durer's own anti-aliasing: a pixel that differs from a neighbour gets 5 samples, and 10 if those differ.
+//!
+//! Samples are at the points of a lattice (Sloan and Joe, Lattice Methods for Multiple Integration, 1994): the multiples of (1, 3)/10 modulo
+//! 1, of which every other one is a multiple of (1, 3)/5. Both lattices are square, rotated by 18° and 63°, so horizontal and vertical
+//! edges have ten and five levels. The pixel's centre, whose sample is known, is one of the points. Random bits transpose and mirror the
+//! lattice of each pixel.
+
+use super::antialias::{Difference, pixel as pixel_of};
+use super::pixel_rows::Pixel;
+use super::sampler::Sampler;
+use crate::transport::Purpose;
+
+/// Number of samples at first, the centre included.
+const FEW: u32 = 5;
+/// Number of samples of a pixel whose first samples differ.
+const MANY: u32 = 10;
+/// Multiple of the threshold by which the first samples must differ.
+const FAR: f64 = 2.0;
+
+/// Returns point `number` of the lattice in the unit square; point 0 is the centre. `bits` select one of 8 symmetries.
+fn point(number: u32, bits: u32) -> [f64; 2] {
+    let multiple = if number < FEW { 2 * number } else { 2 * (number - FEW) + 1 };
+    let from_middle = |n: u32| f64::from((n + MANY / 2) % MANY) / f64::from(MANY) - 0.5;
+    let [x, y] = [from_middle(multiple), from_middle(3 * multiple)];
+    let [x, y] = [if bits & 1 == 0 { x } else { -x }, if bits & 2 == 0 { y } else { -y }];
+    if bits & 4 == 0 { [0.5 + x, 0.5 + y] } else { [0.5 + y, 0.5 + x] }
+}
+
+/// Computes a pixel; `middle` is the sample at its centre.
+pub(super) fn pixel(
+    sampler: &mut Sampler,
+    difference: &Difference,
+    number: u64,
+    [x, y]: [usize; 2],
+    middle: &Pixel,
+) -> Pixel {
+    sampler.begin(number, 0);
+    let bits = (sampler.pixel_random(Purpose::PixelPosition).at(0) * 8.0) as u32;
+    let (mut sum, mut differ, mut count) = (middle.map(f64::from), false, 1);
+    while count < FEW || differ && count < MANY {
+        let [right, down] = point(count, bits);
+        sampler.begin(number, u64::from(count));
+        let sample = pixel_of(&sampler.sample(x as f64 + right, y as f64 + down));
+        sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
+        differ |= count < FEW && difference.exceeds(&sample, middle, FAR);
+        count += 1;
+    }
+    sum.map(|c| (c / f64::from(count)) as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_and_columns_are_evenly_filled() {
+        for bits in 0..8 {
+            assert_eq!(point(0, bits), [0.5, 0.5]);
+            for (numbers, many) in [(0..FEW, FEW), (0..MANY, MANY)] {
+                let mut found: Vec<[f64; 2]> = numbers.map(|number| point(number, bits)).collect();
+                for axis in [0, 1] {
+                    found.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
+                    let apart = |pair: &[[f64; 2]]| (pair[1][axis] - pair[0][axis]) * f64::from(many);
+                    assert!(found.windows(2).all(|pair| (apart(pair) - 1.0).abs() < 1e-12), "{bits} {many}");
+                    assert!(found.iter().all(|point| (0.0..=1.0).contains(&point[axis])));
+                }
+            }
+        }
+    }
+}

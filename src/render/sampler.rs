@@ -1,0 +1,87 @@
+//! Samples of the picture: a point of the picture, a camera ray through it, its radiance.
+
+use crate::camera::{Lens, View};
+use crate::color::Rgb;
+use crate::math::{DVec2, DVec3};
+use crate::transport::{FrameContext, Purpose, Radiance, RandomSequence, RayCounts, Tracer};
+
+/// The camera of a frame, for a picture of one size.
+pub(super) struct FrameCamera {
+    pub view: View,
+    /// Lens of a camera with focal blur.
+    pub lens: Option<Lens>,
+    /// Unit vectors right, up and ahead, in world space.
+    axes: [DVec3; 3],
+}
+
+impl FrameCamera {
+    pub fn new(camera: &crate::camera::LoweredCamera, width: usize, height: usize) -> Self {
+        let (axes, _) = camera.frame.axes();
+        Self { view: camera.view(width, height), lens: camera.lens.clone(), axes }
+    }
+}
+
+/// Takes one sample after another, on one thread. Points are in pixels from the top left corner of the picture.
+pub(super) struct Sampler<'w> {
+    camera: &'w FrameCamera,
+    tracer: Tracer<'w>,
+}
+
+impl<'w> Sampler<'w> {
+    pub fn new(
+        context: &'w FrameContext<'w>,
+        camera: &'w FrameCamera,
+        is_cancelled: &'w (dyn Fn() -> bool + Sync),
+    ) -> Self {
+        Self { camera, tracer: Tracer::new(context, is_cancelled) }
+    }
+
+    /// Starts a sample of a pixel: random numbers from here on are keyed by both.
+    pub fn begin(&mut self, pixel: u64, sample: u64) {
+        self.tracer.begin(pixel, sample);
+    }
+
+    /// Random numbers of the current sample.
+    pub fn random(&mut self, purpose: Purpose) -> RandomSequence {
+        self.tracer.random.sequence(purpose)
+    }
+
+    /// Random numbers that all samples of the current pixel share.
+    pub fn pixel_random(&self, purpose: Purpose) -> RandomSequence {
+        self.tracer.random.pixel_sequence(purpose)
+    }
+
+    /// True if the render was cancelled; samples since then are worthless.
+    pub fn is_stopped(&self) -> bool {
+        self.tracer.is_stopped()
+    }
+
+    /// Rays traced so far.
+    pub fn counts(&self) -> &RayCounts {
+        &self.tracer.counts
+    }
+
+    /// Returns the radiance through a point: the mean over all rays of a camera that has several.
+    pub fn sample(&mut self, x: f64, y: f64) -> Radiance {
+        let view = &self.camera.view;
+        let count = view.count();
+        if count <= 1 {
+            return view.ray(x, y).map_or(Radiance::NO_RAY, |ray| self.tracer.camera_radiance(ray));
+        }
+        let (mut rgb, mut transparency, mut found) = (Rgb::ZERO, 1.0, 0.0);
+        for ray in (0..count).filter_map(|number| view.ray_of(x, y, number)) {
+            let radiance = self.tracer.camera_radiance(ray);
+            (rgb, transparency, found) = (rgb + radiance.rgb, transparency + radiance.transparency, found + 1.0);
+        }
+        match found == 0.0 {
+            true => Radiance::NO_RAY,
+            false => Radiance { rgb: rgb / found, transparency: transparency / found },
+        }
+    }
+
+    /// Returns the radiance through a point of the picture and a point of the lens, which is in [0, 1)².
+    pub fn lens_sample(&mut self, x: f64, y: f64, lens: &Lens, point: DVec2) -> Radiance {
+        let ray = self.camera.view.ray(x, y).map(|ray| lens.through(&ray, point, &self.camera.axes));
+        ray.map_or(Radiance::NO_RAY, |ray| self.tracer.camera_radiance(ray))
+    }
+}

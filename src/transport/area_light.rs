@@ -1,0 +1,110 @@
+//! `area_light`: soft shadows by the visibility of a grid of lights (manual, "Area Lights").
+
+use super::random::{Purpose, RandomSequence};
+use super::ray_state::RayState;
+use super::tracer::Tracer;
+use crate::color::Rgb;
+use crate::light::{Area, LightSample};
+use crate::math::DVec3;
+use crate::world::LightSource;
+use rustc_hash::FxHashMap;
+
+/// Corners whose light differs by more, summed over the channels, do not agree (quirk: `area_light_subdivision`).
+const MAX_DIFFERENCE: f64 = 0.1;
+/// Maximum number of lights whose visibility is stored in an array.
+const MAX_ARRAY: usize = 1 << 16;
+
+/// One evaluation of the visibility of a grid of lights.
+struct GridVisibility<'a> {
+    light: &'a LightSource,
+    area: &'a Area,
+    point: DVec3,
+    /// From the grid's centre.
+    center: &'a LightSample,
+    state: &'a RayState,
+    random: RandomSequence,
+    known: Known,
+}
+
+/// Visibility of the lights that shadow rays were traced to.
+enum Known {
+    /// Row by row; NaN for a light without a shadow ray.
+    Array(Vec<Rgb>),
+    Map(FxHashMap<[u32; 2], Rgb>),
+}
+
+impl Tracer<'_> {
+    /// Returns the mean visibility of a grid of lights. The grid is halved both ways down to single lights; a piece counts as the mean of
+    /// its corners, so inner lights count twice and four times as much as those at edges and corners (quirk: `area_light_subdivision`).
+    pub(super) fn area_visibility(
+        &mut self,
+        light: &LightSource,
+        area: &Area,
+        point: DVec3,
+        center: &LightSample,
+        state: &RayState,
+    ) -> Rgb {
+        let [n, m] = area.size;
+        let count = n as usize * m as usize;
+        let known = match count <= MAX_ARRAY {
+            true => Known::Array(vec![Rgb::NAN; count]),
+            false => Known::Map(FxHashMap::default()),
+        };
+        let random = self.random.sequence(Purpose::AreaLight);
+        let mut grid = GridVisibility { light, area, point, center, state, random, known };
+        self.piece(&mut grid, [0, 0], [n - 1, m - 1], 0)
+    }
+
+    /// The mean over a piece of the grid, from the light `low` to the light `high`, after `level` halvings.
+    fn piece(&mut self, grid: &mut GridVisibility, low: [u32; 2], high: [u32; 2], level: u32) -> Rgb {
+        let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell(grid, cell));
+        let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
+        let is_settled = grid.area.adaptive.is_some_and(|least| level >= least) && agree(&corners, grid.center.light);
+        if is_single || is_settled || self.is_stopped() {
+            return corners.iter().sum::<Rgb>() * 0.25;
+        }
+        let halves = |i: usize| {
+            let half = (high[i] - low[i]) / 2;
+            [(low[i], low[i] + half), (high[i] - half, high[i])]
+        };
+        let mut sum = Rgb::ZERO;
+        for (bottom, top) in halves(1) {
+            for (left, right) in halves(0) {
+                sum += self.piece(grid, [left, bottom], [right, top], level + 1);
+            }
+        }
+        sum * 0.25
+    }
+
+    /// The visibility of one light.
+    fn cell(&mut self, grid: &mut GridVisibility, cell: [u32; 2]) -> Rgb {
+        let at = cell[1] as usize * grid.area.size[0] as usize + cell[0] as usize;
+        let known = match &grid.known {
+            Known::Array(row) => Some(row[at]).filter(|known| !known.is_nan()),
+            Known::Map(map) => map.get(&cell).copied(),
+        };
+        known.unwrap_or_else(|| {
+            let offset = offset(grid.area, cell, -grid.center.from, grid.random);
+            let sample = grid.light.emitter.sample(grid.point, offset);
+            let visibility = self.point_visibility(grid.light, grid.point, &sample, grid.state);
+            match &mut grid.known {
+                Known::Array(row) => row[at] = visibility,
+                Known::Map(map) => drop(map.insert(cell, visibility)),
+            }
+            visibility
+        })
+    }
+}
+
+/// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the light to the point.
+pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomSequence) -> DVec3 {
+    let number = 2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]));
+    area.offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
+}
+
+/// True if the light of all corners hardly differs.
+#[inline]
+fn agree(corners: &[Rgb; 4], light: Rgb) -> bool {
+    let apart = |a: Rgb, b: Rgb| ((a - b) * light).abs().element_sum() > MAX_DIFFERENCE;
+    !(0..4).any(|i| (0..i).any(|j| apart(corners[i], corners[j])))
+}

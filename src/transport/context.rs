@@ -1,0 +1,91 @@
+//! What all rays of a frame share.
+
+use super::interface::Interiors;
+use crate::math::DVec3;
+use crate::world::{ObjectInfo, World};
+
+/// Features that `+Q` switches.
+#[derive(Clone, Copy, Debug)]
+pub struct Quality {
+    /// From 2 on: light sources illuminate.
+    pub lights: bool,
+    /// From 4 on: shadows.
+    pub shadows: bool,
+    /// From 5 on: an `area_light` is a grid of lights, not one.
+    pub area_lights: bool,
+    /// From 6 on: pigments in place of `quick_color`, and transparency.
+    pub pigments: bool,
+    /// From 8 on: reflection and normals.
+    pub reflection: bool,
+    /// From 9 on: fog and rainbows.
+    pub atmosphere: bool,
+}
+
+impl Quality {
+    /// The features of a level from 0 to 11 (quirk: `quality_levels`).
+    pub fn new(q: u8) -> Self {
+        Self {
+            lights: q >= 2,
+            shadows: q >= 4,
+            area_lights: q >= 5,
+            pigments: q >= 6,
+            reflection: q >= 8,
+            atmosphere: q >= 9,
+        }
+    }
+}
+
+/// Where camera rays come from, as far as transport needs to know.
+#[derive(Clone, Copy, Debug)]
+pub struct CameraOrigin {
+    /// Common origin of all camera rays, in world space; `None` if each ray has its own.
+    pub origin: Option<DVec3>,
+    /// Maximum distance of a hit of a camera ray, in world units.
+    pub reach: f64,
+}
+
+/// Data that all rays of a frame share; read only.
+#[derive(Debug)]
+pub struct FrameContext<'w> {
+    /// The lowered scene.
+    pub world: &'w World,
+    pub(super) quality: Quality,
+    pub(super) camera: CameraOrigin,
+    /// Number of the frame, a part of each random number's key.
+    pub(super) frame: u32,
+    /// True if the picture keeps alpha.
+    pub(super) keeps_alpha: bool,
+    /// Interiors that contain the common origin of camera rays.
+    camera_interiors: Interiors,
+    /// True if rays keep a list of the interiors around them.
+    pub(super) tracks_interiors: bool,
+}
+
+impl<'w> FrameContext<'w> {
+    /// Finds what the camera is inside of.
+    pub fn new(world: &'w World, quality: Quality, camera: CameraOrigin, frame: u32, keeps_alpha: bool) -> Self {
+        let tracks_interiors = world.asks_inside();
+        let around = |origin| interiors_around(world, origin);
+        let camera_interiors = camera.origin.filter(|_| tracks_interiors).map_or_else(Interiors::new, around);
+        Self { world, quality, camera, frame, keeps_alpha, camera_interiors, tracks_interiors }
+    }
+
+    /// Returns the interiors that contain the origin of a camera ray.
+    pub(super) fn interiors_at(&self, origin: DVec3) -> Interiors {
+        match self.camera.origin {
+            None if self.tracks_interiors => interiors_around(self.world, origin),
+            _ => self.camera_interiors.clone(),
+        }
+    }
+}
+
+/// Returns the interiors of all objects that contain a point, in the order of their numbers.
+fn interiors_around(world: &World, p: DVec3) -> Interiors {
+    let mut inside = Interiors::new();
+    world.geometry.containing(p, &mut |solid| {
+        let interior = world.objects[solid.object() as usize].interior;
+        inside.extend((interior != ObjectInfo::VIEW).then_some(interior));
+    });
+    inside.sort_unstable();
+    inside
+}

@@ -1,0 +1,183 @@
+//! Light that a surface sends by itself or from light sources: one function for each term of `finish` (manual, "Finish").
+
+use super::area_light::offset;
+use super::random::Purpose;
+use super::ray_state::RayState;
+use super::reflect::film;
+use super::shading_point::{ShadedLayer, ShadingPoint};
+use super::tracer::Tracer;
+use crate::color::Rgb;
+use crate::light::LightSample;
+use crate::math::{DVec3, fp};
+use crate::world::{LightSource, Lobe};
+use std::f64::consts::FRAC_PI_2;
+
+/// The geometry of one reflection of light at one layer.
+struct Incidence {
+    /// Direction of the ray that hits the surface.
+    dir: DVec3,
+    /// N, length 1.
+    normal: DVec3,
+    /// l, length 1, towards the light.
+    to_light: DVec3,
+    /// N·l; negative for light from behind.
+    cos: f64,
+}
+
+/// A light source, as one point of a surface sees it.
+#[derive(Clone, Copy)]
+struct Source<'a> {
+    light: &'a LightSource,
+    /// Direction to the light's location, the centre of an `area_light`; films use this one direction (quirk: `irid_of_area_center`).
+    center: DVec3,
+}
+
+impl Tracer<'_> {
+    /// Returns the radiance that a surface sends along the ray by its own emission and by diffuse and specular reflection of light
+    /// sources, without `reflection` and transmission.
+    pub(super) fn direct_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
+        if !self.context.quality.lights {
+            return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
+        }
+        let mut sum = shading.sum(|shaded| shaded.weight * emitted(shaded));
+        let world = self.context.world;
+        for &number in &world.lit_by[shading.part.lights() as usize] {
+            sum += self.reflected_light(&world.lights[number as usize], state, shading);
+        }
+        sum
+    }
+
+    /// The radiance that one light source causes.
+    fn reflected_light(&mut self, light: &LightSource, state: &RayState, shading: &ShadingPoint) -> Rgb {
+        let dir = state.ray.dir;
+        let center = light.emitter.sample(shading.point, DVec3::ZERO);
+        let source = Source { light, center: center.from };
+        let area_lights = self.context.quality.area_lights;
+        let Some(area) = light.emitter.area.as_ref().filter(|area| area.illumination && area_lights) else {
+            let visibility = |tracer: &mut Self| tracer.visibility(light, shading.point, &center, state);
+            return self.reflected_sample(&center, source, dir, shading, visibility);
+        };
+        // `area_illumination`: each light of the grid illuminates, with the shadow of the whole grid (quirk: `area_illumination_shadow`)
+        let visibility = self.visibility(light, shading.point, &center, state);
+        if visibility == Rgb::ZERO {
+            return Rgb::ZERO;
+        }
+        let [n, m] = area.size;
+        let mut sum = Rgb::ZERO;
+        let random = self.random.sequence(Purpose::AreaLight);
+        for cell in (0..m).flat_map(|j| (0..n).map(move |i| [i, j])) {
+            let offset = offset(area, cell, -center.from, random);
+            let sample = light.emitter.sample(shading.point, offset);
+            sum += self.reflected_sample(&sample, source, dir, shading, |_| visibility);
+        }
+        sum / (f64::from(n) * f64::from(m))
+    }
+
+    /// The radiance that light from one direction causes; `visibility` is only asked for light that the surface reflects.
+    fn reflected_sample(
+        &mut self,
+        sample: &LightSample,
+        Source { light, center }: Source,
+        dir: DVec3,
+        shading: &ShadingPoint,
+        visibility: impl FnOnce(&mut Self) -> Rgb,
+    ) -> Rgb {
+        let l = sample.from;
+        // quirk: area_illumination_both_sides
+        let shines_through =
+            light.emitter.area.as_ref().is_some_and(|area| area.illumination) && !self.context.quality.area_lights;
+        let both_sides = shading.part.double_illuminate || shines_through;
+        if sample.light == Rgb::ZERO || !l.is_finite() || !reflects_light(shading, l, both_sides) {
+            return Rgb::ZERO;
+        }
+        let incident = sample.light * visibility(self);
+        if incident == Rgb::ZERO {
+            return Rgb::ZERO;
+        }
+        let sum = shading.sum(|shaded| {
+            let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
+            let crand = shaded.layer.finish.crand;
+            let grain = if crand == 0.0 { 0.0 } else { crand * self.random.next(Purpose::Grain) };
+            let mut reflected = diffuse(shaded, &at, grain, both_sides);
+            // quirk: double_illuminate_highlights
+            if (at.cos > 0.0 || both_sides) && !light.emitter.shadowless {
+                reflected += highlight(shaded, &at);
+            }
+            reflected *= film(shading.point, shaded, center, self.context.world);
+            shaded.weight * reflected
+        });
+        sum * incident
+    }
+}
+
+/// True if any layer reflects light from a direction.
+fn reflects_light(shading: &ShadingPoint, from: DVec3, both_sides: bool) -> bool {
+    shading.layers().any(|shaded| {
+        let finish = &shaded.layer.finish;
+        match both_sides || shaded.normal.dot(from) > 0.0 {
+            true => finish.diffuse != 0.0 || finish.phong.strength != 0.0 || finish.specular.strength != 0.0,
+            false => finish.diffuse_back != 0.0,
+        }
+    })
+}
+
+/// `ambient` and `emission`.
+fn emitted(shaded: &ShadedLayer) -> Rgb {
+    let finish = &shaded.layer.finish;
+    shaded.color.rgb * shaded.opacity * (finish.ambient + finish.emission)
+}
+
+/// `diffuse`, `brilliance`, `crand`.
+fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
+    let layer = shaded.layer;
+    let amount = if at.cos > 0.0 || both_sides { layer.finish.diffuse } else { layer.finish.diffuse_back };
+    if amount == 0.0 {
+        return Rgb::ZERO;
+    }
+    // opacity · d·|N·l|ᵇ - grain (quirk: `crand_ignores_opacity`)
+    shaded.color.rgb * (shaded.opacity * amount * power(at.cos.abs(), layer.finish.brilliance) - grain)
+}
+
+/// `phong` and `specular`, tinted by `metallic`.
+fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
+    let layer = shaded.layer;
+    let mut amount = 0.0;
+    if layer.finish.phong.strength != 0.0 {
+        // (R·l)ⁿ, where R is the mirror direction of the ray
+        amount += lobe(&layer.finish.phong, (at.dir - at.normal * (2.0 * at.dir.dot(at.normal))).dot(at.to_light));
+    }
+    if layer.finish.specular.strength != 0.0 {
+        // (N·h)ⁿ, where h is half-way between light and ray (Blinn 1977)
+        amount += lobe(&layer.finish.specular, at.normal.dot((at.to_light - at.dir).normalize_or_zero()));
+    }
+    if amount == 0.0 {
+        return Rgb::ZERO;
+    }
+    metal_tint(layer.finish.metallic, at.cos, shaded.color.rgb) * amount
+}
+
+/// strength · cosⁿ
+fn lobe(lobe: &Lobe, cos: f64) -> f64 {
+    if cos <= 0.0 { 0.0 } else { lobe.strength * power(cos, lobe.exponent) }
+}
+
+/// Returns the colour of light that metal reflects: the pigment's, but white at a grazing angle, by F of Strauss, A realistic lighting
+/// model for computer animators, 1990.
+pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
+    if metallic == 0.0 {
+        return Rgb::ONE;
+    }
+    const K: f64 = 1.12;
+    let x = fp::acos(cos.clamp(-1.0, 1.0)) / FRAC_PI_2;
+    // F(x) = (1/(x-k)² - 1/k²) / (1/(1-k)² - 1/k²)
+    let rise = |x: f64| 1.0 / ((x - K) * (x - K)) - 1.0 / (K * K);
+    // For bumps that are seen from behind, x is above 1, and F is 1 (quirk: `bumps_from_behind`).
+    let fresnel = (rise(x) / rise(1.0)).min(1.0);
+    Rgb::ONE + (pigment - Rgb::ONE) * (metallic * (1.0 - fresnel))
+}
+
+/// Returns x to a power. Most exponents are whole numbers, for which a few products are enough.
+fn power(x: f64, exponent: f64) -> f64 {
+    let whole = exponent as u32;
+    if f64::from(whole) == exponent && whole < 4096 { fp::power_of(x, whole) } else { fp::pow(x, exponent) }
+}

@@ -1,0 +1,26 @@
+//! Light along one ray: intersection, segment, direct light, scattering. Nothing here depends on pixels.
+//!
+//! [`Tracer`] estimates the radiance that arrives at a ray's origin. Its loop (`radiance`) works on a queue of ray states; each step
+//! is one file: `segment` (air and attenuation between two surfaces), `shading_point` (materials at a hit), `direct_light` with
+//! `visibility` and `area_light` (light from light sources), `scatter` with `reflect`, `interface` and `dispersion` (the rays that
+//! continue from the surface).
+
+mod area_light;
+mod context;
+mod direct_light;
+mod dispersion;
+mod interface;
+mod radiance;
+mod random;
+mod ray_state;
+mod reflect;
+mod scatter;
+mod segment;
+mod shading_point;
+mod tracer;
+mod visibility;
+
+pub use context::{CameraOrigin, FrameContext, Quality};
+pub use radiance::Radiance;
+pub use random::{Purpose, Random, RandomSequence};
+pub use tracer::{RayCounts, Tracer};

@@ -1,0 +1,125 @@
+//! The loop over ray states: the radiance of one camera ray is the sum over all rays that it spawns.
+
+use super::interface::Interface;
+use super::ray_state::{MAX_SURFACES, RayState};
+use super::scatter::Boundary;
+use super::segment::Span;
+use super::shading_point::ShadingPoint;
+use super::tracer::Tracer;
+use crate::atmosphere::{Segment, ViewKind};
+use crate::color::{Rgb, gray};
+use crate::math::{Range, Ray};
+use crate::world::Intersection;
+
+/// Light that arrives along a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Radiance {
+    /// Radiance in the numbers of the scene (see `assumed_gamma`).
+    pub rgb: Rgb,
+    /// Share of what is behind the scene that shows: 1 - alpha.
+    pub transparency: f64,
+}
+
+impl Radiance {
+    /// Of a camera ray that does not exist: black, and transparent in a picture that keeps alpha (quirk: `camera_without_ray`).
+    pub const NO_RAY: Self = Self { rgb: Rgb::ZERO, transparency: 1.0 };
+
+    const ZERO: Self = Self { rgb: Rgb::ZERO, transparency: 0.0 };
+}
+
+impl<'w> Tracer<'w> {
+    /// Returns the radiance along a camera ray of length 1.
+    pub fn camera_radiance(&mut self, ray: Ray) -> Radiance {
+        self.counts.camera += 1;
+        let inside = self.context.interiors_at(ray.origin);
+        self.radiance(RayState::camera(ray, inside))
+    }
+
+    /// Returns the radiance along a ray: traces the ray and all rays that it spawns, the last spawned first.
+    pub(super) fn radiance(&mut self, first: RayState) -> Radiance {
+        let mut sum = Radiance::ZERO;
+        // A nested query leaves the states of the query around it in the queue.
+        let pending = self.queue.len();
+        self.queue.push(first);
+        while self.queue.len() > pending
+            && let Some(state) = self.queue.pop()
+        {
+            if self.is_stopped_at_next_surface() {
+                break;
+            }
+            if state.n_surfaces < MAX_SURFACES {
+                self.trace(state, &mut sum);
+            }
+        }
+        self.queue.truncate(pending);
+        sum
+    }
+
+    /// Traces a ray up to its first hit: adds the light of the segment and of the surface to `sum`, and pushes the rays that continue.
+    fn trace(&mut self, mut state: RayState, sum: &mut Radiance) {
+        self.random.next_vertex();
+        let Some(hit) = self.closest(&state) else {
+            let air = self.segment(&state.ray, &Span::from_origin(Segment::FAR), &state.inside);
+            let all = air.in_front_of(self.background(&state));
+            sum.rgb += state.throughput * all.radiance;
+            sum.transparency += state.transparency * gray(all.transmittance);
+            return;
+        };
+        // Air between the origin and the hit
+        let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside);
+        sum.rgb += state.throughput * air.radiance;
+        state.attenuate(&air);
+        // Light that the surface itself sends
+        let interface = self.interface(&state, &hit);
+        let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, &self.context.quality, &interface);
+        sum.rgb += state.throughput * self.direct_light(&state, &shading);
+        // Rays that continue
+        let attenuation = match self.context.world.colors_light && interface.leaves() {
+            true => self.attenuation(shading.part.interior, hit.t()),
+            false => Rgb::ONE,
+        };
+        self.scatter(&state, &Boundary { shading, interface, attenuation }, sum);
+    }
+
+    /// Returns the closest hit among the objects that are visible to this kind of ray.
+    fn closest(&self, state: &RayState) -> Option<Intersection<'w>> {
+        let world = self.context.world;
+        let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
+        if state.is_reflected {
+            world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].reflection)
+        } else if state.has_transmitted {
+            world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].through)
+        } else {
+            let range = Range { max: self.context.camera.reach, ..range };
+            world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].image)
+        }
+    }
+
+    /// Returns the optical boundary at a hit.
+    fn interface(&self, state: &RayState, hit: &Intersection) -> Interface {
+        if !self.context.tracks_interiors {
+            return Interface::NONE;
+        }
+        let world = self.context.world;
+        let own = world.parts[hit.part() as usize].interior;
+        let interface = Interface::new(&state.inside, own, &world.interiors);
+        match state.hue {
+            Some(hue) => interface.of_hue(hue, &state.inside, own, &world.interiors),
+            None => interface,
+        }
+    }
+
+    /// Returns the light of sky and background in a ray's direction.
+    fn background(&self, state: &RayState) -> Segment {
+        let (world, keeps_alpha) = (self.context.world, self.context.keeps_alpha);
+        if keeps_alpha && !state.is_reflected && world.sky.leaves_alpha() {
+            return Segment::NONE;
+        }
+        let view = match keeps_alpha {
+            true if state.is_reflected => ViewKind::Mirror,
+            true => ViewKind::Alpha,
+            false => ViewKind::Opaque,
+        };
+        world.sky.toward(state.ray.dir, view, !self.context.quality.pigments, world.noise, world.waves)
+    }
+}

@@ -1,0 +1,73 @@
+//! A ray on its way through the scene.
+
+use super::interface::Interiors;
+use crate::atmosphere::Segment;
+use crate::color::{Rgb, gray};
+use crate::math::Ray;
+
+/// Number of surfaces after which a ray is dropped: guards against rounding that keeps a ray in one place.
+pub(super) const MAX_SURFACES: u32 = 20_000;
+
+/// A ray that is still to be traced, and its share in the radiance of the camera ray.
+#[derive(Debug)]
+pub(super) struct RayState {
+    pub ray: Ray,
+    /// Depth of the ray tree: 1 for a camera ray, one more for each reflection and each refraction.
+    pub level: u32,
+    /// Importance that is compared with `adc_bailout`; 1 for a camera ray.
+    pub weight: f64,
+    /// Factor of the ray's radiance in the result.
+    pub throughput: Rgb,
+    /// Factor of the ray's transparency in the alpha channel of the result; 0 after a reflection.
+    pub transparency: f64,
+    /// True after a reflection.
+    pub is_reflected: bool,
+    /// True after a surface that the ray passed.
+    pub has_transmitted: bool,
+    /// Interiors around the ray, the last entered on top.
+    pub inside: Interiors,
+    /// Place in the spectrum, from 0 for red to 1 for violet; `None` for white light.
+    pub hue: Option<f64>,
+    /// Number of surfaces so far.
+    pub n_surfaces: u32,
+}
+
+impl RayState {
+    /// The state of a camera ray.
+    pub fn camera(ray: Ray, inside: Interiors) -> Self {
+        Self {
+            ray,
+            level: 1,
+            weight: 1.0,
+            throughput: Rgb::ONE,
+            transparency: 1.0,
+            is_reflected: false,
+            has_transmitted: false,
+            inside,
+            hue: None,
+            n_surfaces: 0,
+        }
+    }
+
+    /// Multiplies the factors by the transmittance of a segment.
+    pub fn attenuate(&mut self, segment: &Segment) {
+        self.throughput *= segment.transmittance;
+        self.transparency *= gray(segment.transmittance);
+    }
+
+    /// The state of a ray that continues along `ray` from a surface with a share of this ray's light; all else stays.
+    pub fn continued(&self, ray: Ray, share: Rgb) -> Self {
+        Self {
+            ray,
+            level: self.level,
+            weight: self.weight,
+            throughput: self.throughput * share,
+            transparency: 0.0,
+            is_reflected: self.is_reflected,
+            has_transmitted: self.has_transmitted,
+            inside: self.inside.clone(),
+            hue: self.hue,
+            n_surfaces: self.n_surfaces + 1,
+        }
+    }
+}

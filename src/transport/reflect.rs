@@ -1,0 +1,130 @@
+//! `reflection`: how much of the light in mirror direction a surface reflects (manual, "Reflection"). Upper layers do not attenuate the
+//! reflection of lower layers (quirk: `layers_keep_reflection`).
+
+use super::direct_light::metal_tint;
+use super::interface::Interface;
+use super::shading_point::{MaterialSample, ShadedLayer};
+use crate::color::{Rgb, gray};
+use crate::math::{DVec3, fp};
+use crate::texture::Reflection;
+use crate::world::World;
+use smallvec::SmallVec;
+
+/// The ray that is reflected, and where.
+#[derive(Clone, Copy)]
+pub(super) struct MirrorContext<'a> {
+    /// Weight of the ray.
+    pub weight: f64,
+    pub interface: &'a Interface,
+    pub world: &'a World,
+}
+
+/// A layer that reflects.
+pub(super) struct Mirror<'a> {
+    pub reflection: &'a Reflection,
+    pub shaded: &'a ShadedLayer<'a>,
+    /// Share of the layer's material.
+    pub share: f64,
+}
+
+/// A reflected ray: the normal that reflects it, and its weight. Layers with equal bounces share one ray.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Bounce {
+    pub normal: DVec3,
+    pub weight: f64,
+}
+
+/// Returns the rays that the layers reflect, each once.
+pub(super) fn bounces(mirrors: &[Mirror], context: MirrorContext) -> SmallVec<[Bounce; 2]> {
+    let mut bounces = SmallVec::new();
+    for bounce in mirrors.iter().filter_map(|mirror| bounce(mirror, context)) {
+        if !bounces.contains(&bounce) {
+            bounces.push(bounce);
+        }
+    }
+    bounces
+}
+
+/// True if what the layers of a bounce show is proportional to the light: no `exponent` other than 1.
+pub(super) fn is_linear(mirrors: &[Mirror], context: MirrorContext, ray: Bounce) -> bool {
+    let has_exponent = |mirror: &Mirror| mirror.reflection.exponent != 1.0 && bounce(mirror, context) == Some(ray);
+    !mirrors.iter().any(has_exponent)
+}
+
+/// Returns the radiance that the layers of a bounce reflect from `light` out of the direction `out`, at `point`.
+pub(super) fn reflected(
+    mirrors: &[Mirror],
+    point: DVec3,
+    context: MirrorContext,
+    ray: Bounce,
+    out: DVec3,
+    light: Rgb,
+) -> Rgb {
+    let mut sum = Rgb::ZERO;
+    for mirror in mirrors.iter().filter(|mirror| bounce(mirror, context) == Some(ray)) {
+        let light = light * film(point, mirror.shaded, out, context.world);
+        let seen = match mirror.reflection.exponent {
+            1.0 => light,
+            // The power of a negative number is not a number, and the pixel is black, as in POV-Ray.
+            exponent => light.map(|x| fp::pow(x, 1.0 / exponent)),
+        };
+        sum += reflectance(mirror.reflection, mirror.shaded, context.interface) * seen * mirror.share;
+    }
+    sum
+}
+
+/// Returns the factor of totally reflected light out of the direction `out`: 1, unless the top layer has a film.
+pub(super) fn total(material: &MaterialSample, point: DVec3, out: DVec3, world: &World) -> Rgb {
+    material.layers.first().map_or(Rgb::ONE, |top| film(point, top, out, world))
+}
+
+/// Returns the factor that a thin film (`irid`) on a layer applies to light out of a direction. Bumps that are seen or lit from behind
+/// count as from the front (quirk: `bumps_from_behind`).
+pub(super) fn film(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
+    match &shaded.layer.finish.irid {
+        Some(irid) => {
+            let cosines = shaded.normal.dot(from).abs() + shaded.cos.abs();
+            irid.tint(point, cosines, world.irid_wavelength, world.noise)
+        }
+        None => Rgb::ONE,
+    }
+}
+
+/// Returns the ray that one layer reflects; `None` if its weight is below `adc_bailout`. The gray of the layers above lowers the weight,
+/// shares of a blend and the tint of a metal do not; without `fresnel` the angle does not count either (quirk: `reflection_weight`).
+fn bounce(mirror: &Mirror, context: MirrorContext) -> Option<Bounce> {
+    let Mirror { reflection, shaded, .. } = mirror;
+    let part = match reflection.fresnel {
+        true => untinted(reflection, shaded.cos, context.interface),
+        false => reflection.min.max(reflection.max),
+    };
+    let weight = context.weight * gray(shaded.weight) * part.max_element();
+    (weight > context.world.adc_bailout).then_some(Bounce { normal: shaded.normal, weight })
+}
+
+/// Returns the share of light that a layer with `conserve_energy` leaves to other terms: what it does not reflect. 1 for other layers.
+pub(super) fn left_over(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
+    match shaded.layer.finish.mirror.as_deref().filter(|_| shaded.layer.finish.conserve_energy) {
+        Some(mirror) => Rgb::ONE - reflectance(mirror, shaded, interface),
+        None => Rgb::ONE,
+    }
+}
+
+/// Returns the reflectance of one layer at the ray's angle.
+fn reflectance(mirror: &Reflection, shaded: &ShadedLayer, interface: &Interface) -> Rgb {
+    let cos = shaded.cos;
+    untinted(mirror, cos, interface) * metal_tint(mirror.metallic, cos, shaded.color.rgb)
+}
+
+/// The reflectance before `metallic` tints it.
+fn untinted(mirror: &Reflection, cos: f64, interface: &Interface) -> Rgb {
+    let part = if mirror.fresnel {
+        interface.fresnel(cos)
+    } else if mirror.min == mirror.max {
+        0.0
+    } else {
+        fp::pow(1.0 - cos.min(1.0), mirror.falloff)
+    };
+    // min + (max - min)·part
+    mirror.min + (mirror.max - mirror.min) * part
+}

@@ -1,0 +1,221 @@
+//! The rays that continue from a surface: reflected, transmitted, totally reflected, dispersed.
+
+use super::interface::{Interface, reflect};
+use super::radiance::Radiance;
+use super::ray_state::RayState;
+use super::reflect::{self, Mirror, MirrorContext};
+use super::shading_point::{MaterialSample, ShadingPoint};
+use super::tracer::Tracer;
+use crate::color::{Rgb, gray};
+use crate::math::{DVec3, Ray};
+use smallvec::SmallVec;
+
+/// A surface that a ray hits, with the optical boundary there.
+pub(super) struct Boundary<'w> {
+    pub shading: ShadingPoint<'w>,
+    pub interface: Interface,
+    /// Transmittance of the interior that the ray leaves here, for light from beyond the surface.
+    pub attenuation: Rgb,
+}
+
+/// What happens to the light that one material transmits.
+pub(super) enum Transmission {
+    /// Nothing continues: opaque, too faint, or too deep.
+    Ends,
+    /// The ray continues in this direction of length 1.
+    Refracted(DVec3),
+    /// Total internal reflection.
+    Total,
+    /// Total internal reflection that is too faint to follow.
+    TotalTooFaint,
+    /// White light splits into this number of colours.
+    Dispersed(u32),
+}
+
+/// A transmitted or totally reflected ray that continues.
+struct Continuation {
+    /// Direction, length 1.
+    dir: DVec3,
+    /// True for total internal reflection.
+    is_total: bool,
+    /// Factor of the ray's radiance.
+    throughput: Rgb,
+    /// Factor of the ray's weight.
+    weight: f64,
+    /// Factor of the ray's transparency.
+    transparency: f64,
+}
+
+impl Continuation {
+    fn follows_same_path(&self, other: &Continuation) -> bool {
+        self.dir == other.dir && self.is_total == other.is_total
+    }
+
+    /// Adds the share of another material that continues along the same path.
+    fn merge(&mut self, other: &Continuation) {
+        self.throughput += other.throughput;
+        self.weight = self.weight.max(other.weight);
+        self.transparency += other.transparency;
+    }
+}
+
+impl Tracer<'_> {
+    /// Pushes all rays that continue from a surface; adds to `sum` what depends on their light in a way that is not linear.
+    pub(super) fn scatter(&mut self, state: &RayState, boundary: &Boundary, sum: &mut Radiance) {
+        let first = self.queue.len();
+        let materials = &boundary.shading.materials;
+        // (A loop: collecting an iterator returns each element through memory.)
+        let mut transmissions = SmallVec::<[Transmission; 1]>::new();
+        for material in materials {
+            transmissions.push(self.transmission(state, material, boundary));
+        }
+        if self.context.quality.reflection {
+            self.push_reflected(state, boundary, &transmissions, sum);
+        }
+        self.push_transmitted(state, boundary, &transmissions);
+        // The queue is a stack: the ray that was pushed first is traced first.
+        self.queue[first..].reverse();
+    }
+
+    /// Decides what happens to the light that a material transmits. Both limits must be passed: the surface's transmittance by its
+    /// gray, and the ray's weight by the largest channel (quirk: `adc_transmission`).
+    fn transmission(&self, state: &RayState, material: &MaterialSample, boundary: &Boundary) -> Transmission {
+        let Boundary { shading, interface, .. } = boundary;
+        let world = self.context.world;
+        let transmittance = material.transmittance;
+        let is_clear = self.context.quality.pigments
+            && transmittance != Rgb::ZERO
+            && gray(transmittance).abs() > world.adc_bailout;
+        if !is_clear || state.level >= world.max_trace_level {
+            return Transmission::Ends;
+        }
+        let refracted = interface.refract(state.ray.dir, material.normal);
+        if state.weight * transmittance.abs().max_element() <= world.adc_bailout {
+            return if refracted.is_none() { Transmission::TotalTooFaint } else { Transmission::Ends };
+        }
+        if world.disperses
+            && state.hue.is_none()
+            && let Some(samples) = interface.samples(&state.inside, shading.part.interior, &world.interiors)
+        {
+            return Transmission::Dispersed(samples);
+        }
+        refracted.map_or(Transmission::Total, Transmission::Refracted)
+    }
+
+    /// Pushes the reflected rays. Total internal reflection replaces the mirrors of the same material that have the same normal
+    /// (quirk: `total_reflection_replaces_mirror`).
+    fn push_reflected(
+        &mut self,
+        state: &RayState,
+        boundary: &Boundary,
+        transmissions: &[Transmission],
+        sum: &mut Radiance,
+    ) {
+        let Boundary { shading, interface, .. } = boundary;
+        let world = self.context.world;
+        if state.level >= world.max_trace_level {
+            return;
+        }
+        let mut mirrors = SmallVec::<[Mirror; 2]>::new();
+        for (material, transmission) in shading.materials.iter().zip(transmissions) {
+            let is_total = matches!(transmission, Transmission::Total | Transmission::TotalTooFaint);
+            let replaced = is_total.then_some(material.normal);
+            mirrors.extend(material.layers.iter().filter_map(|shaded| {
+                let reflection = shaded.layer.finish.mirror.as_deref()?;
+                let share = material.share;
+                (replaced != Some(shaded.normal)).then_some(Mirror { reflection, shaded, share })
+            }));
+        }
+        let context = MirrorContext { weight: state.weight, interface, world };
+        for bounce in reflect::bounces(&mirrors, context) {
+            self.counts.reflected += 1;
+            let out = mirror_direction(state.ray.dir, bounce.normal, shading.smooth);
+            let reflectance = |light| reflect::reflected(&mirrors, shading.point, context, bounce, out, light);
+            let is_linear = reflect::is_linear(&mirrors, context, bounce);
+            let share = if is_linear { reflectance(Rgb::ONE) } else { Rgb::ONE };
+            let reflected = RayState {
+                level: state.level + 1,
+                weight: bounce.weight,
+                is_reflected: true,
+                ..state.continued(Ray::new(shading.point, out), share)
+            };
+            if is_linear {
+                self.queue.push(reflected);
+            } else {
+                let nested = RayState { throughput: Rgb::ONE, ..reflected };
+                let light = self.radiance(nested).rgb;
+                sum.rgb += state.throughput * reflectance(light);
+            }
+        }
+    }
+
+    /// Pushes the transmitted, totally reflected and dispersed rays, each path once.
+    fn push_transmitted(&mut self, state: &RayState, boundary: &Boundary, transmissions: &[Transmission]) {
+        let Boundary { shading, interface, attenuation } = boundary;
+        let world = self.context.world;
+        let mut paths = SmallVec::<[Continuation; 1]>::new();
+        for (material, transmission) in shading.materials.iter().zip(transmissions) {
+            let MaterialSample { share, transmittance, .. } = *material;
+            let path = match *transmission {
+                Transmission::Ends | Transmission::TotalTooFaint => continue,
+                // The interior's attenuation does not lower the weight (quirk: `attenuation_keeps_weight`).
+                Transmission::Refracted(dir) => Continuation {
+                    dir,
+                    is_total: false,
+                    throughput: share * attenuation * transmittance,
+                    weight: transmittance.abs().max_element(),
+                    transparency: share * gray(transmittance) * gray(*attenuation),
+                },
+                // All light is reflected, but the weight falls as if it were transmitted (quirk: `total_reflection_weight`).
+                Transmission::Total => {
+                    let dir = mirror_direction(state.ray.dir, material.normal, shading.smooth);
+                    let film = reflect::total(material, shading.point, dir, world);
+                    Continuation {
+                        dir,
+                        is_total: true,
+                        throughput: share * attenuation * film,
+                        weight: transmittance.max_element(),
+                        transparency: 0.0,
+                    }
+                }
+                Transmission::Dispersed(samples) => {
+                    self.push_dispersed(state, boundary, material, samples);
+                    continue;
+                }
+            };
+            match paths.iter_mut().find(|known| known.follows_same_path(&path)) {
+                Some(known) => known.merge(&path),
+                None => paths.push(path),
+            }
+        }
+        for path in &paths {
+            let mut next = state.continued(Ray::new(shading.point, path.dir), path.throughput);
+            next.weight *= path.weight;
+            if path.is_total {
+                (next.level, next.is_reflected) = (state.level + 1, true);
+                self.counts.reflected += 1;
+            } else {
+                next.transparency = state.transparency * path.transparency;
+                next.has_transmitted = true;
+                // A ray that is not bent stays on its level (quirk: `straight_ray_keeps_level`).
+                next.level += u32::from(interface.bends());
+                if self.context.tracks_interiors {
+                    interface.cross(&mut next.inside, shading.part.interior);
+                }
+                self.counts.transmitted += 1;
+            }
+            self.queue.push(next);
+        }
+    }
+}
+
+/// Returns the mirror direction of `dir` at a bumped normal. If bumps would reflect the ray into the surface, the surface reflects
+/// the ray again; bumps that are seen from behind have no effect (quirk: `bumps_reflect_twice`).
+pub(super) fn mirror_direction(dir: DVec3, normal: DVec3, smooth: DVec3) -> DVec3 {
+    let out = reflect(dir, normal);
+    match out.dot(smooth) < 0.0 {
+        true if dir.dot(normal) > 0.0 => reflect(dir, smooth),
+        true => reflect(out, smooth),
+        false => out,
+    }
+}

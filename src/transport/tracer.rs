@@ -1,0 +1,90 @@
+//! The state of one thread while it traces rays.
+
+use super::context::FrameContext;
+use super::random::Random;
+use super::ray_state::RayState;
+use crate::world::Blocker;
+use serde::Serialize;
+
+/// Number of surfaces between two looks at the cancel flag. Mirrors that face each other can keep one camera ray busy for hours.
+const SURFACES_PER_POLL: u32 = 64;
+
+/// Number of rays by kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct RayCounts {
+    /// Camera rays.
+    pub camera: u64,
+    /// Shadow rays.
+    pub shadow: u64,
+    /// Reflected rays.
+    pub reflected: u64,
+    /// Rays that passed a transparent surface.
+    pub transmitted: u64,
+}
+
+impl RayCounts {
+    /// Adds the counts of another thread or tile.
+    pub fn add(&mut self, other: &RayCounts) {
+        self.camera += other.camera;
+        self.shadow += other.shadow;
+        self.reflected += other.reflected;
+        self.transmitted += other.transmitted;
+    }
+
+    /// Number of rays of all kinds.
+    pub fn total(&self) -> u64 {
+        self.camera + self.shadow + self.reflected + self.transmitted
+    }
+}
+
+/// Traces the rays of one sample after another.
+pub struct Tracer<'w> {
+    pub(super) context: &'w FrameContext<'w>,
+    /// Rays traced so far.
+    pub counts: RayCounts,
+    /// Random numbers of the current sample.
+    pub random: Random,
+    is_cancelled: &'w (dyn Fn() -> bool + Sync),
+    stopped: bool,
+    surfaces_since_poll: u32,
+    /// Last occluder of each light: a hint for the next shadow ray, which never changes a result.
+    pub(super) occluders: Vec<Option<Blocker>>,
+    /// Rays that are still to be traced, the next one last.
+    pub(super) queue: Vec<RayState>,
+}
+
+impl<'w> Tracer<'w> {
+    /// A tracer that stops soon after `is_cancelled` returns true.
+    pub fn new(context: &'w FrameContext<'w>, is_cancelled: &'w (dyn Fn() -> bool + Sync)) -> Self {
+        Self {
+            context,
+            counts: RayCounts::default(),
+            random: Random::new(context.frame),
+            is_cancelled,
+            stopped: false,
+            surfaces_since_poll: 0,
+            occluders: vec![None; context.world.lights.len()],
+            queue: vec![],
+        }
+    }
+
+    /// True if the tracer was cancelled; results since then are worthless.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped
+    }
+
+    /// Counts a surface, and polls the cancel flag once in a while.
+    pub(super) fn is_stopped_at_next_surface(&mut self) -> bool {
+        self.surfaces_since_poll += 1;
+        if self.surfaces_since_poll == SURFACES_PER_POLL {
+            self.surfaces_since_poll = 0;
+            self.stopped |= (self.is_cancelled)();
+        }
+        self.stopped
+    }
+
+    /// Starts a sample of a pixel: all random numbers from here on are keyed by both.
+    pub fn begin(&mut self, pixel: u64, sample: u64) {
+        self.random.begin(pixel, sample);
+    }
+}

@@ -1,0 +1,161 @@
+//! Shadow rays: the share of a light's radiance that arrives at a surface.
+
+use super::interface::{Interface, Interiors};
+use super::ray_state::RayState;
+use super::segment::Span;
+use super::shading_point::{self, ShadingPoint};
+use super::tracer::Tracer;
+use crate::color::Rgb;
+use crate::light::LightSample;
+use crate::math::{DVec3, Range, Ray};
+use crate::world::{Intersection, LightSource, World};
+use std::ops::ControlFlow;
+
+/// A ray from a surface to a light.
+struct ShadowRay<'a> {
+    light: &'a LightSource,
+    ray: Ray,
+    /// Distances between which objects occlude the light.
+    range: Range,
+    /// Distance of the light.
+    distance: f64,
+}
+
+impl Tracer<'_> {
+    /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `state` is the ray that hit
+    /// the point.
+    pub(super) fn visibility(
+        &mut self,
+        light: &LightSource,
+        point: DVec3,
+        sample: &LightSample,
+        state: &RayState,
+    ) -> Rgb {
+        match light.emitter.area.as_ref().filter(|_| self.context.quality.area_lights) {
+            Some(area) => self.area_visibility(light, area, point, sample, state),
+            None => self.point_visibility(light, point, sample, state),
+        }
+    }
+
+    /// The visibility along one shadow ray.
+    pub(super) fn point_visibility(
+        &mut self,
+        light: &LightSource,
+        point: DVec3,
+        sample: &LightSample,
+        state: &RayState,
+    ) -> Rgb {
+        let epsilon = self.context.world.epsilon.shadow;
+        let mut range = Range { min: epsilon, max: sample.distance - epsilon };
+        let ray = Ray::new(point, sample.from);
+        if let Some(projector) = light.through.as_ref().filter(|_| self.context.quality.shadows) {
+            let Some(hit) = projector.closest(&ray, range, |_| true) else { return Rgb::ZERO };
+            // Objects between the projector and the light do not occlude, air does (quirk: `projected_through_range`).
+            range.max = hit.t();
+        }
+        if light.emitter.shadowless || !self.context.quality.shadows || range.max <= range.min {
+            return Rgb::ONE;
+        }
+        self.counts.shadow += 1;
+        self.transmittance(&ShadowRay { light, ray, range, distance: sample.distance }, &state.inside)
+    }
+
+    /// The product of the transmittances of all surfaces and segments along a shadow ray. A solid has two surfaces, and both attenuate.
+    fn transmittance(&mut self, shadow: &ShadowRay, inside: &Interiors) -> Rgb {
+        let ShadowRay { light, ref ray, range, distance } = *shadow;
+        let world = self.context.world;
+        let (see_through, quick) = (world.see_through, !self.context.quality.pigments);
+        // Look for an opaque occluder first: that search ends at its first hit.
+        let occludes = |id: u32| {
+            let object = &world.objects[id as usize];
+            object.shadow && (object.opaque || !see_through)
+        };
+        if world.geometry.any_after(ray, range, occludes, &mut self.occluders[light.number]) {
+            return Rgb::ZERO;
+        }
+        // Air attenuates only light with `media_attenuation` (quirk: `fog_and_shadows`).
+        let has_air = light.emitter.attenuated && self.has_air();
+        if !see_through && !has_air {
+            return Rgb::ONE;
+        }
+        let filters = |id: u32| {
+            let object = &world.objects[id as usize];
+            object.shadow && !object.opaque
+        };
+        if world.colors_light || has_air {
+            return self.segmented_transmittance(ray, range, filters, inside.clone(), has_air.then_some(distance));
+        }
+        let mut transmittance = Rgb::ONE;
+        for hit in surfaces(world, ray, range, filters) {
+            transmittance *= shading_point::shadow_transmittance(world, ray, &hit, quick);
+        }
+        transmittance
+    }
+
+    /// The same where light also changes between surfaces: multiplies segment by segment, from the nearest surface to the farthest.
+    /// `air_distance` is the distance of a light that air attenuates.
+    fn segmented_transmittance(
+        &mut self,
+        ray: &Ray,
+        range: Range,
+        filters: impl Fn(u32) -> bool,
+        mut inside: Interiors,
+        air_distance: Option<f64>,
+    ) -> Rgb {
+        let (mut transmittance, mut from) = (Rgb::ONE, 0.0);
+        for hit in surfaces(self.context.world, ray, range, filters) {
+            if air_distance.is_some() {
+                transmittance *= self.segment(ray, &Span::new(from, hit.t()), &inside).transmittance;
+            }
+            transmittance *= self.surface_transmittance(ray, &hit, from, &mut inside);
+            from = hit.t();
+        }
+        match air_distance {
+            Some(distance) => transmittance * self.segment(ray, &Span::new(from, distance), &inside).transmittance,
+            None => transmittance,
+        }
+    }
+
+    /// The transmittance of a surface, with caustics, and of the interior that the ray leaves there, since the surface before.
+    fn surface_transmittance(&mut self, ray: &Ray, hit: &Intersection, from: f64, inside: &mut Interiors) -> Rgb {
+        let world = self.context.world;
+        let mut transmittance = shading_point::shadow_transmittance(world, ray, hit, !self.context.quality.pigments);
+        if !self.context.tracks_interiors {
+            return transmittance;
+        }
+        let own = world.parts[hit.part() as usize].interior;
+        let interior = &world.interiors[own as usize];
+        if let Some(at) = inside.iter().rposition(|&i| i == own) {
+            inside.remove(at);
+            transmittance *= self.shadow_attenuation(own, hit.t() - from);
+        } else {
+            inside.push(own);
+        }
+        if interior.caustics != 0.0 {
+            let shading = ShadingPoint::new(world, ray, hit, &self.context.quality, &Interface::NONE);
+            let normal = shading.materials.last().map_or(shading.smooth, |material| material.normal);
+            transmittance *= interior.caustic(normal.dot(ray.dir).abs());
+        }
+        transmittance
+    }
+}
+
+/// Returns the transparent surfaces along a shadow ray, from the nearest to the farthest. A surface closer to the one before than the
+/// minimum distance is skipped: a thinner box filters once, and so does the edge of its shadow (quirk: `shadow_min_distance`).
+fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32) -> bool) -> Vec<Intersection<'w>> {
+    let mut surfaces = vec![];
+    let _ = world.geometry.visit(ray, range, filters, &mut |hit| {
+        surfaces.push(hit);
+        ControlFlow::Continue(())
+    });
+    surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
+    let (mut last, epsilon) = (f64::NEG_INFINITY, &world.epsilon);
+    surfaces.retain(|hit| {
+        let counts = hit.t() - last > epsilon.shadow.max(epsilon.own(hit.leaf.shape.quirks().min_distance));
+        if counts {
+            last = hit.t();
+        }
+        counts
+    });
+    surfaces
+}
