@@ -194,7 +194,7 @@ pub fn load(sources: &Sources, path: &Path) -> Result<FileId> {
     }
 }
 
-/// Takes bytes from elsewhere, such as standard input, as a scene's text. `name` stands for the file in messages.
+/// Takes bytes from elsewhere, such as standard input, as a scene's text. Messages use `name` as the name of the file.
 ///
 /// # Errors
 /// E0001 or E0003: not text, or too long.

@@ -19,7 +19,7 @@ pub struct WordInfo {
     pub kind: Kind,
     /// Description, one line.
     pub summary: &'static str,
-    /// Default value; empty if there is none.
+    /// Default value; empty for a word without default.
     pub default: &'static str,
 }
 
@@ -51,7 +51,7 @@ where
     }
 }
 
-/// The words that a block takes; the empty name stands for the scene outside of all blocks.
+/// The words that a block takes; the empty name is the scene outside of all blocks.
 pub fn of_block(block: &str) -> Vec<WordInfo> {
     let mut out = vec![];
     let holds_objects =

@@ -149,7 +149,7 @@ pub struct Stamp {
     length: u64,
 }
 
-/// What happens to the old contents of a file that is opened for writing.
+/// Treatment of the old contents of a file that is opened for writing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WriteMode {
     /// The old contents are removed.

@@ -116,7 +116,7 @@ impl Config {
         (self.drawing.width, self.drawing.height)
     }
 
-    /// What the advice about a finished picture depends on.
+    /// Circumstances that determine the advice about a finished picture.
     pub fn circumstances(&self, incomplete: bool, black: bool) -> Circumstances {
         Circumstances { one_of_many: self.is_animated, incomplete, black }
     }

@@ -28,7 +28,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use target::{Target, is_folder};
 
-/// What a run is given beside its arguments.
+/// Inputs of a run beside its arguments.
 #[derive(Default)]
 pub struct Context {
     /// Animation of POV-Ray's options.

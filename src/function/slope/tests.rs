@@ -104,11 +104,11 @@ fn noise_near_a_point_is_as_is_said() {
         for k in 0..20_000 {
             let (p, radius) = (vector(50.0), 0.5f64.powi(k % 12));
             let near = callee.bounds_near(&[p.x, p.y, p.z, number], radius)[0];
-            bent += usize::from(near.about != DVec3::ZERO);
+            bent += usize::from(near.gradient != DVec3::ZERO);
             let [a, b] = [(); 2].map(|()| p + vector(1.0).normalize() * radius * vector(1.0).x);
             let (fa, fb) = (at(a), at(b));
             assert!(near.range.contains(fa) && near.range.contains(fb), "{number} {p} {radius} {near:?}");
-            let (expected, far) = (near.about.dot(b - a), near.steepest * a.distance(b));
+            let (expected, far) = (near.gradient.dot(b - a), near.steepest * a.distance(b));
             assert!((fb - fa - expected).abs() <= far + 1e-12, "{number} {p} {radius} {near:?}: {a} {b}");
         }
         assert!(bent > 10_000, "{bent}");
