@@ -3,7 +3,7 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use durer::interpreter;
 use durer::source::Sources;
-use durer::syntax::{Names, Wholes, parse};
+use durer::syntax::{Granularity, Names, parse};
 use std::hint::black_box;
 
 /// A mesh2 of some 10 MB of numbers.
@@ -35,7 +35,9 @@ fn parsing(c: &mut Criterion) {
         let sources = Sources::default();
         group.throughput(Throughput::Bytes(text.len() as u64));
         let Some(file) = sources.add(name, None, text) else { continue };
-        group.bench_function(name, |b| b.iter(|| black_box(parse(&sources, file, &Names::default(), Wholes::Kept))));
+        group.bench_function(name, |b| {
+            b.iter(|| black_box(parse(&sources, file, &Names::default(), Granularity::Whole)))
+        });
     }
     group.finish();
 }

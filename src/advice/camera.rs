@@ -8,7 +8,8 @@ use crate::scene::Scene;
 use crate::source::Span;
 use crate::world::World;
 
-/// Allowed deviation of a pixel's aspect ratio from 1. POV-Ray's default window of 1.33 by 1 deviates by 0.25 % in a picture of 4 by 3.
+/// Allowed deviation of a pixel's aspect ratio from 1. POV-Ray's default window of 1.33 by 1 deviates by 0.25 % in a
+/// picture of 4 by 3.
 const UNEVEN: f64 = 0.02;
 
 /// Warnings that need no picture.

@@ -1,7 +1,8 @@
 //! Warnings about scenes that are valid but probably not intended: "the picture is black: …".
 //!
-//! Advice never changes a picture. [`of_scene`] examines the Scene before the World is built. [`of_picture`] examines a rendered picture with as
-//! few rays as possible. Warnings that concern a single word come from the reader of that word. Each family of warnings has a file.
+//! Advice never changes a picture. [`of_scene`] examines the Scene before the World is built. [`of_picture`] examines a
+//! rendered picture with as few rays as possible. Warnings that concern a single word come from the reader of that
+//! word. Each family of warnings has a file.
 
 mod camera;
 mod csg;

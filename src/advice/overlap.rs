@@ -1,4 +1,5 @@
-//! The warning about coincident surfaces: rounding decides which one a ray hits first, and the picture shows specks of both.
+//! The warning about coincident surfaces: rounding decides which one a ray hits first, and the picture shows specks of
+//! both.
 //!
 //! Only visible surfaces count: the contact of a box and its floor is hidden.
 

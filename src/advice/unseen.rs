@@ -45,7 +45,8 @@ pub(super) fn sample<'a>(world: &'a World, options: &render::Options) -> impl It
     rays(world, options, CENTRE).take(SAMPLES).filter_map(|ray| closest(world, &ray))
 }
 
-/// The rays through all pixels, at `offset` from their top left corners, in an order in which consecutive rays are far from each other.
+/// The rays through all pixels, at `offset` from their top left corners, in an order in which consecutive rays are far
+/// from each other.
 fn rays(world: &World, options: &render::Options, offset: f64) -> impl Iterator<Item = Ray> + use<> {
     let (width, total) = (options.width.max(1), options.width * options.height);
     let view = world.eye.view(options.width, options.height);

@@ -77,9 +77,9 @@ pub const FOG: Vocabulary = Vocabulary {
     block: "fog",
     summary: "colour that covers what is far; its `transmit` leaves so much clear, its `filter` colours what is behind",
     words: &joined::<{ FOG_ROWS.len() + TurbulenceParams::WORDS.len() }>(specs!(FOG_ROWS), TurbulenceParams::WORDS),
-    moves: true,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: true,
+    ignored: &[],
+    unsupported: &[],
 };
 
 impl Fog {
@@ -99,7 +99,7 @@ impl Fog {
                 }
                 next if read_row(FOG_ROWS, &mut fog, next, r)? => {}
                 next if read_row(TurbulenceParams::ROWS, &mut fog.turbulence, next, r)? => {}
-                next if next.moves() => {
+                next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         fog.transform(&step);
                     }

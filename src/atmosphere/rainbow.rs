@@ -97,9 +97,9 @@ pub const RAINBOW: Vocabulary = Vocabulary {
     block: "rainbow",
     summary: "an arc of colours about the direction of the sun",
     words: &joined::<{ RAINBOW_ROWS.len() + RAINBOW_PARTS.len() }>(specs!(RAINBOW_ROWS), RAINBOW_PARTS),
-    moves: false,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: false,
+    ignored: &[],
+    unsupported: &[],
 };
 
 impl Rainbow {

@@ -50,9 +50,9 @@ pub const SKY_SPHERE: Vocabulary = Vocabulary {
         ),
         word("emission", Color, "1", "a factor of its light, one number or one for each channel"),
     ],
-    moves: true,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: true,
+    ignored: &[],
+    unsupported: &[],
 };
 
 impl SkySphere {
@@ -85,7 +85,7 @@ impl SkySphere {
                     r.take()?;
                     sky.emission = r.color()?.rgb;
                 }
-                next if next.moves() => {
+                next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         sky.transform = sky.transform.then(&step);
                     }

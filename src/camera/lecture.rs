@@ -6,7 +6,7 @@ use super::perspective::Window;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
 use crate::source::Span;
-use crate::value::{RawItem, Reader};
+use crate::value::{Reader, Unsupported};
 use serde::Serialize;
 
 /// As it was written.
@@ -26,7 +26,7 @@ pub struct LectureCamera {
     pub transform: Transform,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<RawItem>,
+    pub unsupported: Vec<Unsupported>,
 }
 
 impl Default for LectureCamera {
@@ -38,7 +38,7 @@ impl Default for LectureCamera {
             fov_x: None,
             fov_y: None,
             transform: Transform::IDENTITY,
-            undrawn: vec![],
+            unsupported: vec![],
         }
     }
 }

@@ -76,16 +76,16 @@ impl Camera {
                 }
             }
         }
-        let mut undrawn = vec![];
+        let mut unsupported = vec![];
         let mut lecture: Option<LectureCamera> = None;
         let mut transform = Transform::IDENTITY;
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word(word) if LECTURE.obeys(word) && (word != "up" || lecture.is_some()) => {
+                Next::Word(word) if LECTURE.has_effect(word) && (word != "up" || lecture.is_some()) => {
                     read_row(LECTURE_ROWS, lecture.get_or_insert_default(), Next::Word(word), r)?;
                 }
-                next if next.moves() => {
+                next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         transform = transform.then(&step);
                     }
@@ -109,8 +109,8 @@ impl Camera {
                     povray.normal = Some(Arc::new(Normal::read(r, defaults.layers[0].normal.as_deref(), defaults)?));
                     r.leave()?;
                 }
-                Next::Word(word) | Next::Block(word) if POVRAY.leaves_out(word) => {
-                    undrawn.push(r.keep_undrawn(word)?);
+                Next::Word(word) | Next::Block(word) if POVRAY.is_unsupported(word) => {
+                    unsupported.push(r.read_unsupported(word)?);
                 }
                 _ => return Err(r.unknown_word("camera", &words::names()).into()),
             }
@@ -118,13 +118,13 @@ impl Camera {
         match lecture {
             Some(mut camera) => {
                 camera.transform = transform;
-                camera.undrawn = undrawn;
+                camera.unsupported = unsupported;
                 camera.check(source)?;
                 Ok(Camera::Lecture(camera))
             }
             None => {
                 povray.transform = povray.transform.then(&transform);
-                povray.undrawn.extend(undrawn);
+                povray.unsupported.extend(unsupported);
                 povray.check(source)?;
                 Ok(Camera::Povray(povray))
             }

@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;
 use crate::texture::{Normal, Pigment};
-use crate::value::{RawItem, Reader};
+use crate::value::{Reader, Unsupported};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ pub struct PovrayCamera {
     pub transform: Transform,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<RawItem>,
+    pub unsupported: Vec<Unsupported>,
 }
 
 impl Default for PovrayCamera {
@@ -74,7 +74,7 @@ impl Default for PovrayCamera {
             normal: None,
             bokeh: None,
             transform: Transform::IDENTITY,
-            undrawn: vec![],
+            unsupported: vec![],
         }
     }
 }

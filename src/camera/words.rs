@@ -94,9 +94,9 @@ pub const POVRAY: Vocabulary = Vocabulary {
         &joined::<{ POVRAY_ROWS.len() + BLOCKS.len() }>(specs!(POVRAY_ROWS), BLOCKS),
         &joined::<{ KINDS.len() + BLUR.len() }>(KINDS, BLUR),
     ),
-    moves: true,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: true,
+    ignored: &[],
+    unsupported: &[],
 };
 
 /// How [`LECTURE`]'s words are read.
@@ -116,16 +116,16 @@ pub const LECTURE: Vocabulary = Vocabulary {
     block: "camera",
     summary: "durer's own camera, right-handed: x to the right, y up, z towards you; the word `eye` makes it this one",
     words: specs!(LECTURE_ROWS),
-    moves: true,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: true,
+    ignored: &[],
+    unsupported: &[],
 };
 
 /// All words of both.
 pub(super) fn names() -> Vec<&'static str> {
     let own = LECTURE.words.iter().map(|w| w.name).filter(|name| *name != "up");
     let mut names = POVRAY.names();
-    let at = names.len() - POVRAY.not_drawn.len();
+    let at = names.len() - POVRAY.unsupported.len();
     names.splice(at..at, own);
     names
 }

@@ -165,7 +165,7 @@ fn row_of_light(light: &Light, moved: &Transform, sources: &Sources) -> LightRow
 
 fn row_of_texture(texture: &Texture, first: Option<Position>) -> TextureRow {
     let top = texture.layers.last();
-    let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.unusual()) {
+    let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit()) {
         (Some(choice), _) => name_of(&choice.pattern.kind),
         (None, Some(pattern)) => name_of(&pattern.kind),
         (None, None) => match &layer.pigment.paint {

@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::render::{SampleLayout, Sampling};
 use crate::source::{Disk, FileId, LocalHost, ReadError, Sandbox, SearchPath, Sources};
-use crate::syntax::Wholes;
+use crate::syntax::Granularity;
 use crate::world::World;
 use crate::{Built, Keep, interpreter, render};
 use std::io::Read;
@@ -101,7 +101,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
         host: Arc::new(LocalHost::default()),
         stop: None,
-        wholes: if args.single_tokens { Wholes::TakenApart } else { Wholes::Kept },
+        granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
         origins: false,
         branches: false,
     }

@@ -28,7 +28,7 @@ mod text;
 pub use text::{Encoded, decode};
 
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::syntax::{Names, Wholes, parse_text};
+use crate::syntax::{Granularity, Names, parse_text};
 
 /// Columns of a line, unless the author wants others.
 pub const WIDTH: usize = 120;
@@ -43,7 +43,7 @@ const STEP: usize = 2;
 /// What is wrong with the text if it can't be understood well enough: strings, comments and directives without an end, brackets that
 /// nest too deeply.
 pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
-    let (ast, faults) = parse_text(text, base, &Names::default(), Wholes::Kept);
+    let (ast, faults) = parse_text(text, base, &Names::default(), Granularity::Whole);
     if faults.iter().any(|fault| fault.severity == Severity::Error) {
         return Err(faults);
     }

@@ -1,7 +1,7 @@
-//! What the built-in functions are given that look at more than values: names, elements of arrays, objects.
+//! Arguments of macros and of those built-in functions that take names, array elements or objects.
 
 use super::Interpreter;
-use super::evaluator::{Place, Slot, as_float, as_vector, is_callable, not_text};
+use super::evaluator::{LValue, Slot, as_float, as_vector, is_callable, not_text};
 use super::stream::Token;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -9,52 +9,52 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::Value;
 
-/// An argument with its place in the text.
+/// An argument with its span.
 pub(super) struct Argument<'a> {
     pub(super) given: Given<'a>,
     pub(super) span: Span,
 }
 
-/// See [`Argument`].
+/// Contents of an [`Argument`].
 pub(super) enum Given<'a> {
     /// A name alone, which need not be declared.
     Name(Symbol),
     /// An array's element.
-    Place(Place),
+    LValue(LValue),
     /// Anything else.
     Slot(Slot<'a>),
 }
 
 impl<'a> Interpreter<'a> {
-    /// An argument that stands whole.
-    pub(super) fn argument_of(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
+    /// The argument that a parsed expression represents.
+    pub(super) fn whole_argument(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
         let given = match &e.kind {
             ExprKind::Name(symbol) => Given::Name(*symbol),
-            ExprKind::Index(base, indices) => Given::Place(self.element_place(base, indices)?),
-            _ => match self.dictionary_place(e)? {
-                Some(place) => Given::Place(place),
-                None => Given::Slot(Slot::Value(self.eval(e)?)),
+            ExprKind::Index(base, indices) => Given::LValue(self.element_lvalue(base, indices)?),
+            _ => match self.dictionary_lvalue(e)? {
+                Some(lvalue) => Given::LValue(lvalue),
+                None => Given::Slot(Slot::Value(self.evaluate(e)?)),
             },
         };
         Ok(Argument { given, span: e.span })
     }
 
-    /// The argument that comes next.
-    pub(super) fn argument_here(&mut self) -> Result<Argument<'a>> {
+    /// Reads the next argument.
+    pub(super) fn read_argument(&mut self) -> Result<Argument<'a>> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
-                // (Looking at what follows may end the macro whose name it is.)
+                // The look-ahead may end the macro that holds the name.
                 let (slot, depth) = (self.evaluator.scopes().get(*symbol).cloned(), self.stream.call_depth());
                 let level =
-                    self.evaluator.scopes().resolve(*symbol).map(|place| self.evaluator.scopes().level_of(&place));
+                    self.evaluator.scopes().resolve(*symbol).map(|lvalue| self.evaluator.scopes().level_of(&lvalue));
                 self.stream.advance();
                 let called = matches!(&slot, Some(Slot::Value(value)) if is_callable(value)) && self.call_follows()?;
                 let ends = !called && self.value_ends()?;
                 let lasting = level.is_some_and(|level| level <= self.evaluator.scopes().level());
                 if !ends {
-                    self.first_use(*symbol, span);
+                    self.report_first_use(*symbol, span);
                 }
                 match slot {
                     _ if ends && depth == self.stream.call_depth() => {
@@ -62,47 +62,49 @@ impl<'a> Interpreter<'a> {
                     }
                     Some(_) if ends && lasting => Ok(Argument { given: Given::Name(*symbol), span }),
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
-                    Some(slot) => self.argument_from(slot, span),
+                    Some(slot) => self.continue_argument(slot, span),
                     None => {
-                        let value = self.name_value(*symbol, span)?;
-                        self.argument_from(Slot::Value(value), span)
+                        let value = self.evaluate_name(*symbol, span)?;
+                        self.continue_argument(Slot::Value(value), span)
                     }
                 }
             }
             Token::Element(_) => {
-                let Some(place) = self.stream.element().cloned() else {
+                let Some(lvalue) = self.stream.element().cloned() else {
                     return Err(self.unexpected_token("a value").into());
                 };
-                let (slot, depth) = (self.evaluator.scopes().at(&place).cloned(), self.stream.call_depth());
+                let (slot, depth) = (self.evaluator.scopes().at(&lvalue).cloned(), self.stream.call_depth());
                 self.stream.advance();
                 let ends = self.value_ends()?;
                 match slot {
-                    _ if ends && depth == self.stream.call_depth() => Ok(Argument { given: Given::Place(place), span }),
+                    _ if ends && depth == self.stream.call_depth() => {
+                        Ok(Argument { given: Given::LValue(lvalue), span })
+                    }
                     Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
-                    Some(slot) => self.argument_from(slot, span),
+                    Some(slot) => self.continue_argument(slot, span),
                     None => {
-                        self.evaluator.slot_at(&place, span).map(|slot| Argument { given: Given::Slot(slot), span })
+                        self.evaluator.slot_at(&lvalue, span).map(|slot| Argument { given: Given::Slot(slot), span })
                     }
                 }
             }
             Token::Block(_) | Token::Function(_) => {
-                let slot = self.rvalue()?;
+                let slot = self.read_rvalue()?;
                 Ok(Argument { given: Given::Slot(slot), span })
             }
             _ => {
-                let (value, span) = self.value_in(true)?;
+                let (value, span) = self.read_expression(true)?;
                 Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
             }
         }
     }
 
-    fn argument_from(&mut self, first: Slot<'a>, span: Span) -> Result<Argument<'a>> {
+    fn continue_argument(&mut self, first: Slot<'a>, span: Span) -> Result<Argument<'a>> {
         let first = self.slot_value(first, span)?;
-        let (value, span) = self.value_from(first, span)?;
+        let (value, span) = self.continue_value(first, span)?;
         Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
     }
 
-    /// Has the value that was just read come to its end?
+    /// True if nothing that follows continues the value that was just read.
     pub(super) fn value_ends(&mut self) -> Result<bool> {
         Ok(match self.peek_after()? {
             None | Some(Token::Sign(Sign::Close(_)) | Token::End) => true,
@@ -114,21 +116,21 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// What a name, an element or anything else holds.
+    /// Contents of the name, element or value that an argument is.
     pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
         match &argument.given {
             Given::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
                 Some(slot) => Ok(slot.clone()),
-                None => self.name_value(*symbol, argument.span).map(Slot::Value),
+                None => self.evaluate_name(*symbol, argument.span).map(Slot::Value),
             },
-            Given::Place(place) => self.evaluator.slot_at(place, argument.span),
+            Given::LValue(lvalue) => self.evaluator.slot_at(lvalue, argument.span),
             Given::Slot(slot) => Ok(slot.clone()),
         }
     }
 
     pub(super) fn argument_value(&mut self, argument: &Argument<'a>) -> Result<Value> {
         match &argument.given {
-            Given::Name(symbol) => self.name_value(*symbol, argument.span),
+            Given::Name(symbol) => self.evaluate_name(*symbol, argument.span),
             Given::Slot(Slot::Value(value)) => Ok(value.clone()),
             _ => {
                 let slot = self.argument_slot(argument)?;
@@ -154,11 +156,11 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Is there something under this name, or in this place?
+    /// True if the name or the element that an argument is has a value.
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
             Given::Name(symbol) => self.evaluator.is_declared(*symbol),
-            Given::Place(place) => self.evaluator.scopes().at(place).is_some(),
+            Given::LValue(lvalue) => self.evaluator.scopes().at(lvalue).is_some(),
             Given::Slot(_) => false,
         }
     }

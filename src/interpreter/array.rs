@@ -1,9 +1,9 @@
-//! `array[2][3] { … }` and its elements (manual, "Arrays").
+//! `array[2][3] { … }`, `dictionary { … }` and their elements (manual, "Arrays").
 
 use super::Interpreter;
 use super::argument::Argument;
 use super::evaluator::as_float;
-use super::evaluator::{Array, Place, Slot};
+use super::evaluator::{Array, LValue, Slot};
 use super::stream::{StackFrame, Token};
 use super::token_expr::joined;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -13,35 +13,36 @@ use crate::value::{Reader, Value};
 use smallvec::SmallVec;
 use std::rc::Rc;
 
-/// The most elements that an array may have.
+/// Maximum number of elements of an array.
 const MAX_ELEMENTS: usize = 50_000_000;
-/// The most dimensions: POV-Ray has five.
+/// Maximum number of dimensions, as in POV-Ray.
 const MAX_DIMENSIONS: usize = 5;
 
 impl<'a> Interpreter<'a> {
-    /// `array[2][3] { {1, 2, 3}, {4, 5, 6} }`; the word comes next. Without sizes they are those of the braces (3.8).
-    pub(super) fn array(&mut self) -> Result<Slot<'a>> {
-        let span = self.stream.here();
+    /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }`; the word comes next. Without sizes the braces determine them
+    /// (3.8).
+    pub(super) fn read_array(&mut self) -> Result<Slot<'a>> {
+        let span = self.stream.next_span();
         self.stream.advance();
-        // 3.8 asks for the word `mixed` where kinds are mixed; nobody needs it here.
-        if let Some(ElementKind::Expr(e)) = self.stream.raw().map(|e| &e.kind) {
+        // 3.8 requires the word `mixed` where types are mixed. durer accepts mixed types without it.
+        if let Some(ElementKind::Expr(e)) = self.stream.next_element().map(|e| &e.kind) {
             if matches!(&e.kind, ExprKind::Index(word, _) if self.inputs.sources.snippet(word.span) == "mixed") {
                 self.stream.split_next();
             }
-            if self.stream.raw().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
+            if self.stream.next_element().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
                 self.stream.advance();
             }
         }
         let mut sizes = vec![];
         while let Token::Open(Bracket::Square, _) = self.peek_continuation()? {
-            sizes.push(self.array_size()?);
+            sizes.push(self.read_array_size()?);
         }
         if sizes.len() > MAX_DIMENSIONS {
             let message = format!("an array has at most {MAX_DIMENSIONS} dimensions, this has {}", sizes.len());
             return Diagnostic::err(codes::WRONG_COUNT, span, message);
         }
         if sizes.is_empty() || sizes.contains(&None) {
-            return self.array_of_braces(span);
+            return self.read_braced_array(span);
         }
         let sizes: Box<[usize]> = sizes.into_iter().flatten().collect();
         let count = sizes.iter().try_fold(1_usize, |n, &size| n.checked_mul(size)).filter(|n| *n <= MAX_ELEMENTS);
@@ -52,17 +53,17 @@ impl<'a> Interpreter<'a> {
         let mut array = Array { sizes, items: vec![None; count], keys: None };
         if let Token::Open(Bracket::Brace, _) = self.peek_continuation()? {
             let rows = array.sizes.clone();
-            self.fill(&rows, &mut array.items)?;
+            self.read_array_rows(&rows, &mut array.items)?;
         }
         Ok(Slot::Array(Rc::new(array)))
     }
 
-    /// `[3]`, or `[]` for what the braces tell.
-    fn array_size(&mut self) -> Result<Option<usize>> {
+    /// Reads `[3]`, or `[]` for a size that the braces determine.
+    fn read_array_size(&mut self) -> Result<Option<usize>> {
         let at = self.open()?;
         let mut size = None;
         if !self.peek()?.ends() {
-            let (value, span) = self.value_here()?;
+            let (value, span) = self.read_value()?;
             size = Some(self.size_of(as_float(&value, span)?, joined(at, span))?);
         }
         if !self.peek()?.ends() {
@@ -79,8 +80,8 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::BAD_INDEX, at, format!("an array can't have {size} elements"))
     }
 
-    /// Reads `{ … }` into as many elements as the sizes say; fewer leave the rest without a value.
-    fn fill(&mut self, sizes: &[usize], items: &mut [Option<Slot<'a>>]) -> Result<()> {
+    /// Reads `{ … }` into an array of the given sizes. Elements that are left out have no value.
+    fn read_array_rows(&mut self, sizes: &[usize], items: &mut [Option<Slot<'a>>]) -> Result<()> {
         let Token::Open(Bracket::Brace, _) = self.peek()? else {
             return Err(self.unexpected_token("`{` with a row of the array").into());
         };
@@ -92,31 +93,31 @@ impl<'a> Interpreter<'a> {
                 break;
             }
             if sizes.len() > 1 {
-                self.fill(&sizes[1..], &mut items[i * stride..(i + 1) * stride])?;
+                self.read_array_rows(&sizes[1..], &mut items[i * stride..(i + 1) * stride])?;
             } else {
-                items[i] = Some(self.array_item()?);
+                items[i] = Some(self.read_array_item()?);
             }
         }
         if !self.peek()?.ends() {
             return Diagnostic::err(
                 codes::WRONG_COUNT,
-                self.stream.here(),
-                format!("there is room for {rows} elements only"),
+                self.stream.next_span(),
+                format!("there are more than {rows} elements"),
             );
         }
         self.close("`}`")
     }
 
-    /// An element; without sizes, braces in braces make arrays of arrays.
-    fn array_item(&mut self) -> Result<Slot<'a>> {
+    /// Reads an element. In an array without sizes, braces make an array of arrays.
+    fn read_array_item(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
-            Token::Open(Bracket::Brace, _) => self.array_of_braces(self.stream.here()),
-            _ => self.rvalue(),
+            Token::Open(Bracket::Brace, _) => self.read_braced_array(self.stream.next_span()),
+            _ => self.read_rvalue(),
         }
     }
 
-    /// `array { 1, 2, 3 }` (3.8): as many elements as there are.
-    pub(super) fn array_of_braces(&mut self, span: Span) -> Result<Slot<'a>> {
+    /// Reads `array { 1, 2, 3 }` (3.8): the braces determine the size.
+    pub(super) fn read_braced_array(&mut self, span: Span) -> Result<Slot<'a>> {
         match self.peek_continuation()? {
             Token::Open(Bracket::Brace, _) => {}
             Token::Block(block) if block.word == Some("array") => {}
@@ -128,23 +129,23 @@ impl<'a> Interpreter<'a> {
         self.open()?;
         let mut items = vec![];
         while !self.peek()?.ends() {
-            items.push(Some(self.array_item()?));
+            items.push(Some(self.read_array_item()?));
         }
         self.close("`}`")?;
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
     }
 
-    /// `dictionary { .Name: 1, ["other name"]: 2 }` (3.8), whose braces come next.
-    pub(super) fn dictionary(&mut self) -> Result<Slot<'a>> {
+    /// Reads `dictionary { .Name: 1, ["other name"]: 2 }` (3.8), whose braces come next.
+    pub(super) fn read_dictionary(&mut self) -> Result<Slot<'a>> {
         self.open()?;
         let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
         while !self.peek()?.ends() {
-            let key: Rc<str> = self.dictionary_key()?;
+            let key: Rc<str> = self.read_dictionary_key()?;
             match self.peek()? {
                 Token::Sign(Sign::Colon) => self.stream.advance(),
                 _ => return Err(self.unexpected_token("`:` and a value").into()),
             }
-            let value = self.rvalue()?;
+            let value = self.read_rvalue()?;
             match keys.iter().position(|k| *k == key) {
                 Some(i) => items[i] = Some(value),
                 None => {
@@ -157,8 +158,8 @@ impl<'a> Interpreter<'a> {
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: Some(keys) })))
     }
 
-    /// `.Name` or `["name"]`
-    fn dictionary_key(&mut self) -> Result<Rc<str>> {
+    /// Reads a key: `.Name` or `["name"]`.
+    fn read_dictionary_key(&mut self) -> Result<Rc<str>> {
         match self.peek()? {
             Token::Sign(Sign::Dot) => {
                 self.stream.advance();
@@ -175,11 +176,12 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// An array's name has been seen, perhaps with an index behind it: where that element is kept, or the array itself.
+    /// Reads an array's name and the indices after it, and pushes back one token: the element, or the name if no index
+    /// follows.
     pub(super) fn element_by_tokens(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
         let before = self.stream.has_comma();
-        // The comma between the name and its indices, if there is one, ends the value.
+        // A comma between the name and its indices ends the value.
         let comma = self.stream.innermost().and_then(StackFrame::next).is_some_and(|e| e.comma);
         self.stream.set_comma(comma);
         self.stream.skip_element();
@@ -188,19 +190,19 @@ impl<'a> Interpreter<'a> {
             return Ok(self.stream.push_back(Token::Expr(name), span, before));
         }
         let whole = indices.last().map_or(span, |(_, at)| joined(span, Span { hi: at.hi + 1, ..*at }));
-        let place = self.place_of_values(symbol, span, &indices, false)?;
-        self.stream.set_element(place);
+        let lvalue = self.lvalue_at(symbol, span, &indices, false)?;
+        self.stream.set_element(lvalue);
         Ok(self.stream.push_back(Token::Element(whole), whole, before))
     }
 
-    /// The indices and keys that come next, behind an array's name.
+    /// Reads the indices and keys that follow an array's name.
     pub(super) fn indices_of(&mut self, symbol: Symbol) -> Result<Vec<(Value, Span)>> {
         let mut indices = vec![];
         loop {
             match self.index_ahead()? {
                 Some(Token::Open(Bracket::Square, _)) => {
                     self.open()?;
-                    indices.push(self.value_here()?);
+                    indices.push(self.read_value()?);
                     self.close("`]`")?;
                 }
                 Some(Token::Sign(Sign::Dot)) if self.evaluator.is_dictionary(symbol, &indices) => {
@@ -213,13 +215,14 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What comes directly behind an array's name: no directive and no macro runs in between, and none ends, as in POV-Ray.
+    /// The token directly after an array's name. As in POV-Ray, no directive and no macro runs between the two, and no
+    /// macro ends (quirk: `index_follows_name`).
     fn index_ahead(&mut self) -> Result<Option<Token<'a>>> {
         loop {
             if self.stream.has_comma() {
                 return Ok(None);
             }
-            return match self.stream.raw().map(|e| &e.kind) {
+            return match self.stream.next_element().map(|e| &e.kind) {
                 Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot)) => {
                     self.peek().map(Some)
                 }
@@ -234,8 +237,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The place that `D.Key`, `D["key"].Key` and the like name, if D is a dictionary.
-    pub(super) fn dictionary_place(&mut self, e: &'a Expr) -> Result<Option<Place>> {
+    /// Location of the element that `D.Key`, `D["key"].Key` and the like name, if `D` is a dictionary.
+    pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<LValue>> {
         let base = match &e.kind {
             ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
                 Some(Slot::Array(array)) if array.keys.is_some() => {
@@ -244,70 +247,70 @@ impl<'a> Interpreter<'a> {
                 _ => return Ok(None),
             },
             ExprKind::Dot(base, ..) => base,
-            ExprKind::Index(base, indices) => match self.dictionary_place(base)? {
-                Some(_) => return self.element_place(base, indices).map(Some),
+            ExprKind::Index(base, indices) => match self.dictionary_lvalue(base)? {
+                Some(_) => return self.element_lvalue(base, indices).map(Some),
                 None => return Ok(None),
             },
             _ => return Ok(None),
         };
-        let Some(place) = self.dictionary_place(base)? else { return Ok(None) };
-        self.evaluator.dictionary_element(&place, e)
+        let Some(lvalue) = self.dictionary_lvalue(base)? else { return Ok(None) };
+        self.evaluator.dictionary_element(&lvalue, e)
     }
 
-    /// What `A[i][j]` is.
-    pub(super) fn indexed(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
-        let place = self.element_place(base, indices)?;
-        self.evaluator.slot_at(&place, span)
+    /// Evaluates `A[i][j]`.
+    pub(super) fn evaluate_index(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
+        let lvalue = self.element_lvalue(base, indices)?;
+        self.evaluator.slot_at(&lvalue, span)
     }
 
-    /// What [`Token::Element`] announced, which is consumed.
+    /// Consumes a [`Token::Element`], and returns the contents of the element.
     pub(super) fn take_element(&mut self) -> Result<Slot<'a>> {
-        let span = self.stream.here();
-        let place = self.stream.take_element();
+        let span = self.stream.next_span();
+        let lvalue = self.stream.take_element();
         self.stream.advance();
-        match place {
-            Some(place) => self.evaluator.slot_at(&place, span),
+        match lvalue {
+            Some(lvalue) => self.evaluator.slot_at(&lvalue, span),
             None => self.evaluator.no_value(span),
         }
     }
 
-    /// Where `A[i][j]` is kept; that element need not have a value yet.
-    pub(super) fn element_place(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<Place> {
+    /// Location of the element `A[i][j]`, which need not have a value yet.
+    pub(super) fn element_lvalue(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<LValue> {
         match base.kind {
-            ExprKind::Name(symbol) => self.place_of(symbol, base.span, indices),
+            ExprKind::Name(symbol) => self.lvalue_of(symbol, base.span, indices),
             _ => Diagnostic::err(codes::WRONG_TYPE, base.span, "only a name can have an index"),
         }
     }
 
-    /// The same for a name and its place in the text.
-    pub(super) fn new_place(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+    /// Location of an element that is about to be declared; a new key is added to a dictionary.
+    pub(super) fn target_lvalue(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
         let indices = self.index_values(indices)?;
-        self.place_of_values(symbol, span, &indices, true)
+        self.lvalue_at(symbol, span, &indices, true)
     }
 
-    fn place_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<Place> {
+    fn lvalue_of(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
         let indices = self.index_values(indices)?;
-        self.place_of_values(symbol, span, &indices, false)
+        self.lvalue_at(symbol, span, &indices, false)
     }
 
     fn index_values(&mut self, indices: &'a [Expr]) -> Result<SmallVec<[(Value, Span); 2]>> {
-        indices.iter().map(|e| Ok((self.eval(e)?, e.span))).collect()
+        indices.iter().map(|e| Ok((self.evaluate(e)?, e.span))).collect()
     }
 
-    /// Where the element with these indices or keys is kept; a dictionary's last key is added if it is new and `adds` says so.
-    pub(super) fn place_of_values(
+    /// Location of the element at these indices or keys. With `adds`, a new last key is added to a dictionary.
+    pub(super) fn lvalue_at(
         &mut self,
         symbol: Symbol,
         span: Span,
         indices: &[(Value, Span)],
         adds: bool,
-    ) -> Result<Place> {
-        let Some(place) = self.evaluator.scopes().resolve(symbol) else {
-            self.name_value(symbol, span)?;
+    ) -> Result<LValue> {
+        let Some(lvalue) = self.evaluator.scopes().resolve(symbol) else {
+            self.evaluate_name(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
-        if self.evaluator.scopes().dictionary(&place).is_some() {
-            return self.evaluator.key_place(place, indices, adds);
+        if self.evaluator.scopes().dictionary(&lvalue).is_some() {
+            return self.evaluator.key_lvalue(lvalue, indices, adds);
         }
         let numbers: SmallVec<[f64; 4]> =
             indices.iter().map(|(value, at)| as_float(value, *at)).collect::<Result<_>>()?;
@@ -315,7 +318,7 @@ impl<'a> Interpreter<'a> {
         let mut rest = &numbers[..];
         while !rest.is_empty() {
             let at = indices[numbers.len() - rest.len()].1;
-            let slot = self.evaluator.scopes().at(&place).and_then(|slot| slot.element(&path));
+            let slot = self.evaluator.scopes().at(&lvalue).and_then(|slot| slot.element(&path));
             if let Some(slot @ Slot::Faulty(_)) = slot {
                 let slot = slot.clone();
                 self.slot_value(slot, span)?;
@@ -341,22 +344,22 @@ impl<'a> Interpreter<'a> {
             path.push(flat);
             rest = &rest[n..];
         }
-        Ok(place.element(&path))
+        Ok(lvalue.element(&path))
     }
 
-    /// Has the dictionary that is kept here a value under these keys?
-    pub(super) fn has_keys(&mut self, mut place: Place, indices: &'a [Expr]) -> Result<bool> {
+    /// True if the dictionary at a location has a value at these keys.
+    pub(super) fn has_keys(&mut self, mut lvalue: LValue, indices: &'a [Expr]) -> Result<bool> {
         for e in indices {
-            let key = self.text_value(e)?;
-            match self.evaluator.scopes().dictionary(&place).and_then(|d| d.key_index(&key)) {
-                Some(index) => place = place.element(&[index]),
+            let key = self.evaluate_text(e)?;
+            match self.evaluator.scopes().dictionary(&lvalue).and_then(|d| d.key_index(&key)) {
+                Some(index) => lvalue = lvalue.element(&[index]),
                 None => return Ok(false),
             }
         }
-        Ok(self.evaluator.scopes().at(&place).is_some())
+        Ok(self.evaluator.scopes().at(&lvalue).is_some())
     }
 
-    /// How many elements a dimension has; the first is 1.
+    /// Number of elements of a dimension; the first dimension is 1.
     pub(super) fn dimension_size(&mut self, array: &Argument<'a>, dimension: &Argument<'a>) -> Result<Value> {
         let array = self.array_argument(array)?;
         let n = self.argument_number(dimension)?;
@@ -364,7 +367,7 @@ impl<'a> Interpreter<'a> {
             Some(size) => Ok(Value::Float(*size as f64)),
             None => {
                 let message =
-                    format!("this array has {} dimensions, there is none with the number {n}", array.sizes.len());
+                    format!("this array has {} dimensions, but dimension {n} was asked for", array.sizes.len());
                 Diagnostic::err(codes::BAD_INDEX, dimension.span, message)
             }
         }

@@ -1,5 +1,5 @@
-//! Expressions that stand whole: no macro gives a part of them, and nothing that follows goes on with them. All others are
-//! read token by token, in [`super::pieces`].
+//! Evaluation of parsed expressions in which no macro gives tokens and which nothing that follows continues. All others
+//! are read token by token in [`super::token_expr`].
 
 use super::Interpreter;
 use super::evaluator::{SMALL, apply_prefix, as_float, combine, component, divides_by_zero, not_text, vector_value};
@@ -12,8 +12,8 @@ use crate::value::Value;
 use smallvec::SmallVec;
 
 impl<'a> Interpreter<'a> {
-    /// The value of an expression.
-    pub(super) fn eval(&mut self, e: &'a Expr) -> Result<Value> {
+    /// Evaluates an expression.
+    pub(super) fn evaluate(&mut self, e: &'a Expr) -> Result<Value> {
         match self.evaluator.quick(e) {
             Some(Quick::Float(x)) => return Ok(Value::Float(x)),
             Some(Quick::Vector(v)) => return Ok(Value::Vector(v)),
@@ -22,29 +22,29 @@ impl<'a> Interpreter<'a> {
         match &e.kind {
             ExprKind::Number(x) => Ok(Value::Float(*x)),
             ExprKind::Text(text) => Ok(Value::Text((**text).into())),
-            ExprKind::Name(symbol) => self.name_value(*symbol, e.span),
+            ExprKind::Name(symbol) => self.evaluate_name(*symbol, e.span),
             ExprKind::Literal(data) => vector_value(data, e.span),
-            ExprKind::Vector(parts) => self.vector_parts(parts, e.span),
-            ExprKind::Paren(inner) => self.eval(inner),
-            ExprKind::Chain(chain) => self.chain(chain),
+            ExprKind::Vector(parts) => self.evaluate_vector(parts, e.span),
+            ExprKind::Paren(inner) => self.evaluate(inner),
+            ExprKind::Chain(chain) => self.evaluate_chain(chain),
             ExprKind::Prefix(prefix, inner) => {
-                let value = self.eval(inner)?;
+                let value = self.evaluate(inner)?;
                 apply_prefix(*prefix, value, inner.span)
             }
-            ExprKind::Call(name, arguments) => self.call_value(*name, arguments, e.span),
+            ExprKind::Call(name, arguments) => self.evaluate_call(*name, arguments, e.span),
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
-                if self.truth(condition)? { self.eval(yes) } else { self.eval(no) }
+                if self.is_true(condition)? { self.evaluate(yes) } else { self.evaluate(no) }
             }
             ExprKind::Builtin(name, arguments) => self.builtin(name.name, arguments, e.span),
-            ExprKind::Dot(..) => self.components(e),
+            ExprKind::Dot(..) => self.evaluate_components(e),
             ExprKind::Index(array, indices) => {
-                let slot = self.indexed(array, indices, e.span)?;
+                let slot = self.evaluate_index(array, indices, e.span)?;
                 self.slot_value(slot, e.span)
             }
             ExprKind::Apply(function, arguments) => {
-                let function = self.eval(function)?;
-                self.call_thing(&function, arguments, e.span)
+                let function = self.evaluate(function)?;
+                self.evaluate_call_of(&function, arguments, e.span)
             }
             ExprKind::Function(_) | ExprKind::Block(_) => {
                 Diagnostic::err(codes::EXPECTED_VALUE, e.span, "expected a number or text, found a block")
@@ -52,10 +52,10 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `A.x`; a component of a component is no recursion, however many there are.
-    fn components(&mut self, e: &'a Expr) -> Result<Value> {
-        if let Some(place) = self.dictionary_place(e)? {
-            let slot = self.evaluator.slot_at(&place, e.span)?;
+    /// Evaluates components such as `A.x`. Components of components do not recurse, however many there are.
+    fn evaluate_components(&mut self, e: &'a Expr) -> Result<Value> {
+        if let Some(lvalue) = self.dictionary_lvalue(e)? {
+            let slot = self.evaluator.slot_at(&lvalue, e.span)?;
             return self.slot_value(slot, e.span);
         }
         let (mut base, mut names) = (e, vec![]);
@@ -63,44 +63,44 @@ impl<'a> Interpreter<'a> {
             names.push((name, inner.span));
             base = inner;
         }
-        let value = self.eval(base)?;
+        let value = self.evaluate(base)?;
         names.iter().rev().try_fold(value, |value, (name, span)| component(&value, name, *span))
     }
 
-    /// Is the number not 0?
-    pub(super) fn truth(&mut self, e: &'a Expr) -> Result<bool> {
-        Ok(self.number(e)?.abs() > SMALL)
+    /// True if a number is not 0.
+    pub(super) fn is_true(&mut self, e: &'a Expr) -> Result<bool> {
+        Ok(self.evaluate_number(e)?.abs() > SMALL)
     }
 
-    /// A number.
-    pub(super) fn number(&mut self, e: &'a Expr) -> Result<f64> {
+    /// Evaluates an expression to a number.
+    pub(super) fn evaluate_number(&mut self, e: &'a Expr) -> Result<f64> {
         if let Some(x) = self.evaluator.quick_number(e) {
             return Ok(x);
         }
-        let value = self.eval(e)?;
+        let value = self.evaluate(e)?;
         as_float(&value, e.span)
     }
 
-    /// A string.
-    pub(super) fn text_value(&mut self, e: &'a Expr) -> Result<String> {
-        match self.eval(e)? {
+    /// Evaluates an expression to a string.
+    pub(super) fn evaluate_text(&mut self, e: &'a Expr) -> Result<String> {
+        match self.evaluate(e)? {
             Value::Text(text) => Ok(text.to_string()),
             other => not_text(&other, e.span),
         }
     }
 
-    /// What a name stands for, as a value.
-    pub(super) fn name_value(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
+    /// The value of a name. Its first use reports the warnings that waited for it.
+    pub(super) fn evaluate_name(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
         match self.evaluator.scopes().get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => {
                 let thing = thing.clone();
-                self.first_use(symbol, span);
+                self.report_first_use(symbol, span);
                 Ok(Value::Thing(thing))
             }
             Some(Slot::Value(value)) => {
                 let value = value.clone();
                 if self.evaluator.has_deprecations() {
-                    self.first_use(symbol, span);
+                    self.report_first_use(symbol, span);
                 }
                 Ok(value)
             }
@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What a name or an array's element holds, where a value is needed.
+    /// The value in a slot; a fault for an array, a file, a macro and a failed declaration.
     pub(super) fn slot_value(&mut self, slot: Slot<'a>, span: Span) -> Result<Value> {
         match slot {
             Slot::Value(value) => Ok(value),
@@ -144,8 +144,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Tells the warnings that waited for the use of a declared thing.
-    pub(super) fn first_use(&mut self, symbol: Symbol, span: Span) {
+    /// Reports the warnings that waited for the use of a declared thing.
+    pub(super) fn report_first_use(&mut self, symbol: Symbol, span: Span) {
         for warning in self.evaluator.scopes().pending(symbol).iter().flat_map(|p| p.iter()) {
             self.reporter.report(warning.clone());
         }
@@ -155,7 +155,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Applies a binary operator; a division by zero is reported.
+    /// Applies a binary operator, and reports a division by zero.
     pub(super) fn combine(&mut self, op: Operator, left: (Value, Span), right: (Value, Span)) -> Result<Value> {
         if divides_by_zero(op, &right.0) {
             let value = combine(op, left.0, right.0, left.1, right.1)?;
@@ -165,35 +165,35 @@ impl<'a> Interpreter<'a> {
         combine(op, left.0, right.0, left.1, right.1)
     }
 
-    /// Operands of one precedence from left to right.
-    fn chain(&mut self, chain: &'a Chain) -> Result<Value> {
+    /// Evaluates operators of one precedence from left to right.
+    fn evaluate_chain(&mut self, chain: &'a Chain) -> Result<Value> {
         let mut span = chain.first.span;
-        let mut left = self.eval(&chain.first)?;
+        let mut left = self.evaluate(&chain.first)?;
         for (op, operand) in &chain.rest {
-            let right = self.eval(operand)?;
+            let right = self.evaluate(operand)?;
             left = self.combine(*op, (left, span), (right, operand.span))?;
             span = span.to(operand.span);
         }
         Ok(left)
     }
 
-    /// `< … >` of expressions that stand whole.
-    fn vector_parts(&mut self, parts: &'a [Element], span: Span) -> Result<Value> {
+    /// Evaluates a vector `< … >`.
+    fn evaluate_vector(&mut self, parts: &'a [Element], span: Span) -> Result<Value> {
         let mut data = SmallVec::<[f64; 5]>::new();
         for part in parts {
             if let ElementKind::Expr(e) = &part.kind {
-                data.push(self.number(e)?);
+                data.push(self.evaluate_number(e)?);
             }
         }
         vector_value(&data, span)
     }
 
-    /// The numbers of arguments that stand whole.
-    pub(super) fn whole_numbers(&mut self, parts: &'a [Element]) -> Result<Vec<f64>> {
+    /// Evaluates a list of numbers, such as the arguments of a function.
+    pub(super) fn evaluate_numbers(&mut self, parts: &'a [Element]) -> Result<Vec<f64>> {
         let mut all = Vec::with_capacity(parts.len());
         for part in parts {
             match &part.kind {
-                ElementKind::Expr(e) => all.push(self.number(e)?),
+                ElementKind::Expr(e) => all.push(self.evaluate_number(e)?),
                 ElementKind::Numbers(list) => all.extend(list.data.iter()),
                 _ => return Diagnostic::err(codes::EXPECTED_VALUE, part.span, "expected a number"),
             }

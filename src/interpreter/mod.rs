@@ -1,4 +1,7 @@
-//! Runs the AST: scopes, macros, directives, built-in functions.
+//! Runs the AST of a scene file and builds the scene.
+//!
+//! The run has four parts: [`stream`] holds the tokens, [`evaluator`] the values, [`scene_builder`] the scene and
+//! [`reporter`] the diagnostics. The other modules read the language with all four; [`pull`] is their centre.
 
 mod argument;
 mod array;
@@ -21,7 +24,7 @@ use crate::diagnostic::{Diagnostic, Label, codes};
 use crate::scene::Scene;
 use crate::source::{FileId, Files, Host, LocalHost, Sandbox, Sandboxed, SearchPath, Sources, Span};
 use crate::syntax::ast::Symbol;
-use crate::syntax::{Names, Wholes};
+use crate::syntax::{Granularity, Names};
 pub use directive::table as directives;
 use evaluator::Evaluator;
 pub use evaluator::Timing;
@@ -35,47 +38,47 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use stream::{FrameKind, Mode, TokenStream};
 
-/// Every function of scripts that `function { }` does not have: name, arguments, one line.
+/// Built-in functions of scripts that `function { }` does not have: name, arguments, one-line summary.
 pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     builtin::usages()
 }
 
-/// What a run may do and what it is given.
+/// Permissions and inputs of a run.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Where includes are looked for.
+    /// Folders that are searched for included files.
     pub search: SearchPath,
-    /// What the scene may read and write.
+    /// Files that the scene may read and write.
     pub sandbox: Sandbox,
-    /// `--declare NAME=VALUE`: see [`crate::value::given`].
+    /// Names declared by `--declare NAME=VALUE`; [`crate::value::parse_value`] parses the values.
     pub declares: Vec<(String, String)>,
-    /// `--language`: the version in force until the text's own `#version`.
+    /// Language version until the text's own `#version` (`--language`).
     pub version: Option<f64>,
-    /// `clock`, `frame_number` and their kin.
+    /// Values of `clock`, `frame_number` and the other constants of an animation.
     pub timing: Timing,
-    /// `input_file_name`: the scene's, without its folder.
+    /// Value of `input_file_name`: the name of the scene file without its folder.
     pub input_name: String,
-    /// `image_width`, `image_height`.
+    /// Values of `image_width` and `image_height`, in pixels.
     pub size: (usize, usize),
-    /// `--max-steps`: elements and loop passes.
+    /// Maximum number of directives, loop passes and macro calls (`--max-steps`).
     pub max_steps: u64,
-    /// `--max-time` in seconds, for the whole run.
+    /// Maximum duration of the run in seconds (`--max-time`).
     pub max_time: Option<f64>,
-    /// `--max-memory` in bytes.
+    /// Maximum memory of the process in bytes (`--max-memory`).
     pub max_memory: Option<u64>,
-    /// Clock and memory meter, for the limits and the built-in variable `now`.
+    /// Clock and memory meter, for the limits and the constant `now`.
     pub host: Arc<dyn Host>,
-    /// Ends the run as a limit does when somebody sets it.
+    /// Flag that another thread sets to end the run, as a limit would.
     pub stop: Option<Arc<AtomicBool>>,
-    /// How much of the text the parser keeps whole; tests have it taken apart.
-    pub wholes: Wholes,
-    /// Keep through which macros and includes each object came into the scene.
+    /// Size of the elements that the parser produces.
+    pub granularity: Granularity,
+    /// True to record the macro calls and includes through which each object came into the scene.
     pub origins: bool,
-    /// Note which branches run.
+    /// True to record which branches run.
     pub branches: bool,
 }
 
-/// A picture of one pixel, no files, and a million steps.
+/// Options for a picture of one pixel, no files and a million steps.
 impl Default for Options {
     fn default() -> Self {
         Self {
@@ -91,36 +94,37 @@ impl Default for Options {
             max_memory: None,
             host: Arc::new(LocalHost::default()),
             stop: None,
-            wholes: Wholes::Kept,
+            granularity: Granularity::Whole,
             origins: false,
             branches: false,
         }
     }
 }
 
-/// What came of it.
+/// Result of a run.
 #[derive(Debug, Default)]
 pub struct Outcome {
-    /// The scene, unless there were errors.
+    /// The scene; `None` after errors.
     pub scene: Option<Scene>,
     /// Errors and warnings in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
-    /// A limit (steps, memory, time) ended the run: exit code 4.
+    /// True if a limit on steps, memory or time ended the run (exit code 4).
     pub limit_reached: bool,
-    /// If they were to be kept: the macro calls and includes around each of the scene's objects, innermost first.
+    /// Macro calls and includes around each of the scene's objects, innermost first; empty without
+    /// [`Options::origins`].
     pub origins: Vec<Vec<Label>>,
-    /// If branches were to be noted: those of `#if`, `#ifdef` and `#switch` that were passed over each time.
+    /// Branches of `#if`, `#ifdef` and `#switch` that never ran; empty without [`Options::branches`].
     pub idle: Vec<Span>,
 }
 
-/// Runs a file that [`Sources`] already holds. `debug` receives what `#debug`, `#render` and `#statistics` print.
+/// Runs a file that [`Sources`] already holds. `debug` receives the output of `#debug`, `#render` and `#statistics`.
 ///
-/// It recurses as deeply as the text nests and macros call each other: give it a stack of some 500 MB.
+/// The recursion is as deep as the nesting of the text and of the macro calls: the stack should have about 500 MB.
 pub fn interpret(sources: &Sources, file: FileId, options: &Options, debug: &mut dyn FnMut(&str)) -> Outcome {
     interpret_with(&ParsedFiles::default(), sources, file, options, debug)
 }
 
-/// The same with the trees that an earlier frame has left.
+/// Runs a file like [`interpret`], and reuses the syntax trees of earlier frames.
 pub fn interpret_with(
     parsed: &ParsedFiles,
     sources: &Sources,
@@ -139,7 +143,7 @@ pub fn interpret_with(
 #[derive(Clone, Copy)]
 struct Inputs<'a> {
     sources: &'a Sources,
-    /// The storage, restricted by the sandbox.
+    /// The file storage, restricted by the sandbox.
     files: &'a dyn Files,
     names: &'a Names,
     parsed: &'a ParsedFiles,
@@ -153,9 +157,9 @@ pub(crate) struct Interpreter<'a> {
     evaluator: Evaluator<'a>,
     builder: SceneBuilder,
     reporter: Reporter<'a>,
-    /// Files by the numbers in [`evaluator::Slot::File`].
+    /// Files that `#fopen` opened, by the numbers in [`evaluator::Slot::File`].
     open_files: Vec<directive::OpenFile>,
-    /// Bytes that `#write` has written.
+    /// Number of bytes that `#write` has written.
     written: u64,
 }
 
@@ -178,7 +182,7 @@ impl<'a> Interpreter<'a> {
             self.set_version(compat::version_number(version));
         }
         let Ok(ast) = self.parse_file(file) else { return };
-        // Faults at the end of the text are reported at its last offset.
+        // Faults at the end of the text are reported at the file's last offset.
         let end = self.inputs.sources.base(file) + self.inputs.sources.text(file).len();
         self.stream.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
         while self.next_statement() {}
@@ -187,13 +191,13 @@ impl<'a> Interpreter<'a> {
     /// Reads one statement; false at the end of the scene, and after a fault that ends the run.
     fn next_statement(&mut self) -> bool {
         self.stream.set_mode(Mode::default());
-        // Directives and macros run while the next statement is peeked: a fault in them was skipped where it was found.
+        // Directives and macros run while the next statement is peeked. A fault in them skips only the directive.
         let checkpoint = self.stream.checkpoint();
         if let Err(fault) = self.peek() {
             return self.recover(*fault, |me| me.stream.forget_look_ahead(checkpoint));
         }
         let checkpoint = self.stream.checkpoint();
-        match self.statement() {
+        match self.read_statement() {
             Ok(true) => true,
             Ok(false) => {
                 self.finish_scene();
@@ -203,11 +207,11 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reports a fault, or the bracket that causes it, and skips what `skip` does; false if the run ends.
+    /// Reports a fault, or the unclosed bracket that causes the fault, and calls `skip`. Returns false if the run ends.
     fn recover(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
         let ends = self.reporter.limit_reached() || fault.code == codes::ENDS_RUN;
         let fault = self.stream.with_trace(fault);
-        // What follows an unclosed bracket makes no sense.
+        // Text after an unclosed bracket cannot be read.
         let bracket = match ends {
             true => None,
             false => self.stream.unclosed_bracket().or_else(|| self.reporter.closed_early(&fault)),

@@ -1,4 +1,4 @@
-//! The trees of the files that a command has read: frames of an animation share them.
+//! Syntax trees of the files that a command has read. The frames of an animation share them.
 
 use crate::source::{FileId, Files, Stamp};
 use crate::syntax::Names;
@@ -7,27 +7,27 @@ use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-/// Parsed files, and the names in them. It belongs to one [`crate::source::Sources`].
+/// Parsed files, and the names in them. They belong to one [`crate::source::Sources`].
 #[derive(Default)]
 pub struct ParsedFiles {
     pub(super) names: Names,
     pub(super) asts: elsa::FrozenVec<Box<Ast>>,
-    /// What elements and expressions of the trees were taken apart into, by their addresses.
+    /// Parts into which elements and expressions of the trees were split, by address.
     parts: elsa::FrozenMap<*const (), Box<[Element]>, FxBuildHasher>,
-    /// Numbers of trees.
+    /// Indices of the trees in `asts`.
     trees: RefCell<FxHashMap<FileId, usize>>,
-    /// With their stamps: a scene may write a file that its next frame includes.
+    /// Files by path, with their stamps: a scene may write a file that the next frame includes.
     files: RefCell<FxHashMap<PathBuf, (FileId, Option<Stamp>)>>,
 }
 
 impl ParsedFiles {
-    /// The tree of a file, if it was parsed.
+    /// The syntax tree of a file, if it was parsed.
     pub(super) fn tree(&self, file: FileId) -> Option<&Ast> {
         let index = self.trees.borrow().get(&file).copied()?;
         self.asts.get(index)
     }
 
-    /// The parts of something in a tree; `make` is asked once.
+    /// The parts of a node of a tree; `make` is called once per node.
     pub(super) fn parts_of<T>(&self, whole: &T, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
         let key: *const () = std::ptr::from_ref(whole).cast();
         match self.parts.get(&key) {
@@ -36,29 +36,29 @@ impl ParsedFiles {
         }
     }
 
-    pub(super) fn keep(&self, file: FileId, ast: Ast) -> &Ast {
+    pub(super) fn add_tree(&self, file: FileId, ast: Ast) -> &Ast {
         self.trees.borrow_mut().insert(file, self.asts.len());
         self.asts.push_get(Box::new(ast))
     }
 
-    /// The file that lies there, if it was read and is still the same. Those that are built in have no stamp.
+    /// The file at `path`, if it was read and has not changed since. Built-in files have no stamp.
     pub(super) fn file(&self, files: &dyn Files, path: &Path) -> Option<FileId> {
         let (file, read) = self.files.borrow().get(path).copied()?;
         (read == files.stamp(path)).then_some(file)
     }
 
-    pub(super) fn keep_file(&self, files: &dyn Files, path: &Path, file: FileId) {
+    pub(super) fn add_file(&self, files: &dyn Files, path: &Path, file: FileId) {
         self.files.borrow_mut().insert(path.to_path_buf(), (file, files.stamp(path)));
     }
 
-    /// What is written anew must be parsed anew when it is included: two writes may be nearer than the clock of files tells.
+    /// Forgets a file that is written, so that an include parses it again. Two writes may have the same stamp.
     pub(super) fn forget(&self, files: &dyn Files, path: &Path) {
         let full = files.canonicalize(path).ok();
         let same = |known: &Path| known == path || full.is_some() && files.canonicalize(known).ok() == full;
         self.files.borrow_mut().retain(|known, _| !same(known));
     }
 
-    /// All trees of files with their files, in the order of reading.
+    /// All trees with their files, in the order of reading.
     pub fn all(&self) -> Vec<(FileId, &Ast)> {
         let mut all: Vec<_> = self.trees.borrow().iter().map(|(&file, &index)| (file, index)).collect();
         all.sort_by_key(|(_, index)| *index);

@@ -1,4 +1,4 @@
-//! What may stand behind `#declare X =` and as a macro's argument: anything that can have a name.
+//! Values of `#declare X = …` and of macro arguments: anything that can have a name.
 
 use super::Interpreter;
 use super::evaluator::Slot;
@@ -15,17 +15,17 @@ use crate::texture::{ColorMap, Finish, Normal, NormalMap, Pigment, PigmentMap, S
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
 
-/// Blocks that may be declared, and whose kind is not read yet.
+/// Blocks that can be declared but that durer does not render yet.
 pub const LATER: &[&str] =
     &["media", "density", "density_map", "warp", "radiosity", "photons", "pattern", "array", "texture_list"];
 
 impl<'a> Interpreter<'a> {
-    /// The next complete value. No directive and no macro behind it runs.
-    pub(super) fn rvalue(&mut self) -> Result<Slot<'a>> {
-        self.in_mode(|mode| mode.defers = true, Self::deferring_rvalue)
+    /// Reads a complete value. Directives and macros after the value do not run.
+    pub(super) fn read_rvalue(&mut self) -> Result<Slot<'a>> {
+        self.in_mode(|mode| mode.defers = true, Self::read_deferring_rvalue)
     }
 
-    fn deferring_rvalue(&mut self) -> Result<Slot<'a>> {
+    fn read_deferring_rvalue(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
                 if let Some(slot @ (Slot::Faulty(_) | Slot::Array(_))) = self.evaluator.scopes().get(*symbol) {
@@ -33,62 +33,62 @@ impl<'a> Interpreter<'a> {
                     self.stream.advance();
                     return Ok(slot);
                 }
-                let value = self.name_value(*symbol, *span)?;
-                let whole = self.is_whole(false);
+                let value = self.evaluate_name(*symbol, *span)?;
+                let whole = self.next_is_complete(false);
                 self.stream.advance();
                 match is_callable(&value) {
-                    true => self.call_or_value(value, *span),
+                    true => self.read_call_or_value(value, *span),
                     false if whole => Ok(Slot::Value(value)),
-                    false => self.rest_of_value(value, *span),
+                    false => self.read_rest_of_value(value, *span),
                 }
             }
             Token::Function(_) => Ok(Slot::Value(Value::Thing(self.read_function()?))),
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => {
-                self.plain_value()
+                self.read_plain_value()
             }
-            Token::Sign(Sign::Not | Sign::Operator(_)) => self.plain_value(),
+            Token::Sign(Sign::Not | Sign::Operator(_)) => self.read_plain_value(),
             Token::Element(span) => {
                 let slot = self.take_element()?;
                 match slot {
-                    Slot::Value(value) => self.rest_of_value(value, span),
+                    Slot::Value(value) => self.read_rest_of_value(value, span),
                     slot => Ok(slot),
                 }
             }
-            Token::Word("array") => self.array(),
-            Token::Block(BlockName { word: Some("array"), .. }) => self.array_of_braces(self.stream.here()),
+            Token::Word("array") => self.read_array(),
+            Token::Block(BlockName { word: Some("array"), .. }) => self.read_braced_array(self.stream.next_span()),
             Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
-                self.dictionary()
+                self.read_dictionary()
             }
-            Token::Word(_) if self.at_color()? => self.plain_value(),
+            Token::Word(_) if self.at_color()? => self.read_plain_value(),
             _ => match Reader::next(self)? {
-                Next::Block(word) => self.thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
+                Next::Block(word) => self.read_thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),
             },
         }
     }
 
-    fn plain_value(&mut self) -> Result<Slot<'a>> {
-        self.value_here().map(|(value, _)| Slot::Value(value))
+    fn read_plain_value(&mut self) -> Result<Slot<'a>> {
+        self.read_value().map(|(value, _)| Slot::Value(value))
     }
 
-    /// A function's name alone, or its call.
-    fn call_or_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
-        if self.call_follows()? { self.rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
+    /// Returns a function's name alone, or reads its call.
+    fn read_call_or_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
+        if self.call_follows()? { self.read_rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
     }
 
-    /// What was read may be the first operand of more, or be called.
-    fn rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
+    /// Continues a value whose first operand was read.
+    fn read_rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
         if matches!(&value, Value::Thing(_)) && !is_callable(&value) {
             return Ok(Slot::Value(value));
         }
-        self.value_from(value, span).map(|(value, _)| Slot::Value(value))
+        self.continue_value(value, span).map(|(value, _)| Slot::Value(value))
     }
 
-    /// A block that has a kind of value.
-    fn thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
+    /// Reads a block that can be declared.
+    fn read_thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().clone();
         if word == "spline" {
-            return Ok(self.spline()?);
+            return Ok(self.read_spline()?);
         }
         if word == "texture" {
             return Ok(Arc::new(read_layers(self, &defaults)?));
@@ -97,38 +97,38 @@ impl<'a> Interpreter<'a> {
             return Ok(Arc::<Object>::from(Object::read(self, &defaults)?));
         }
         if LATER.contains(&word) {
-            return Ok(Arc::new(self.keep_undrawn(word)?));
+            return Ok(Arc::new(self.read_unsupported(word)?));
         }
         let base = &defaults.texture.layers[0];
         match word {
-            "pigment" => self.inside(|r, _| Pigment::read(r, &base.pigment, &defaults.texture)),
-            "normal" => self.inside(|r, _| Normal::read(r, base.normal.as_deref(), &defaults.texture)),
-            "finish" => self.inside(|r, _| Finish::read(r, &base.finish)),
-            "color_map" | "colour_map" => self.inside(|r, _| ColorMap::read(r)),
-            "pigment_map" => self.inside(|r, _| PigmentMap::read_entries(r, &defaults.texture, false)),
-            "normal_map" => self.inside(|r, _| NormalMap::read_entries(r, &defaults.texture, false)),
-            "slope_map" => self.inside(|r, _| SlopeMap::read_entries(r, &defaults.texture, false)),
-            "texture_map" => self.inside(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
-            "interior" => self.inside(|r, _| Interior::read(r, None)),
-            "material" => self.inside(|r, _| read_material(r, &defaults, None)),
-            "fog" => self.inside(|r, _| Fog::read(r)),
-            "rainbow" => self.inside(|r, at| Rainbow::read(r, at)),
-            "sky_sphere" => self.inside(|r, at| SkySphere::read(r, &defaults.texture, at)),
-            "camera" => self.inside(|r, at| read_camera(r, at, &defaults)),
-            "transform" => self.inside(|r, _| Ok(TransformThing(r.transform_block()?))),
+            "pigment" => self.read_inside(|r, _| Pigment::read(r, &base.pigment, &defaults.texture)),
+            "normal" => self.read_inside(|r, _| Normal::read(r, base.normal.as_deref(), &defaults.texture)),
+            "finish" => self.read_inside(|r, _| Finish::read(r, &base.finish)),
+            "color_map" | "colour_map" => self.read_inside(|r, _| ColorMap::read(r)),
+            "pigment_map" => self.read_inside(|r, _| PigmentMap::read_entries(r, &defaults.texture, false)),
+            "normal_map" => self.read_inside(|r, _| NormalMap::read_entries(r, &defaults.texture, false)),
+            "slope_map" => self.read_inside(|r, _| SlopeMap::read_entries(r, &defaults.texture, false)),
+            "texture_map" => self.read_inside(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
+            "interior" => self.read_inside(|r, _| Interior::read(r, None)),
+            "material" => self.read_inside(|r, _| read_material(r, &defaults, None)),
+            "fog" => self.read_inside(|r, _| Fog::read(r)),
+            "rainbow" => self.read_inside(|r, at| Rainbow::read(r, at)),
+            "sky_sphere" => self.read_inside(|r, at| SkySphere::read(r, &defaults.texture, at)),
+            "camera" => self.read_inside(|r, at| read_camera(r, at, &defaults)),
+            "transform" => self.read_inside(|r, _| Ok(TransformThing(r.transform_block()?))),
             _ => Err(self.unexpected_token("something that can be declared").into()),
         }
     }
 
-    /// Opens the block that comes next, at the place that `read` is told, and closes it.
-    fn inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
+    /// Opens the block that comes next, calls `read` with the block's span, and closes the block.
+    fn read_inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
         let at = self.take()?;
         let thing = read(self, at)?;
         self.leave()?;
         Ok(Arc::new(thing))
     }
 
-    /// `#default { … }` and `default { … }`, between the braces.
+    /// Reads the inside of `#default { … }` or `default { … }`.
     pub(super) fn read_defaults(&mut self) -> Result<()> {
         loop {
             let next = Reader::next(self)?;

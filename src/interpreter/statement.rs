@@ -11,7 +11,7 @@ use crate::texture::tell_bytes;
 use crate::value::words::word;
 use crate::value::{Kind, Next, Reader, Vocabulary};
 
-/// Everything that can stand at the outermost level, beside shapes.
+/// Words of the outermost level, except shapes.
 pub const STATEMENTS: Vocabulary = Vocabulary {
     block: "scene",
     summary: "what stands in a scene outside of all braces",
@@ -35,62 +35,59 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
         word("include", Kind::Nothing, "", "`#include`, likewise"),
         word("max_trace_level", Kind::Float, "", "of old scenes: as in `global_settings`"),
     ],
-    moves: false,
-    idle: &["max_intersections"],
-    not_drawn: &["media", "radiosity", "photons"],
+    has_transforms: false,
+    ignored: &["max_intersections"],
+    unsupported: &["media", "radiosity", "photons"],
 };
 
 impl Interpreter<'_> {
     /// Reads one statement, which [`Self::peek`] has announced; false at the end of the file.
-    pub(super) fn statement(&mut self) -> Result<bool> {
+    pub(super) fn read_statement(&mut self) -> Result<bool> {
         match Reader::next(self)? {
             Next::End if !matches!(self.peek()?, Token::End) => {
-                let span = self.stream.here();
+                let span = self.stream.next_span();
                 self.stream.advance();
                 let message = format!("`{}` closes nothing", self.inputs.sources.snippet(span));
                 let d = Diagnostic::new(codes::UNMATCHED_CLOSER, span, message);
                 return d.help("remove it, or look for its opener above").into();
             }
             Next::End => return Ok(false),
-            Next::Block(word) => self.top_block(word)?,
-            Next::Word("max_trace_level") => self.stray_trace_level()?,
-            Next::Word(word @ ("declare" | "include")) => self.bare_directive(word)?,
-            Next::Value if self.at_bare_version() => self.bare_directive("version")?,
+            Next::Block(word) => self.read_top_block(word)?,
+            Next::Word("max_trace_level") => self.read_stray_trace_level()?,
+            Next::Word(word @ ("declare" | "include")) => self.run_bare_directive(word)?,
+            Next::Value if self.at_bare_version() => self.run_bare_directive("version")?,
             Next::Word(word) if STATEMENTS.ignores(word) => {
                 self.take()?;
                 self.float()?;
             }
             Next::Thing("object" | "light_source") => {
-                self.top_object()?;
+                self.read_top_object()?;
             }
             Next::Thing(kind) => {
-                let span = self.stream.here();
-                let d = Diagnostic::new(
-                    codes::EXPECTED,
-                    span,
-                    format!("a {kind} can't stand alone at the outermost level"),
-                );
+                let span = self.stream.next_span();
+                let d =
+                    Diagnostic::new(codes::EXPECTED, span, format!("a {kind} is not allowed at the outermost level"));
                 return d.help("only objects do; a `texture` or `pigment` belongs inside one").into();
             }
-            Next::Value => return Err(self.stray_value().into()),
+            Next::Value => return Err(self.stray_value_error().into()),
             _ => return Err(self.unknown_word("scene", &statement_names()).into()),
         }
         Ok(true)
     }
 
-    fn top_block(&mut self, word: &'static str) -> Result<()> {
+    fn read_top_block(&mut self, word: &'static str) -> Result<()> {
         if is_object(word) {
-            return self.top_object();
+            return self.read_top_object();
         }
-        if STATEMENTS.leaves_out(word) {
-            let said = self.keep_undrawn(word)?;
-            self.builder.add_unsupported(said);
+        if STATEMENTS.is_unsupported(word) {
+            let block = self.read_unsupported(word)?;
+            self.builder.add_unsupported(block);
             return Ok(());
         }
         const OTHERS: [&str; 7] =
             ["camera", "background", "sky_sphere", "fog", "rainbow", "global_settings", "default"];
         if !OTHERS.contains(&word) {
-            return Err(self.stray_block(word).into());
+            return Err(self.stray_block_error(word).into());
         }
         let at = self.take()?;
         match word {
@@ -128,7 +125,7 @@ impl Interpreter<'_> {
         self.leave()
     }
 
-    fn top_object(&mut self) -> Result<()> {
+    fn read_top_object(&mut self) -> Result<()> {
         let defaults = self.builder.defaults().clone();
         let object = Object::read(self, &defaults)?;
         self.builder.add_object(*object);
@@ -138,62 +135,62 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// A directive whose `#` is left out, as POV-Ray takes some of them between statements.
-    fn bare_directive(&mut self, word: &'static str) -> Result<()> {
-        let span = self.stream.here();
+    /// Runs a directive without its `#`, which POV-Ray accepts for some directives between statements.
+    fn run_bare_directive(&mut self, word: &'static str) -> Result<()> {
+        let span = self.stream.next_span();
         self.stream.advance();
-        let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` stands without its `#`"));
+        let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` is missing its `#`"));
         self.report_here(d.help(format!("write `#{word}`")));
         match crate::interpreter::directives::find(word) {
             Some((name, run)) => self.run_plain(name, run, span),
-            None => self.declare_pieces(false, span),
+            None => self.run_declare_by_tokens(false, span),
         }
     }
 
     fn at_bare_version(&self) -> bool {
-        self.stream.raw().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
+        self.stream.next_element().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
     }
 
-    /// A setting that POV-Ray takes outside of `global_settings` too.
-    fn stray_trace_level(&mut self) -> Result<()> {
-        let at = self.stream.here();
+    /// Reads `max_trace_level`, which POV-Ray also accepts outside of `global_settings`.
+    fn read_stray_trace_level(&mut self) -> Result<()> {
+        let at = self.stream.next_span();
         let mut settings = self.builder.settings().clone();
         self.take()?;
         let read = settings.read_max_trace_level(self);
         self.builder.set_settings(settings);
         read?;
-        let d = Diagnostic::new(codes::MISPLACED, at, "`max_trace_level` stands outside of `global_settings`");
+        let d = Diagnostic::new(codes::MISPLACED, at, "`max_trace_level` is outside of `global_settings`");
         self.report_here(d.help("write `global_settings { max_trace_level … }`"));
         Ok(())
     }
 
-    /// A block that does not stand by itself.
-    fn stray_block(&mut self, word: &'static str) -> Diagnostic {
+    /// The error for a block at the outermost level that belongs inside another block.
+    fn stray_block_error(&mut self, word: &'static str) -> Diagnostic {
         let span = match self.peek() {
             Ok(Token::Block(name)) => name.span,
-            _ => self.stream.here(),
+            _ => self.stream.next_span(),
         };
-        let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` can't stand by itself"));
+        let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` is not a statement of its own"));
         match hints::other_tools(word) {
             Some(hint) => d.help(hint),
-            None => d.help(format!("it belongs inside another block, or behind `#declare Name = {word} {{…}}`")),
+            None => d.help(format!("it belongs inside another block, or after `#declare Name = {word} {{…}}`")),
         }
     }
 
-    /// A value at the outermost level: mostly a misspelt word or a missing `#declare`.
-    fn stray_value(&mut self) -> Diagnostic {
+    /// The error for a value at the outermost level: mostly a misspelt word or a missing `#declare`.
+    fn stray_value_error(&mut self) -> Diagnostic {
         if let Ok(Token::Expr(e)) = self.peek() {
             if let Some(at) = self.comparison_ahead() {
-                return self.misplaced(at);
+                return self.syntax_error_at(at);
             }
-            if let Err(fault) = self.eval(e) {
+            if let Err(fault) = self.evaluate(e) {
                 return *fault;
             }
         }
         let (at, is_value) = match self.peek() {
             Ok(Token::Expr(e)) => (e.span, !self.inputs.sources.snippet(e.span).starts_with('(')),
-            Ok(Token::Numbers(_)) => (self.stream.here(), true),
-            Ok(Token::Sign(sign)) => (self.stream.here(), self.begins_value(sign, self.stream.here())),
+            Ok(Token::Numbers(_)) => (self.stream.next_span(), true),
+            Ok(Token::Sign(sign)) => (self.stream.next_span(), self.begins_value(sign, self.stream.next_span())),
             _ => (Span::NONE, false),
         };
         if !is_value {
@@ -203,7 +200,7 @@ impl Interpreter<'_> {
             .help("to give it a name, write `#declare Name = …;`")
     }
 
-    /// Does a value begin with this sign, which comes in pieces? (Behind an operand, `<` compares.)
+    /// True if a value begins with this sign, which is a token by itself. After an operand, `<` is a comparison.
     fn begins_value(&self, sign: Sign, span: Span) -> bool {
         let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
         let (before, behind) = self.inputs.sources.text(file).split_at(range.start);
@@ -216,16 +213,16 @@ impl Interpreter<'_> {
             _ => false,
         };
         let rest = &behind[range.len()..];
-        // (A `<` that nothing closes compares too.)
+        // A `<` without a `>` in the same line is a comparison too.
         let line = rest.split(['\n', '\r', ';']).next().unwrap_or_default();
         let compares = sign == Sign::Operator(Operator::Less) && !line.contains('>');
         let operand = rest.trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
         begins && !compares && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
     }
 
-    /// `Size = 3`: a sign that compares, in the row of operands that comes next.
+    /// Span of a comparison sign in the operands that come next, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
-        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
         let row = self.stream.innermost()?.rest().iter();
@@ -237,12 +234,12 @@ impl Interpreter<'_> {
         row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)
     }
 
-    /// What is settled only when the whole text has run.
+    /// Sets what depends on the whole text, and closes open files.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
         self.builder.finish();
         if !self.builder.has_camera() && self.reporter.error_count() == 0 {
-            let message = "the scene has no camera: it is seen from <0, 0, 0> along z";
+            let message = "the scene has no camera: the default one at <0, 0, 0> looks along z";
             self.reporter.report(
                 Diagnostic::new(codes::NO_CAMERA, Span::NONE, message)
                     .help("`camera { location <0, 2, -5> look_at 0 }`"),

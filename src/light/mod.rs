@@ -15,7 +15,7 @@ use crate::diagnostic::{Result, codes};
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
 use crate::value::words::read_row;
-use crate::value::{Next, RawItem, Reader, Thing};
+use crate::value::{Next, Reader, Thing, Unsupported};
 use area::AREA_ROWS;
 use beam::BEAM_ROWS;
 use serde::Serialize;
@@ -50,7 +50,7 @@ pub struct Light {
     pub media_attenuation: bool,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<RawItem>,
+    pub unsupported: Vec<Unsupported>,
     /// The text that made it.
     pub source: Span,
 }
@@ -70,7 +70,7 @@ impl Default for Light {
             fade_power: 0.0,
             media_interaction: true,
             media_attenuation: false,
-            undrawn: vec![],
+            unsupported: vec![],
             source: Span::NONE,
         }
     }
@@ -104,7 +104,9 @@ impl Light {
             }
         }
         match next {
-            Next::Word(word) | Next::Block(word) if LIGHT.leaves_out(word) => self.undrawn.push(r.keep_undrawn(word)?),
+            Next::Word(word) | Next::Block(word) if LIGHT.is_unsupported(word) => {
+                self.unsupported.push(r.read_unsupported(word)?)
+            }
             _ => return Ok(false),
         }
         Ok(true)

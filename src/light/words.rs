@@ -46,7 +46,7 @@ pub const LIGHT: Vocabulary = Vocabulary {
         &joined::<OWN>(specs!(LIGHT_ROWS), specs!(BEAM_ROWS)),
         &joined::<{ AREA_ROWS.len() + LIGHT_PARTS.len() }>(specs!(AREA_ROWS), LIGHT_PARTS),
     ),
-    moves: true,
-    idle: &[],
-    not_drawn: &["photons"],
+    has_transforms: true,
+    ignored: &[],
+    unsupported: &["photons"],
 };

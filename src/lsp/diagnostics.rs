@@ -82,8 +82,8 @@ fn convert(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformati
     }
 }
 
-/// Moves the diagnostics of a run after a change of the text that replaced `bytes` by `new` bytes. Diagnostics that touch the change are
-/// removed.
+/// Moves the diagnostics of a run after a change of the text that replaced `bytes` by `new` bytes. Diagnostics that
+/// touch the change are removed.
 pub fn moved(
     diagnostics: Vec<EditorDiagnostic>,
     before: &Text,

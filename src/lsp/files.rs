@@ -1,4 +1,5 @@
-//! Cache of the files that open texts include: read once, and again after a change. An open text replaces the file of the same path.
+//! Cache of the files that open texts include: read once, and again after a change. An open text replaces the file of
+//! the same path.
 
 use super::document::{BASE, Document};
 use super::scan::Scan;

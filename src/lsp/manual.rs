@@ -1,5 +1,5 @@
-//! Addresses of the manual on this machine: in the folder `DURER_MANUAL` (the manual's `src`), in `share/doc/durer` beside the
-//! program's folder, or in the source tree that contains the program.
+//! Addresses of the manual on this machine: in the folder `DURER_MANUAL` (the manual's `src`), in `share/doc/durer`
+//! beside the program's folder, or in the source tree that contains the program.
 
 use super::document::uri_of;
 use crate::diagnostic::codes;

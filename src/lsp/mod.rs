@@ -1,9 +1,10 @@
 //! `durer lsp`: the language server (Microsoft, "Language Server Protocol", version 3.17, 2022).
 //!
-//! Faults of a text's syntax are published after each change. Other faults follow from a run of the scene, which takes place on its own thread,
-//! within limits, without writing files, and is stopped by the next change. Requests are answered from the lossless tokens (`scan`) of
-//! the open texts and of the files that these include (`files`), and from the tables of the readers (`words`), so that there is no second
-//! parser and no second list of words. `requests/` has a file for each family of requests.
+//! Faults of a text's syntax are published after each change. Other faults follow from a run of the scene, which takes
+//! place on its own thread, within limits, without writing files, and is stopped by the next change. Requests are
+//! answered from the lossless tokens (`scan`) of the open texts and of the files that these include (`files`), and from
+//! the tables of the readers (`words`), so that there is no second parser and no second list of words. `requests/` has
+//! a file for each family of requests.
 
 // The interior mutability of an address is no part of its value.
 #![allow(clippy::mutable_key_type)]
@@ -25,8 +26,8 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::mpsc;
 
-/// Serves an editor over standard input and output. Returns true if the editor shut the server down before it disconnected. `include` are
-/// folders of the include path.
+/// Serves an editor over standard input and output. Returns true if the editor shut the server down before it
+/// disconnected. `include` are folders of the include path.
 ///
 /// # Errors
 /// If reading or writing fails.

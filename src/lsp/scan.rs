@@ -1,5 +1,5 @@
-//! Outline of a text for an editor: tokens with their kinds, declarations and uses of names, and the blocks and directives that enclose a
-//! position. One pass over the lossless tokens.
+//! Outline of a text for an editor: tokens with their kinds, declarations and uses of names, and the blocks and
+//! directives that enclose a position. One pass over the lossless tokens.
 
 use crate::syntax::word::{Category, entry};
 use crate::syntax::{Piece, Tokens, opens};
@@ -255,7 +255,8 @@ impl Scanner<'_> {
         self.scan.pairs.push(Pair { name, whole: start..start + 1, open, named, outer, closed: false });
     }
 
-    /// Closes the innermost pair with the opening character `open`, unless a directive's body encloses the position more tightly.
+    /// Closes the innermost pair with the opening character `open`, unless a directive's body encloses the position
+    /// more tightly.
     fn close(&mut self, open: u8, end: usize) {
         let is = |pair: &usize| self.scan.pairs[*pair].open == open;
         let hidden = |pair: &usize| open != b'#' && self.scan.pairs[*pair].open == b'#';

@@ -314,7 +314,8 @@ impl<S: Client> Server<S> {
         }
     }
 
-    /// All texts that share names with one: the files that it includes, and the open scenes that include it with their files.
+    /// All texts that share names with one: the files that it includes, and the open scenes that include it with their
+    /// files.
     pub fn related(&mut self, uri: &Uri) -> Vec<ReachableText> {
         let mut out = self.reachable(uri);
         for scene in self.scenes_of(uri.as_str()) {

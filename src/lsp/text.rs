@@ -1,6 +1,7 @@
 //! A text that is being edited, with positions in the protocol's units of UTF-16.
 //!
-//! Not the crate `line-index`: it ends lines at `\n` alone, where scenes may also have `\r`, and it does not follow changes.
+//! Not the crate `line-index`: it ends lines at `\n` alone, where scenes may also have `\r`, and it does not follow
+//! changes.
 
 use lsp_types::{Position, Range, TextDocumentContentChangeEvent};
 
@@ -29,8 +30,8 @@ impl Text {
         self.lines.len()
     }
 
-    /// The byte offset of a position. A position after the end of a line or of the text is moved to that end, and a position within a character
-    /// to its start.
+    /// The byte offset of a position. A position after the end of a line or of the text is moved to that end, and a
+    /// position within a character to its start.
     pub fn offset(&self, at: Position) -> usize {
         let Some(&start) = self.lines.get(at.line as usize) else { return self.all.len() };
         let line = self.line(at.line as usize);

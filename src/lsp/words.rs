@@ -62,7 +62,7 @@ pub fn of_block(block: &str) -> Vec<WordInfo> {
     let named = if block.is_empty() { interpreter::STATEMENTS.block } else { block };
     for table in BLOCKS.iter().map(|block| block.words).filter(|table| table.block == named) {
         add(&mut out, table.words);
-        if table.moves {
+        if table.has_transforms {
             add(&mut out, TRANSFORMS);
         }
     }

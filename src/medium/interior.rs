@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
 use crate::value::Kind::{Color, Float};
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, RawItem, Reader, ReaderExt, Thing, Vocabulary};
+use crate::value::{Next, Reader, ReaderExt, Thing, Unsupported, Vocabulary};
 use serde::Serialize;
 
 /// Words of an `interior` block, and how each is read.
@@ -47,9 +47,9 @@ pub const INTERIOR: Vocabulary = Vocabulary {
     block: "interior",
     summary: "what fills a shape",
     words: specs!(INTERIOR_ROWS),
-    moves: false,
-    idle: &["refraction"],
-    not_drawn: &["media"],
+    has_transforms: false,
+    ignored: &["refraction"],
+    unsupported: &["media"],
 };
 
 /// Optical properties of the inside of a shape.
@@ -74,7 +74,7 @@ pub struct Interior {
     pub caustics: f64,
     /// Items that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<RawItem>,
+    pub unsupported: Vec<Unsupported>,
 }
 
 impl Default for Interior {
@@ -88,7 +88,7 @@ impl Default for Interior {
             fade_power: 0.0,
             fade_color: Rgb::ZERO,
             caustics: 0.0,
-            undrawn: vec![],
+            unsupported: vec![],
         }
     }
 }
@@ -119,8 +119,8 @@ impl Interior {
                     r.take()?;
                     r.float()?;
                 }
-                Next::Word(word) | Next::Block(word) if INTERIOR.leaves_out(word) => {
-                    out.undrawn.push(r.keep_undrawn(word)?);
+                Next::Word(word) | Next::Block(word) if INTERIOR.is_unsupported(word) => {
+                    out.unsupported.push(r.read_unsupported(word)?);
                 }
                 _ => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
             }

@@ -67,7 +67,9 @@ impl Readable for DensityFile {
         let (at, name) = (r.span(), r.text()?);
         let Some(path) = r.find_file(&name, at)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the density file `{name}` was not found"));
-            return d.help("density files are looked for where included files are; -I DIR adds a folder").into();
+            return d
+                .help("density files are searched in the same folders as included files; -I DIR adds a folder")
+                .into();
         };
         let voxels = Arc::new(Voxels::read(r.files(), &path).map_err(|fault| fault.at(at))?);
         Ok(Self { voxels, between: Voxel::Nearest })

@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
 use crate::value::words::{is_row, read_row};
-use crate::value::{Next, Reader, Seldom, Usual};
+use crate::value::{Next, Reader, SharedDefault, StaticDefault};
 use serde::Serialize;
 
 /// Function from points to what is chosen.
@@ -60,12 +60,12 @@ impl Kind {
     }
 }
 
-impl Usual for Pattern {
-    fn usual() -> &'static Self {
+impl StaticDefault for Pattern {
+    fn static_default() -> &'static Self {
         static PLAIN: Pattern = Pattern {
             kind: Kind::Plain,
             modifiers: Modifiers::NONE,
-            space: Space { inner: vec![], transform: Seldom::USUAL, turbulence: None },
+            space: Space { inner: vec![], transform: SharedDefault::DEFAULT, turbulence: None },
             noise: None,
             uv: false,
             framed: false,
@@ -83,7 +83,7 @@ impl Pattern {
     /// With the place of what is not understood, and what was expected there.
     pub fn read_element(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
-            next if next.moves() => {
+            next if next.is_transform() => {
                 if let Some(step) = r.transform()? {
                     self.transform(&step);
                 }

@@ -3,7 +3,7 @@
 
 use super::{TurbulenceParams, Warp};
 use crate::math::{DVec3, Transform};
-use crate::value::Seldom;
+use crate::value::SharedDefault;
 use serde::Serialize;
 
 /// Transforms, warps and turbulence between the outer space and the pattern's own.
@@ -13,7 +13,7 @@ pub struct Space {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inner: Vec<Step>,
     /// The transforms after the last warp.
-    pub transform: Seldom<Transform>,
+    pub transform: SharedDefault<Transform>,
     /// `turbulence`, which applies last to a point wherever it is written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turbulence: Option<Box<TurbulenceParams>>,

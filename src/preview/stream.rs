@@ -1,4 +1,5 @@
-//! Sends a page the changes of the screen (WHATWG HTML, "Server-sent events"), as events of the kinds "state" and "picture".
+//! Sends a page the changes of the screen (WHATWG HTML, "Server-sent events"), as events of the kinds "state" and
+//! "picture".
 
 use super::http;
 use super::screen::{Cursor, Image, Screen, Update, on_screen};

@@ -1,5 +1,85 @@
 //! Parsing, values, versions.
 
-use super::Quirk;
+use super::{Quirk, emulated};
 
-pub(super) const QUIRKS: &[Quirk] = &[];
+pub(super) const QUIRKS: &[Quirk] = &[
+    emulated(
+        "background_by_version",
+        "Before `#version 3.7`, a picture with alpha leaves out the `background` and any other picture shows it in full, whatever its \
+         `transmit`.",
+        &["src/atmosphere/background.rs::who_looks_at_what_as_measured"],
+    ),
+    emulated(
+        "call_runs_directives",
+        "To find out whether the name of a function is called, directives after the name run, even where directives after a value wait until \
+         the value has been used.",
+        &["tests/lang/pieces.scene"],
+    ),
+    emulated(
+        "comparison_tolerance",
+        "Numbers that differ by less than 1e-10 are equal, and a number closer to 0 than that is false.",
+        &["tests/lang/operators.scene"],
+    ),
+    emulated(
+        "gamma_by_version",
+        "Colours of a scene without `assumed_gamma` are not converted at all if the scene states an older version than 3.7, or none; with \
+         `#version 3.7`, `assumed_gamma` is 1.",
+        &["light_cases/no_version"],
+    ),
+    emulated(
+        "hf_component_weights",
+        "The component `.hf` of a colour is 0.996093 times its red plus 0.003906 times its green.",
+        &["tests/lang/functions.scene"],
+    ),
+    emulated(
+        "index_follows_name",
+        "Between the name of an array and its index no directive and no macro runs, and no macro ends.",
+        &["tests/lang/pieces.scene"],
+    ),
+    emulated(
+        "infinite_colors",
+        "An infinite component of a colour is as bright as the picture allows, and one that is not a number is 0.",
+        &["light_cases/infinite_colors"],
+    ),
+    emulated(
+        "opacity_by_version",
+        "Before `#version 3.7`, a surface with `filter` shows of its own light only the share that the filter's colour absorbs.",
+        &["light_cases/opacity_before_37"],
+    ),
+    emulated(
+        "optional_argument_commas",
+        "Commas between arguments may be left out, except in functions of any number of arguments such as `min` and `max`.",
+        &["tests/lang/functions.scene"],
+    ),
+    emulated(
+        "pigment_function_ignores_default",
+        "The pigments of functions and of `pigment_pattern` do not begin with the pigment of `#default`.",
+        &["light_cases/pigments_of_functions"],
+    ),
+    emulated(
+        "random_generator",
+        "`rand` is a linear congruential generator of 32 bits: each state is 1812433253 times the one before, plus 12345.",
+        &["tests/lang/numeric_functions.scene"],
+    ),
+    emulated(
+        "seed_overflow",
+        "A seed beyond 32 bits is the seed -2147483648.",
+        &["tests/lang/numeric_functions.scene"],
+    ),
+    emulated(
+        "sky_by_version",
+        "Before `#version 3.7`, a pigment of a `sky_sphere` transmits those below it by the amount of its filter whatever its colour, and \
+         pictures with alpha leave out the sky.",
+        &["light_cases/sky_sphere_before_37"],
+    ),
+    emulated(
+        "srgb_files_since_3_7",
+        "Picture files without gamma information are read as sRGB since `#version 3.7`, and as linear before.",
+        &["light_cases/image_alpha_one"],
+    ),
+    emulated(
+        "unsigned_infinity",
+        "A division by zero is infinite without a sign: 1/0, -1/0 and 0/0 are the same.",
+        &["tests/lang/operators.scene"],
+    ),
+];

@@ -20,7 +20,7 @@ use crate::atmosphere::{Background, Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::source::Span;
 use crate::texture::Texture;
-use crate::value::RawItem;
+use crate::value::Unsupported;
 use serde::Serialize;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -52,7 +52,7 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<RawItem>,
+    pub unsupported: Vec<Unsupported>,
 }
 
 /// What `#default` has set for all that follows.

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::noise::NoiseGenerator;
 use crate::pattern::TextureContext;
 use crate::value::words::read_row;
-use crate::value::{Next, RawItem, Reader, ReaderExt};
+use crate::value::{Next, Reader, ReaderExt, Unsupported};
 use serde::Serialize;
 
 /// All numbers of `global_settings`.
@@ -32,7 +32,7 @@ pub struct Settings {
     pub sky_by_share: bool,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<RawItem>,
+    pub unsupported: Vec<Unsupported>,
 }
 
 impl Default for Settings {
@@ -47,7 +47,7 @@ impl Default for Settings {
             number_of_waves: TextureContext::WAVES,
             opacity_by_color: false,
             sky_by_share: false,
-            undrawn: vec![],
+            unsupported: vec![],
         }
     }
 }
@@ -66,12 +66,12 @@ impl Settings {
                     let mut row = vec![];
                     r.take()?;
                     while r.at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
-                        r.pass(&mut row)?;
+                        r.skip_into(&mut row)?;
                     }
-                    self.undrawn.push(RawItem::Block(word, row.into()));
+                    self.unsupported.push(Unsupported::Block(word, row.into()));
                 }
-                Next::Word(word) | Next::Block(word) if SETTINGS.leaves_out(word) => {
-                    self.undrawn.push(r.keep_undrawn(word)?);
+                Next::Word(word) | Next::Block(word) if SETTINGS.is_unsupported(word) => {
+                    self.unsupported.push(r.read_unsupported(word)?);
                 }
                 _ => return Err(r.unknown_word("global_settings", &SETTINGS.names()).into()),
             }

@@ -120,7 +120,7 @@ pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<A
                 r.leave()?;
             }
             Next::Thing("interior") => out.interior = r.thing::<Interior>()?,
-            next if next.moves() => {
+            next if next.is_transform() => {
                 if let Some(step) = r.transform()? {
                     for texture in [&mut out.texture, &mut out.interior_texture].into_iter().flatten() {
                         Arc::make_mut(texture).transform(&step);

@@ -45,9 +45,9 @@ pub const MODIFIERS: Vocabulary = Vocabulary {
     block: "object",
     summary: "what any object takes behind the words of its own",
     words: &joined::<{ PARTS.len() + FLAGS.len() }>(PARTS, specs!(FLAGS)),
-    moves: true,
-    idle: &["sturm", "hierarchy", "split_union", "all_intersections"],
-    not_drawn: &["photons"],
+    has_transforms: true,
+    ignored: &["sturm", "hierarchy", "split_union", "all_intersections"],
+    unsupported: &["photons"],
 };
 
 /// How [`SETTINGS`]'s words are read.
@@ -83,7 +83,7 @@ pub const SETTINGS: Vocabulary = Vocabulary {
     block: "global_settings",
     summary: "what holds for the whole scene",
     words: specs!(SETTINGS_ROWS),
-    moves: false,
-    idle: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
-    not_drawn: &["photons", "radiosity", "subsurface"],
+    has_transforms: false,
+    ignored: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
+    unsupported: &["photons", "radiosity", "subsurface"],
 };

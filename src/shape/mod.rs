@@ -149,7 +149,7 @@ macro_rules! shapes {
                 match self { $(Shape::$name(s) => s.changed_under(m).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
             /// Do both share all they are?
-            pub fn is_one_with(&self, other: &Self) -> bool {
+            pub fn shares_with(&self, other: &Self) -> bool {
                 match (self, other) {
                     $((Shape::$name(a), Shape::$name(b)) => Arc::ptr_eq(a, b),)*
                     _ => false,

@@ -7,7 +7,7 @@ use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::mesh_io::Look;
 use crate::source::Span;
-use crate::value::{FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupported, Value, VecN};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -129,7 +129,7 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn keep_undrawn(&mut self, _: &'static str) -> Result<RawItem> {
+    fn read_unsupported(&mut self, _: &'static str) -> Result<Unsupported> {
         unreachable!()
     }
 
@@ -216,7 +216,7 @@ impl Reader for Words {
         Ok(Arc::new(crate::font::Font::own()))
     }
 
-    fn pass(&mut self, _: &mut Vec<RawItem>) -> Result<()> {
+    fn skip_into(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
         unreachable!()
     }
 

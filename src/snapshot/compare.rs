@@ -4,8 +4,8 @@ use crate::image_io::Frame;
 
 /// Allowed difference of two pictures.
 ///
-/// One program renders the same bytes everywhere. Another version may round a last digit in another way, which changes a few pixels on
-/// edges.
+/// One program renders the same bytes everywhere. Another version may round a last digit in another way, which changes
+/// a few pixels on edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Difference of a channel that is allowed in any pixel, in steps of 1/255.
@@ -85,8 +85,8 @@ fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
     a.rgba8().iter().zip(&b.rgba8()).map(distance).collect()
 }
 
-/// A map of the differences of two pictures of one size: the expected picture in dim gray, with colours from red for one step through orange and
-/// yellow to white for the largest difference.
+/// A map of the differences of two pictures of one size: the expected picture in dim gray, with colours from red for
+/// one step through orange and yellow to white for the largest difference.
 pub fn difference(expected: &Frame, drawn: &Frame) -> Frame {
     let paint = |(pixel, d): (&[f32; 4], u8)| {
         let gray = 0.12 * (0.3 * pixel[0] + 0.59 * pixel[1] + 0.11 * pixel[2]).clamp(0.0, 1.0);

@@ -9,7 +9,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Storage that a run reads from and writes to. Relative paths start at the current folder, whatever the implementation takes for it.
+/// Storage that a run reads from and writes to. Relative paths start at the current folder, whatever the implementation
+/// takes for it.
 pub trait Files: Send + Sync {
     /// Returns the contents of a file.
     ///

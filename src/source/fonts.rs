@@ -91,8 +91,8 @@ pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
     found
 }
 
-/// The font file in these folders and below them whose style is nearest to the font `name`. The result depends only on the set of files that
-/// may be read.
+/// The font file in these folders and below them whose style is nearest to the font `name`. The result depends only on
+/// the set of files that may be read.
 pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     let (mut found, wanted) = (font_files(files, folders), Style::of(name));
     found.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));

@@ -7,7 +7,8 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 
-/// A file system in memory, whose current folder is its root `/`. Folders exist as soon as a file lies below them. Clones share their files.
+/// A file system in memory, whose current folder is its root `/`. Folders exist as soon as a file lies below them.
+/// Clones share their files.
 ///
 /// ```
 /// use durer::source::{Files, Memory};
@@ -152,7 +153,8 @@ impl Write for Writer {
     }
 }
 
-/// Texts in memory in front of an underlying storage: open documents hide the files of the same path. Writes go to the underlying storage.
+/// Texts in memory in front of an underlying storage: open documents hide the files of the same path. Writes go to the
+/// underlying storage.
 pub struct Overlay {
     files: Arc<dyn Files>,
     texts: Memory,

@@ -63,8 +63,8 @@ const SIGNATURES: &[(&[u8], &str)] = &[
 /// Number of bytes that are examined.
 const EXAMINED: usize = 8192;
 
-/// Kind of a file that is no text; `None` for a text. A file is no text if it has a known signature, a zero byte near its start, or more than one
-/// control character in sixteen bytes.
+/// Kind of a file that is no text; `None` for a text. A file is no text if it has a known signature, a zero byte near
+/// its start, or more than one control character in sixteen bytes.
 fn binary_kind(bytes: &[u8]) -> Option<&'static str> {
     if let Some((_, kind)) = SIGNATURES.iter().find(|(start, _)| bytes.starts_with(start)) {
         return Some(kind);

@@ -6,7 +6,8 @@ use std::path::{Component, Path, PathBuf};
 /// Folders in which files that a scene names are searched.
 #[derive(Clone, Debug, Default)]
 pub struct SearchPath {
-    /// In order: the scene's folder, the current folder, those of `-I` and `DURER_INCLUDE`, and those of an installed POV-Ray.
+    /// In order: the scene's folder, the current folder, those of `-I` and `DURER_INCLUDE`, and those of an installed
+    /// POV-Ray.
     pub folders: Vec<PathBuf>,
     /// Folders of fonts that substitute missing ones.
     pub fonts: Vec<PathBuf>,
@@ -51,9 +52,9 @@ impl SearchPath {
         self.search(name, None, |path| files.exists(path))
     }
 
-    /// Finds a file to read. The folder of the file `including` is searched last, since POV-Ray does not search it.
-    /// The ending `.inc` is optional. A name that is not found is then interpreted as on other systems: in any letter case, with `\` in place of
-    /// `/`, and at last by the file name of a DOS path.
+    /// Finds a file to read. The folder of the file `including` is searched last, since POV-Ray does not search it. The
+    /// ending `.inc` is optional. A name that is not found is then interpreted as on other systems: in any letter case,
+    /// with `\` in place of `/`, and at last by the file name of a DOS path.
     pub fn resolve(&self, files: &dyn Files, name: &str, including: Option<&Path>) -> Option<Found> {
         let beside = including.and_then(Path::parent);
         let exact = |name: &str| self.search(name, beside, |path| files.is_file(path));

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// A range of bytes in the concatenation of all texts (see [`super::Sources`]), which also identifies the text. The default is
-/// [`Span::NONE`].
+/// A range of bytes in the concatenation of all texts (see [`super::Sources`]), which also identifies the text. The
+/// default is [`Span::NONE`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 pub struct Span {
     /// Offset of the first byte.

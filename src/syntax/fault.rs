@@ -12,7 +12,8 @@ pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
     if let Some(d) = missing_name_or_sign(text, at, base) {
         return d;
     }
-    let d = Diagnostic::new(codes::SYNTAX, token_span(text, at, base), format!("{} can't stand here", found(text, at)));
+    let d =
+        Diagnostic::new(codes::SYNTAX, token_span(text, at, base), format!("{} is not allowed here", found(text, at)));
     if let Some(help) = help_for(text, at, token_at(text, at)) {
         return d.help(help);
     }

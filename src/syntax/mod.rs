@@ -20,6 +20,6 @@ pub use build::{SignRow, begins_with_parenthesis, begins_with_sign, pieces, unes
 pub use class::{continues, opens, structural_directives};
 pub use lex::is_nothing;
 pub use names::Names;
-pub use parse::{Wholes, parse, parse_text, tokens_of};
+pub use parse::{Granularity, parse, parse_text, tokens_of};
 pub use portable::MISSING_SEMICOLON;
 pub use tokens::{Piece, Tokens};

@@ -27,30 +27,30 @@ pub(super) struct Source<'t> {
     /// Global offset of the text's first byte.
     pub(super) base: usize,
     pub(super) names: &'t Names,
-    /// Is each token an element of its own?
+    /// True if each token is an element of its own.
     pub(super) single: bool,
 }
 
-/// How much of a text the tree keeps whole.
+/// Size of the elements that the parser produces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Wholes {
-    /// Everything that stands whole.
+pub enum Granularity {
+    /// Blocks, calls and expressions are one element where the text holds them whole.
     #[default]
-    Kept,
-    /// Nothing but directives: each token is an element. The Scene is the same; tests hold both ways against each other.
-    TakenApart,
+    Whole,
+    /// Each token is an element; only directives are whole. The scene is the same, as tests check.
+    Tokens,
 }
 
 /// Parses a file. There is a tree whatever the faults; they are those of the text itself: directives without `#end`, strings and
 /// comments that do not end, brackets that nest too deeply.
-pub fn parse(sources: &Sources, file: FileId, names: &Names, wholes: Wholes) -> (Ast, Vec<Diagnostic>) {
-    parse_text(sources.text(file), sources.base(file), names, wholes)
+pub fn parse(sources: &Sources, file: FileId, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
+    parse_text(sources.text(file), sources.base(file), names, granularity)
 }
 
 /// Parses a text whose first byte has the global offset `base`: a file, or a piece of one between two places where no
 /// bracket and no directive is open.
-pub fn parse_text(text: &str, base: usize, names: &Names, wholes: Wholes) -> (Ast, Vec<Diagnostic>) {
-    let single = wholes == Wholes::TakenApart;
+pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
+    let single = granularity == Granularity::Tokens;
     let (lexed, mut faults) = read(text, base, names, !single);
     let span = |token: &u32| {
         let token = lexed.tokens[*token as usize];
@@ -116,7 +116,7 @@ fn parse_piece(
             Err(Box::new(Diagnostic::new(
                 codes::SYNTAX,
                 Span::new(base + lo, base + hi),
-                format!("`{found}` can't stand here"),
+                format!("`{found}` is not allowed here"),
             )))
         }
     }

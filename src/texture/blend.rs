@@ -178,7 +178,7 @@ impl<T> Blend<T> {
     }
 
     /// Is it shared with another?
-    pub(super) fn is_one_with(&self, other: &Self) -> bool {
+    pub(super) fn shares_with(&self, other: &Self) -> bool {
         match (self, other) {
             (Blend::Map(a), Blend::Map(b)) => Arc::ptr_eq(a, b),
             (Blend::List(a), Blend::List(b)) => Arc::ptr_eq(a, b),

@@ -6,7 +6,7 @@ use crate::diagnostic::Result;
 use crate::math::noise::{NoiseGenerator, Turbulence, turbulence};
 use crate::math::{DVec3, fp};
 use crate::value::words::{read_row, set};
-use crate::value::{Next, RawItem, Reader, ReaderExt, Seldom, Usual};
+use crate::value::{Next, Reader, ReaderExt, SharedDefault, StaticDefault, Unsupported};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -42,7 +42,7 @@ pub struct Finish {
     /// Grain of the diffuse light.
     pub crand: f64,
     /// Mirror.
-    pub reflection: Seldom<Reflection>,
+    pub reflection: SharedDefault<Reflection>,
     /// A thin film on top.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub irid: Option<Box<Irid>>,
@@ -50,7 +50,7 @@ pub struct Finish {
     pub conserve_energy: bool,
     /// What few finishes say.
     #[serde(flatten)]
-    pub uncommon: Seldom<Uncommon>,
+    pub uncommon: SharedDefault<Uncommon>,
 }
 
 /// What few finishes say.
@@ -66,7 +66,7 @@ pub struct Uncommon {
     pub refraction: f64,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub undrawn: Vec<RawItem>,
+    pub unsupported: Vec<Unsupported>,
 }
 
 /// `irid`: the colours of a thin film (manual, "Iridescence").
@@ -114,17 +114,17 @@ impl Default for Finish {
             roughness: 0.05,
             metallic: 0.0,
             crand: 0.0,
-            reflection: Seldom::USUAL,
+            reflection: SharedDefault::DEFAULT,
             irid: None,
             conserve_energy: false,
-            uncommon: Seldom::USUAL,
+            uncommon: SharedDefault::DEFAULT,
         }
     }
 }
 
-impl Usual for Uncommon {
-    fn usual() -> &'static Self {
-        static NOTHING: Uncommon = Uncommon { ior: None, caustics: None, refraction: 1.0, undrawn: vec![] };
+impl StaticDefault for Uncommon {
+    fn static_default() -> &'static Self {
+        static NOTHING: Uncommon = Uncommon { ior: None, caustics: None, refraction: 1.0, unsupported: vec![] };
         &NOTHING
     }
 }
@@ -159,8 +159,8 @@ impl Finish {
                     f.irid = Some(Box::new(Irid::read(r)?));
                     r.leave()?;
                 }
-                Next::Word(word) | Next::Block(word) if FINISH.leaves_out(word) => {
-                    f.uncommon.undrawn.push(r.keep_undrawn(word)?)
+                Next::Word(word) | Next::Block(word) if FINISH.is_unsupported(word) => {
+                    f.uncommon.unsupported.push(r.read_unsupported(word)?)
                 }
                 next if f.read_word(next, r)? => {}
                 _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),
@@ -237,8 +237,8 @@ impl Irid {
     }
 }
 
-impl Usual for Reflection {
-    fn usual() -> &'static Self {
+impl StaticDefault for Reflection {
+    fn static_default() -> &'static Self {
         &Self::NONE
     }
 }

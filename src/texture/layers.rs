@@ -107,7 +107,7 @@ impl Texture {
     fn read_element(&mut self, r: &mut dyn Reader, next: Next, draft: &mut Draft, base: &Texture) -> Result<()> {
         let bare = r.language().bare_textures;
         match next {
-            next if next.moves() => {
+            next if next.is_transform() => {
                 if let Some(step) = r.transform()? {
                     self.transform(&step);
                     draft.pattern.transform(&step);
@@ -136,7 +136,7 @@ impl Texture {
                 draft.parts = Some(read_tiles(r, &mut draft.pattern, base)?);
                 r.leave()?;
             }
-            Next::Word(word) if bare && (FINISH.obeys(word) || FINISH.ignores(word)) => {
+            Next::Word(word) if bare && (FINISH.has_effect(word) || FINISH.ignores(word)) => {
                 Arc::make_mut(&mut self.top().finish).read_word(next, r)?;
             }
             // A lone number was the texture's grain.
@@ -213,7 +213,7 @@ impl Texture {
                 (a, b) => a.is_none() && b.is_none(),
             };
             let choice = match (&a.choice, &b.choice) {
-                (Some(a), Some(b)) => a.parts.is_one_with(&b.parts) && a.pattern == b.pattern,
+                (Some(a), Some(b)) => a.parts.shares_with(&b.parts) && a.pattern == b.pattern,
                 (a, b) => a.is_none() && b.is_none(),
             };
             normal && choice && Arc::ptr_eq(&a.finish, &b.finish) && a.pigment.is_plainly(&b.pigment)

@@ -8,7 +8,7 @@ use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern};
 use crate::value::words::read_row;
-use crate::value::{Next, Reader, ReaderExt, Seldom};
+use crate::value::{Next, Reader, ReaderExt, SharedDefault};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ pub enum Paint {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pigment {
     /// What tells points apart, and where it lies.
-    pub pattern: Seldom<Pattern>,
+    pub pattern: SharedDefault<Pattern>,
     /// What gives the colour.
     pub paint: Paint,
     /// `quick_color`: shown with quality 5 and below.
@@ -46,7 +46,7 @@ impl Default for Pigment {
 impl Pigment {
     /// One colour everywhere.
     pub fn solid(color: Color) -> Self {
-        Self { pattern: Seldom::USUAL, paint: Paint::Solid(color), quick_color: None }
+        Self { pattern: SharedDefault::DEFAULT, paint: Paint::Solid(color), quick_color: None }
     }
 
     /// What is mapped by the surface's own coordinates.
@@ -100,7 +100,7 @@ impl Pigment {
         let around = self.pattern.take_around();
         let map = Map { entries: vec![(0.0, self)] };
         Self {
-            pattern: around.map_or(Seldom::USUAL, Seldom::new),
+            pattern: around.map_or(SharedDefault::DEFAULT, SharedDefault::new),
             paint: Paint::Pigments(Blend::Map(Arc::new(map))),
             quick_color: None,
         }
@@ -135,7 +135,7 @@ impl Pigment {
         if Pattern::is_named_by(next) && self.shows_defaults() {
             self.paint = Paint::Solid(Color::BLACK);
         }
-        if self.pattern.change_if(|pattern| pattern.read_element(next, r))? {
+        if self.pattern.modify_if(|pattern| pattern.read_element(next, r))? {
             let default = |cells: &CellPattern, cell| Pigment::solid(cells.default_color(cell));
             if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &default)? {
                 self.paint = Paint::Pigments(list);
@@ -241,10 +241,10 @@ impl Pigment {
             (Paint::Solid(a), Paint::Solid(b)) => a == b,
             (Paint::Colors(a), Paint::Colors(b)) => Arc::ptr_eq(a, b),
             (Paint::Image(a), Paint::Image(b)) => Arc::ptr_eq(a, b),
-            (Paint::Pigments(a), Paint::Pigments(b)) => a.is_one_with(b),
+            (Paint::Pigments(a), Paint::Pigments(b)) => a.shares_with(b),
             _ => false,
         };
-        paint && self.pattern.is_one_with(&other.pattern) && self.quick_color == other.quick_color
+        paint && self.pattern.shares_with(&other.pattern) && self.quick_color == other.quick_color
     }
 
     /// Is any of its patterns so?

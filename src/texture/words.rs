@@ -35,9 +35,9 @@ pub const PIGMENT: Vocabulary = Vocabulary {
     block: "pigment",
     summary: "the colour of every point: one colour, or a pattern with its colours",
     words: &joined::<{ PIGMENT_PARTS.len() + PIGMENT_ROWS.len() }>(PIGMENT_PARTS, specs!(PIGMENT_ROWS)),
-    moves: true,
-    idle: &["no_bump_scale"],
-    not_drawn: &[],
+    has_transforms: true,
+    ignored: &["no_bump_scale"],
+    unsupported: &[],
 };
 
 /// How [`IMAGE_MAP`]'s words are read.
@@ -53,9 +53,9 @@ pub const IMAGE_MAP: Vocabulary = Vocabulary {
     block: "image_map",
     summary: "a picture as the colours of a surface",
     words: specs!(IMAGE_MAP_ROWS),
-    moves: false,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: false,
+    ignored: &[],
+    unsupported: &[],
 };
 
 /// All words of a pigment, those of colours and patterns among them.
@@ -81,9 +81,9 @@ pub const TEXTURE: Vocabulary = Vocabulary {
         word("material_map", Block, "", "a picture whose numbers choose among textures"),
         word("tiles", Block, "", "of old scenes: a checker of two textures, `tiles { texture … tile2 texture … }`"),
     ],
-    moves: true,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: true,
+    ignored: &[],
+    unsupported: &[],
 };
 
 /// What stands in a `normal` with braces of its own.
@@ -113,9 +113,9 @@ pub const NORMAL: Vocabulary = Vocabulary {
     block: "normal",
     summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
     words: &joined::<{ NORMAL_PARTS.len() + NORMAL_ROWS.len() }>(NORMAL_PARTS, specs!(NORMAL_ROWS)),
-    moves: true,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: true,
+    ignored: &[],
+    unsupported: &[],
 };
 
 /// How [`FINISH`]'s words are read.
@@ -180,9 +180,9 @@ pub const FINISH: Vocabulary = Vocabulary {
     block: "finish",
     summary: "how a surface answers to light",
     words: specs!(FINISH_ROWS),
-    moves: false,
-    idle: &["fade_distance", "fade_power"],
-    not_drawn: &["subsurface"],
+    has_transforms: false,
+    ignored: &["fade_distance", "fade_power"],
+    unsupported: &["subsurface"],
 };
 
 /// How [`IRID`]'s words are read.
@@ -197,9 +197,9 @@ pub const IRID: Vocabulary = Vocabulary {
     block: "irid",
     summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
     words: specs!(IRID_ROWS),
-    moves: false,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: false,
+    ignored: &[],
+    unsupported: &[],
 };
 
 /// How [`REFLECTION`]'s words are read.
@@ -217,7 +217,7 @@ pub const REFLECTION: Vocabulary = Vocabulary {
     block: "reflection",
     summary: "a mirror: `{ colour }`, or `{ colour seen straight on, colour seen at a slant }`",
     words: specs!(REFLECTION_ROWS),
-    moves: false,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: false,
+    ignored: &[],
+    unsupported: &[],
 };

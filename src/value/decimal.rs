@@ -1,6 +1,6 @@
-//! Numbers as a person writes them.
+//! Formatting of numbers without superfluous digits.
 
-/// With at most so many digits behind the point: no zeros at the end, and no sign of a zero.
+/// Formats a number with at most `digits` decimals, without trailing zeros and without the sign of a zero.
 pub fn decimal(x: f64, digits: usize) -> String {
     let text = format!("{x:.digits$}");
     match without_zeros(&text) {
@@ -9,7 +9,7 @@ pub fn decimal(x: f64, digits: usize) -> String {
     }
 }
 
-/// The digits of a number without the zeros at the end of its fraction.
+/// Removes the trailing zeros of a formatted number's fraction.
 pub fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
@@ -19,7 +19,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_written_that_says_nothing() {
+    fn trailing_zeros_and_the_sign_of_zero_are_omitted() {
         let cases = [(1.5, 3, "1.5"), (100.0, 0, "100"), (-0.0001, 2, "0"), (-2.0, 2, "-2"), (0.127, 2, "0.13")];
         for (x, digits, text) in cases {
             assert_eq!(decimal(x, digits), text);

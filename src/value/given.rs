@@ -1,9 +1,10 @@
-//! Values from outside of any scene, as `--declare NAME=VALUE` gives them: `2.5`, `"text"`, `<1, 2, 3>`, `rgb <1, 0, 0>`.
+//! Parsing of values given outside of a scene, as by `--declare NAME=VALUE`: `2.5`, `"text"`, `<1, 2, 3>`, `rgb <1, 0,
+//! 0>`.
 
 use super::{Value, VecN};
 use crate::color::{Color, transfer};
 
-/// The words of a colour, how many numbers follow, and which of `rgbft` they are.
+/// Colour words with the components of `rgbft` that they set.
 const COLORS: &[(&str, &[usize])] = &[
     ("rgb", &[0, 1, 2]),
     ("rgbf", &[0, 1, 2, 3]),
@@ -15,11 +16,11 @@ const COLORS: &[(&str, &[usize])] = &[
     ("srgbft", &[0, 1, 2, 3, 4]),
 ];
 
-/// Reads such a value, or says what is wrong with it.
+/// Parses a number, string, vector or colour.
 ///
 /// # Errors
-/// What is wrong, in words.
-pub fn given(text: &str) -> Result<Value, String> {
+/// A description of what is wrong with the text.
+pub fn parse_value(text: &str) -> Result<Value, String> {
     let text = text.trim();
     if let Some(x) = number(text) {
         return Ok(Value::Float(x));
@@ -34,7 +35,7 @@ pub fn given(text: &str) -> Result<Value, String> {
     let rest = text[first.len()..].trim_start();
     match first {
         "color" | "colour" if rest.starts_with('<') => color("rgbft", rest),
-        "color" | "colour" if !rest.is_empty() => given(rest).and_then(|value| match value {
+        "color" | "colour" if !rest.is_empty() => parse_value(rest).and_then(|value| match value {
             Value::Color(_) => Ok(value),
             _ => Err(format!("`{rest}` is no colour, which is written as rgb <1, 0.5, 0>")),
         }),
@@ -47,7 +48,7 @@ fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite())
 }
 
-/// Two to five numbers between `<` and `>`.
+/// Parses two to five components between `<` and `>`.
 fn vector(text: &str) -> Result<VecN, String> {
     let inner = text.strip_prefix('<').and_then(|text| text.strip_suffix('>'));
     let inner = inner.ok_or_else(|| format!("`{text}` is no vector: `>` is missing at its end"))?;
@@ -60,7 +61,7 @@ fn vector(text: &str) -> Result<VecN, String> {
     Ok(VecN::from_slice(&numbers))
 }
 
-/// A colour word and what follows it: a vector, or one number for all of them.
+/// Parses a colour: its word and a vector, or one number for all components.
 fn color(word: &str, rest: &str) -> Result<Value, String> {
     let slots = COLORS.iter().find(|(name, _)| *name == word).map_or(&[0, 1, 2][..], |(_, slots)| slots);
     let given = match number(rest) {
@@ -68,7 +69,7 @@ fn color(word: &str, rest: &str) -> Result<Value, String> {
         None if rest.starts_with('<') => vector(rest)?,
         None => return Err(format!("`{word}` needs numbers behind it: {word} <{}>", example(slots.len()))),
     };
-    // `color <1, 0, 0>` says less than it may.
+    // `color <1, 0, 0>` may have fewer components than five.
     if usize::from(given.len) != slots.len() && !(word == "rgbft" && given.len >= 3) {
         let example = example(slots.len());
         return Err(format!("`{word}` has {} numbers, not {}: {word} <{example}>", slots.len(), given.len));
@@ -95,7 +96,7 @@ mod tests {
     use super::*;
 
     fn numbers(text: &str) -> Vec<f64> {
-        match given(text) {
+        match parse_value(text) {
             Ok(Value::Float(x)) => vec![x],
             Ok(Value::Vector(v)) => v.c[..usize::from(v.len)].to_vec(),
             Ok(Value::Color(c)) => c.to_array().to_vec(),
@@ -104,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn values_of_all_kinds() {
+    fn numbers_vectors_colors_and_strings_are_parsed() {
         assert_eq!(numbers("-2.5e1"), [-25.0]);
         assert_eq!(numbers("<1, -2,3e0>"), [1.0, -2.0, 3.0]);
         assert_eq!(numbers("<1,2>"), [1.0, 2.0]);
@@ -113,11 +114,11 @@ mod tests {
         assert_eq!(numbers("color <1,0.5,0>"), [1.0, 0.5, 0.0, 0.0, 0.0]);
         assert_eq!(numbers("rgb 0.5"), [0.5, 0.5, 0.5, 0.0, 0.0]);
         assert!((numbers("srgb 0.5")[0] - 0.214).abs() < 1e-3);
-        assert!(matches!(given("\"<1,2>\""), Ok(Value::Text(text)) if &*text == "<1,2>"));
+        assert!(matches!(parse_value("\"<1,2>\""), Ok(Value::Text(text)) if &*text == "<1,2>"));
     }
 
     #[test]
-    fn mistakes_say_what_is_wrong() {
+    fn errors_describe_the_fault() {
         for (text, says) in [
             ("<1,2", "`>` is missing"),
             ("<1>", "2 to 5 numbers"),
@@ -132,7 +133,7 @@ mod tests {
             ("\"", "is no number"),
             ("inf", "is no number"),
         ] {
-            let error = given(text).unwrap_err();
+            let error = parse_value(text).unwrap_err();
             assert!(error.contains(says), "{text}: {error}");
         }
     }

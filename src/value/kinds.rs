@@ -1,4 +1,4 @@
-//! What an expression or a declared name can be.
+//! Values of expressions and declared names.
 
 use crate::color::Color;
 use crate::math::DVec3;
@@ -6,31 +6,31 @@ use std::any::Any;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// Two to five numbers in `< >`; shorter ones are filled with zeros.
+/// A vector of two to five components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VecN {
-    /// Its numbers; those past `len` are 0.
+    /// Components; those from `len` on are 0.
     pub c: [f64; 5],
-    /// How many were given, 2 to 5.
+    /// Number of components, 2 to 5.
     pub len: u8,
 }
 
 impl VecN {
-    /// All `len` numbers the same, as POV-Ray promotes a float.
+    /// A vector of `len` equal components, as POV-Ray promotes a number.
     pub fn splat(x: f64, len: u8) -> Self {
         let mut c = [0.0; 5];
         c[..len as usize].fill(x);
         Self { c, len }
     }
 
-    /// From a slice of at most five numbers.
+    /// A vector from a slice of at most five components.
     pub fn from_slice(s: &[f64]) -> Self {
         let mut c = [0.0; 5];
         c[..s.len()].copy_from_slice(s);
         Self { c, len: s.len() as u8 }
     }
 
-    /// The first three numbers.
+    /// The first three components.
     pub fn xyz(&self) -> DVec3 {
         DVec3::new(self.c[0], self.c[1], self.c[2])
     }
@@ -42,14 +42,14 @@ impl From<DVec3> for VecN {
     }
 }
 
-/// Something built from a block: a texture, an object, a camera … Its type belongs to a later layer,
-/// so it is kept behind this trait and taken out by [`crate::value::ReaderExt::thing`].
+/// A thing built from a block: a texture, an object, a camera. Its type belongs to a module of a higher layer, so
+/// values hold it as a trait object; [`crate::value::ReaderExt::thing`] recovers the type.
 pub trait Thing: Any + Send + Sync + std::fmt::Debug {
-    /// The word of the language for it: `texture`, `object` …
+    /// The block's word: `texture`, `object` …
     fn kind(&self) -> &'static str;
 }
 
-/// The thing itself, if it is of this type.
+/// Converts a thing to type `T`; `None` if it has another type.
 pub fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
     let any: Arc<dyn Any + Send + Sync> = thing.clone();
     any.downcast::<T>().ok()
@@ -58,20 +58,20 @@ pub fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
 /// A value of the language.
 #[derive(Clone, Debug)]
 pub enum Value {
-    /// A number; also what conditions give: 0 or 1.
+    /// A number, also the result 0 or 1 of a condition.
     Float(f64),
-    /// Two to five numbers.
+    /// A vector of two to five components.
     Vector(VecN),
-    /// A colour: five numbers that were written as one.
+    /// A colour.
     Color(Color),
-    /// Text.
+    /// A string.
     Text(Rc<str>),
-    /// Anything built from a block.
+    /// A thing built from a block.
     Thing(Arc<dyn Thing>),
 }
 
 impl Value {
-    /// How messages call it, with its article.
+    /// Description for messages, with an article: "a number".
     pub fn describe(&self) -> String {
         match self {
             Value::Float(_) => "a number".into(),

@@ -1,20 +1,20 @@
-//! Values of the language, the words a block takes, and the reader through which a family of things
-//! reads its own words.
+//! Values of the language, tables of the words in blocks, and the [`Reader`] trait through which the families of blocks
+//! read.
 
 mod decimal;
 mod given;
 mod kinds;
-mod raw_item;
 mod reader;
-mod seldom;
+mod shared_default;
 mod spec;
+mod unsupported;
 pub mod words;
 
 pub use decimal::{decimal, without_zeros};
-pub use given::given;
+pub use given::parse_value;
 pub use kinds::{Thing, Value, VecN, downcast};
-pub use raw_item::RawItem;
 pub use reader::{BuildMesh, FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
-pub use seldom::{Seldom, Usual};
+pub use shared_default::{SharedDefault, StaticDefault};
 pub use spec::{Kind, Param, Spec, WordSpec};
+pub use unsupported::Unsupported;
 pub use words::Vocabulary;

@@ -1,7 +1,7 @@
-//! The trait through which a family reads its own words. The interpreter implements it, so that
-//! directives and macro calls have already run when a family sees what comes next.
+//! The trait through which a family of blocks reads its words. The interpreter implements it, so that directives and
+//! macro calls before a token have run.
 
-use super::{RawItem, Thing, Value, downcast};
+use super::{Thing, Unsupported, Value, downcast};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result};
 use crate::font::Font;
@@ -12,30 +12,30 @@ use crate::source::{Files, Span};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What comes next, after all directives and macros before it ran.
+/// Kind of the next token; directives and macro calls before it have run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Next {
-    /// A keyword that does not open a block.
+    /// A keyword without a `{`.
     Word(&'static str),
     /// A keyword and its `{`.
     Block(&'static str),
-    /// A declared thing of this kind: `texture`, `object` …
+    /// A declared thing, with the word of its block: `texture`, `object` …
     Thing(&'static str),
-    /// An expression: number, vector, colour or text.
+    /// An expression: number, vector, colour or string.
     Value,
-    /// `function { … }`
+    /// `function { … }`.
     Function,
     /// `[`, as in a map's entry.
     Entry,
-    /// A `{` without a word in front.
+    /// A `{` without a word before it.
     Group,
     /// The end of the block, entry or file.
     End,
 }
 
 impl Next {
-    /// Does it begin what [`Reader::transform`] consumes?
-    pub fn moves(self) -> bool {
+    /// True if the token begins a transform, which [`Reader::transform`] consumes.
+    pub fn is_transform(self) -> bool {
         matches!(
             self,
             Next::Word("translate" | "rotate" | "scale" | "matrix" | "transform")
@@ -45,22 +45,22 @@ impl Next {
     }
 }
 
-/// What the file's `#version` and `global_settings` have settled so far.
+/// Language version and gamma in force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Language {
-    /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/compat.rs` compares it.
+    /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/scene_builder/compat.rs` compares it.
     pub version: u32,
-    /// May a texture hold what belongs into its pigment and finish, as before 3.0?
+    /// True if a texture may hold the words of its pigment and finish, as before 3.0.
     pub bare_textures: bool,
-    /// `global_settings { assumed_gamma … }`, once it has been read.
+    /// `assumed_gamma`, once `global_settings` has set it.
     pub assumed_gamma: Option<Gamma>,
-    /// What holds without it.
+    /// Working gamma without `assumed_gamma`.
     pub other_gamma: Gamma,
-    /// Do picture files that say nothing of their numbers follow the sRGB curve?
+    /// True if picture files without gamma information are read as sRGB.
     pub srgb_files: bool,
 }
 
-/// What [`Reader::float_or_color`] found.
+/// Result of [`Reader::float_or_color`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FloatOrColor {
     /// A number.
@@ -69,111 +69,111 @@ pub enum FloatOrColor {
     Color(Color),
 }
 
-/// Something with an inside.
+/// An object with an inside.
 pub trait Solid: std::fmt::Debug + Send + Sync {
-    /// Is the point in it?
+    /// True if the point is inside.
     fn contains(&self, p: DVec3) -> bool;
 }
 
-/// A function, and how many samples of it are wanted across and down.
+/// A function of a picture, with the picture's width and height in pixels.
 pub type SizedFunction = ([usize; 2], Arc<dyn Thing>);
 
-/// Makes a shape of a mesh's file. Each of its looks has a picture or none.
+/// Function that builds a shape from a mesh file and the pictures of its materials; `None` for a material without a
+/// picture.
 pub type BuildMesh = fn(MeshFile, Vec<Option<Arc<Picture>>>) -> Arc<dyn Thing>;
 
-/// A family's view of the text.
+/// Reader of a block's contents.
 ///
 /// # Errors
-/// Each method that reads fails with the place of what is not understood, and what was expected there; faults of directives and macros on
-/// the way are among them.
+/// Methods that read fail with the span of the unexpected token and the expectation, or with a fault in a directive or
+/// macro before the token.
 pub trait Reader {
-    /// What comes next; nothing is consumed. Commas and semicolons are passed over.
+    /// The next token, which is not consumed. Commas and semicolons are skipped.
     fn next(&mut self) -> Result<Next>;
-    /// The same, but `Next::End` where a directive or a `;` stands before it: is what was just read continued? A directive
-    /// may use the name that is just being declared, so it must not run yet.
+    /// The next token, or `Next::End` if a directive or a `;` precedes it. Directives do not run: they may use the name
+    /// that is being declared.
     fn continued(&mut self) -> Result<Next>;
-    /// The place of what comes next.
+    /// Span of the next token.
     fn span(&mut self) -> Span;
-    /// Consumes the word or the opening `name {`, `[` or `{` that [`Reader::next`] announced.
+    /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::next`] returned.
     fn take(&mut self) -> Result<Span>;
-    /// Consumes the end of the block that was opened; anything else there is an error that names
-    /// `what` the block is and which words it takes.
+    /// Consumes the end of the block; any other token is an error.
     fn leave(&mut self) -> Result<()>;
-    /// Consumes an expression.
+    /// Reads an expression.
     fn value(&mut self) -> Result<(Value, Span)>;
     /// Consumes the declared thing announced by [`Next::Thing`], or the function announced by [`Next::Function`].
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
-    /// Consumes an object, written out or declared, of which only the inside matters.
+    /// Reads an object, of which only the inside is used.
     fn solid(&mut self) -> Result<Arc<dyn Solid>>;
-    /// Consumes what stands between the braces of a pigment: as a pattern, its brightness.
+    /// Reads the inside of a pigment as a pattern: the pigment's brightness.
     fn pigment(&mut self) -> Result<Arc<dyn Thing>>;
-    /// A number; a vector is an error.
+    /// Reads a number; a vector is an error.
     fn float(&mut self) -> Result<f64>;
-    /// A number if an expression comes next.
+    /// Reads a number, if an expression comes next.
     fn optional_float(&mut self) -> Result<Option<f64>>;
-    /// Three numbers; a single number stands for all three, as POV-Ray promotes it.
+    /// Reads a vector of three components; a number fills all three.
     fn vector(&mut self) -> Result<DVec3>;
-    /// Two numbers; a single number stands for both.
+    /// Reads a vector of two components; a number fills both.
     fn vector2(&mut self) -> Result<DVec2>;
-    /// Exactly `n` numbers in `< >` (more than five only as a literal, as in `matrix`).
+    /// Reads exactly `n` numbers in `< >`; more than five only as a literal, as in `matrix`.
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
-    /// Consumes items of a long list of literals all at once, as long as each is a vector of so many numbers that `take` accepts, at most
-    /// `most`; returns how many. There may be none, although vectors come next: the first and the last item of a list, and whatever is no
-    /// literal, are for the other methods.
+    /// Consumes up to `most` items of a literal list, while each is a vector of `width` components that `take` accepts;
+    /// returns the number consumed. The result can be 0 although vectors come next: the other methods read the first
+    /// and last item of a list, and anything that is not a literal.
     fn literals(&mut self, _width: usize, _most: usize, _take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
         0
     }
-    /// `(a, b, …)`: exactly `n` numbers in parentheses.
+    /// Reads exactly `n` numbers in parentheses.
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>>;
     /// Consumes a `:`.
     fn colon(&mut self) -> Result<()>;
-    /// A colour with all the ways to write one, also without the word `color` or `rgb` before it.
+    /// Reads a colour, with or without the word `color` or `rgb` before it.
     fn color(&mut self) -> Result<Color>;
-    /// A number, or else a colour.
+    /// Reads a number or a colour.
     fn float_or_color(&mut self) -> Result<FloatOrColor>;
-    /// Does a colour come next: one of its words, or an expression?
+    /// True if a colour can come next: one of its words, or an expression.
     fn at_color(&mut self) -> Result<bool>;
-    /// Consumes one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform if one comes next.
+    /// Reads one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform, if one comes next.
     ///
-    /// Boxed, because it is large and mostly passed on.
+    /// Boxed, because a transform is large and mostly passed on.
     fn transform(&mut self) -> Result<Option<Box<Transform>>>;
-    /// A string.
+    /// Reads a string.
     fn text(&mut self) -> Result<String>;
-    /// `on`, `off`, a number, or nothing at all (which is on).
+    /// Reads `on`, `off` or a number; true if none comes next.
     fn flag(&mut self) -> Result<bool>;
-    /// Version and gamma in force here.
+    /// Language version and gamma in force.
     fn language(&self) -> Language;
-    /// Consumes a word or block that is known but not drawn yet, with all that belongs to it, and tells so.
-    fn keep_undrawn(&mut self, what: &'static str) -> Result<RawItem>;
-    /// Consumes whatever comes next with all that is in it, and keeps it behind what was said before.
-    fn pass(&mut self, row: &mut Vec<RawItem>) -> Result<()>;
-    /// The file of this name where scenes look for theirs, if it is there and may be read; `at` is the name's place.
+    /// Reads a word or block that durer does not render yet, with its contents, and warns.
+    fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported>;
+    /// Reads the next token with its contents, and appends it to `row`.
+    fn skip_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
+    /// Finds a file in the folders that a scene searches; `None` if it does not exist, an error if the scene may not
+    /// read it. `at` is the span of the name.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
-    /// The storage that the scene may read from.
+    /// The file storage that the scene may read.
     fn files(&self) -> &dyn Files;
-    /// The font of this name, whose place is `at`, or one that looks like it, which is told.
+    /// Finds a font, or with a warning one with a similar design. `at` is the span of the name.
     fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
-    /// Consumes a picture file's name, and decodes the file; fails where it is not found or not understood.
+    /// Reads the name of a picture file, and decodes the file.
     fn picture(&mut self) -> Result<Arc<Picture>>;
-    /// Consumes the name of a mesh's file, and reads the file: what `build` makes of it and the pictures of its materials is kept, and handed
-    /// out when the scene names the file again.
+    /// Reads the name of a mesh file, and builds its shape with `build`. Each file is read once per run.
     fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
-    /// Consumes `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
+    /// Reads `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
     fn sized_function(&mut self) -> Result<Option<SizedFunction>>;
-    /// Tells the user something without stopping.
+    /// Reports a diagnostic, and continues.
     fn report(&mut self, diagnostic: Diagnostic);
-    /// An error about what comes next: "expected …, found …".
+    /// The error "expected …, found …" about the next token.
     fn unexpected(&mut self, expected: &str) -> Diagnostic;
-    /// An error about the word that comes next, which `block` does not take: names the nearest of
-    /// the words that it takes, or lists them.
+    /// The error for the next word, which `block` does not take: suggests the nearest of the words in `takes`, or lists
+    /// them.
     fn unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic;
 }
 
-/// What every reader can do by the methods above.
+/// Methods of every reader, built from those of [`Reader`].
 pub trait ReaderExt: Reader {
     /// Consumes the word if it comes next.
     fn accept(&mut self, word: &str) -> Result<bool>;
-    /// Consumes a declared thing of this type if one comes next.
+    /// Consumes a declared thing of type `T`, if a thing comes next.
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;
 }
 
@@ -195,7 +195,7 @@ impl<R: Reader + ?Sized> ReaderExt for R {
             None => Diagnostic::err(
                 crate::diagnostic::codes::WRONG_TYPE,
                 span,
-                format!("{} can't stand here", Value::Thing(thing).describe()),
+                format!("{} is not allowed here", Value::Thing(thing).describe()),
             ),
         }
     }

@@ -1,68 +1,68 @@
-//! The table of what a block takes: one per shape, pattern, camera …; it feeds the reader, the
-//! messages, the manual, and later hover and completion.
+//! Table rows of blocks: one per shape, pattern, camera. They feed the reader, the messages, the manual, hover and
+//! completion.
 
-/// One block of the language.
+/// A block of the language.
 #[derive(Debug)]
 pub struct Spec {
-    /// The word in front of the brace.
+    /// The word before the brace.
     pub name: &'static str,
-    /// One line for the manual.
+    /// Summary for the manual.
     pub summary: &'static str,
-    /// Positional arguments, in order.
+    /// Positional parameters, in order.
     pub params: &'static [Param],
-    /// Words it takes beyond those of its family.
+    /// Words of this block beyond those of its family.
     pub words: &'static [WordSpec],
 }
 
-/// A positional argument.
+/// A positional parameter.
 #[derive(Debug)]
 pub struct Param {
-    /// As the manual calls it.
+    /// Name in the manual.
     pub name: &'static str,
-    /// What is expected.
+    /// Type of the value.
     pub kind: Kind,
-    /// One line.
+    /// Summary for the manual.
     pub summary: &'static str,
 }
 
 /// A word inside a block.
 #[derive(Clone, Copy, Debug)]
 pub struct WordSpec {
-    /// As it is typed.
+    /// Name.
     pub name: &'static str,
-    /// What follows it.
+    /// Type of the value after the word.
     pub kind: Kind,
-    /// As it is typed; empty where there is none.
+    /// Default value as typed; empty without a default.
     pub default: &'static str,
-    /// One line.
+    /// Summary for the manual.
     pub summary: &'static str,
 }
 
-/// What is expected after a word or at a position.
+/// Type of a parameter or of the value after a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Nothing: the word itself switches something on.
+    /// No value: the word itself is a switch.
     Nothing,
-    /// Nothing, or `on`/`off`, or a number.
+    /// Nothing, `on`, `off` or a number.
     Flag,
     /// A number.
     Float,
-    /// Two numbers in `< >`, or one number for both.
+    /// Two components in `< >`, or one number for both.
     Vector2,
-    /// Three numbers in `< >`, or one number for all.
+    /// Three components in `< >`, or one number for all.
     Vector,
-    /// Several vectors, separated by commas.
+    /// Vectors separated by commas.
     Vectors,
     /// A colour.
     Color,
-    /// Text in quotes.
+    /// A string.
     Text,
-    /// A block in braces, or several things described in the manual's text.
+    /// A block in braces, or several values that the manual's text describes.
     Block,
 }
 
 impl Spec {
-    /// Its words' names.
+    /// Names of the words.
     pub fn word_names(&self) -> impl Iterator<Item = &'static str> {
         self.words.iter().map(|w| w.name)
     }

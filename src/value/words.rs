@@ -1,48 +1,48 @@
-//! The words of blocks that are no member of a family: `finish`, `camera`, `light_source` … One table feeds the reader, the
-//! messages and the manual.
+//! Tables of the words of blocks that belong to no family: `finish`, `camera`, `light_source`. They feed the reader,
+//! the messages and the manual.
 
 use super::{Kind, Next, Reader, WordSpec};
 use crate::diagnostic::Result;
 
-/// All words of one block.
+/// Words of a block.
 #[derive(Debug)]
 pub struct Vocabulary {
-    /// The word in front of the brace.
+    /// The word before the brace.
     pub block: &'static str,
-    /// One line for the manual.
+    /// Summary for the manual.
     pub summary: &'static str,
-    /// What is obeyed.
+    /// Words with an effect.
     pub words: &'static [WordSpec],
-    /// Does it take [`TRANSFORMS`] too?
-    pub moves: bool,
-    /// What is read and changes nothing in durer.
-    pub idle: &'static [&'static str],
-    /// What is read, and left out of the picture with a warning.
-    pub not_drawn: &'static [&'static str],
+    /// True if the block takes [`TRANSFORMS`], too.
+    pub has_transforms: bool,
+    /// Words that are read without effect.
+    pub ignored: &'static [&'static str],
+    /// Words that are read with a warning, because durer does not render them yet.
+    pub unsupported: &'static [&'static str],
 }
 
 impl Vocabulary {
-    /// Is the word obeyed?
-    pub fn obeys(&self, word: &str) -> bool {
+    /// True if the word has an effect.
+    pub fn has_effect(&self, word: &str) -> bool {
         self.words.iter().any(|w| w.name == word)
     }
 
-    /// Is it read without effect?
+    /// True if the word is read without effect.
     pub fn ignores(&self, word: &str) -> bool {
-        self.idle.contains(&word)
+        self.ignored.contains(&word)
     }
 
-    /// Is it read and left out with a warning?
-    pub fn leaves_out(&self, word: &str) -> bool {
-        self.not_drawn.contains(&word)
+    /// True if the word is read with a warning.
+    pub fn is_unsupported(&self, word: &str) -> bool {
+        self.unsupported.contains(&word)
     }
 
-    /// All names, in the order in which messages list them. They show a dozen: transforms shall be among these.
+    /// All words, in the order in which messages list them. Messages show a dozen, so that transforms come early.
     pub fn names(&self) -> Vec<&'static str> {
         let (first, rest) = self.words.split_at(self.words.len().min(6));
-        let moves = TRANSFORMS.iter().filter(|_| self.moves);
+        let moves = TRANSFORMS.iter().filter(|_| self.has_transforms);
         let words = first.iter().chain(moves).chain(rest).map(|w| w.name);
-        words.chain(self.idle.iter().copied()).chain(self.not_drawn.iter().copied()).collect()
+        words.chain(self.ignored.iter().copied()).chain(self.unsupported.iter().copied()).collect()
     }
 }
 
@@ -51,29 +51,29 @@ pub const fn word(name: &'static str, kind: Kind, default: &'static str, summary
     WordSpec { name, kind, default, summary }
 }
 
-/// Reads what follows a word, which is consumed, into the thing that has it.
+/// Function that reads the value after a word into a field of `T`. The word has been consumed.
 pub type Setter<T> = fn(&mut T, &mut dyn Reader) -> Result<()>;
 
-/// A row of a table of words that knows how it is read.
+/// A row of a table of words, with the function that reads its value.
 #[derive(Debug)]
 pub struct Row<T: 'static> {
-    /// What the messages and the manual tell.
+    /// Name, type and description of the word.
     pub spec: WordSpec,
-    /// What the reader does.
+    /// Function that reads the value.
     pub set: Setter<T>,
 }
 
 impl WordSpec {
-    /// The row of a thing that reads the word so.
+    /// Adds the function that reads the value.
     pub const fn sets<T>(self, set: Setter<T>) -> Row<T> {
         Row { spec: self, set }
     }
 }
 
-/// Reads one of these words, if it comes next, and what follows it; false if none does.
+/// Reads a word of the table and its value; false if the next token is none of the words.
 ///
 /// # Errors
-/// With the place of what is not understood, and what was expected there.
+/// The error of the value's reader.
 pub fn read_row<T>(rows: &[Row<T>], thing: &mut T, next: Next, r: &mut dyn Reader) -> Result<bool> {
     let Next::Word(word) = next else { return Ok(false) };
     let Some(row) = rows.iter().find(|row| row.spec.name == word) else { return Ok(false) };
@@ -81,25 +81,25 @@ pub fn read_row<T>(rows: &[Row<T>], thing: &mut T, next: Next, r: &mut dyn Reade
     (row.set)(thing, r).map(|()| true)
 }
 
-/// Does one of these words come next?
+/// True if the next token is a word of the table.
 pub fn is_row<T>(rows: &[Row<T>], next: Next) -> bool {
     matches!(next, Next::Word(word) if rows.iter().any(|row| row.spec.name == word))
 }
 
-/// Sets a field to what was read.
+/// Assigns a value that was read to a field.
 ///
 /// # Errors
-/// That of the reading.
+/// The error of the reading.
 pub fn set<T>(field: &mut T, read: Result<T>) -> Result<()> {
     *field = read?;
     Ok(())
 }
 
-/// What an array is filled with first.
+/// Filler of arrays under construction.
 const NO_WORD: WordSpec = word(EMPTY, Kind::Nothing, EMPTY, EMPTY);
 const EMPTY: &str = "";
 
-/// What the rows tell, without how they are read; the macro `specs!` calls it.
+/// The word descriptions of a table of rows; the macro `specs!` calls it.
 pub const fn specs_of<T, const N: usize>(rows: &[Row<T>]) -> [WordSpec; N] {
     let mut out = [NO_WORD; N];
     let mut i = 0;
@@ -110,7 +110,7 @@ pub const fn specs_of<T, const N: usize>(rows: &[Row<T>]) -> [WordSpec; N] {
     out
 }
 
-/// Two tables one behind the other; `N` is how long both are together.
+/// Concatenates two tables; `N` is the sum of their lengths.
 pub const fn joined<const N: usize>(first: &[WordSpec], second: &[WordSpec]) -> [WordSpec; N] {
     let mut out = [NO_WORD; N];
     let mut i = 0;
@@ -121,7 +121,7 @@ pub const fn joined<const N: usize>(first: &[WordSpec], second: &[WordSpec]) -> 
     out
 }
 
-/// The `&'static [WordSpec]` of a constant `&[Row<T>]`, for the tables that know no `T`.
+/// The `&'static [WordSpec]` of a constant `&[Row<T>]`, for tables that do not depend on `T`.
 macro_rules! specs {
     ($rows:expr) => {
         &$crate::value::words::specs_of::<_, { $rows.len() }>($rows)
@@ -129,7 +129,7 @@ macro_rules! specs {
 }
 pub(crate) use specs;
 
-/// What moves things; they are obeyed in the order in which they are written.
+/// Words of transforms, which apply in the order of the text.
 pub const TRANSFORMS: &[WordSpec] = &[
     word("translate", Kind::Vector, "", "moves by this vector"),
     word("rotate", Kind::Vector, "", "turns about the x axis, then y, then z, by these angles in degrees; left-handed"),
@@ -148,11 +148,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_come_in_the_order_of_the_table() {
+    fn names_are_in_the_order_of_the_table() {
         const WORDS: &[WordSpec] = &[word("radius", Kind::Float, "1", "")];
-        let table =
-            Vocabulary { block: "thing", summary: "", words: WORDS, moves: true, idle: &["old"], not_drawn: &["new"] };
+        let table = Vocabulary {
+            block: "thing",
+            summary: "",
+            words: WORDS,
+            has_transforms: true,
+            ignored: &["old"],
+            unsupported: &["new"],
+        };
         assert_eq!(table.names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
-        assert!(table.obeys("radius") && !table.obeys("new") && table.leaves_out("new") && table.ignores("old"));
+        assert!(
+            table.has_effect("radius")
+                && !table.has_effect("new")
+                && table.is_unsupported("new")
+                && table.ignores("old")
+        );
     }
 }

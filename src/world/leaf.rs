@@ -3,7 +3,7 @@
 use super::instance::Instance;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
 use crate::shape::{Hit, Hits, Kernel, Shape};
-use crate::value::Seldom;
+use crate::value::SharedDefault;
 use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -51,11 +51,11 @@ pub struct Surface {
 impl Leaf {
     /// The shape under `transform`, world from object.
     pub fn new(shape: Shape, transform: &Transform, id: u32) -> Self {
-        Self::placed(shape, &Seldom::new(*transform), id)
+        Self::placed(shape, &SharedDefault::new(*transform), id)
     }
 
     /// The same under a transform that is shared with others.
-    pub(super) fn placed(shape: Shape, transform: &Seldom<Transform>, id: u32) -> Self {
+    pub(super) fn placed(shape: Shape, transform: &SharedDefault<Transform>, id: u32) -> Self {
         Self { shape, place: place(transform), inverse: false, id }
     }
 
@@ -134,8 +134,8 @@ impl Leaf {
 }
 
 /// A transform that moves anything.
-pub(super) fn place(transform: &Seldom<Transform>) -> Option<Arc<Transform>> {
-    transform.unusual().filter(|transform| !transform.is_identity()).cloned()
+pub(super) fn place(transform: &SharedDefault<Transform>) -> Option<Arc<Transform>> {
+    transform.explicit().filter(|transform| !transform.is_identity()).cloned()
 }
 
 impl<'a> Intersection<'a> {

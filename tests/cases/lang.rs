@@ -1,21 +1,21 @@
-//! What the language says: each section of each `tests/lang/NAME.scene` is run, and what it prints and which errors
-//! it meets are compared with the comments in it.
+//! The language's test files: runs each section of `tests/lang/NAME.scene`, and compares its output and its errors with
+//! the comments in it.
 //!
 //! ```text
-//! //--- title           begins a section; what stands before the first one belongs to all of them
-//! Num(1+1) //= 2.000000     the next line that is printed
-//! Num(A) //! E0203 at 5     a message with this code, in this line at column 5; `at 7:5`, `at say.inc:3:31` elsewhere
-//! //~ reason            POV-Ray is not asked about this section, because it is known to differ
+//! //--- title           begins a section; the preamble before the first section belongs to all
+//! Num(1+1) //= 2.000000     the next line of the output
+//! Num(A) //! E0203 at 5     an error at column 5 of this line; `at 7:5` or `at say.inc:3:31` elsewhere
+//! //~ reason            not compared with POV-Ray, because durer differs on purpose
 //! ```
 //!
-//! `tests/lang/regenerate.py` asks the real POV-Ray for the printed lines.
+//! `tests/lang/regenerate.py` compares the expected output with that of POV-Ray.
 //!
-//! Each section runs twice: as it is written, and taken apart into single tokens, which has to come to the same.
+//! Each section runs twice, with parsed expressions and split into single tokens; both runs must give the same.
 
 use crate::Group;
 use durer::interpreter::Options;
 use durer::source::{Sandbox, SearchPath, Sources, text_of};
-use durer::syntax::Wholes;
+use durer::syntax::Granularity;
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -45,16 +45,16 @@ fn trials(path: &Path) -> Vec<Trial> {
         let title = file.lines[start].0.trim_start_matches("//---").trim();
         let full = format!("lang::{name}::{title}");
         let preamble = starts[0];
-        let trial = |name: String, wholes: Wholes| {
+        let trial = |name: String, granularity: Granularity| {
             let file = file.clone();
-            Trial::test(name, move || file.run(preamble, start..end, wholes))
+            Trial::test(name, move || file.run(preamble, start..end, granularity))
         };
-        [trial(full.clone(), Wholes::Kept), trial(full + " (single tokens)", Wholes::TakenApart)]
+        [trial(full.clone(), Granularity::Whole), trial(full + " (single tokens)", Granularity::Tokens)]
     };
     sections.flat_map(trials).collect()
 }
 
-/// Lines, each with its end, which may be LF, CR or both.
+/// Lines with their line ends, each of which is LF, CR or both.
 fn lines(text: &str) -> Vec<(String, String)> {
     let mut out = vec![];
     let mut rest = text;
@@ -75,20 +75,20 @@ struct TestFile {
 }
 
 impl TestFile {
-    /// Runs a section together with what stands before the first one.
-    fn run(&self, preamble: usize, section: std::ops::Range<usize>, wholes: Wholes) -> Result<(), Failed> {
+    /// Runs a section together with the file's preamble.
+    fn run(&self, preamble: usize, section: std::ops::Range<usize>, granularity: Granularity) -> Result<(), Failed> {
         let kept = |i: usize| i < preamble || section.contains(&i);
-        // The other lines are blank, so that places stay.
+        // All other lines are blank, so that spans keep their line numbers.
         let text: String = self
             .lines
             .iter()
             .enumerate()
             .map(|(i, (line, end))| if kept(i) { line.clone() + end } else { end.clone() })
             .collect();
-        // Both ways of a section write the same files.
+        // Both runs of a section write the same files.
         static WRITING: Mutex<()> = Mutex::new(());
         let _alone = text.contains("#fopen").then(|| WRITING.lock());
-        let Ran { printed, told, scene } = run(&self.path, &self.name, text.clone(), wholes);
+        let Ran { printed, reported, scene } = run(&self.path, &self.name, text.clone(), granularity);
         let mut expected_lines = vec![];
         let mut expected_faults = vec![];
         for i in section {
@@ -96,50 +96,50 @@ impl TestFile {
             expected_lines
                 .extend(line.split_once("//=").map(|(_, text)| text.strip_prefix(' ').unwrap_or(text).to_string()));
             let fault = line.split_once("//!").map(|(_, text)| text.trim());
-            expected_faults.extend(fault.into_iter().flat_map(|t| t.split(';')).map(|fault| whole_place(fault, i + 1)));
+            expected_faults.extend(fault.into_iter().flat_map(|t| t.split(';')).map(|fault| with_line(fault, i + 1)));
         }
         let printed: Vec<&str> = printed.lines().collect();
         let mut wrong = vec![];
         if printed != expected_lines {
             wrong.push(format!("expected to print {expected_lines:#?}\nprinted {printed:#?}"));
         }
-        if told != expected_faults {
-            wrong.push(format!("expected messages {expected_faults:#?}\nfound {told:#?}"));
+        if reported != expected_faults {
+            wrong.push(format!("expected messages {expected_faults:#?}\nfound {reported:#?}"));
         }
-        if wholes == Wholes::TakenApart && scene != run(&self.path, &self.name, text, Wholes::Kept).scene {
+        if granularity == Granularity::Tokens && scene != run(&self.path, &self.name, text, Granularity::Whole).scene {
             wrong.push("the Scene is another one than that of what stands whole".into());
         }
         if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n").into()) }
     }
 }
 
-/// `E0203 at 5` as `E0203 at LINE:5`.
-fn whole_place(fault: &str, line: usize) -> String {
+/// Completes `E0203 at 5` to `E0203 at LINE:5`.
+fn with_line(fault: &str, line: usize) -> String {
     match fault.trim().split_once(" at ") {
         Some((code, place)) if !place.contains(':') => format!("{code} at {line}:{place}"),
         _ => fault.trim().to_string(),
     }
 }
 
-/// What came of a text.
+/// Result of a run.
 struct Ran {
     printed: String,
     /// Messages in the form of the comments.
-    told: Vec<String>,
-    /// As JSON, where there is one.
+    reported: Vec<String>,
+    /// The scene as JSON; `None` after errors.
     scene: Option<String>,
 }
 
-fn run(path: &Path, name: &str, text: String, wholes: Wholes) -> Ran {
+fn run(path: &Path, name: &str, text: String, granularity: Granularity) -> Ran {
     let folder = path.parent().unwrap_or(Path::new("."));
     let options = Options {
         sandbox: Sandbox::around(&SearchPath::new(folder, &[])),
         search: SearchPath::new(folder, &[]),
-        wholes,
+        granularity,
         ..Options::default()
     };
     let mut printed = String::new();
-    let (told, scene) = durer::on_big_stack(|| {
+    let (reported, scene) = durer::on_big_stack(|| {
         let sources = Sources::default();
         let Some(file) = sources.add(name, Some(path), text) else { return Default::default() };
         let outcome = durer::interpreter::interpret(&sources, file, &options, &mut |text| printed.push_str(text));
@@ -148,9 +148,9 @@ fn run(path: &Path, name: &str, text: String, wholes: Wholes) -> Ran {
             Some(place) => format!("{} at {}:{}:{}", d.code, place.file, place.line, place.column),
             None => d.code.to_string(),
         };
-        // The sections draw nothing, so they have no camera.
-        let told = outcome.diagnostics.iter().map(message).filter(|m| m != "W0206").collect();
-        (told, outcome.scene.and_then(|scene| serde_json::to_string(&scene).ok()))
+        // The sections have no camera, because they render nothing.
+        let reported = outcome.diagnostics.iter().map(message).filter(|m| m != "W0206").collect();
+        (reported, outcome.scene.and_then(|scene| serde_json::to_string(&scene).ok()))
     });
-    Ran { printed, told, scene }
+    Ran { printed, reported, scene }
 }

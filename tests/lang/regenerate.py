@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Asks the real POV-Ray about the tests of this folder.
+"""Compares the tests of this folder with POV-Ray.
 
     regenerate.py [--write] [FILE.scene ...]
 
 Runs `povray` on each section of each file (see tests/cases/lang.rs for the format) and compares what it prints with the `//=`
 comments, and whether it fails with the `//! E…` comments. `--write` puts what POV-Ray prints into the `//=` comments.
-Sections that hold `//~` are durer's own or a known difference: POV-Ray is not asked.
+Sections with `//~` are extensions or known differences, and are not compared.
 """
 
 import concurrent.futures
@@ -34,13 +34,13 @@ def sections(lines):
 
 
 def only(lines, kept):
-    """The file with all other lines blanked, so that places stay."""
+    """The file with all other lines blanked, so that spans keep their line numbers."""
     blank = lambda line: LINE_END.search(line)[0] if LINE_END.search(line) else b""
     return b"".join(line if i in kept else blank(line) for i, line in enumerate(lines))
 
 
 def ask(text):
-    """What POV-Ray prints, whether it read the scene, and what it complains of."""
+    """What POV-Ray prints, whether it read the scene, and its error message."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         (folder / "scene.pov").write_bytes(text)

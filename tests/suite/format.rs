@@ -2,7 +2,7 @@
 
 use crate::mutate;
 use durer::format::{WIDTH, decode, format};
-use durer::syntax::{Names, Piece, Wholes, parse_text};
+use durer::syntax::{Granularity, Names, Piece, parse_text};
 use std::path::{Path, PathBuf};
 
 fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
@@ -41,7 +41,7 @@ fn texts() -> Vec<PathBuf> {
 
 /// Every number and sign a token of its own; blanks behind comments are nothing.
 fn pieces(text: &str) -> Vec<String> {
-    let (ast, _) = parse_text(text, 0, &Names::default(), Wholes::TakenApart);
+    let (ast, _) = parse_text(text, 0, &Names::default(), Granularity::Tokens);
     let read = |piece: Piece| {
         text[piece.span().lo as usize..piece.span().hi as usize].trim_end_matches(|c| c <= ' ').to_string()
     };

@@ -3,11 +3,11 @@
 
 use durer::source::{Sources, Span};
 use durer::syntax::ast::*;
-use durer::syntax::{Names, Wholes, parse, parse_text, tokens_of};
+use durer::syntax::{Granularity, Names, parse, parse_text, tokens_of};
 use rustc_hash::FxHashSet;
 use std::path::{Path, PathBuf};
 
-const BOTH: [Wholes; 2] = [Wholes::Kept, Wholes::TakenApart];
+const BOTH: [Granularity; 2] = [Granularity::Whole, Granularity::Tokens];
 
 /// All texts below a folder that are in the language.
 fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
@@ -56,7 +56,7 @@ fn without_tree(text: &str) -> Result<(), String> {
     let place = |of: usize| text.floor_char_boundary(text.len() * of / 13);
     let (a, b) = (place(5), place(7));
     for text in [text, &text[..a], &text[b..], &format!("{}{}", &text[..a], &text[b..])] {
-        let (ast, faults) = parse_text(text, 1, &Names::default(), Wholes::Kept);
+        let (ast, faults) = parse_text(text, 1, &Names::default(), Granularity::Whole);
         let (tokens, told) = tokens_of(text, 1);
         let said = |all: &[durer::diagnostic::Diagnostic]| format!("{all:?}");
         if said(&faults) != said(&told) {
@@ -79,12 +79,12 @@ fn means_nothing(between: &str) -> bool {
     between.chars().all(|c| c <= ' ' || matches!(c, '#' | '\u{A0}' | '\u{FEFF}' | '\u{7F}'))
 }
 
-fn joined(text: &str, wholes: Wholes) -> Result<(), String> {
+fn joined(text: &str, granularity: Granularity) -> Result<(), String> {
     let sources = Sources::default();
     // Another file before it, so that it does not begin at the first byte.
     sources.add("before", None, "sphere { 0, 1 }".into()).unwrap();
     let file = sources.add("text", None, text.into()).unwrap();
-    let (ast, faults) = parse(&sources, file, &Names::default(), wholes);
+    let (ast, faults) = parse(&sources, file, &Names::default(), granularity);
     let base = sources.base(file);
     let (mut out, mut at) = (String::new(), base);
     for piece in ast.tokens.pieces() {
@@ -110,8 +110,8 @@ fn joined(text: &str, wholes: Wholes) -> Result<(), String> {
 
 #[test]
 fn tokens_joined_are_the_file() {
-    for wholes in BOTH {
-        each(|text| joined(text, wholes));
+    for granularity in BOTH {
+        each(|text| joined(text, granularity));
     }
 }
 
@@ -312,9 +312,9 @@ impl Places<'_> {
     }
 }
 
-fn placed(text: &str, wholes: Wholes) -> Result<(), String> {
+fn placed(text: &str, granularity: Granularity) -> Result<(), String> {
     const BASE: usize = 1234;
-    let (ast, _) = parse_text(text, BASE, &Names::default(), wholes);
+    let (ast, _) = parse_text(text, BASE, &Names::default(), granularity);
     let spans: Vec<Span> = ast.tokens.pieces().map(|piece| piece.span()).collect();
     let (starts, ends) = (spans.iter().map(|s| s.lo).collect(), spans.iter().map(|s| s.hi).collect());
     let mut places = Places { starts, ends, text, base: BASE, wrong: vec![] };
@@ -324,8 +324,8 @@ fn placed(text: &str, wholes: Wholes) -> Result<(), String> {
 
 #[test]
 fn every_place_is_of_whole_tokens_inside_its_parent() {
-    for wholes in BOTH {
-        each(|text| placed(text, wholes));
+    for granularity in BOTH {
+        each(|text| placed(text, granularity));
     }
 }
 
@@ -355,10 +355,10 @@ fn cuts(elements: &[Element]) -> Vec<usize> {
     cuts
 }
 
-fn alone(text: &str, wholes: Wholes) -> Result<(), String> {
+fn alone(text: &str, granularity: Granularity) -> Result<(), String> {
     let names = Names::default();
     const BASE: usize = 77;
-    let (ast, faults) = parse_text(text, BASE, &names, wholes);
+    let (ast, faults) = parse_text(text, BASE, &names, granularity);
     if !faults.is_empty() {
         return Ok(());
     }
@@ -369,7 +369,7 @@ fn alone(text: &str, wholes: Wholes) -> Result<(), String> {
     let runs = cuts.windows(11).step_by(10).map(|w| (w[0], w[10]));
     for (from, to) in pairs.chain(runs) {
         let (lo, hi) = (start(from), start(to));
-        let (piece, faults) = parse_text(&text[lo..hi], BASE + lo, &names, wholes);
+        let (piece, faults) = parse_text(&text[lo..hi], BASE + lo, &names, granularity);
         let (found, expected) = (format!("{:?}", piece.elements), format!("{:?}", &ast.elements[from..to]));
         if !faults.is_empty() || found != expected {
             return Err(format!("`{}` alone is\n{found}\nnot\n{expected}", &text[lo..hi]));
@@ -380,7 +380,7 @@ fn alone(text: &str, wholes: Wholes) -> Result<(), String> {
 
 #[test]
 fn a_piece_alone_is_the_same() {
-    for wholes in BOTH {
-        each(|text| alone(text, wholes));
+    for granularity in BOTH {
+        each(|text| alone(text, granularity));
     }
 }

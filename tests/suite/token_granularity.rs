@@ -1,14 +1,14 @@
-//! One language, not two: what stands whole in the text is taken whole, and everything can be taken apart into single tokens.
-//! Both ways give the same Scene and the same messages, for every scene of this repository and many of POV-Ray's own.
+//! Parsed expressions and single tokens mean the same: each scene of this repository, and many of POV-Ray's, is run in
+//! both granularities, and must give the same scene and messages.
 
 use durer::interpreter::{Options, interpret};
 use durer::source::{Sandbox, SearchPath, Sources};
-use durer::syntax::Wholes;
+use durer::syntax::Granularity;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-/// What is written by a scene goes there.
+/// Changes to a scratch folder, to which scenes write their files.
 fn enter_scratch() {
     std::env::set_current_dir(env!("CARGO_TARGET_TMPDIR")).unwrap();
 }
@@ -33,7 +33,7 @@ fn gather(folder: &Path) -> Vec<PathBuf> {
     all
 }
 
-/// What came of a text.
+/// Result of a run.
 struct Ran {
     scene: String,
     messages: Vec<String>,
@@ -42,19 +42,19 @@ struct Ran {
     took: Duration,
 }
 
-fn run(path: &Path, text: &str, wholes: Wholes, max_steps: u64) -> Ran {
+fn run(path: &Path, text: &str, granularity: Granularity, max_steps: u64) -> Ran {
     let start = Instant::now();
     let folder = path.parent().unwrap();
     let search = SearchPath::new(folder, &[]);
     let options = Options {
-        // (Names of files that a scene writes are the same both ways.)
+        // Files that a scene writes have the same names in both runs.
         sandbox: Sandbox::around(&search),
         search,
         input_name: path.file_name().unwrap().to_string_lossy().into_owned(),
         size: (64, 48),
         max_steps,
         max_memory: Some(2 << 30),
-        wholes,
+        granularity,
         ..Options::default()
     };
     let sources = Sources::default();
@@ -81,7 +81,7 @@ fn run(path: &Path, text: &str, wholes: Wholes, max_steps: u64) -> Ran {
     }
 }
 
-/// Where two texts part, with what stands around it.
+/// The first difference of two texts, with its surroundings.
 fn parting(a: &str, b: &str) -> String {
     let at = a.bytes().zip(b.bytes()).take_while(|(a, b)| a == b).count();
     let around = |s: &str| {
@@ -91,15 +91,15 @@ fn parting(a: &str, b: &str) -> String {
     format!("    whole: …{}\n    single: …{}", around(a), around(b))
 }
 
-/// What differs, if anything.
+/// The difference between both runs; `None` if they agree.
 fn compare(path: &Path, max_steps: u64) -> Option<String> {
     let text = durer::source::read_text(&durer::source::Disk, path).ok()?;
-    let whole = run(path, &text, Wholes::Kept, max_steps);
-    let single = run(path, &text, Wholes::TakenApart, max_steps);
+    let whole = run(path, &text, Granularity::Whole, max_steps);
+    let single = run(path, &text, Granularity::Tokens, max_steps);
     if std::env::var_os("WHOLES_SHOW").is_some() {
         eprintln!("{}: {:?} {:?}", path.display(), whole.took, single.took);
     }
-    // A limit on time, steps or memory need not be met at the same place.
+    // A limit on time, steps or memory may be reached at different spans.
     if whole.limited || single.limited {
         return (whole.limited != single.limited && max_steps > MANY).then(|| format!("{}: a limit", path.display()));
     }
@@ -118,10 +118,10 @@ fn compare(path: &Path, max_steps: u64) -> Option<String> {
     (!wrong.is_empty()).then(|| format!("{}\n{}", path.display(), wrong.join("\n")))
 }
 
-/// Steps that are few for a scene, and take not too long.
+/// Maximum number of steps of POV-Ray's scenes.
 const MANY: u64 = 300_000;
 
-/// Compares on all processors until the time is over; how many there were.
+/// Compares on all processors until the time is over; returns the number of scenes compared.
 fn compare_all(files: &[PathBuf], max_steps: u64, time: Duration) -> usize {
     enter_scratch();
     let (next, start) = (AtomicUsize::new(0), Instant::now());
@@ -167,7 +167,7 @@ fn cases_of_the_library() {
     compare_all(&files, 10_000_000, LONG);
 }
 
-/// A few dozen of POV-Ray's own, spread over its folders; as many as there is time for. `WHOLES_ALL=1` compares all.
+/// Compares a few dozen of POV-Ray's own scenes from all of its folders, as time permits. `WHOLES_ALL=1` compares all.
 #[test]
 fn povrays_scenes() {
     const STRIDE: usize = 13;

@@ -1,4 +1,4 @@
-//! What is not drawn yet is kept in the Scene, and its dump shows it.
+//! Blocks that durer does not render yet are kept in the scene, and the dump shows them.
 
 use durer::interpreter::{Options, Outcome, interpret};
 use durer::source::{Sandbox, SearchPath, Sources};
@@ -28,7 +28,7 @@ fn holds(dump: &str, part: &str) {
 }
 
 #[test]
-fn the_dump_shows_what_is_not_drawn() {
+fn the_dump_shows_unsupported_blocks() {
     let dump = dump(
         r#"
         #version 3.7;
@@ -56,29 +56,29 @@ fn the_dump_shows_what_is_not_drawn() {
 }
 
 #[test]
-fn a_scene_that_is_drawn_shows_nothing_of_it() {
+fn the_dump_of_a_supported_scene_has_no_unsupported_blocks() {
     let dump = dump("#version 3.7; camera { location -5*z } light_source { y, 1 } sphere { 0, 1 finish { phong 1 } }");
-    assert!(!dump.contains("undrawn") && !dump.contains("said"), "{dump}");
+    assert!(!dump.contains("unsupported") && !dump.contains("said"), "{dump}");
 }
 
 #[test]
-fn a_text_names_the_font_that_is_there() {
+fn a_missing_font_is_replaced_by_an_installed_one() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["DejaVuSans.ttf", "DejaVuSerif-Bold.ttf"] {
         std::fs::write(folder.path().join(name), include_bytes!("../../src/font/Roboto-Regular.ttf")).unwrap();
     }
     let text =
         "#version 3.7; camera { location -5*z } text { ttf \"timesbd\" \"Dürer\" 0.25, <0, 0, 0> pigment { rgb 1 } }";
-    let told = |outcome: &Outcome| {
-        let told = outcome.diagnostics.iter().find(|d| d.code == durer::diagnostic::codes::FONT_MISSING);
-        told.unwrap().message.clone()
+    let reported = |outcome: &Outcome| {
+        let reported = outcome.diagnostics.iter().find(|d| d.code == durer::diagnostic::codes::FONT_MISSING);
+        reported.unwrap().message.clone()
     };
     let with = outcome(text, vec![folder.path().into()]);
-    assert_eq!(told(&with), "the font `timesbd` was not found: `DejaVuSerif-Bold.ttf` stands for it");
+    assert_eq!(reported(&with), "the font `timesbd` was not found: `DejaVuSerif-Bold.ttf` is used instead");
     let json = serde_json::to_string(&with.scene.unwrap()).unwrap();
     let file = folder.path().join("DejaVuSerif-Bold.ttf");
     let file = serde_json::to_string(&file).unwrap();
     holds(&json, &format!(r#""font":"timesbd","file":{file},"string":"Dürer","depth":0.25"#));
     let without = outcome(text, vec![]);
-    assert_eq!(told(&without), "the font `timesbd` was not found: durer's own one, Roboto, stands for it");
+    assert_eq!(reported(&without), "the font `timesbd` was not found: durer's own font, Roboto, is used instead");
 }

@@ -1,6 +1,6 @@
 //! Values of options, each with its own syntax.
 
-use crate::value::given;
+use crate::value::parse_value;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -244,7 +244,7 @@ impl FromStr for Declare {
         if !is_name {
             return Err(format!("`{name}` is not an identifier, which consists of letters, digits and `_`"));
         }
-        match given(value) {
+        match parse_value(value) {
             Ok(_) => Ok(Self { name: name.into(), value: value.into() }),
             Err(why) if value.starts_with(|c: char| c.is_alphabetic()) => {
                 Err(format!("{why}; text needs quotes: '{name}=\"{value}\"'"))

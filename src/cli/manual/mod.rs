@@ -92,15 +92,15 @@ fn word_table(words: &[WordSpec], own: &[&str]) -> String {
 /// Formats the section about a block.
 fn section(block: &Vocabulary, title: &str, own: &[&str]) -> String {
     let mut text = format!("## {title}\n\n{}.\n\n{}", sentence(block.summary), word_table(block.words, own));
-    if block.moves {
+    if block.has_transforms {
         text += "It takes the [transforms](objects.md#transforms) too.\n\n";
     }
-    if !block.idle.is_empty() {
-        text += &format!("Read, and without effect in durer: {}.\n\n", list(block.idle));
+    if !block.ignored.is_empty() {
+        text += &format!("Read, and without effect in durer: {}.\n\n", list(block.ignored));
     }
-    if !block.not_drawn.is_empty() {
+    if !block.unsupported.is_empty() {
         text +=
-            &format!("Read and left out with warning W0201, until durer draws them: {}.\n\n", list(block.not_drawn));
+            &format!("Read and left out with warning W0201, until durer draws them: {}.\n\n", list(block.unsupported));
     }
     text
 }

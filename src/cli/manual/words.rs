@@ -47,8 +47,8 @@ fn blocks(index: &mut Index) {
     for Block { words: block, name, page } in BLOCKS {
         let place = format!("[{name}]({page})");
         add_words(index, block.words, &place);
-        block.idle.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
-        block.not_drawn.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
+        block.ignored.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
+        block.unsupported.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
     }
     for (inner, page) in [
         ("finish", "finishes.md"),

@@ -1,4 +1,5 @@
-//! Configuration of one scene's pictures, resolved once from the command line and the INI file. Nothing below changes it.
+//! Configuration of one scene's pictures, resolved once from the command line and the INI file. Nothing below changes
+//! it.
 
 use super::target::Target;
 use crate::advice::Circumstances;

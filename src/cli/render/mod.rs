@@ -49,7 +49,8 @@ struct Done {
     read: ReadFiles,
 }
 
-/// Renders each scene: one picture, or one for each frame. Returns also the files that were read for them, even after a failure.
+/// Renders each scene: one picture, or one for each frame. Returns also the files that were read for them, even after a
+/// failure.
 pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, ReadFiles) {
     let mut done = Done { read: context.ini_files.clone(), ..Done::default() };
     let exit = render_all(console, args, &context, &mut done);

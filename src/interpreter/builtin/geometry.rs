@@ -1,4 +1,4 @@
-//! Functions that ask objects: `trace`, `inside`, `min_extent`, `max_extent` (manual, "Vector Functions").
+//! Functions that query objects: `trace`, `inside`, `min_extent`, `max_extent` (manual, "Vector Functions").
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
@@ -12,8 +12,8 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
-    /// `trace(Object, From, Direction [, Normal])`: where the ray meets the object, or the origin; the last argument is
-    /// set to the normal there.
+    /// `trace(Object, From, Direction [, Normal])`: the first intersection of a ray, or the origin; the last argument
+    /// is set to the normal there.
     pub(super) fn trace_object(
         &mut self,
         object: &Argument<'a>,
@@ -31,38 +31,38 @@ impl<'a> Interpreter<'a> {
         Ok(Value::Vector(point.into()))
     }
 
-    /// `inside(Object, Point)`
+    /// `inside(Object, Point)`: 1 if the point is inside of the object, else 0.
     pub(super) fn inside_object(&mut self, object: &Argument<'a>, point: &Argument<'a>) -> Result<Value> {
         let probe = self.probe(object)?;
         let point = self.argument_vector(point)?;
         Ok(Value::Float(f64::from(probe.inside(point))))
     }
 
-    /// `min_extent(Object)`, `max_extent(Object)`
+    /// `min_extent(Object)` and `max_extent(Object)`: corners of the object's bounding box.
     pub(super) fn pov_bounds(&mut self, object: &Argument<'a>, max: bool) -> Result<Value> {
         let pov_bounds = self.object_argument(object)?.pov_bounds();
         Ok(Value::Vector(if max { pov_bounds.max } else { pov_bounds.min }.into()))
     }
 
-    /// Gives a name or an array's element a value.
+    /// Assigns a value to a name or an array's element.
     fn set_result(&mut self, target: &Argument<'a>, value: Value) -> Result<()> {
         match &target.given {
             Given::Name(symbol) if self.evaluator.is_declared(*symbol) => {
                 self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]);
                 Ok(())
             }
-            Given::Place(place) => {
-                self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value)));
+            Given::LValue(lvalue) => {
+                self.evaluator.scopes_mut().set_element(lvalue, Some(Slot::Value(value)));
                 Ok(())
             }
-            Given::Name(symbol) => self.name_value(*symbol, target.span).map(drop),
+            Given::Name(symbol) => self.evaluate_name(*symbol, target.span).map(drop),
             Given::Slot(_) => Diagnostic::new(codes::WRONG_TYPE, target.span, "the normal is given to a name")
                 .help("`#declare N = <0, 0, 0>; #declare P = trace(Thing, From, Direction, N);`")
                 .into(),
         }
     }
 
-    /// An object that an argument names.
+    /// The object that an argument names.
     fn object_argument(&mut self, argument: &Argument<'a>) -> Result<Arc<Object>> {
         let value = self.argument_value(argument)?;
         let found = value.describe();
@@ -72,10 +72,10 @@ impl<'a> Interpreter<'a> {
             return Ok(object);
         }
         let d = Diagnostic::new(codes::WRONG_TYPE, argument.span, format!("expected an object, found {found}"));
-        d.help("`#declare Thing = sphere { … }` makes one that has a name").into()
+        d.help("`#declare Thing = sphere { … }` declares one").into()
     }
 
-    /// The same, ready for rays. What was asked before is not built again.
+    /// The object that an argument names, prepared for ray queries and cached.
     fn probe(&mut self, argument: &Argument<'a>) -> Result<Rc<Probe>> {
         let object = self.object_argument(argument)?;
         let key = Arc::as_ptr(&object).cast::<()>();

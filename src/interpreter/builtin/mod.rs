@@ -1,4 +1,4 @@
-//! Built-in functions of the language: one table a group.
+//! Built-in functions of scripts: one table for each group.
 
 mod geometry;
 mod numeric;
@@ -24,32 +24,32 @@ use special::Special;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
 
-/// The longest string.
+/// Maximum length of a string in bytes.
 const MAX_TEXT: usize = 16_000_000;
 
-/// A function of values: its name, how many arguments it takes, and what computes it.
+/// A function that computes a value from values.
 pub(super) struct Builtin {
     name: &'static str,
-    /// Its arguments, for the manual.
+    /// Arguments, for the manual.
     usage: &'static str,
-    /// One line for the manual.
+    /// Summary for the manual.
     summary: &'static str,
     arity: RangeInclusive<usize>,
     run: fn(&Arguments) -> Result<Value>,
 }
 
-/// Where a function is found.
+/// Table row of a function.
 #[derive(Clone, Copy)]
 enum Function {
-    /// Of numbers.
+    /// A function of numbers.
     Numeric(&'static Numeric),
-    /// Of values.
+    /// A function of values.
     Plain(&'static Builtin),
-    /// Of what its arguments are, not only of their values.
+    /// A function that takes names, array elements or objects.
     Special(&'static Special),
 }
 
-/// All functions by their names.
+/// All functions by name.
 static FUNCTIONS: LazyLock<FxHashMap<&'static str, Function>> = LazyLock::new(|| {
     let numeric = numeric_table::TABLE.iter().map(|row| (row.name, Function::Numeric(row)));
     let special = special::TABLE.iter().map(|row| (row.name, Function::Special(row)));
@@ -60,7 +60,7 @@ fn plain() -> impl Iterator<Item = &'static Builtin> {
     [vector::TABLE, text::TABLE].into_iter().flatten()
 }
 
-/// Evaluated arguments with their places.
+/// Evaluated arguments with their spans.
 pub(super) struct Arguments {
     values: Vec<(Value, Span)>,
 }
@@ -86,7 +86,7 @@ impl Arguments {
         Diagnostic::err(codes::WRONG_TYPE, self.values[i].1, message)
     }
 
-    /// The function can't be computed for this argument.
+    /// The fault for a value outside of the function's domain.
     fn bad<T>(&self, i: usize, message: String) -> Result<T> {
         Diagnostic::err(codes::BAD_ARGUMENT, self.values[i].1, message)
     }
@@ -97,7 +97,7 @@ impl Arguments {
 }
 
 impl<'a> Interpreter<'a> {
-    /// Calls the built-in function of this name with arguments that stand whole.
+    /// Calls a built-in function with parsed arguments.
     pub(super) fn builtin(&mut self, name: &'static str, arguments: &'a [Expr], span: Span) -> Result<Value> {
         match self.function_of(name, span)? {
             Function::Special(row) => {
@@ -105,21 +105,21 @@ impl<'a> Interpreter<'a> {
                 let Some(run) = row.run else { return self.select(&arguments[0], &arguments[1..]) };
                 let mut given = SmallVec::<[Argument<'a>; 4]>::new();
                 for argument in arguments {
-                    given.push(self.argument_of(argument)?);
+                    given.push(self.whole_argument(argument)?);
                 }
                 run(self, &given, span)
             }
             function => {
                 let mut values = Vec::with_capacity(arguments.len());
                 for argument in arguments {
-                    values.push((self.eval(argument)?, argument.span));
+                    values.push((self.evaluate(argument)?, argument.span));
                 }
                 self.compute(name, function, Arguments { values }, span)
             }
         }
     }
 
-    /// The same with arguments that came one by one.
+    /// Calls a built-in function with arguments read token by token.
     pub(super) fn builtin_of(
         &mut self,
         name: &'static str,
@@ -146,7 +146,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A function of values.
+    /// Calls a function of values.
     fn compute(&mut self, name: &str, function: Function, arguments: Arguments, span: Span) -> Result<Value> {
         let found = arguments.values.len();
         match function {
@@ -167,7 +167,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A string must not grow without end.
+    /// Counts the bytes of a string result, and limits its length.
     fn check_text(&mut self, value: &Value, span: Span) -> Result<()> {
         match value {
             Value::Text(text) if text.len() > MAX_TEXT => {
@@ -180,12 +180,12 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// Do commas stand between the arguments of this function, always?
+/// True if commas between the arguments are mandatory.
 pub(super) fn needs_commas(name: &str) -> bool {
     matches!(FUNCTIONS.get(name), Some(Function::Numeric(row)) if matches!(row.kernel, numeric_table::Kernel::Many(_)))
 }
 
-/// An error unless the function takes so many arguments.
+/// The fault for a wrong number of arguments.
 fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Span) -> Result<()> {
     if arity.contains(&found) {
         return Ok(());
@@ -201,7 +201,7 @@ fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Sp
     Diagnostic::err(codes::WRONG_COUNT, span, message)
 }
 
-/// Every function of scripts that is in none of `function { }`'s tables: name, arguments, one line.
+/// Functions of scripts that `function { }` does not have: name, arguments, summary.
 pub(super) fn usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     plain().map(|f| (f.name, f.usage, f.summary)).chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
 }

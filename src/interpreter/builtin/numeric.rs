@@ -1,11 +1,11 @@
-//! Functions of numbers in scripts (manual, "Float Functions"): the table is [`crate::function::numeric`].
+//! Functions of numbers in scripts (manual, "Float Functions"); the table is [`crate::function::numeric`].
 
 use super::{Arguments, float};
 use crate::diagnostic::Result;
 use crate::function::numeric::{Kernel, Numeric};
 use crate::value::Value;
 
-/// Computes a row for arguments whose number has been checked.
+/// Calls a function; the number of arguments has been checked.
 pub(super) fn compute(row: &Numeric, a: &Arguments) -> Result<Value> {
     let first = row.clamped(a.float(0)?);
     match row.kernel {
@@ -24,7 +24,7 @@ pub(super) fn compute(row: &Numeric, a: &Arguments) -> Result<Value> {
     }
 }
 
-/// How many arguments it takes.
+/// Numbers of arguments that the function takes.
 pub(super) fn arity(row: &Numeric) -> std::ops::RangeInclusive<usize> {
     match row.kernel {
         Kernel::One(_) => 1..=1,

@@ -1,5 +1,4 @@
-//! `seed(A)` and `rand(Stream)` (manual, "Float Functions"): streams of numbers that look random and are the same in
-//! every run.
+//! `seed(A)` and `rand(Stream)` (manual, "Float Functions"): reproducible pseudo-random streams.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
@@ -7,17 +6,17 @@ use crate::interpreter::argument::Argument;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    /// Opens a stream and gives its number: the first is 0.
+    /// Opens a random stream, and returns its number.
     pub(super) fn seed(&mut self, start: &Argument<'a>) -> Result<Value> {
         let start = self.argument_number(start)?;
-        // What 32 bits can't hold was seen to count as their smallest number.
+        // Numbers outside of 32 bits count as the smallest one (quirk: `seed_overflow`).
         let holds = start > -2_147_483_649.0 && start < 2_147_483_648.0;
         let stream = self.evaluator.open_random_stream(if holds { start as i32 as u32 } else { 1 << 31 });
         Ok(Value::Float(stream as f64))
     }
 
-    /// The next number of a stream, from 0 to 1: a linear congruence, found from the numbers that POV-Ray prints. The
-    /// stream of seed 0 begins with the increment, that of seed 1 differs from it by the factor.
+    /// The next number of a stream, from 0 to 1, by POV-Ray's linear congruential generator
+    /// (quirk: `random_generator`).
     pub(super) fn rand(&mut self, stream: &Argument<'a>) -> Result<Value> {
         let number = self.argument_number(stream)?;
         match self.evaluator.random_stream(number) {
@@ -26,7 +25,7 @@ impl<'a> Interpreter<'a> {
                 Ok(Value::Float(f64::from(*state) / f64::from(u32::MAX)))
             }
             None => Diagnostic::new(codes::BAD_ARGUMENT, stream.span, format!("there is no random stream {number}"))
-                .help("`#declare R = seed(1);` makes one, and `rand(R)` takes numbers from it")
+                .help("`#declare R = seed(1);` opens one, and `rand(R)` returns its next number")
                 .into(),
         }
     }

@@ -1,4 +1,4 @@
-//! Functions that look at more than values: at names, arrays, objects, files, or at only one of their arguments.
+//! Functions whose arguments are names, arrays, objects or files, or are evaluated only in part.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
@@ -10,19 +10,19 @@ use std::ops::RangeInclusive;
 
 /// A row of the table.
 pub(super) struct Special {
-    /// As it is typed.
+    /// Name.
     pub name: &'static str,
-    /// Its arguments, for the manual.
+    /// Arguments, for the manual.
     pub usage: &'static str,
-    /// One line for the manual.
+    /// Summary for the manual.
     pub summary: &'static str,
-    /// How many arguments it takes.
+    /// Numbers of arguments that the function takes.
     pub arity: RangeInclusive<usize>,
-    /// What computes it; `None` for `select`, of whose arguments only one is computed.
+    /// Function that computes the result; `None` for `select`, which evaluates only one of its arguments.
     pub run: Option<Run>,
 }
 
-/// See [`Special::run`].
+/// Function that computes the result from the arguments and the span of the call.
 pub(super) type Run = for<'a> fn(&mut Interpreter<'a>, &[Argument<'a>], Span) -> Result<Value>;
 
 pub(super) const TABLE: &[Special] = &[
@@ -113,7 +113,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A file that may not be read is not there.
+    /// 1 if the file exists and the scene may read it.
     fn file_exists(&mut self, path: &Argument<'a>) -> Result<Value> {
         let name = self.argument_text(path)?;
         let found =
@@ -121,14 +121,15 @@ impl<'a> Interpreter<'a> {
         Ok(Value::Float(f64::from(found.is_some())))
     }
 
-    /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or ≥ 0 without D), else D. Only that one is evaluated.
+    /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or A ≥ 0 without D), else D. Only the selected argument is
+    /// evaluated.
     pub(super) fn select(&mut self, condition: &'a Expr, rest: &'a [Expr]) -> Result<Value> {
-        let a = self.number(condition)?;
+        let a = self.evaluate_number(condition)?;
         match rest {
-            [b, _] | [b, _, _] if a < 0.0 => self.eval(b),
-            [_, c] => self.eval(c),
-            [_, c, _] if a == 0.0 => self.eval(c),
-            [.., d] => self.eval(d),
+            [b, _] | [b, _, _] if a < 0.0 => self.evaluate(b),
+            [_, c] => self.evaluate(c),
+            [_, c, _] if a == 0.0 => self.evaluate(c),
+            [.., d] => self.evaluate(d),
             [] => Ok(Value::Float(0.0)),
         }
     }

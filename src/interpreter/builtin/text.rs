@@ -100,20 +100,20 @@ fn text(s: String) -> Result<Value> {
     Ok(Value::Text(s.into()))
 }
 
-/// Less than, equal to or greater than 0: by how much the first different characters differ.
+/// Difference of the first two characters that differ; 0 for equal strings.
 fn compare(a: &str, b: &str) -> f64 {
     let codes = |s: &str| s.chars().map(|c| f64::from(u32::from(c))).chain([0.0]).collect::<Vec<_>>();
     codes(a).iter().zip(&codes(b)).map(|(a, b)| a - b).find(|d| *d != 0.0).unwrap_or(0.0)
 }
 
-/// The number that a string begins with, and how long it is.
+/// Parses the number at the start of a string; returns it with its length in bytes.
 pub(in crate::interpreter) fn leading_number(s: &str) -> Option<(f64, usize)> {
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-');
     let end = s.find(|c| !digits(c)).unwrap_or(s.len()).min(400);
     (1..=end).rev().find_map(|end| s[..end].parse().ok().map(|x| (x, end)))
 }
 
-/// A number as C's printf writes it: a negative width fills with zeros, a negative precision means six digits.
+/// Formats a number as C's `printf` does; a negative width pads with zeros, a negative precision means six digits.
 fn format_number(x: f64, width: i64, precision: i64) -> String {
     let precision = if precision < 0 { 6 } else { precision.min(300) as usize };
     let wide = width.unsigned_abs().min(10_000) as usize;
@@ -125,7 +125,7 @@ fn format_number(x: f64, width: i64, precision: i64) -> String {
     }
 }
 
-/// `datetime(Days [, Format])`: days since the beginning of 2000 as text; the format is that of C's strftime.
+/// `datetime(Days [, Format])`: formats days since the beginning of 2000; the format is that of C's `strftime`.
 fn datetime(a: &Arguments) -> Result<Value> {
     let days = a.float(0)?;
     let format = if a.len() > 1 { a.text(1)? } else { "%Y-%m-%d %H:%M:%SZ" };
@@ -140,10 +140,10 @@ fn datetime(a: &Arguments) -> Result<Value> {
     }
 }
 
-/// The beginning of the year 2000 in seconds since 1970.
+/// Seconds from 1970 to the beginning of the year 2000.
 const EPOCH_2000: i64 = 946_684_800;
 
-/// `substr(S, P, L)`: L characters from the P-th on, counted from 1.
+/// `substr(S, P, L)`: L characters from character P on, counted from 1.
 fn substr(a: &Arguments) -> Result<Value> {
     let (s, from, len) = (a.text(0)?, a.float(1)?, a.float(2)?);
     let count = s.chars().count() as f64;
@@ -153,7 +153,7 @@ fn substr(a: &Arguments) -> Result<Value> {
     text(s.chars().skip(from as usize - 1).take(len as usize).collect())
 }
 
-/// `vstr(N, V, Separator, Width, Precision)`.
+/// `vstr(N, V, Separator, Width, Precision)`: formats a vector.
 fn vstr(a: &Arguments) -> Result<Value> {
     let n = a.float(0)?.clamp(2.0, 5.0) as usize;
     let value = &a.values[1].0;

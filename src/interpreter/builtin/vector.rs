@@ -46,7 +46,7 @@ pub(super) const TABLE: &[Builtin] = &[
         usage: "(Vector)",
         summary: "the vector of length 1 in the same direction",
         arity: 1..=1,
-        // A vector of length 0 stays what it is.
+        // A vector of length 0 is returned unchanged.
         run: |a| vector(a.vector(0)?.normalize_or_zero()),
     },
     Builtin {

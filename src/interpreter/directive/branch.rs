@@ -12,46 +12,46 @@ use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn condition(&mut self, condition: &'a Head, span: Span) -> Result<bool> {
-        Ok(self.head_number(condition, span)?.abs() > SMALL)
+    pub(in crate::interpreter) fn evaluate_condition(&mut self, condition: &'a Head, span: Span) -> Result<bool> {
+        Ok(self.evaluate_head(condition, span)?.abs() > SMALL)
     }
 
-    /// The number in the parentheses behind a directive's word.
-    fn head_number(&mut self, head: &'a Head, span: Span) -> Result<f64> {
+    /// Evaluates the number in the parentheses after a directive's word.
+    fn evaluate_head(&mut self, head: &'a Head, span: Span) -> Result<f64> {
         match head {
-            Head::Whole(e) if !self.evaluator.splits(e) => self.number(e),
+            Head::Whole(e) if !self.evaluator.must_split(e) => self.evaluate_number(e),
             Head::Whole(e) => {
                 let elements = self.inputs.as_elements(e);
-                self.number_within(elements, e.span)
+                self.read_number_within(elements, e.span)
             }
-            Head::Pieces(Some(elements)) => self.number_within(elements, span),
-            Head::Pieces(None) => Err(self.misplaced(span).into()),
+            Head::Pieces(Some(elements)) => self.read_number_within(elements, span),
+            Head::Pieces(None) => Err(self.syntax_error_at(span).into()),
         }
     }
 
-    fn number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
+    fn read_number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
         let number = self.within(elements, Bracket::Paren, span, |me| {
-            let (value, at) = me.value_in(true)?;
+            let (value, at) = me.read_expression(true)?;
             as_float(&value, at)
         });
         number.map_err(|fault| match doubled_operator(elements) {
-            Some(at) => Box::new(self.misplaced(at)),
+            Some(at) => Box::new(self.syntax_error_at(at)),
             None => fault,
         })
     }
 
-    pub(in crate::interpreter) fn branch(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_if(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
         for (i, branch) in branches.iter().enumerate() {
             if let Condition::True(Head::Pieces(None)) = &branch.condition {
-                let mark = self.stream.checkpoint();
-                if self.head_in_body(&branch.body, branch.span)?.abs() > SMALL {
+                let checkpoint = self.stream.checkpoint();
+                if self.read_head_in_body(&branch.body, branch.span)?.abs() > SMALL {
                     break;
                 }
-                self.unwind(mark);
+                self.unwind(checkpoint);
                 continue;
             }
             let taken = match &branch.condition {
-                Condition::True(head) => self.condition(head, branch.span)?,
+                Condition::True(head) => self.evaluate_condition(head, branch.span)?,
                 Condition::Declared(head) => self.head_is_declared(head, branch.span)?,
                 Condition::NotDeclared(head) => !self.head_is_declared(head, branch.span)?,
                 Condition::Always => true,
@@ -69,22 +69,22 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// A condition that a body begins with: its `(` is closed by what a macro or a branch gives. What follows it there comes
-    /// next.
-    fn head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
+    /// Reads a condition whose `(` begins the branch's body, because a macro or a branch gives the `)`. The rest of the
+    /// body is read next.
+    fn read_head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
         if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
-            return Err(self.misplaced(span).into());
+            return Err(self.syntax_error_at(span).into());
         }
-        let mark = self.stream.checkpoint();
+        let checkpoint = self.stream.checkpoint();
         self.stream.push_frame(body, FrameKind::Branch, span);
         let read = self.open().and_then(|_| {
-            let (value, at) = self.value_in(true)?;
+            let (value, at) = self.read_expression(true)?;
             let number = as_float(&value, at)?;
             self.close("`)`").map(|()| number)
         });
         read.map_err(|fault| {
             let fault = self.stream.with_trace(*fault);
-            self.unwind(mark);
+            self.unwind(checkpoint);
             Box::new(fault)
         })
     }
@@ -93,11 +93,11 @@ impl<'a> Interpreter<'a> {
         match head {
             Head::Whole(e) => self.is_declared(e),
             Head::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| {
-                // (The name may be a macro's, which is not called here.)
-                match me.stream.bare_name() {
+                // The name may be a macro's, which is not called here.
+                match me.stream.take_closed_name() {
                     Some((symbol, _)) => Ok(me.evaluator.is_declared(symbol)),
                     None => {
-                        let argument = match me.argument_here() {
+                        let argument = match me.read_argument() {
                             Err(fault) if fault.code == codes::UNDECLARED => return me.skip_to_end().map(|()| false),
                             argument => argument?,
                         };
@@ -110,11 +110,11 @@ impl<'a> Interpreter<'a> {
                     }
                 }
             }),
-            Head::Pieces(None) => Err(self.misplaced(span).into()),
+            Head::Pieces(None) => Err(self.syntax_error_at(span).into()),
         }
     }
 
-    /// Over what is left between the brackets.
+    /// Skips the rest of the tokens inside a bracket.
     fn skip_to_end(&mut self) -> Result<()> {
         while !self.peek()?.ends() {
             self.stream.advance();
@@ -124,23 +124,23 @@ impl<'a> Interpreter<'a> {
 
     pub(super) fn is_declared(&mut self, e: &'a Expr) -> Result<bool> {
         match &e.kind {
-            // The language's own constants are not declared.
+            // Built-in constants are not declared.
             ExprKind::Name(symbol) => Ok(self.evaluator.is_declared(*symbol)),
             ExprKind::Index(array, indices) => {
                 if !self.is_declared(array)? {
                     return Ok(false);
                 }
-                if let Some(place) = self.dictionary_place(array)? {
-                    return self.has_keys(place, indices);
+                if let Some(lvalue) = self.dictionary_lvalue(array)? {
+                    return self.has_keys(lvalue, indices);
                 }
-                let place = self.element_place(array, indices)?;
-                Ok(self.evaluator.scopes().at(&place).is_some())
+                let lvalue = self.element_lvalue(array, indices)?;
+                Ok(self.evaluator.scopes().at(&lvalue).is_some())
             }
             ExprKind::Dot(base, _, symbol) => {
-                let place = self.dictionary_place(base)?;
+                let lvalue = self.dictionary_lvalue(base)?;
                 let key = self.inputs.names.text(*symbol);
                 Ok(
-                    matches!(place.and_then(|p| self.evaluator.scopes().at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
+                    matches!(lvalue.and_then(|p| self.evaluator.scopes().at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
                 )
             }
             ExprKind::Paren(inner) => self.is_declared(inner),
@@ -148,31 +148,33 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    pub(in crate::interpreter) fn while_loop(
+    pub(in crate::interpreter) fn run_while(
         &mut self,
         condition: &'a Head,
         body: &'a [Element],
         span: Span,
     ) -> Result<()> {
-        if self.condition(condition, span)? {
+        if self.evaluate_condition(condition, span)? {
             self.stream.push_frame(body, FrameKind::While(condition), span);
         }
         Ok(())
     }
 
-    pub(in crate::interpreter) fn for_loop(&mut self, f: &'a For, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_for(&mut self, f: &'a For, span: Span) -> Result<()> {
         let (counter, [first, last, step], at) = match &f.head {
             ForHead::Whole(counter, range) => {
-                let [first, last, rest @ ..] = &**range else { return Err(self.misplaced(span).into()) };
-                let (first, last) = (self.number(first)?, self.number(last)?);
+                let [first, last, rest @ ..] = &**range else { return Err(self.syntax_error_at(span).into()) };
+                let (first, last) = (self.evaluate_number(first)?, self.evaluate_number(last)?);
                 let (step, at) = match rest {
-                    [step, ..] => (self.number(step)?, step.span),
+                    [step, ..] => (self.evaluate_number(step)?, step.span),
                     [] => (1.0, span),
                 };
                 (*counter, [first, last, step], at)
             }
-            ForHead::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| me.for_head(span))?,
-            ForHead::Pieces(None) => return Err(self.misplaced(span).into()),
+            ForHead::Pieces(Some(elements)) => {
+                self.within(elements, Bracket::Paren, span, |me| me.read_for_head(span))?
+            }
+            ForHead::Pieces(None) => return Err(self.syntax_error_at(span).into()),
         };
         if step.is_nan() || step.abs() < SMALL {
             return Diagnostic::err(codes::ZERO_STEP, at, format!("a step of {step} would never reach the last value"));
@@ -184,20 +186,20 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// `I, 0, 10, 2`; the commas may be left out.
-    fn for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
-        // `J -1, 1`, `J (0), 1`: the comma behind the name may be left out.
-        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
+    /// Reads `I, 0, 10, 2`. The commas are optional.
+    fn read_for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
+        // Without the comma after the name, `J -1, 1` and `J (0), 1` parse as expressions.
+        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
         {
             self.stream.split_next();
         }
-        let Some((counter, _)) = self.stream.raw_name() else { return Err(self.unexpected_token("a name").into()) };
+        let Some((counter, _)) = self.stream.take_name() else { return Err(self.unexpected_token("a name").into()) };
         let (mut numbers, mut at) = ([0.0, 0.0, 1.0], span);
         let mut count = 0;
         while count < 3 && !self.peek()?.ends() {
-            let (value, place) = self.value_here()?;
-            numbers[count] = as_float(&value, place)?;
-            (count, at) = (count + 1, place);
+            let (value, lvalue) = self.read_value()?;
+            numbers[count] = as_float(&value, lvalue)?;
+            (count, at) = (count + 1, lvalue);
         }
         if count < 2 {
             return Diagnostic::err(codes::WRONG_COUNT, span, "`#for` takes a name, a first and a last value");
@@ -205,31 +207,31 @@ impl<'a> Interpreter<'a> {
         Ok((counter, numbers, at))
     }
 
-    /// Runs the first arm that fits and all after it until a `#break`.
-    pub(in crate::interpreter) fn switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
-        let value = self.head_number(value, span)?;
+    /// Runs the first arm that matches, and all arms after it up to a `#break`.
+    pub(in crate::interpreter) fn run_switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
+        let value = self.evaluate_head(value, span)?;
         for (i, arm) in arms.iter().enumerate() {
-            let mark = self.stream.checkpoint();
+            let checkpoint = self.stream.checkpoint();
             let fits = match &arm.when {
-                When::Case(Head::Pieces(None)) => (self.head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
-                When::Case(head) => (self.head_number(head, arm.span)? - value).abs() < SMALL,
+                When::Case(Head::Pieces(None)) => (self.read_head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
+                When::Case(head) => (self.evaluate_head(head, arm.span)? - value).abs() < SMALL,
                 When::Range(Some(elements)) => {
-                    let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.two_numbers())?;
+                    let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.read_two_numbers())?;
                     value >= low - SMALL && value <= high + SMALL
                 }
-                When::Range(None) => return Err(self.misplaced(arm.span).into()),
+                When::Range(None) => return Err(self.syntax_error_at(arm.span).into()),
                 When::Otherwise => true,
             };
-            // What a head in pieces has left of its body.
-            let begun = self.stream.split_off_frames(mark.frame_count());
+            // The part of an arm's body that follows a head read from the body.
+            let begun = self.stream.split_off_frames(checkpoint.frame_count());
             if let (true, When::Otherwise, Some(next)) = (fits, &arm.when, arms.get(i + 1)) {
                 return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
             }
-            // (Where an arm ends is known when it runs: those behind it are not called idle.)
+            // The `#break` of an arm is found only when the arm runs: the arms after it count as run.
             self.reporter.record_branch(&arm.body, fits);
             arms[i + 1..].iter().filter(|_| fits).for_each(|other| self.reporter.record_branch(&other.body, true));
             if fits {
-                // Fall-through, also into `#else`: later arms lie below on the stack.
+                // Later arms are below on the stack, so that reading falls through to them and to `#else`.
                 self.stream.push_frame(&[], FrameKind::Switch, span);
                 for arm in arms[i + usize::from(!begun.is_empty())..].iter().rev() {
                     self.stream.push_frame(&arm.body, FrameKind::Branch, span);
@@ -241,14 +243,14 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    fn two_numbers(&mut self) -> Result<[f64; 2]> {
-        let (low, at) = self.value_in(true)?;
-        let (high, end) = self.value_in(true)?;
+    fn read_two_numbers(&mut self) -> Result<[f64; 2]> {
+        let (low, at) = self.read_expression(true)?;
+        let (high, end) = self.read_expression(true)?;
         Ok([as_float(&low, at)?, as_float(&high, end)?])
     }
 }
 
-/// `==`, `&&` and `||`, as other languages have them: the place of the second sign.
+/// Span of the second sign of `==`, `&&` or `||`.
 fn doubled_operator(elements: &[Element]) -> Option<Span> {
     let sign = |e: &Element| match e.kind {
         ElementKind::Sign(Sign::Operator(op)) => Some(op),
@@ -258,10 +260,10 @@ fn doubled_operator(elements: &[Element]) -> Option<Span> {
     elements.windows(2).find(doubled).map(|pair| pair[1].span)
 }
 
-/// What stands behind an `#else` that is run.
+/// The error for a part of `#if` or `#switch` after its `#else`.
 fn continues_nothing(span: Span, text: &str) -> Fault {
     let word = text.split(|c: char| !c.is_ascii_alphabetic() && c != '#').next().unwrap_or("#else");
     let at = Span { hi: span.lo + word.len() as u32, ..span };
     let d = Diagnostic::new(codes::UNMATCHED_CLOSER, at, format!("`{word}` continues nothing"));
-    Box::new(d.help("it stands behind an `#else`, which is the last part"))
+    Box::new(d.help("it follows an `#else`, which is the last part"))
 }

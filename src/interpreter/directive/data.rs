@@ -1,15 +1,15 @@
-//! What stands in data files: values as `#read` takes them, and as `#write` puts them, as text or bytes.
+//! Contents of data files: values as `#read` parses them, and as `#write` formats them, as text or bytes.
 
 use crate::interpreter::builtin::leading_number;
 use crate::interpreter::evaluator::numbers_of;
 use crate::value::{Value, VecN, decimal, without_zeros};
 
-/// Over blanks, commas and comments.
+/// Skips blanks, commas and comments; returns the new offset.
 pub(super) fn skip_blanks(text: &str, at: usize) -> usize {
     skip(text, at, |c| c == ',')
 }
 
-/// Over blanks, comments and these characters.
+/// Skips blanks, comments and the characters that `also` accepts; returns the new offset.
 pub(super) fn skip(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
     loop {
         let rest = &text[at..];
@@ -26,7 +26,7 @@ pub(super) fn skip(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
     }
 }
 
-/// A number, vector or string that a text begins with, and how long it is.
+/// Parses the number, vector or string at the start of a text; returns it with its length in bytes.
 pub(super) fn data_value(text: &str) -> Option<(Value, usize)> {
     match text.as_bytes()[0] {
         b'"' => {
@@ -60,7 +60,7 @@ fn closing_quote(text: &str) -> Option<usize> {
     })
 }
 
-/// What `#write` puts into a file for a value; `None` if it can't.
+/// Formats a value as `#write` does; `None` for a value that cannot be written.
 pub(super) fn data_bytes(value: &Value, form: Option<Binary>) -> Option<Vec<u8>> {
     if let (Value::Text(text), None) = (value, form) {
         return Some(text.as_bytes().to_vec());
@@ -74,13 +74,13 @@ pub(super) fn data_bytes(value: &Value, form: Option<Binary>) -> Option<Vec<u8>>
     })
 }
 
-/// `<1,2,3> `, as POV-Ray writes it.
+/// Formats a vector as POV-Ray does: `<1,2,3> `.
 fn vector_text(all: &[f64]) -> String {
     let parts: Vec<String> = all.iter().map(|x| general(*x)).collect();
     format!("<{}> ", parts.join(","))
 }
 
-/// A number as C's `%g` writes it: six digits that count, without zeros at the end.
+/// Formats a number as C's `%g` does: six significant digits, without trailing zeros.
 fn general(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return match x {
@@ -99,7 +99,7 @@ fn general(x: f64) -> String {
     format!("{}e{sign}{:02}", without_zeros(digits), exponent.abs())
 }
 
-/// `uint16be` and its kin: whole numbers as bytes.
+/// Binary format of integers, such as `uint16be`.
 #[derive(Clone, Copy)]
 pub(super) struct Binary {
     size: usize,
@@ -126,7 +126,7 @@ impl Binary {
         Some(Self { size, signed, big_endian })
     }
 
-    /// The nearest whole number in the range.
+    /// Rounds to the nearest integer in the range, and encodes it.
     fn bytes(self, x: f64) -> Vec<u8> {
         let values = (1_i64 << (8 * self.size)) as f64;
         let (low, high) = if self.signed { (-values / 2.0, values / 2.0 - 1.0) } else { (0.0, values - 1.0) };
@@ -144,7 +144,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn whole_numbers_as_bytes() {
+    fn integers_are_encoded_in_binary_formats() {
         let bytes = |word, x| Binary::of(word).map(|form| form.bytes(x));
         assert_eq!(bytes("uint8", 65.0), Some(vec![65]));
         assert_eq!(bytes("uint8", 300.0), Some(vec![255]));
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_as_c_writes_them() {
+    fn numbers_are_formatted_as_by_c() {
         let all = [0.1, 1.23456789, 1e5, 1e6, 1234567.89, 1e300, -2.5e-7, 0.0001, 100.0, 999_999.5];
         let texts: Vec<String> = all.iter().map(|x| general(*x)).collect();
         let wanted =

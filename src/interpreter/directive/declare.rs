@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::evaluator::{Place, Slot};
+use crate::interpreter::evaluator::{LValue, Slot};
 use crate::interpreter::stream::{StackFrame, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -11,23 +11,23 @@ use crate::syntax::word::{self, Category};
 use crate::value::Value;
 use std::rc::Rc;
 
-/// What gets a value.
+/// Target of a declaration.
 struct Declared {
     symbol: Symbol,
-    /// The element of an array.
-    place: Option<Place>,
+    /// Location of an array element; `None` for the name itself.
+    lvalue: Option<LValue>,
 }
 
-/// `deprecated "why"`; the flag is `once`.
+/// Contents of `deprecated once "why"`; the flag is `once`.
 type Deprecated<'a> = Option<(bool, &'a str)>;
 
 impl<'a> Interpreter<'a> {
-    /// Takes the next complete value from the stream. A thing that can't be built is declared all the same: the
-    /// errors are told where it is used, because standard includes declare hundreds of which a scene uses one.
-    pub(in crate::interpreter) fn declare(&mut self, declare: &'a Declare) -> Result<()> {
+    /// Runs `#declare` and `#local`. A thing that cannot be built is declared all the same, and its errors are reported
+    /// where it is used: standard include files declare hundreds of things of which a scene uses a few.
+    pub(in crate::interpreter) fn run_declare(&mut self, declare: &'a Declare) -> Result<()> {
         let target = &declare.target;
         if let Some(word) = target.keyword {
-            return self.reserved_name(word, target.span);
+            return self.refuse_reserved_name(word, target.span);
         }
         if declare.others.is_empty()
             && target.indices.is_empty()
@@ -45,20 +45,20 @@ impl<'a> Interpreter<'a> {
         let deprecated = declare.deprecated.as_ref().map(|(once, why)| (*once, &**why));
         if !declare.others.is_empty() {
             let targets: Vec<&'a Target> = std::iter::once(target).chain(&declare.others).collect();
-            let values = self.values_in_parentheses(targets.len())?;
+            let values = self.read_values_in_parentheses(targets.len())?;
             for (target, slot) in targets.into_iter().zip(values) {
-                let declared = self.declared(target)?;
+                let declared = self.target_of(target)?;
                 self.bind(declare.local, &declared, slot, vec![]);
             }
             return Ok(());
         }
-        let declared = self.declared(target)?;
+        let declared = self.target_of(target)?;
         self.declare_one(declare.local, deprecated, declared)
     }
 
-    fn reserved_name(&mut self, word: &str, span: Span) -> Result<()> {
-        // Its value is read all the same, so that what follows is no second fault.
-        self.rvalue().ok();
+    fn refuse_reserved_name(&mut self, word: &str, span: Span) -> Result<()> {
+        // The value is read all the same, so that its tokens are no further faults.
+        self.read_rvalue().ok();
         Diagnostic::new(codes::RESERVED_NAME, span, format!("`{word}` is a word of the language"))
             .help(format!("call it `{}`: names with a capital letter can never collide with one", capitalized(word)))
             .into()
@@ -74,50 +74,50 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `#declare` where what stands before the `=` comes in pieces.
-    pub(in crate::interpreter) fn declare_pieces(&mut self, local: bool, span: Span) -> Result<()> {
-        let mark = self.stream.checkpoint();
-        self.declare_tokens(local, span).map_err(|fault| self.skip_fault(mark, *fault))
+    /// Runs `#declare` and `#local` where the target before the `=` comes token by token.
+    pub(in crate::interpreter) fn run_declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
+        let checkpoint = self.stream.checkpoint();
+        self.declare_tokens(local, span).map_err(|fault| self.skip_fault(checkpoint, *fault))
     }
 
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         self.pop_spent();
-        let deprecated = self.deprecated_tokens()?;
+        let deprecated = self.read_deprecated()?;
         if let Some(ElementKind::Expr(_) | ElementKind::Sign(Sign::Open(Bracket::Paren))) =
-            self.stream.raw().map(|e| &e.kind)
+            self.stream.next_element().map(|e| &e.kind)
             && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis()?
         {
             self.open()?;
             let mut targets = vec![];
-            while !matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Sign(_)) | None) {
-                if self.stream.raw().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
+            while !matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Sign(_)) | None) {
+                if self.stream.next_element().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
                     self.stream.advance();
                     continue;
                 }
-                targets.push(self.declared_tokens(span)?);
+                targets.push(self.read_target(span)?);
             }
             self.close("`)`")?;
             self.expect_equal()?;
-            let values = self.values_in_parentheses(targets.len())?;
+            let values = self.read_values_in_parentheses(targets.len())?;
             for (target, slot) in targets.into_iter().zip(values) {
                 self.bind(local, &target, slot, vec![]);
             }
             return Ok(());
         }
-        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.raw() {
+        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_element() {
             self.stream.advance();
             self.expect_equal()?;
-            return self.reserved_name(word.name, *span);
+            return self.refuse_reserved_name(word.name, *span);
         }
-        let declared = self.declared_tokens(span)?;
+        let declared = self.read_target(span)?;
         self.expect_equal()?;
         self.expect_value_of(declared.symbol)?;
         self.declare_one(local, deprecated, declared)
     }
 
-    /// `(` as a token, if it comes next.
+    /// Returns a `(` that comes next as a token; [`Token::End`] if none does.
     fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
-        match self.stream.raw().map(|e| &e.kind) {
+        match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next(),
             Some(ElementKind::Sign(_)) => {}
             _ => return Ok(Token::End),
@@ -125,9 +125,9 @@ impl<'a> Interpreter<'a> {
         self.peek()
     }
 
-    /// `deprecated once "why"`
-    fn deprecated_tokens(&mut self) -> Result<Deprecated<'a>> {
-        let word = |me: &Self, name: &str| matches!(me.stream.raw().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
+    /// Reads `deprecated once "why"`, if it comes next.
+    fn read_deprecated(&mut self) -> Result<Deprecated<'a>> {
+        let word = |me: &Self, name: &str| matches!(me.stream.next_element().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
         if !word(self, "deprecated") {
             return Ok(None);
         }
@@ -136,7 +136,7 @@ impl<'a> Interpreter<'a> {
         if once {
             self.stream.advance();
         }
-        match self.stream.raw().map(|e| &e.kind) {
+        match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if let ExprKind::Text(why) = &e.kind => {
                 self.stream.advance();
                 Ok(Some((once, why)))
@@ -145,52 +145,56 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A name, perhaps with indices.
-    fn declared_tokens(&mut self, directive: Span) -> Result<Declared> {
+    /// Reads the target: a name, perhaps with indices.
+    fn read_target(&mut self, directive: Span) -> Result<Declared> {
         self.pop_spent();
-        // `declare A = 3` without `#` reads as a comparison.
-        if matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+        // A `declare A = 3` without `#` was parsed as a comparison.
+        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
-        let Some((symbol, span)) = self.stream.raw_name() else { return Err(self.no_name(directive)) };
+        let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name(directive)) };
         let text = self.inputs.names.text(symbol);
         if let Some((word, _)) = word::lookup(text).filter(|(_, category)| *category != Category::Contextual) {
             self.expect_equal()?;
-            self.reserved_name(word, span)?;
+            self.refuse_reserved_name(word, span)?;
         }
         let indices = self.indices_of(symbol)?;
-        let place = match indices.is_empty() {
+        let lvalue = match indices.is_empty() {
             true => None,
-            false => Some(self.place_of_values(symbol, span, &indices, true)?),
+            false => Some(self.lvalue_at(symbol, span, &indices, true)?),
         };
-        Ok(Declared { symbol, place })
+        Ok(Declared { symbol, lvalue })
     }
 
-    fn no_name(&self, directive: Span) -> crate::diagnostic::Fault {
-        let at = self.stream.raw().map_or(directive.end(), |e| e.span);
-        self.misplaced(at).into()
+    fn missing_name(&self, directive: Span) -> crate::diagnostic::Fault {
+        let at = self.stream.next_element().map_or(directive.end(), |e| e.span);
+        self.syntax_error_at(at).into()
     }
 
     fn expect_equal(&mut self) -> Result<()> {
-        match self.stream.raw().map(|e| &e.kind) {
+        match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Sign(Sign::Operator(Operator::Equal))) => {
                 self.stream.advance();
                 Ok(())
             }
             _ => {
-                let at = self.stream.raw().map_or(Span::NONE, |e| e.span);
-                Err(if at == Span::NONE { self.unexpected_token("`=`").into() } else { self.misplaced(at).into() })
+                let at = self.stream.next_element().map_or(Span::NONE, |e| e.span);
+                Err(if at == Span::NONE {
+                    self.unexpected_token("`=`").into()
+                } else {
+                    self.syntax_error_at(at).into()
+                })
             }
         }
     }
 
     fn declare_one(&mut self, local: bool, deprecated: Deprecated<'a>, declared: Declared) -> Result<()> {
         let first = self.reporter.position();
-        let mark = self.stream.checkpoint();
-        let floor = mark.frame_count();
-        let read = |me: &mut Self| me.rvalue().and_then(|slot| me.drain(floor).map(|()| slot));
+        let checkpoint = self.stream.checkpoint();
+        let floor = checkpoint.frame_count();
+        let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.drain(floor).map(|()| slot));
         let value = self.in_mode(|mode| mode.frame_floor = floor, read);
-        if value.is_ok() && self.stream.raw().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
+        if value.is_ok() && self.stream.next_element().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
             self.stream.advance();
         }
         let slot = match value {
@@ -204,9 +208,9 @@ impl<'a> Interpreter<'a> {
             }
             Err(fault) => {
                 let fault = self.stream.with_trace(*fault);
-                self.skip_statement(mark);
-                self.stream.skip_layers(mark);
-                // What POV-Ray could not even read is an error at once.
+                self.skip_statement(checkpoint);
+                self.stream.skip_layers(checkpoint);
+                // Text that POV-Ray cannot even tokenize is an error at once.
                 if matches!(fault.code, codes::SYNTAX | codes::UNCLOSED | codes::UNMATCHED_CLOSER) {
                     self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);
                     return fault.into();
@@ -216,7 +220,7 @@ impl<'a> Interpreter<'a> {
                 Slot::Faulty(Rc::new(faults))
             }
         };
-        // Warnings about a thing wait until it is used; those about a number are told here.
+        // Warnings about a thing wait until the thing is used; those about a number are reported here.
         let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
         let pending = if waits { self.reporter.take_since(first) } else { vec![] };
         self.bind(local, &declared, slot, pending);
@@ -226,19 +230,19 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    fn declared(&mut self, target: &'a Target) -> Result<Declared> {
-        let place = match target.indices.is_empty() {
+    fn target_of(&mut self, target: &'a Target) -> Result<Declared> {
+        let lvalue = match target.indices.is_empty() {
             true => None,
-            false => Some(self.new_place(target.symbol, target.span, &target.indices)?),
+            false => Some(self.target_lvalue(target.symbol, target.span, &target.indices)?),
         };
-        Ok(Declared { symbol: target.symbol, place })
+        Ok(Declared { symbol: target.symbol, lvalue })
     }
 
-    /// Gives the target its value; `pending` are the warnings that wait for its use.
+    /// Assigns a value to the target; `pending` are the warnings that wait for its use.
     fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        match &declared.place {
-            Some(place) => {
-                self.evaluator.scopes_mut().set_element(place, Some(slot));
+        match &declared.lvalue {
+            Some(lvalue) => {
+                self.evaluator.scopes_mut().set_element(lvalue, Some(slot));
                 pending.into_iter().for_each(|d| self.reporter.report(d));
             }
             None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, pending),
@@ -246,9 +250,9 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8): all values are computed before the first name gets one, so that
-    /// `(A, B) = (B, A)` swaps them.
-    fn values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
+    /// Reads `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8). All values are computed before the first name is assigned,
+    /// so that `(A, B) = (B, A)` swaps them.
+    fn read_values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
         self.expose_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
@@ -256,9 +260,9 @@ impl<'a> Interpreter<'a> {
         let span = self.open()?;
         let mut values = vec![];
         while !self.peek()?.ends() {
-            values.push(self.rvalue()?);
+            values.push(self.read_rvalue()?);
         }
-        let end = self.stream.here();
+        let end = self.stream.next_span();
         self.close("`)`")?;
         if values.len() == wanted {
             return Ok(values);
@@ -266,42 +270,42 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::WRONG_COUNT, span.to(end), format!("{wanted} names get {} values", values.len()))
     }
 
-    pub(in crate::interpreter) fn undef(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_undef(&mut self, span: Span) -> Result<()> {
         self.pop_spent();
-        // (Nothing behind the name runs before it is forgotten, and a macro's is not called.)
+        // The name is removed before anything after it runs, and a macro's name is not called.
         let next = self.stream.innermost().and_then(StackFrame::following).map(|e| &e.kind);
         if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Sign(_)))
-            && let Some((symbol, _)) = self.stream.raw_name()
+            && let Some((symbol, _)) = self.stream.take_name()
         {
             self.evaluator.scopes_mut().remove(symbol);
             return Ok(());
         }
-        if self.stream.raw().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
-            return Err(self.no_name(span));
+        if self.stream.next_element().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
+            return Err(self.missing_name(span));
         }
-        if let Some(ElementKind::Expr(e)) = self.stream.raw().map(|e| &e.kind)
+        if let Some(ElementKind::Expr(e)) = self.stream.next_element().map(|e| &e.kind)
             && matches!(e.kind, ExprKind::Index(..) | ExprKind::Dot(..))
             && !self.is_declared(e)?
         {
             self.stream.advance();
             return Ok(());
         }
-        let argument = match self.argument_here() {
-            // What is not there need not be forgotten.
+        let argument = match self.read_argument() {
+            // Removing an undeclared name has no effect.
             Err(fault) if fault.code == codes::UNDECLARED => return Ok(()),
             argument => argument?,
         };
         match argument.given {
             Given::Name(symbol) => drop(self.evaluator.scopes_mut().remove(symbol)),
-            Given::Place(place) => self.evaluator.scopes_mut().set_element(&place, None),
+            Given::LValue(lvalue) => self.evaluator.scopes_mut().set_element(&lvalue, None),
             Given::Slot(_) => {}
         }
         Ok(())
     }
 
-    pub(in crate::interpreter) fn default_block(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_default(&mut self, span: Span) -> Result<()> {
         if !matches!(self.peek()?, Token::Open(Bracket::Brace, _)) {
-            let d = self.unexpected_token("`{` behind `#default`");
+            let d = self.unexpected_token("`{` after `#default`");
             return d.help("`#default { finish { ambient 0 } }`").into();
         }
         self.open()?;
@@ -311,7 +315,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// With a capital letter at its start.
+/// The word with a capital first letter.
 fn capitalized(word: &str) -> String {
     let mut letters = word.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())

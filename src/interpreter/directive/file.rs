@@ -13,21 +13,21 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-/// The most bytes that one scene may write.
+/// Maximum number of bytes that one scene may write.
 const MAX_WRITTEN: u64 = 4 << 30;
 
-/// A file between its `#fopen` and its `#fclose`.
+/// A file that `#fopen` opened, until its `#fclose`.
 pub(in crate::interpreter) struct OpenFile {
-    /// As the scene calls it.
+    /// Name in the scene.
     name: String,
     path: PathBuf,
     access: Access,
-    /// Where it was opened.
+    /// Span of the name in the `#fopen`.
     span: Span,
 }
 
 enum Access {
-    /// How far its text has been read.
+    /// A text file with the offset up to which it has been read.
     Read {
         file: FileId,
         at: usize,
@@ -37,14 +37,14 @@ enum Access {
 }
 
 impl<'a> Interpreter<'a> {
-    /// `#fopen Name "file" read`
-    pub(in crate::interpreter) fn open_file(&mut self, span: Span) -> Result<()> {
-        let Some((symbol, _)) = self.name_here()? else {
+    /// Runs `#fopen Name "file" read`.
+    pub(in crate::interpreter) fn run_fopen(&mut self, span: Span) -> Result<()> {
+        let Some((symbol, _)) = self.read_name()? else {
             let message = "`#fopen` takes a name, a file and `read`, `write` or `append`";
             return Diagnostic::err(codes::EXPECTED, span, message);
         };
-        let (name, at) = self.text_here()?;
-        let word = self.last_word();
+        let (name, at) = self.read_text_value()?;
+        let word = self.read_access_word();
         let file = match word {
             "read" => self.open_to_read(&name, at),
             "write" | "append" => self.open_to_write(&name, word == "append", at),
@@ -52,12 +52,12 @@ impl<'a> Interpreter<'a> {
                 let d = Diagnostic::new(
                     codes::EXPECTED,
                     at.end(),
-                    "expected `read`, `write` or `append` behind the file's name",
+                    "expected `read`, `write` or `append` after the file's name",
                 );
                 return d.help(format!("`#fopen {} \"{name}\" read`", self.inputs.names.text(symbol))).into();
             }
         };
-        // What is done with a file that could not be opened is no fault of its own.
+        // Uses of a file that could not be opened are no further faults.
         let file =
             file.inspect_err(|_| self.evaluator.scopes_mut().set_global(symbol, Slot::Faulty(Rc::default()), vec![]))?;
         self.open_files.push(file);
@@ -65,8 +65,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// A name that comes next, which need not be declared.
-    pub(in crate::interpreter) fn name_here(&mut self) -> Result<Option<(Symbol, Span)>> {
+    /// Reads a name, which need not be declared.
+    pub(in crate::interpreter) fn read_name(&mut self) -> Result<Option<(Symbol, Span)>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
                 self.stream.advance();
@@ -76,12 +76,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The word behind the file's name, or nothing. It is the last one: no directive behind it may run before the file is open.
-    fn last_word(&mut self) -> &'static str {
-        while let Some(ElementKind::Comma) = self.stream.raw().map(|e| &e.kind) {
+    /// Reads the word after the file's name; empty if no word follows. No directive after it runs before the file is
+    /// open.
+    fn read_access_word(&mut self) -> &'static str {
+        while let Some(ElementKind::Comma) = self.stream.next_element().map(|e| &e.kind) {
             self.stream.advance();
         }
-        let word = match self.stream.raw().map(|e| &e.kind) {
+        let word = match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Word(word)) => word.name,
             Some(ElementKind::Expr(e)) if let ExprKind::Name(symbol) = e.kind => {
                 crate::syntax::word::lookup(self.inputs.names.text(symbol)).map_or("", |(word, _)| word)
@@ -94,9 +95,9 @@ impl<'a> Interpreter<'a> {
         word
     }
 
-    /// `#fclose Name`
-    pub(in crate::interpreter) fn close_named_file(&mut self, span: Span) -> Result<()> {
-        if let Some((symbol, _)) = self.name_here()? {
+    /// Runs `#fclose Name`.
+    pub(in crate::interpreter) fn run_fclose(&mut self, span: Span) -> Result<()> {
+        if let Some((symbol, _)) = self.read_name()? {
             self.close_file(symbol, span);
         }
         Ok(())
@@ -143,7 +144,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Closes a file; what was written last reaches it only now, or not.
+    /// Closes a file, and reports an error in writing the rest of its buffer.
     fn flush(&mut self, index: usize, span: Span) {
         let file = &mut self.open_files[index];
         let written = match std::mem::replace(&mut file.access, Access::Closed) {
@@ -155,7 +156,7 @@ impl<'a> Interpreter<'a> {
         fault.into_iter().for_each(|fault| self.reporter.report(fault));
     }
 
-    /// Closes what the scene has left open.
+    /// Closes the files that the scene has left open.
     pub(in crate::interpreter) fn close_files(&mut self) {
         (0..self.open_files.len()).for_each(|index| self.flush(index, self.open_files[index].span));
     }
@@ -172,17 +173,17 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `#read (Name, A, B)`: a file that has been read to its end is closed, which `defined` tells.
-    pub(in crate::interpreter) fn read_file(&mut self, span: Span) -> Result<()> {
+    /// Runs `#read (Name, A, B)`. At the end of its text the file is closed, which `defined` then reports.
+    pub(in crate::interpreter) fn run_read(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#read")?;
-        let Some((file, at)) = self.name_here()? else {
+        let Some((file, at)) = self.read_name()? else {
             return Diagnostic::err(codes::EXPECTED, span, "`#read` takes an open file and names");
         };
         let index = self.file_number(file, at)?;
         let mut more = true;
         while !self.peek()?.ends() {
-            let target = self.argument_here()?;
-            // What comes behind the file's end keeps what it has.
+            let target = self.read_argument()?;
+            // Names after the end of the file keep their values.
             if !more {
                 continue;
             }
@@ -196,7 +197,7 @@ impl<'a> Interpreter<'a> {
             };
             match &target.given {
                 Given::Name(symbol) => self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]),
-                Given::Place(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
+                Given::LValue(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
                 Given::Slot(_) => {
                     return Diagnostic::err(codes::EXPECTED, target.span, "expected a name for what is read");
                 }
@@ -210,7 +211,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// The next number, vector or string of a file, and whether anything follows it.
+    /// Reads the next number, vector or string of a file; true if more follows.
     fn next_value(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
         let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {
@@ -236,14 +237,14 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `#write (Name, A, B)`
-    pub(in crate::interpreter) fn write_file(&mut self, span: Span) -> Result<()> {
+    /// Runs `#write (Name, A, B)`.
+    pub(in crate::interpreter) fn run_write(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#write")?;
-        let index = match self.name_here()? {
+        let index = match self.read_name()? {
             Some((symbol, at)) => self.file_number(symbol, at)?,
             None => return Err(self.unexpected_token("an open file").into()),
         };
-        // The binary form of the values that follow the word up to a comma; with one behind the word itself it says nothing.
+        // Binary format of the values up to the next comma. A comma directly after the word cancels it.
         let mut form = None;
         loop {
             let token = self.peek()?;
@@ -257,7 +258,7 @@ impl<'a> Interpreter<'a> {
                     form = Binary::of(word);
                 }
                 _ => {
-                    let (value, at) = self.value_here()?;
+                    let (value, at) = self.read_value()?;
                     let Some(bytes) = data_bytes(&value, form) else {
                         let what = if form.is_some() { "numbers" } else { "a number, a vector or a string" };
                         let message = format!("expected {what}, found {}", value.describe());

@@ -11,8 +11,8 @@ use crate::syntax::parse;
 use std::path::{Path, PathBuf};
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn include(&mut self, span: Span) -> Result<()> {
-        let (text, name) = self.text_here()?;
+    pub(in crate::interpreter) fn run_include(&mut self, span: Span) -> Result<()> {
+        let (text, name) = self.read_text_value()?;
         let span = joined(span, name);
         if self.stream.include_paths().len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
@@ -30,10 +30,10 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// A file that the scene names, if it is there and may be read.
+    /// Finds a file that the scene names; `None` if it does not exist, an error if the scene may not read it.
     pub(in crate::interpreter) fn find_read_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
         let including = self.stream.include_paths().last().map(PathBuf::as_path);
-        // `"C:\new\shapes.inc"` as it is typed, where `\n` is no line's end.
+        // The name as typed: in `"C:\new\shapes.inc"`, `\n` is no line feed.
         let typed = self.inputs.sources.snippet(span);
         let typed = typed.strip_prefix('"').and_then(|t| t.strip_suffix('"')).filter(|t| t.contains('\\'));
         let search = &self.inputs.options.search;
@@ -56,13 +56,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A file's tree: read and parsed once, however often it is included.
+    /// The syntax tree of a file. Each file is read and parsed once.
     fn load(&mut self, path: &Path, name: &str, span: Span) -> Result<&'a Ast> {
         let file = self.source_file(path, name, span)?;
         self.parse_file(file)
     }
 
-    /// A file's text: read once, as long as nobody changes it.
+    /// The text of a file, read once unless the file changes.
     pub(in crate::interpreter) fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
         if let Some(file) = self.inputs.parsed.file(self.inputs.files, path) {
             return Ok(file);
@@ -79,11 +79,11 @@ impl<'a> Interpreter<'a> {
                 "split it",
             );
         };
-        self.inputs.parsed.keep_file(self.inputs.files, path, file);
+        self.inputs.parsed.add_file(self.inputs.files, path, file);
         Ok(file)
     }
 
-    /// The same for a file of the program's own library, under a path that no file has.
+    /// The syntax tree of a file in the built-in library, under a path that no real file has.
     fn load_built_in(&mut self, name: &str, text: &str, span: Span) -> Result<(PathBuf, &'a Ast)> {
         let path = Path::new(library::FOLDER).join(name);
         if let Some(ast) =
@@ -100,7 +100,7 @@ impl<'a> Interpreter<'a> {
             );
         };
         let ast = self.parse_file(file)?;
-        self.inputs.parsed.keep_file(self.inputs.files, &path, file);
+        self.inputs.parsed.add_file(self.inputs.files, &path, file);
         Ok((path, ast))
     }
 
@@ -110,15 +110,15 @@ impl<'a> Interpreter<'a> {
             self.stream.add_unclosed(ast);
             return Ok(ast);
         }
-        let (ast, mut faults) = parse(self.inputs.sources, file, self.inputs.names, self.inputs.options.wholes);
+        let (ast, mut faults) = parse(self.inputs.sources, file, self.inputs.names, self.inputs.options.granularity);
         self.reporter.defer(faults.extract_if(.., |fault| fault.severity == Severity::Warning));
-        // An `#end` too many spoils nothing of what stands around it.
+        // A surplus `#end` leaves the tree around it intact.
         if faults.iter().all(|fault| fault.code == codes::UNMATCHED_CLOSER) {
             self.reporter.defer(std::mem::take(&mut faults));
         }
         let Some(mut last) = faults.pop() else {
             self.stream.add_unclosed(&ast);
-            return Ok(self.inputs.parsed.keep(file, ast));
+            return Ok(self.inputs.parsed.add_tree(file, ast));
         };
         for fault in faults {
             self.reporter.report(fault);
@@ -146,7 +146,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// The file that was meant: its name without the ending, which most files share, is nearly the same.
+/// The file whose name is closest to `name`. The extension is ignored, because most files share it.
 fn similar_file<'a>(name: &str, there: &'a [String]) -> Option<&'a str> {
     let stem = |file: &'a str| file.rsplit_once('.').map_or(file, |(stem, _)| stem);
     let typed = name.rsplit_once('.').map_or(name, |(stem, _)| stem);

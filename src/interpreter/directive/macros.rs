@@ -15,14 +15,14 @@ impl<'a> Interpreter<'a> {
         if let Some(at) = definition.fault {
             let found = self.inputs.sources.snippet(at);
             let found = if found.is_empty() { "nothing".into() } else { format!("`{found}`") };
-            let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name behind `#macro`, found {found}"));
+            let d = Diagnostic::new(codes::SYNTAX, at, format!("expected a name after `#macro`, found {found}"));
             return d.help("`#macro Name(A, B) … #end`").into();
         }
         self.evaluator.scopes_mut().set_global(definition.name, Slot::Macro(definition), vec![]);
         Ok(())
     }
 
-    /// Evaluates the arguments, opens a scope and puts the body next in the stream, then perhaps a comma.
+    /// Calls a macro: evaluates the arguments, opens a scope and reads the body next, then a comma if `comma` is set.
     pub(in crate::interpreter) fn call_macro(
         &mut self,
         name: Symbol,
@@ -34,13 +34,13 @@ impl<'a> Interpreter<'a> {
         self.check_depth(name, span)?;
         let slots = match self.plain_arguments(definition, arguments)? {
             Some(slots) => slots,
-            None => self.within(arguments, Bracket::Paren, span, |me| me.arguments(definition, span))?,
+            None => self.within(arguments, Bracket::Paren, span, |me| me.read_arguments(definition, span))?,
         };
         self.enter_macro(definition, slots, span, comma);
         Ok(())
     }
 
-    /// The same for a name that has been consumed, whose `(` comes next.
+    /// Calls a macro whose name has been consumed and whose `(` comes next.
     pub(in crate::interpreter) fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
@@ -50,17 +50,17 @@ impl<'a> Interpreter<'a> {
             let d = Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"));
             return d.help(format!("a call needs parentheses: `{name}()`")).into();
         }
-        let mark = self.stream.checkpoint();
-        let read = self.open().and_then(|_| self.arguments(definition, span));
+        let checkpoint = self.stream.checkpoint();
+        let read = self.open().and_then(|_| self.read_arguments(definition, span));
         let read = read.and_then(|slots| {
-            let end = self.stream.here();
+            let end = self.stream.next_span();
             self.close("`)`").map(|()| (slots, end))
         });
         let (slots, end) = match read {
             Ok(read) => read,
             Err(fault) => {
                 if self.stream.unclosed_bracket().is_none() {
-                    self.skip_brackets(mark);
+                    self.skip_brackets(checkpoint);
                 }
                 return Err(fault);
             }
@@ -84,7 +84,8 @@ impl<'a> Interpreter<'a> {
         self.stream.push_call(definition, span, comma);
     }
 
-    /// The common case, without a frame: as many expressions as parameters, none of them a macro's or of several values.
+    /// Evaluates arguments without a frame, which is the common case: one expression for each parameter, without macro
+    /// calls. `None` for other arguments.
     fn plain_arguments(
         &mut self,
         definition: &'a Macro,
@@ -95,23 +96,23 @@ impl<'a> Interpreter<'a> {
         {
             return Ok(None);
         }
-        // (A list that was used before: calls are many, and evaluating expressions makes none.)
+        // The list is reused: calls are many, and evaluation itself does not allocate.
         let mut slots = self.evaluator.argument_list();
         slots.clear();
         for element in arguments {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
             slots.push(Some(match e.kind {
                 ExprKind::Name(symbol) => match self.evaluator.scopes().resolve(symbol) {
-                    Some(place) => Slot::Alias(place),
+                    Some(lvalue) => Slot::Alias(lvalue),
                     None => return Ok(None),
                 },
-                _ => Slot::Value(self.eval(e)?),
+                _ => Slot::Value(self.evaluate(e)?),
             }));
         }
         Ok(Some(slots))
     }
 
-    fn arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
+    fn read_arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
         let name = self.inputs.names.text(definition.name);
         let (level, wanted) = (self.evaluator.scopes().level(), definition.parameters.len());
         let mut slots = Vec::with_capacity(wanted);
@@ -131,10 +132,10 @@ impl<'a> Interpreter<'a> {
                 .help(format!("the argument for `{parameter}` is missing"))
                 .into();
             }
-            slots.push(Some(self.argument(level)?));
+            slots.push(Some(self.read_macro_argument(level)?));
         }
         let next = self.peek()?;
-        if let Some(d) = self.called_value() {
+        if let Some(d) = self.uncallable_value_error() {
             return d.into();
         }
         if matches!(next, Token::Sign(_)) && !next.ends() {
@@ -142,27 +143,28 @@ impl<'a> Interpreter<'a> {
         }
         if !next.ends() {
             let message = format!("macro `{name}` takes {}, but more are given", counted(wanted));
-            return Diagnostic::new(codes::WRONG_COUNT, self.stream.here(), message)
+            return Diagnostic::new(codes::WRONG_COUNT, self.stream.next_span(), message)
                 .also(definition.span, "defined here")
                 .into();
         }
         Ok(slots)
     }
 
-    /// A bare name is passed by reference, all else as a copy; so is a local name of a macro that gives it.
-    fn argument(&mut self, level: u32) -> Result<Slot<'a>> {
+    /// Reads an argument. A name alone is passed by reference, unless it is local to a macro that ends with the
+    /// argument; any other value is copied.
+    fn read_macro_argument(&mut self, level: u32) -> Result<Slot<'a>> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
-            return self.rvalue();
+            return self.read_rvalue();
         }
-        let place = match self.peek()? {
+        let lvalue = match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.scopes().resolve(*symbol),
             _ => None,
         };
-        let lasting = place.filter(|place| self.evaluator.scopes().level_of(place) <= level);
-        let argument = self.in_mode(|mode| mode.defers = true, Self::argument_here)?;
+        let lasting = lvalue.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
+        let argument = self.in_mode(|mode| mode.defers = true, Self::read_argument)?;
         match argument.given {
-            Given::Name(_) if let Some(place) = lasting => Ok(Slot::Alias(place)),
-            Given::Place(place) => self.evaluator.slot_at(&place, argument.span).map(|_| Slot::Alias(place)),
+            Given::Name(_) if let Some(lvalue) = lasting => Ok(Slot::Alias(lvalue)),
+            Given::LValue(lvalue) => self.evaluator.slot_at(&lvalue, argument.span).map(|_| Slot::Alias(lvalue)),
             Given::Slot(slot) => Ok(slot),
             Given::Name(_) => self.argument_slot(&argument),
         }

@@ -4,8 +4,8 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 
 impl Interpreter<'_> {
-    pub(in crate::interpreter) fn message(&mut self, kind: &'static str) -> Result<()> {
-        let (message, span) = self.text_here()?;
+    pub(in crate::interpreter) fn run_message(&mut self, kind: &'static str) -> Result<()> {
+        let (message, span) = self.read_text_value()?;
         match kind {
             "error" => {
                 self.reporter.report(Diagnostic::new(codes::USER_ERROR, span, message));

@@ -1,4 +1,4 @@
-//! What a `#` begins: one file a directive, one row below.
+//! Directives: one file each, and one row in [`table`].
 
 mod branch;
 mod data;
@@ -18,21 +18,21 @@ use crate::source::Span;
 use crate::syntax::ast::{Directive, Symbol};
 
 impl<'a> Interpreter<'a> {
-    /// Runs a directive; branches and loops push a frame that is read next.
+    /// Runs a directive. Branches and loops push a frame that is read next.
     pub(super) fn run_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
         match directive {
-            Directive::Declare(declare) => self.declare(declare),
-            Directive::DeclarePieces(local) => self.declare_pieces(*local, span),
-            Directive::If(branches) => self.branch(branches, span),
-            Directive::While(condition, body) => self.while_loop(condition, body, span),
-            Directive::For(f) => self.for_loop(f, span),
-            Directive::Switch(value, arms) => self.switch(value, arms, span),
+            Directive::Declare(declare) => self.run_declare(declare),
+            Directive::DeclarePieces(local) => self.run_declare_by_tokens(*local, span),
+            Directive::If(branches) => self.run_if(branches, span),
+            Directive::While(condition, body) => self.run_while(condition, body, span),
+            Directive::For(f) => self.run_for(f, span),
+            Directive::Switch(value, arms) => self.run_switch(value, arms, span),
             Directive::Macro(definition) => self.define_macro(definition),
             Directive::Plain(word) => self.plain_directive(directive, *word, span),
         }
     }
 
-    /// A directive without a body; or a `#` that stands before something else, as in `#Ball(1)`.
+    /// Runs a directive without a body. A `#` before another word, as in `#Ball(1)`, is ignored.
     fn plain_directive(&mut self, directive: &'a Directive, word: Symbol, span: Span) -> Result<()> {
         let name = self.inputs.names.text(word);
         if let Some((name, run)) = table::find(name) {
@@ -53,7 +53,7 @@ impl<'a> Interpreter<'a> {
 
     /// Runs a directive without a body, whose word has been consumed.
     pub(super) fn run_plain(&mut self, name: &'static str, run: table::Run, span: Span) -> Result<()> {
-        // No other directive runs before this one has got what it takes.
+        // No other directive runs before this one has read its values.
         let frame_floor = self.stream.frames().len();
         self.in_mode(
             |mode| (mode.defers, mode.frame_floor) = (true, frame_floor),

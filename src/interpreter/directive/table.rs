@@ -1,5 +1,4 @@
-//! All directives: what runs them, and what the manual says of them. Those with a body are nodes of the tree; the tree knows how
-//! to run them.
+//! Table of all directives, with their manual texts. Directives with a body are nodes of the syntax tree.
 
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
@@ -10,33 +9,33 @@ use std::sync::LazyLock;
 /// A directive.
 #[derive(Debug)]
 pub struct Entry {
-    /// Behind the `#`; several share an entry.
+    /// Words after the `#`; related directives share an entry.
     pub names: &'static [&'static str],
-    /// How it is written.
+    /// Syntax.
     pub form: &'static str,
-    /// One line.
+    /// Summary in one line.
     pub summary: &'static str,
-    /// A few lines that run.
+    /// Example of a few lines, which runs.
     pub example: &'static str,
-    /// What runs one that has no body: it gets its name and place, and reads what follows.
+    /// Function that runs a directive without a body.
     pub(in crate::interpreter) run: Option<Run>,
 }
 
-/// See [`Entry::run`].
+/// Function that runs a directive: receives the word and its span, and reads what follows.
 pub(in crate::interpreter) type Run = for<'a> fn(&mut Interpreter<'a>, &'static str, Span) -> Result<()>;
 
-/// The row of a directive without a body, and its name there.
+/// The word and the function of a directive without a body.
 pub(in crate::interpreter) fn find(name: &str) -> Option<(&'static str, Run)> {
     RUNNERS.get(name).copied()
 }
 
-/// (Some stand in loops that write a million times.)
+/// A hash map, because scripts may run `#write` a million times.
 static RUNNERS: LazyLock<FxHashMap<&'static str, (&'static str, Run)>> = LazyLock::new(|| {
     let runners = |row: &'static Entry| row.names.iter().filter_map(|name| Some((*name, (*name, row.run?))));
     TABLE.iter().flat_map(runners).collect()
 });
 
-/// The names of all directives.
+/// Words of all directives.
 pub(in crate::interpreter) fn names() -> impl Iterator<Item = &'static str> {
     TABLE.iter().flat_map(|row| row.names).copied()
 }
@@ -56,7 +55,7 @@ impl Entry {
     }
 }
 
-/// All directives, in the order in which one learns them.
+/// All directives, in the order in which a beginner learns them.
 pub const TABLE: &[Entry] = &[
     entry(
         &["declare"],
@@ -70,7 +69,7 @@ pub const TABLE: &[Entry] = &[
         "the same, but the name ends with the macro or file it stands in",
         "#macro Ring(R)\n  #local Thin = R / 10;\n  torus { R, Thin }\n#end\nRing(1)",
     ),
-    entry(&["undef"], "#undef Name", "forgets a name", "#declare A = 1;\n#undef A").runs(|me, _, span| me.undef(span)),
+    entry(&["undef"], "#undef Name", "forgets a name", "#declare A = 1;\n#undef A").runs(|me, _, span| me.run_undef(span)),
     entry(
         &["if", "elseif", "else", "end"],
         "#if (condition) … #elseif (condition) … #else … #end",
@@ -100,7 +99,7 @@ pub const TABLE: &[Entry] = &[
         "#break",
         "leaves the loop, the macro or the `#switch` around it",
         "#for (I, 1, 100)\n  #if (I * I > 50) #break #end\n#end",
-    ).runs(|me, _, span| me.break_out(span)),
+    ).runs(|me, _, span| me.run_break(span)),
     entry(
         &["switch", "case", "range"],
         "#switch (value) #case (number) … #break #range (low, high) … #break #else … #end",
@@ -113,51 +112,51 @@ pub const TABLE: &[Entry] = &[
         "a piece of scene with parameters; `Name(1, 2)` puts it where it stands",
         "#macro Pill(A, B, R)\n  sphere { A, R } sphere { B, R } cylinder { A, B, R }\n#end\nunion { Pill(0, 2*y, 0.5) }",
     ),
-    entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\"").runs(|me, _, span| me.include(span)),
-    entry(&["version"], "#version number;", "the version of the language that the file is written in", "#version 3.7;").runs(|me, _, _| me.version()),
+    entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\"").runs(|me, _, span| me.run_include(span)),
+    entry(&["version"], "#version number;", "the version of the language that the file is written in", "#version 3.7;").runs(|me, _, _| me.run_version()),
     entry(
         &["default"],
         "#default { texture, pigment, finish or camera }",
         "what all objects that follow look like where they don't say",
         "#default { finish { ambient 0 specular 0.3 } }",
-    ).runs(|me, _, span| me.default_block(span)),
+    ).runs(|me, _, span| me.run_default(span)),
     entry(
         &["debug", "render", "statistics"],
         "#debug text",
         "prints to standard error",
         "#debug concat(\"pi is \", str(pi, 0, 3), \"\\n\")",
-    ).runs(|me, kind, _| me.message(kind)),
+    ).runs(|me, kind, _| me.run_message(kind)),
     entry(
         &["warning"],
         "#warning text",
         "prints a warning, with its place",
         "#if (clock > 1) #warning \"the clock runs fast\" #end",
-    ).runs(|me, kind, _| me.message(kind)),
+    ).runs(|me, kind, _| me.run_message(kind)),
     entry(
         &["error"],
         "#error text",
         "prints an error, with its place, and ends the run",
         "#if (clock > 9) #error \"too late\" #end",
-    ).runs(|me, kind, _| me.message(kind)),
+    ).runs(|me, kind, _| me.run_message(kind)),
     entry(
         &["fopen"],
         "#fopen Name text read | write | append",
         "opens a file of numbers and texts",
         "#fopen F \"manual_fopen.tmp\" write\n#fclose F",
-    ).runs(|me, _, span| me.open_file(span)),
+    ).runs(|me, _, span| me.run_fopen(span)),
     entry(
         &["write"],
         "#write (Name, value, …)",
         "writes values; texts are written without quotes, so put in commas and quotes yourself. `uint8`, `uint16le`, `uint16be`, `sint8`, `sint16le`, `sint16be`, `sint32le` or `sint32be` before a value writes it as a whole number of so many bits",
         "#fopen F \"manual_write.tmp\" write\n#write (F, 1, \",\", <1, 2, 3>, \"\\n\")\n#fclose F",
-    ).runs(|me, _, span| me.write_file(span)),
+    ).runs(|me, _, span| me.run_write(span)),
     entry(
         &["read"],
         "#read (Name, A, B, …)",
         "declares A, B … to be the next values in the file; at its end the name `Name` is forgotten",
         "#fopen F \"manual_read.tmp\" write\n#write (F, \"1, 2, 3\")\n#fclose F\n#fopen F \"manual_read.tmp\" read\n#while (defined(F))\n  #read (F, A)\n#end",
-    ).runs(|me, _, span| me.read_file(span)),
-    entry(&["fclose"], "#fclose Name", "closes the file", "#fopen F \"manual_fclose.tmp\" write\n#fclose F").runs(|me, _, span| me.close_named_file(span)),
+    ).runs(|me, _, span| me.run_read(span)),
+    entry(&["fclose"], "#fclose Name", "closes the file", "#fopen F \"manual_fclose.tmp\" write\n#fclose F").runs(|me, _, span| me.run_fclose(span)),
 ];
 
 #[cfg(test)]
@@ -165,7 +164,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_the_tree_runs_has_no_other_runner_and_all_others_have_one() {
+    fn only_directives_without_a_body_have_a_run_function() {
         let mut by_tree: Vec<_> = TABLE.iter().filter(|e| e.run.is_none()).flat_map(|e| e.names).copied().collect();
         let mut known: Vec<_> = crate::syntax::structural_directives().collect();
         by_tree.sort_unstable();

@@ -6,17 +6,17 @@ use crate::interpreter::{Interpreter, scene_builder::compat};
 use crate::syntax::ast::{Expr, ExprKind};
 
 impl Interpreter<'_> {
-    pub(in crate::interpreter) fn version(&mut self) -> Result<()> {
-        // `#version unofficial patch 3.7;`: the names of MegaPOV and its kin say nothing here.
+    pub(in crate::interpreter) fn run_version(&mut self) -> Result<()> {
+        // In `#version unofficial patch 3.7;` the words of MegaPOV are ignored.
         while let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
             && self.evaluator.is_unknown(*symbol)
         {
             self.stream.advance();
         }
-        let (number, value_span) = self.float_after()?;
+        let (number, value_span) = self.read_number()?;
         let version = compat::version_number(number);
         if version > compat::NEWEST_VERSION {
-            let message = format!("this scene asks for version {number} of the language; durer knows up to 3.8");
+            let message = format!("this scene states version {number} of the language; durer supports up to 3.8");
             self.reporter.report(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
         }
         self.set_version(version);

@@ -1,6 +1,6 @@
 //! Elements of arrays and dictionaries.
 
-use super::{Array, Evaluator, Place, Slot};
+use super::{Array, Evaluator, LValue, Slot};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes, did_you_mean};
 use crate::source::Span;
 use crate::syntax::ast::{Expr, ExprKind, Symbol};
@@ -9,53 +9,53 @@ use crate::value::Value;
 impl<'a> Evaluator<'a> {
     /// True if the element of `symbol` at these keys is a dictionary; without keys, if `symbol` is one.
     pub(in crate::interpreter) fn is_dictionary(&self, symbol: Symbol, keys: &[(Value, Span)]) -> bool {
-        let Some(mut place) = self.scopes.resolve(symbol) else { return false };
+        let Some(mut lvalue) = self.scopes.resolve(symbol) else { return false };
         for (key, _) in keys {
-            let Some(dictionary) = self.scopes.dictionary(&place) else { return false };
+            let Some(dictionary) = self.scopes.dictionary(&lvalue) else { return false };
             let Value::Text(key) = key else { return false };
             let Some(i) = dictionary.key_index(key) else { return false };
-            place = place.element(&[i]);
+            lvalue = lvalue.element(&[i]);
         }
-        self.scopes.dictionary(&place).is_some()
+        self.scopes.dictionary(&lvalue).is_some()
     }
 
     /// The location that the expression `base.key` names, if `place` is the dictionary `base`.
-    pub(in crate::interpreter) fn dictionary_element(&self, place: &Place, e: &Expr) -> Result<Option<Place>> {
+    pub(in crate::interpreter) fn dictionary_element(&self, lvalue: &LValue, e: &Expr) -> Result<Option<LValue>> {
         let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
-        let Some(dictionary) = self.scopes.dictionary(place) else { return Ok(None) };
+        let Some(dictionary) = self.scopes.dictionary(lvalue) else { return Ok(None) };
         let key = self.inputs.names.text(*symbol);
         match dictionary.key_index(key) {
-            Some(i) => Ok(Some(place.element(&[i]))),
+            Some(i) => Ok(Some(lvalue.element(&[i]))),
             None => Err(missing_key(dictionary, key, name.span)),
         }
     }
 
     /// The location of a dictionary's element by its keys. With `adds`, a new last key is added.
-    pub(in crate::interpreter) fn key_place(
+    pub(in crate::interpreter) fn key_lvalue(
         &mut self,
-        place: Place,
+        lvalue: LValue,
         keys: &[(Value, Span)],
         adds: bool,
-    ) -> Result<Place> {
-        let mut place = place;
+    ) -> Result<LValue> {
+        let mut lvalue = lvalue;
         for (i, (value, span)) in keys.iter().enumerate() {
             let Value::Text(key) = value else { return not_text(value, *span) };
-            let Some(dictionary) = self.scopes.dictionary(&place) else {
+            let Some(dictionary) = self.scopes.dictionary(&lvalue) else {
                 return Diagnostic::err(codes::WRONG_TYPE, *span, "this is no dictionary: it has no keys");
             };
             let index = match dictionary.key_index(key) {
                 Some(index) => index,
-                None if adds && i + 1 == keys.len() => self.scopes.add_key(&place, key),
+                None if adds && i + 1 == keys.len() => self.scopes.add_key(&lvalue, key),
                 None => return Err(missing_key(dictionary, key, *span)),
             };
-            place = place.element(&[index]);
+            lvalue = lvalue.element(&[index]);
         }
-        Ok(place)
+        Ok(lvalue)
     }
 
     /// The contents of a location; a fault if it has no value.
-    pub(in crate::interpreter) fn slot_at(&self, place: &Place, span: Span) -> Result<Slot<'a>> {
-        match self.scopes.at(place) {
+    pub(in crate::interpreter) fn slot_at(&self, lvalue: &LValue, span: Span) -> Result<Slot<'a>> {
+        match self.scopes.at(lvalue) {
             Some(slot) => Ok(slot.clone()),
             None => self.no_value(span),
         }

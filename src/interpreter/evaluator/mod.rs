@@ -26,7 +26,7 @@ pub(super) use operators::{
 };
 pub(super) use quick::Quick;
 use rustc_hash::FxHashMap;
-pub(super) use scope::{Array, Place, Scopes, Slot};
+pub(super) use scope::{Array, LValue, Scopes, Slot};
 use std::sync::Arc;
 pub use timing::Timing;
 pub(super) use whole::is_callable;
@@ -50,7 +50,8 @@ impl<'a> Evaluator<'a> {
     pub(super) fn new(inputs: Inputs<'a>) -> Self {
         let mut scopes = Scopes::default();
         for (name, value) in &inputs.options.declares {
-            let value = crate::value::given(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
+            let value =
+                crate::value::parse_value(value).unwrap_or_else(|_| Value::Text(value.trim_matches('"').into()));
             scopes.set_global(inputs.names.intern(name), Slot::Value(value), vec![]);
         }
         Self {

@@ -1,4 +1,4 @@
-//! Operators, with POV-Ray's promotions, and the components of values.
+//! Operators with POV-Ray's promotions, components and conversions of values.
 
 use crate::color::{Color, gray};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -7,7 +7,8 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
-/// Numbers nearer to each other than this are equal to `=`, and nearer to 0 are false (measured on POV-Ray 3.7).
+/// Tolerance of comparisons: numbers closer to each other are equal, numbers closer to 0 are false
+/// (quirk: `comparison_tolerance`).
 pub(in crate::interpreter) const SMALL: f64 = 1e-10;
 
 pub(in crate::interpreter) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
@@ -27,7 +28,7 @@ pub(in crate::interpreter) fn apply_prefix(prefix: Prefix, value: Value, span: S
     })
 }
 
-/// The numbers of a vector or colour, and which of both it is.
+/// The components of a vector or colour, and whether it is a colour.
 pub(in crate::interpreter) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
     match value {
         Value::Vector(v) => Some((*v, false)),
@@ -36,7 +37,7 @@ pub(in crate::interpreter) fn five_numbers(value: &Value) -> Option<(VecN, bool)
     }
 }
 
-/// The numbers of a vector or colour; a number is a vector of one component.
+/// The components of a vector or colour; a number has one component.
 pub(in crate::interpreter) fn numbers_of(value: &Value) -> Option<VecN> {
     match value {
         Value::Float(x) => Some(VecN::splat(*x, 1)),
@@ -48,8 +49,8 @@ pub(in crate::interpreter) fn from_numbers(v: VecN, color: bool) -> Value {
     if color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
 }
 
-/// One operator, with POV-Ray's promotions: a float becomes a vector of equal numbers, the shorter of two vectors is
-/// filled with zeros; only numbers compare with `<`, numbers and strings with `=`.
+/// Applies a binary operator with POV-Ray's promotions. A number becomes a vector of equal components, and the shorter
+/// of two vectors is padded with zeros. `<` and its kin compare numbers only; `=` and `!=` also compare strings.
 pub(in crate::interpreter) fn combine(
     op: Operator,
     left: Value,
@@ -95,7 +96,7 @@ pub(in crate::interpreter) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
         Add => a + b,
         Sub => a - b,
         Mul => a * b,
-        // POV-Ray's infinity has no sign: -1/0 and 0/0 are the same.
+        // POV-Ray's infinity has no sign: -1/0 and 0/0 are the same (quirk: `unsigned_infinity`).
         Div if b == 0.0 => f64::INFINITY,
         Div => a / b,
         Less => f64::from(a < b),
@@ -109,7 +110,7 @@ pub(in crate::interpreter) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
     }
 }
 
-/// One by one; the shorter vector is filled with zeros.
+/// Applies an operator component by component; the shorter vector is padded with zeros.
 pub(in crate::interpreter) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
     let mut out = VecN { c: [0.0; 5], len: a.len.max(b.len) };
     for i in 0..out.len as usize {
@@ -118,17 +119,17 @@ pub(in crate::interpreter) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN
     out
 }
 
-/// True for a division whose right side is or holds zero.
+/// True for a division whose right side is zero or has a zero component.
 pub(in crate::interpreter) fn divides_by_zero(op: Operator, right: &Value) -> bool {
     op == Operator::Div && numbers_of(right).is_some_and(|v| holds_zero(&v))
 }
 
-/// Is one of its numbers zero, so that nothing can be divided by it?
+/// True if a component is zero.
 pub(in crate::interpreter) fn holds_zero(v: &VecN) -> bool {
     v.c[..v.len as usize].contains(&0.0)
 }
 
-/// Which of five numbers a component is.
+/// Index of a component in a vector or colour.
 pub(in crate::interpreter) fn component_index(name: &Name) -> Option<usize> {
     Some(match name.word? {
         "x" | "u" | "red" => 0,
@@ -140,7 +141,7 @@ pub(in crate::interpreter) fn component_index(name: &Name) -> Option<usize> {
     })
 }
 
-/// `.x`, `.red`, `.gray` and the like.
+/// Component of a value, such as `.x`, `.red` or `.gray`.
 pub(in crate::interpreter) fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
     let Some(v) = numbers_of(value) else {
         return Diagnostic::err(codes::WRONG_TYPE, span, format!("{} has no components", value.describe()));
@@ -159,7 +160,7 @@ pub(in crate::interpreter) fn component(value: &Value, name: &Name, span: Span) 
     Ok(Value::Float(v.c[index]))
 }
 
-/// Two to five numbers.
+/// A vector of two to five components; a fault for any other number.
 pub(in crate::interpreter) fn vector_value(data: &[f64], span: Span) -> Result<Value> {
     match data.len() {
         2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
@@ -167,7 +168,7 @@ pub(in crate::interpreter) fn vector_value(data: &[f64], span: Span) -> Result<V
     }
 }
 
-/// Three numbers; one stands for all, and shorter vectors are filled with zeros.
+/// Converts a value to three components: a number fills all, and a shorter vector is padded with zeros.
 pub(in crate::interpreter) fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
     match value {
         Value::Float(x) => Ok(DVec3::splat(*x)),
@@ -179,15 +180,15 @@ pub(in crate::interpreter) fn as_vector(value: &Value, span: Span) -> Result<DVe
     }
 }
 
-/// The number in a value.
+/// The number in a value; a fault for any other value.
 pub(in crate::interpreter) fn as_float(value: &Value, span: Span) -> Result<f64> {
     match value {
         Value::Float(x) => Ok(*x),
         other => {
             let d = Diagnostic::new(codes::WRONG_TYPE, span, format!("expected a number, found {}", other.describe()));
             match other {
-                Value::Vector(_) => d.help("`.x`, `.y` or `.z` takes one of its numbers").into(),
-                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` takes one number of it").into(),
+                Value::Vector(_) => d.help("`.x`, `.y` or `.z` selects one of its components").into(),
+                Value::Color(_) => d.help("`.red`, `.green`, `.blue` or `.gray` selects one of its components").into(),
                 _ => d.into(),
             }
         }

@@ -1,5 +1,5 @@
-//! The short way through expressions: numbers and vectors, and nothing that has an effect or needs a message. Most
-//! expressions of a script are no more than that.
+//! Fast evaluation of expressions that consist of numbers and vectors, have no side effect and give no message.
+//! Most expressions of a script are of this kind.
 
 use super::operators::{SMALL, component_index, holds_zero, on_floats, on_vectors};
 use super::{Evaluator, Slot};
@@ -7,19 +7,19 @@ use crate::function::numeric::{self, Domain, Kernel};
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
-/// A value that needs no allocation.
+/// A value without heap allocation.
 pub(in crate::interpreter) enum Quick {
     Float(f64),
     Vector(VecN),
 }
 
-/// What the short way gives: a number alone, which is fastest, or either.
-pub(in crate::interpreter) trait Short: Sized {
-    /// Can it be a vector? Else nobody shall compute one.
+/// Result type of the fast evaluation: a number alone, which is fastest, or a number or vector.
+pub(in crate::interpreter) trait QuickValue: Sized {
+    /// True if vectors are possible results; otherwise none is computed.
     const VECTORS: bool;
     fn float(x: f64) -> Self;
     fn vector(v: VecN) -> Option<Self>;
-    /// Both with an operator between them; `None` where [`super::combine`] has something to say.
+    /// Applies a binary operator; `None` where [`super::combine`] gives a message.
     fn combined(self, op: Operator, right: Self) -> Option<Self>;
     fn prefixed(self, prefix: Prefix) -> Option<Self>;
 
@@ -32,7 +32,7 @@ pub(in crate::interpreter) trait Short: Sized {
     }
 }
 
-impl Short for f64 {
+impl QuickValue for f64 {
     const VECTORS: bool = false;
 
     fn float(x: f64) -> Self {
@@ -57,7 +57,7 @@ impl Short for f64 {
     }
 }
 
-impl Short for Quick {
+impl QuickValue for Quick {
     const VECTORS: bool = true;
 
     fn float(x: f64) -> Self {
@@ -89,14 +89,13 @@ impl Short for Quick {
 }
 
 impl Evaluator<'_> {
-    /// The short way to a number.
+    /// Evaluates an expression to a number; `None` if the general evaluation is needed.
     pub(in crate::interpreter) fn quick_number(&self, e: &Expr) -> Option<f64> {
         self.quick(e)
     }
 
-    /// The short way for what most expressions are: numbers and vectors, and nothing that has an effect or needs a message.
-    /// `None` says that the long way has to be gone.
-    pub(in crate::interpreter) fn quick<T: Short>(&self, e: &Expr) -> Option<T> {
+    /// Evaluates an expression of numbers and vectors; `None` if the general evaluation is needed.
+    pub(in crate::interpreter) fn quick<T: QuickValue>(&self, e: &Expr) -> Option<T> {
         match &e.kind {
             ExprKind::Number(x) => Some(T::float(*x)),
             ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),
@@ -126,7 +125,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn quick_vector<T: Short>(&self, parts: &[Element]) -> Option<T> {
+    fn quick_vector<T: QuickValue>(&self, parts: &[Element]) -> Option<T> {
         if !(2..=5).contains(&parts.len()) {
             return None;
         }
@@ -140,7 +139,7 @@ impl Evaluator<'_> {
         T::vector(out)
     }
 
-    /// `V.x` of a name alone, which could be a dictionary.
+    /// Component such as `V.x`, of a declared vector only: the name could also be that of a dictionary.
     fn quick_component(&self, base: &Expr, name: &Name) -> Option<f64> {
         let ExprKind::Name(symbol) = base.kind else { return None };
         match self.scopes.get(symbol)? {
@@ -172,7 +171,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn quick_element<T: Short>(&self, array: &Expr, index: &Expr) -> Option<T> {
+    fn quick_element<T: QuickValue>(&self, array: &Expr, index: &Expr) -> Option<T> {
         let ExprKind::Name(symbol) = array.kind else { return None };
         let i = self.quick_number(index).filter(|i| *i >= 0.0)?;
         match self.scopes.get(symbol)? {

@@ -1,4 +1,4 @@
-//! Names and what they stand for, with dynamic scope: a macro sees the `#local`s of whoever called it.
+//! Scopes: names and their contents. The scope is dynamic: a macro can use the `#local` names of its caller.
 //!
 //! Each symbol has its own stack of bindings (shallow binding), so that a lookup is one index.
 
@@ -7,7 +7,7 @@ use crate::syntax::ast::{Macro, Symbol};
 use crate::value::Value;
 use std::rc::Rc;
 
-/// What a name stands for.
+/// Contents of a name or an array element.
 #[derive(Clone, Debug)]
 pub(in crate::interpreter) enum Slot<'a> {
     Value(Value),
@@ -15,56 +15,56 @@ pub(in crate::interpreter) enum Slot<'a> {
     Macro(&'a Macro),
     /// A file that `#fopen` opened, by its number.
     File(usize),
-    /// A macro's parameter that was given a name or an array's element: reads and writes go there.
-    Alias(Place),
-    /// What was declared could not be built; told when it is used.
+    /// A macro parameter whose argument was a name or an array element: reads and writes go to that location.
+    Alias(LValue),
+    /// A declaration that failed; its faults are reported when the name is used.
     Faulty(Rc<Vec<Diagnostic>>),
 }
 
-/// An element's index, and that of the element of that array, and so on: into [`Array::items`].
+/// Index of an element in [`Array::items`], then index of an element of that element, and so on.
 type Path = Rc<[usize]>;
 
-/// Where a value is kept.
+/// An assignable location: the binding of a name, or an element of the array that is bound to the name.
 #[derive(Clone, Debug)]
-pub(in crate::interpreter) struct Place {
-    /// Whose binding it is.
+pub(in crate::interpreter) struct LValue {
+    /// Name of the binding.
     pub(in crate::interpreter) symbol: Symbol,
-    /// Which of the symbol's bindings, the outermost first.
+    /// Index of the binding among those of the symbol, the outermost first.
     depth: usize,
-    /// The element of the array that is kept there.
+    /// Path to the array element; `None` for the binding itself.
     path: Option<Path>,
 }
 
-impl Place {
+impl LValue {
     fn path(&self) -> &[usize] {
         self.path.as_deref().unwrap_or_default()
     }
 
-    /// An element of the array that is here, or of an array in it.
-    pub(in crate::interpreter) fn element(&self, indices: &[usize]) -> Place {
+    /// Location of an element of the array at this location, or of an array in it.
+    pub(in crate::interpreter) fn element(&self, indices: &[usize]) -> LValue {
         let path = self.path().iter().chain(indices).copied().collect();
-        Place { path: Some(path), ..self.clone() }
+        LValue { path: Some(path), ..self.clone() }
     }
 }
 
-/// `array[2][3]`: anything that can have a name, or nothing yet, in each place.
+/// An array, such as `array[2][3]`, or a dictionary. An element holds anything that can have a name.
 #[derive(Clone, Debug)]
 pub(in crate::interpreter) struct Array<'a> {
-    /// How many elements each dimension has.
+    /// Number of elements in each dimension.
     pub(in crate::interpreter) sizes: Box<[usize]>,
-    /// In rows: the last index counts fastest.
+    /// Elements in row-major order: the last index varies fastest. `None` for an element without a value.
     pub(in crate::interpreter) items: Vec<Option<Slot<'a>>>,
-    /// Of a dictionary: what each element is called.
+    /// Key of each element of a dictionary; `None` for an array.
     pub(in crate::interpreter) keys: Option<Vec<Rc<str>>>,
 }
 
 impl Array<'_> {
-    /// Has the dictionary a value of this name?
+    /// True if the dictionary has a value at `key`.
     pub(in crate::interpreter) fn has_key(&self, key: &str) -> bool {
         self.key_index(key).is_some_and(|i| self.items[i].is_some())
     }
 
-    /// Which of a dictionary's elements is called so.
+    /// Index of the dictionary's element at `key`.
     pub(in crate::interpreter) fn key_index(&self, key: &str) -> Option<usize> {
         self.keys.iter().flatten().position(|k| **k == *key)
     }
@@ -80,34 +80,34 @@ impl<'a> Slot<'a> {
     }
 }
 
-/// Aliases of aliases that are followed.
+/// Maximum number of aliases of aliases that are followed.
 const MAX_ALIASES: usize = 100;
 
 struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
-    /// Warnings about the declared thing, told where it is used.
+    /// Warnings about the declared thing, reported when the name is used.
     pending: Option<Rc<[Diagnostic]>>,
 }
 
 #[derive(Default)]
 pub(in crate::interpreter) struct Scopes<'a> {
     bindings: Vec<Vec<Binding<'a>>>,
-    /// The symbols bound at the levels above the global one, the outermost level's first.
+    /// Symbols bound at the levels above the global one, in order of their levels.
     names: Vec<Symbol>,
-    /// Where each level's begin.
+    /// Index in `names` at which each level begins.
     levels: Vec<usize>,
 }
 
 impl<'a> Scopes<'a> {
-    /// The number of the innermost level; 0 is the global one.
+    /// Number of the innermost level; 0 is the global level.
     pub(in crate::interpreter) fn level(&self) -> u32 {
         self.levels.len() as u32
     }
 
-    /// The number of the level at which a place's name is bound.
-    pub(in crate::interpreter) fn level_of(&self, place: &Place) -> u32 {
-        let binding = self.bindings.get(place.symbol.0 as usize).and_then(|stack| stack.get(place.depth));
+    /// Number of the level at which the name of a location is bound.
+    pub(in crate::interpreter) fn level_of(&self, lvalue: &LValue) -> u32 {
+        let binding = self.bindings.get(lvalue.symbol.0 as usize).and_then(|stack| stack.get(lvalue.depth));
         binding.map_or(0, |binding| binding.level)
     }
 
@@ -124,7 +124,7 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// A level has lost one of its names.
+    /// Removes a name from the list of its level.
     fn forget(&mut self, symbol: Symbol, level: u32) {
         let Some(level) = (level as usize).checked_sub(1) else { return };
         let Some(&start) = self.levels.get(level) else { return };
@@ -145,27 +145,28 @@ impl<'a> Scopes<'a> {
         &mut self.bindings[index]
     }
 
-    /// The place of the innermost binding, aliases followed; `None` too where an `#undef` has taken what an alias stood for.
-    pub(in crate::interpreter) fn resolve(&self, symbol: Symbol) -> Option<Place> {
+    /// Location of the innermost binding after following aliases; `None` if an `#undef` has removed the target of an
+    /// alias.
+    pub(in crate::interpreter) fn resolve(&self, symbol: Symbol) -> Option<LValue> {
         let (symbol, depth, path) = self.find(symbol)?;
-        Some(Place { symbol, depth, path: path.cloned() })
+        Some(LValue { symbol, depth, path: path.cloned() })
     }
 
-    /// The same without a copy of the path.
+    /// Location of the innermost binding, as [`Self::resolve`] returns it, without a copy of the path.
     fn find(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
         let (mut symbol, mut depth, mut path) = (symbol, depth, None);
-        // An alias is made of a resolved place. Only what came there after an `#undef` can be another alias.
+        // An alias is made from a resolved location. Its target can be another alias only after an `#undef`.
         for _ in 0..MAX_ALIASES {
             match &self.bindings[symbol.0 as usize].get(depth)?.slot {
-                Slot::Alias(place) => (symbol, depth, path) = (place.symbol, place.depth, place.path.as_ref()),
+                Slot::Alias(lvalue) => (symbol, depth, path) = (lvalue.symbol, lvalue.depth, lvalue.path.as_ref()),
                 _ => return Some((symbol, depth, path)),
             }
         }
         None
     }
 
-    /// A parameter of the call whose level has just been entered. Of two with one name the last counts.
+    /// Binds a parameter at the level that was just entered. Of two parameters with one name the last counts.
     pub(in crate::interpreter) fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
         let level = self.level();
         match self.stack(symbol).last_mut() {
@@ -175,8 +176,8 @@ impl<'a> Scopes<'a> {
     }
 
     fn push(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        self.stack(symbol).push(Binding { level, slot, pending: kept(pending) });
-        // (What is bound at a level is bound at the innermost one, or at the global one.)
+        self.stack(symbol).push(Binding { level, slot, pending: non_empty(pending) });
+        // A binding is made at the innermost level or at the global one.
         if level > 0 {
             self.names.push(symbol);
         }
@@ -188,15 +189,15 @@ impl<'a> Scopes<'a> {
         path.map_or(Some(slot), |path| slot.element(path))
     }
 
-    /// What is at a place now.
-    pub(in crate::interpreter) fn at(&self, place: &Place) -> Option<&Slot<'a>> {
-        self.bindings.get(place.symbol.0 as usize)?.get(place.depth)?.slot.element(place.path())
+    /// Contents of a location.
+    pub(in crate::interpreter) fn at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
+        self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.depth)?.slot.element(lvalue.path())
     }
 
-    /// Puts something into an array's element, or takes it out.
-    pub(in crate::interpreter) fn set_element(&mut self, place: &Place, slot: Option<Slot<'a>>) {
-        let binding = self.bindings.get_mut(place.symbol.0 as usize).and_then(|b| b.get_mut(place.depth));
-        let Some((binding, (last, path))) = binding.zip(place.path().split_last()) else { return };
+    /// Sets or clears an array element.
+    pub(in crate::interpreter) fn set_element(&mut self, lvalue: &LValue, slot: Option<Slot<'a>>) {
+        let binding = self.bindings.get_mut(lvalue.symbol.0 as usize).and_then(|b| b.get_mut(lvalue.depth));
+        let Some((binding, (last, path))) = binding.zip(lvalue.path().split_last()) else { return };
         let mut target = &mut binding.slot;
         for &i in path {
             let Slot::Array(array) = target else { return };
@@ -210,17 +211,17 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// The dictionary that is kept here, if one is.
-    pub(in crate::interpreter) fn dictionary(&self, place: &Place) -> Option<&Array<'a>> {
-        match self.at(place)? {
+    /// The dictionary at a location, if there is one.
+    pub(in crate::interpreter) fn dictionary(&self, lvalue: &LValue) -> Option<&Array<'a>> {
+        match self.at(lvalue)? {
             Slot::Array(array) if array.keys.is_some() => Some(array),
             _ => None,
         }
     }
 
-    /// A new element of the dictionary that is kept here, without a value yet: its index.
-    pub(in crate::interpreter) fn add_key(&mut self, place: &Place, key: &str) -> usize {
-        let Some(Slot::Array(array)) = self.at_mut(place) else { return 0 };
+    /// Adds an element without a value to the dictionary at a location, and returns its index.
+    pub(in crate::interpreter) fn add_key(&mut self, lvalue: &LValue, key: &str) -> usize {
+        let Some(Slot::Array(array)) = self.at_mut(lvalue) else { return 0 };
         let array = Rc::make_mut(array);
         array.keys.get_or_insert_default().push(key.into());
         array.items.push(None);
@@ -228,39 +229,43 @@ impl<'a> Scopes<'a> {
         array.items.len() - 1
     }
 
-    fn at_mut(&mut self, place: &Place) -> Option<&mut Slot<'a>> {
-        let mut slot = &mut self.bindings.get_mut(place.symbol.0 as usize)?.get_mut(place.depth)?.slot;
-        for &i in place.path() {
+    fn at_mut(&mut self, lvalue: &LValue) -> Option<&mut Slot<'a>> {
+        let mut slot = &mut self.bindings.get_mut(lvalue.symbol.0 as usize)?.get_mut(lvalue.depth)?.slot;
+        for &i in lvalue.path() {
             let Slot::Array(array) = slot else { return None };
             slot = Rc::make_mut(array).items.get_mut(i)?.as_mut()?;
         }
         Some(slot)
     }
 
-    /// The warnings that wait for the use of a name.
+    /// Warnings that are reported when the name is used.
     pub(in crate::interpreter) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
         let (symbol, depth, _) = self.find(symbol)?;
         self.bindings[symbol.0 as usize][depth].pending.clone()
     }
 
-    /// `#local`, and the parameters of a call: binds at the innermost level.
+    /// Binds a name at the innermost level, as `#local` and the parameters of a call do.
     pub(in crate::interpreter) fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let level = self.level();
         if self.stack(symbol).last().is_none_or(|b| b.level != level) {
             return self.push(symbol, level, slot, pending);
         }
         let own = self.stack(symbol).len() - 1;
-        // What a parameter stood for may be gone: then it stands for itself from now on.
+        // If the target of a parameter's alias is gone, the parameter becomes a binding of its own.
         match self.resolve(symbol) {
-            Some(place) => self.replace(&place, slot, pending),
+            Some(lvalue) => self.replace(&lvalue, slot, pending),
             None => self.rebind(symbol, own, slot, pending),
         }
     }
 
-    /// `#declare`: changes the innermost binding, or makes a global one.
+    /// Changes the innermost binding of a name, or makes a global one, as `#declare` does.
     pub(in crate::interpreter) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        match self.resolve(symbol) {
-            Some(place) => self.replace(&place, slot, pending),
+        match self.find(symbol) {
+            Some((symbol, depth, None)) => self.rebind(symbol, depth, slot, pending),
+            Some((symbol, depth, Some(path))) => {
+                let lvalue = LValue { symbol, depth, path: Some(path.clone()) };
+                self.set_element(&lvalue, Some(slot));
+            }
             None => match self.stack(symbol).len() {
                 0 => self.push(symbol, 0, slot, pending),
                 n => self.rebind(symbol, n - 1, slot, pending),
@@ -268,35 +273,36 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    fn replace(&mut self, place: &Place, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        if place.path.is_none() {
-            self.rebind(place.symbol, place.depth, slot, pending);
+    fn replace(&mut self, lvalue: &LValue, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        if lvalue.path.is_none() {
+            self.rebind(lvalue.symbol, lvalue.depth, slot, pending);
         } else {
-            self.set_element(place, Some(slot));
+            self.set_element(lvalue, Some(slot));
         }
     }
 
+    #[inline]
     fn rebind(&mut self, symbol: Symbol, depth: usize, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let binding = &mut self.bindings[symbol.0 as usize][depth];
-        (binding.slot, binding.pending) = (slot, kept(pending));
+        (binding.slot, binding.pending) = (slot, non_empty(pending));
     }
 
-    /// `#undef`: the innermost binding goes. (An alias goes, not what it stands for.)
+    /// Removes the innermost binding of a name, as `#undef` does. Of an alias, only the alias is removed.
     pub(in crate::interpreter) fn remove(&mut self, symbol: Symbol) -> bool {
         let Some(binding) = self.stack(symbol).pop() else { return false };
         self.forget(symbol, binding.level);
         true
     }
 
-    /// What is at a place goes.
-    pub(in crate::interpreter) fn unbind(&mut self, place: &Place) {
-        if place.path.is_some() {
-            return self.set_element(place, None);
+    /// Removes the binding or the array element at a location.
+    pub(in crate::interpreter) fn unbind(&mut self, lvalue: &LValue) {
+        if lvalue.path.is_some() {
+            return self.set_element(lvalue, None);
         }
-        let Some(stack) = self.bindings.get_mut(place.symbol.0 as usize) else { return };
-        if place.depth < stack.len() {
-            let binding = stack.remove(place.depth);
-            self.forget(place.symbol, binding.level);
+        let Some(stack) = self.bindings.get_mut(lvalue.symbol.0 as usize) else { return };
+        if lvalue.depth < stack.len() {
+            let binding = stack.remove(lvalue.depth);
+            self.forget(lvalue.symbol, binding.level);
         }
     }
 
@@ -306,17 +312,18 @@ impl<'a> Scopes<'a> {
         self.bindings.iter().enumerate().filter_map(bound)
     }
 
-    /// Errors in declared things that nobody used.
+    /// Faults of declarations that nothing has used.
     pub(in crate::interpreter) fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
         self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
     }
 }
 
-fn kept(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
+#[inline]
+fn non_empty(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
     if pending.is_empty() { None } else { Some(pending.into()) }
 }
 
-/// The faults of what could not be built, also in an array.
+/// Faults of failed declarations in a slot, including those in arrays.
 fn faults_of<'s>(slot: &'s Slot) -> Box<dyn Iterator<Item = &'s Diagnostic> + 's> {
     match slot {
         Slot::Faulty(faults) => Box::new(faults.iter()),

@@ -1,13 +1,13 @@
-//! What `clock`, `frame_number` and their kin say (manual, "Built-in Variables").
+//! Values of `clock`, `frame_number` and the other constants of an animation (manual, "Built-in Variables").
 
-/// The moment of an animation that a picture shows. The default is that of POV-Ray where nothing is animated: all are 0.
+/// The frame of an animation. The default is POV-Ray's without an animation: all values are 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Timing {
     /// `clock`.
     pub clock: f64,
-    /// `clock_on`: is there an animation, or was a clock asked for?
+    /// `clock_on`: true in an animation, and if a clock was set.
     pub clock_on: bool,
-    /// `clock_delta`: from one frame to the next.
+    /// `clock_delta`: difference of the clock between two frames.
     pub clock_delta: f64,
     /// `frame_number`.
     pub frame: u32,
@@ -22,7 +22,7 @@ pub struct Timing {
 }
 
 impl Timing {
-    /// The value of one of the constants that speak of time.
+    /// The value of one of these constants.
     pub(in crate::interpreter) fn constant(&self, name: &str) -> Option<f64> {
         Some(match name {
             "clock" => self.clock,

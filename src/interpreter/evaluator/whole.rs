@@ -1,4 +1,4 @@
-//! Which parsed expressions can be evaluated as they are, and which must be split into tokens.
+//! Tests whether parsed expressions can be evaluated as they are, or must be split into tokens.
 
 use super::{Evaluator, Slot};
 use crate::interpreter::reader::begins_color;
@@ -9,12 +9,12 @@ use crate::value::Value;
 impl Evaluator<'_> {
     /// True if an expression must be split: a macro in it gives tokens of its own, or its call is no call.
     #[inline]
-    pub(in crate::interpreter) fn splits(&self, e: &Expr) -> bool {
-        e.calls && self.call_splits(e)
+    pub(in crate::interpreter) fn must_split(&self, e: &Expr) -> bool {
+        e.calls && self.call_must_split(e)
     }
 
-    fn call_splits(&self, e: &Expr) -> bool {
-        let any = |elements: &[Element]| elements.iter().any(|element| self.element_splits(element));
+    fn call_must_split(&self, e: &Expr) -> bool {
+        let any = |elements: &[Element]| elements.iter().any(|element| self.element_must_split(element));
         match &e.kind {
             ExprKind::Call(name, arguments) => match self.scopes.get(*name) {
                 Some(Slot::Value(value)) if is_callable(value) => any(arguments),
@@ -24,23 +24,25 @@ impl Evaluator<'_> {
                 None => self.is_constant(*name),
             },
             ExprKind::Vector(parts) => any(parts),
-            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.splits(inner),
-            ExprKind::Chain(chain) => self.splits(&chain.first) || chain.rest.iter().any(|(_, e)| self.splits(e)),
-            ExprKind::Choice(parts) => parts.iter().any(|e| self.splits(e)),
-            ExprKind::Builtin(_, arguments) => arguments.iter().any(|e| self.splits(e)),
-            ExprKind::Index(base, indices) => self.splits(base) || indices.iter().any(|e| self.splits(e)),
-            ExprKind::Apply(base, arguments) => self.splits(base) || any(arguments),
-            ExprKind::Dot(base, _, symbol) => self.splits(base) || self.is_macro(*symbol),
+            ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.must_split(inner),
+            ExprKind::Chain(chain) => {
+                self.must_split(&chain.first) || chain.rest.iter().any(|(_, e)| self.must_split(e))
+            }
+            ExprKind::Choice(parts) => parts.iter().any(|e| self.must_split(e)),
+            ExprKind::Builtin(_, arguments) => arguments.iter().any(|e| self.must_split(e)),
+            ExprKind::Index(base, indices) => self.must_split(base) || indices.iter().any(|e| self.must_split(e)),
+            ExprKind::Apply(base, arguments) => self.must_split(base) || any(arguments),
+            ExprKind::Dot(base, _, symbol) => self.must_split(base) || self.is_macro(*symbol),
             ExprKind::Block(_) | ExprKind::Function(_) => true,
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Literal(_) => false,
         }
     }
 
-    fn element_splits(&self, element: &Element) -> bool {
+    fn element_must_split(&self, element: &Element) -> bool {
         match &element.kind {
             ElementKind::Expr(e) => match &e.kind {
                 ExprKind::Name(name) => self.is_macro(*name),
-                _ => e.compares() || self.splits(e),
+                _ => e.compares() || self.must_split(e),
             },
             ElementKind::Numbers(_) => false,
             // `cubic_spline` in the call of a spline.
@@ -49,14 +51,14 @@ impl Evaluator<'_> {
         }
     }
 
-    /// True if a macro argument is one expression that neither calls a macro nor can stand for several values.
+    /// True if a macro argument is one expression that neither calls a macro nor gives several values.
     pub(in crate::interpreter) fn is_plain_argument(&self, element: &Element) -> bool {
         let ElementKind::Expr(e) = &element.kind else { return false };
         match &e.kind {
             ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Literal(_) => true,
-            ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => !e.compares() && !self.splits(e),
-            ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.splits(e),
+            ExprKind::Chain(_) | ExprKind::Paren(_) | ExprKind::Vector(_) => !e.compares() && !self.must_split(e),
+            ExprKind::Prefix(..) | ExprKind::Builtin(..) => !self.must_split(e),
             _ => false,
         }
     }

@@ -10,8 +10,8 @@ use crate::syntax::ast::*;
 use crate::value::{Reader, Value, VecN, downcast};
 
 impl<'a> Interpreter<'a> {
-    /// A call of a function or spline in a script.
-    pub(in crate::interpreter) fn call_value(
+    /// Calls a declared function or spline.
+    pub(in crate::interpreter) fn evaluate_call(
         &mut self,
         name: Symbol,
         arguments: &'a [Element],
@@ -21,18 +21,18 @@ impl<'a> Interpreter<'a> {
             return self.call_spline(&spline, arguments, span);
         }
         let Some(function) = self.evaluator.thing_of::<Function>(name) else {
-            self.name_value(name, span)?;
+            self.evaluate_name(name, span)?;
             let text = self.inputs.names.text(name);
             return Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"));
         };
-        let numbers = self.whole_numbers(arguments)?;
+        let numbers = self.evaluate_numbers(arguments)?;
         let name = Span { hi: span.lo + self.inputs.names.text(name).len() as u32, ..span };
         self.check_arity(name, numbers.len(), function.arity())?;
         Ok(answer(&function, &numbers))
     }
 
-    /// A call of an array's element.
-    pub(in crate::interpreter) fn call_thing(
+    /// Calls a function or spline that is an array's element.
+    pub(in crate::interpreter) fn evaluate_call_of(
         &mut self,
         thing: &Value,
         arguments: &'a [Element],
@@ -43,7 +43,7 @@ impl<'a> Interpreter<'a> {
                 return self.call_spline(&spline, arguments, span);
             }
             if let Some(function) = downcast::<Function>(thing) {
-                let numbers = self.whole_numbers(arguments)?;
+                let numbers = self.evaluate_numbers(arguments)?;
                 if numbers.len() == function.arity() {
                     return Ok(answer(&function, &numbers));
                 }
@@ -54,12 +54,12 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("{} can't be called", thing.describe()))
     }
 
-    /// `S(0.5)`, `S(0.5, cubic_spline)`
+    /// Calls a spline: `S(0.5)` or `S(0.5, cubic_spline)`.
     fn call_spline(&mut self, spline: &Spline, arguments: &'a [Element], span: Span) -> Result<Value> {
-        self.within(arguments, Bracket::Paren, span, |me| me.spline_arguments(spline))
+        self.within(arguments, Bracket::Paren, span, |me| me.read_spline_arguments(spline))
     }
 
-    fn spline_arguments(&mut self, spline: &Spline) -> Result<Value> {
+    fn read_spline_arguments(&mut self, spline: &Spline) -> Result<Value> {
         let t = self.float()?;
         let kind = match self.peek()? {
             Token::Word(word) if SplineKind::of(word).is_some() => {
@@ -74,16 +74,16 @@ impl<'a> Interpreter<'a> {
         Err(self.unexpected_token("one number and, at most, the kind of spline").into())
     }
 
-    /// Reads the arguments of a function or spline, whose `(` has been read, up to the `)`.
-    pub(in crate::interpreter) fn call_with_arguments(&mut self, callee: &Value, span: Span) -> Result<Value> {
+    /// Reads the arguments of a function or spline up to the `)`, and calls it. The `(` has been consumed.
+    pub(in crate::interpreter) fn read_arguments_and_call(&mut self, callee: &Value, span: Span) -> Result<Value> {
         if let Value::Thing(thing) = callee {
             if let Some(spline) = downcast::<Spline>(thing) {
-                return self.spline_arguments(&spline);
+                return self.read_spline_arguments(&spline);
             }
             if let Some(function) = downcast::<Function>(thing) {
                 let mut numbers = vec![];
                 while !self.peek()?.ends() {
-                    let (value, at) = self.value_here()?;
+                    let (value, at) = self.read_value()?;
                     numbers.push(as_float(&value, at)?);
                 }
                 self.check_arity(span, numbers.len(), function.arity())?;

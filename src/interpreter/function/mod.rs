@@ -1,4 +1,4 @@
-//! `function { … }` and its calls: names are looked up where the function is declared, and what is left is arithmetic.
+//! `function { … }`: compilation to arithmetic. Names are looked up where the function is declared.
 
 mod call;
 mod read;
@@ -20,17 +20,17 @@ use sampler::{PatternSampler, PigmentSampler, TransformSampler};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU8;
 
-/// Functions with more operations than this are called, not copied into those that use them.
+/// Maximum number of operations of a function that is inlined into its callers.
 const MAX_COPIED: usize = 500;
 
-/// The function under construction.
+/// A function under construction.
 struct Compiler {
     graph: Graph,
     parameters: Vec<Symbol>,
 }
 
 impl<'a> Interpreter<'a> {
-    fn sampled_function(&mut self, parameters: bool, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
+    fn read_sampled_function(&mut self, parameters: bool, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
         if parameters {
             let message = format!("a function made of a `{word}` has no parameters of its own");
             return Diagnostic::new(codes::WRONG_COUNT, span, message)
@@ -58,7 +58,7 @@ impl<'a> Interpreter<'a> {
                 self.leave()?;
                 Arc::new(TransformSampler(transform))
             }
-            "spline" => self.spline()?,
+            "spline" => self.read_spline()?,
             _ => {
                 return Err(self
                     .unexpected_token("an expression, `pigment`, `pattern`, `transform` or `spline`")
@@ -71,16 +71,16 @@ impl<'a> Interpreter<'a> {
         Err(self.unexpected_token("the end of the function").into())
     }
 
-    /// What stands between the braces of a pigment, as the pattern of its brightness. (Those of functions and `pigment_pattern` do not
-    /// begin with the default pigment, as was measured on POV-Ray 3.7.)
-    pub(super) fn brightness(&mut self) -> Result<Arc<dyn Thing>> {
+    /// Reads the inside of a pigment as the pattern of its brightness. It does not begin with the default pigment
+    /// (quirk: `pigment_function_ignores_default`).
+    pub(super) fn read_brightness(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
         Ok(Arc::new(PigmentPattern::new(Arc::new(Brightness::new(&pigment)))))
     }
 
-    /// `spline { linear_spline 0, <1, 2, 3> 1, <2, 3, 4> }`
-    pub(super) fn spline(&mut self) -> Result<Arc<Spline>> {
+    /// Reads `spline { linear_spline 0, <1, 2, 3> 1, <2, 3, 4> }`.
+    pub(super) fn read_spline(&mut self) -> Result<Arc<Spline>> {
         let at = self.take()?;
         let mut kind = SplineKind::Linear;
         let mut points: Vec<(f64, VecN)> = vec![];
@@ -96,10 +96,10 @@ impl<'a> Interpreter<'a> {
         }
         while Reader::next(self)? != Next::End {
             let t = self.float()?;
-            let (value, span) = self.value_here()?;
+            let (value, span) = self.read_value()?;
             let point = match value {
                 Value::Vector(v) => v,
-                // A number is a point of two equal numbers.
+                // A number is a point of two equal components.
                 Value::Float(x) => VecN::splat(x, 2),
                 other => {
                     let message = format!("expected a vector, found {}", other.describe());
@@ -117,7 +117,7 @@ impl<'a> Interpreter<'a> {
         Ok(Arc::new(Spline::new(kind, &points)))
     }
 
-    /// The operations of an expression.
+    /// Compiles an expression.
     fn compile(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
         match &e.kind {
             ExprKind::Number(x) => Ok(c.graph.constant(*x)),
@@ -146,15 +146,15 @@ impl<'a> Interpreter<'a> {
             ExprKind::Dot(base, component, _) => match &base.kind {
                 ExprKind::Call(name, arguments) => self.compile_call(c, *name, arguments, Some(component), e.span),
                 ExprKind::Apply(callee, arguments) => {
-                    let callee = self.eval(callee)?;
+                    let callee = self.evaluate(callee)?;
                     let ids = self.compile_arguments(c, arguments)?;
                     self.compile_call_of(c, &callee, ids, Some(component), e.span)
                 }
                 _ => self.constant_number(c, e),
             },
-            // A function in an array.
+            // A call of a function in an array.
             ExprKind::Apply(callee, arguments) => {
-                let callee = self.eval(callee)?;
+                let callee = self.evaluate(callee)?;
                 let ids = self.compile_arguments(c, arguments)?;
                 self.compile_call_of(c, &callee, ids, None, e.span)
             }
@@ -162,9 +162,9 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A number that does not depend on the parameters: it is what it is now.
+    /// Compiles an expression that does not depend on the parameters to its present value.
     fn constant_number(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
-        let x = self.number(e)?;
+        let x = self.evaluate_number(e)?;
         Ok(c.graph.constant(x))
     }
 
@@ -172,7 +172,7 @@ impl<'a> Interpreter<'a> {
         if let Some(i) = c.parameters.iter().position(|p| *p == symbol) {
             return Ok(c.graph.add(Operation::Parameter(i as u16)));
         }
-        // u and v are other names of x and y.
+        // `u` and `v` are synonyms of `x` and `y`.
         let other = match self.inputs.names.text(symbol) {
             "u" => "x",
             "v" => "y",
@@ -192,7 +192,7 @@ impl<'a> Interpreter<'a> {
         self.compile_builtin_of(c, name, &ids, span)
     }
 
-    /// A built-in function of what has been compiled.
+    /// Compiles the call of a built-in function with compiled arguments.
     fn compile_builtin_of(&mut self, c: &mut Compiler, name: &str, ids: &[Id], span: Span) -> Result<Id> {
         if name == "select" && (3..=4).contains(&ids.len()) {
             return Ok(c.select(ids));
@@ -217,7 +217,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// `sum(I, 1, 10, x/I)`: the counter is a parameter of what is added.
+    /// Compiles `sum(I, 1, 10, x/I)`: the counter is an additional parameter of the term.
     fn compile_series(&mut self, c: &mut Compiler, product: bool, arguments: &'a [Expr], span: Span) -> Result<Id> {
         let [Expr { kind: ExprKind::Name(counter), .. }, first, last, term] = arguments else {
             let name = if product { "prod" } else { "sum" };
@@ -234,7 +234,7 @@ impl<'a> Interpreter<'a> {
         inner.graph.result = self.compile(&mut inner, term)?;
         series(c, product, ids, inner, span)
     }
-    /// A call inside a function.
+    /// Compiles a call of a declared function.
     fn compile_call(
         &mut self,
         c: &mut Compiler,
@@ -259,7 +259,7 @@ impl<'a> Interpreter<'a> {
         Ok(ids)
     }
 
-    /// A call of a name with compiled arguments.
+    /// Compiles a call of a name with compiled arguments.
     fn compile_call_ids(
         &mut self,
         c: &mut Compiler,
@@ -268,11 +268,11 @@ impl<'a> Interpreter<'a> {
         component: Option<&Name>,
         span: Span,
     ) -> Result<Id> {
-        let callee = self.name_value(name, span)?;
+        let callee = self.evaluate_name(name, span)?;
         self.compile_call_of(c, &callee, ids, component, span)
     }
 
-    /// A call of a function or spline with compiled arguments. The name that is called begins the span.
+    /// Compiles a call of a function or spline with compiled arguments. The span begins with the name.
     fn compile_call_of(
         &mut self,
         c: &mut Compiler,
@@ -283,7 +283,7 @@ impl<'a> Interpreter<'a> {
     ) -> Result<Id> {
         let (callee, gives, arity) = self.callee(callee, span)?;
         self.check_arity(span, ids.len(), arity)?;
-        let component = self.component_number(gives, component, span)?;
+        let component = self.select_component(gives, component, span)?;
         if let Callee::Function(f) = &callee
             && let Body::Numeric(program) = &f.body
             && program.graph().nodes.len() <= MAX_COPIED
@@ -305,7 +305,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// What is called.
+    /// The function or spline in a value, its result type and its number of parameters.
     fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, Gives, usize)> {
         if let Value::Thing(thing) = callee {
             if let Some(f) = downcast::<Function>(thing) {
@@ -325,7 +325,7 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"))
     }
 
-    /// The name that a call begins with.
+    /// The name with which the span of a call begins.
     fn called_text(&self, span: Span) -> &'a str {
         let text = self.inputs.sources.snippet(span);
         text.split('(').next().unwrap_or(text).trim_end()
@@ -341,18 +341,18 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::WRONG_COUNT, called, message)
     }
 
-    fn component_number(&self, gives: Gives, component: Option<&Name>, span: Span) -> Result<Component> {
+    fn select_component(&self, gives: Gives, component: Option<&Name>, span: Span) -> Result<Component> {
         let text = self.called_text(span);
         let Some(component) = component else {
             return match gives {
                 Gives::Number => Ok(Component::Of(0)),
                 Gives::Vector(_) => {
                     Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a vector"))
-                        .help("`.x`, `.y` or `.z` behind the call takes one of its numbers")
+                        .help("`.x`, `.y` or `.z` after the call selects one of its components")
                         .into()
                 }
                 Gives::Color => Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a colour"))
-                    .help("`.red`, `.green`, `.blue` or `.gray` behind the call takes one number of it")
+                    .help("`.red`, `.green`, `.blue` or `.gray` after the call selects one of its components")
                     .into(),
             };
         };
@@ -362,7 +362,8 @@ impl<'a> Interpreter<'a> {
         }
         match (self.inputs.sources.snippet(component.span), gives) {
             ("gray" | "grey", Gives::Color) => Ok(Component::Weighted(weights)),
-            // A height field's 16 bits: red is the upper byte, green the lower one (weights as measured).
+            // The 16 bits of a height field: red is the upper byte, green the lower one
+            // (quirk: `hf_component_weights`).
             ("hf", Gives::Color) => Ok(Component::Weighted([0.996093, 0.003906, 0.0])),
             _ => {
                 let message = format!("`.{}` is no component of this", self.inputs.sources.snippet(component.span));
@@ -372,7 +373,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// Which numbers of an answer are meant.
+/// Component of a result that a call selects.
 enum Component {
     Of(u8),
     Weighted([f64; 3]),
@@ -387,7 +388,7 @@ impl Compiler {
         Self { graph: Graph::default(), parameters }
     }
 
-    /// For what `sum` and `prod` compute in each step: with the counter behind the parameters.
+    /// A compiler for the term of `sum` and `prod`, with the counter as the last parameter.
     fn with_counter(&self, counter: Symbol) -> Self {
         let parameters = self.parameters.iter().copied().chain([counter]).collect();
         Self { graph: Graph::default(), parameters }
@@ -407,7 +408,7 @@ impl Compiler {
         }
     }
 
-    /// `select(a, below, zero, above)`, or `select(a, below, from zero on)`.
+    /// Compiles `select(a, below, zero, above)` or `select(a, below, not_below)`.
     fn select(&mut self, ids: &[Id]) -> Id {
         let zero = self.graph.constant(0.0);
         let below = self.graph.add(Operation::Binary(Operator::Less, ids[0], zero));
@@ -427,7 +428,7 @@ impl Compiler {
     }
 }
 
-/// `sum` or `prod` from one value to another.
+/// Compiles `sum` or `prod` over a range of the counter.
 fn series(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, span: Span) -> Result<Id> {
     let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large(span) };
     ids.extend((0..c.parameters.len()).map(|i| c.graph.add(Operation::Parameter(i as u16))).collect::<Vec<_>>());
@@ -442,7 +443,7 @@ fn default_names() -> Box<[Box<str>]> {
     ["x", "y", "z"].map(Box::from).into()
 }
 
-/// The functions of `functions.inc` by their numbers: `function { internal(61) }`.
+/// The function of `functions.inc` with this number, as in `function { internal(61) }`.
 pub(super) fn internal_function(number: f64, noise: &Arc<AtomicU8>) -> Option<Function> {
     let row = internal::find(number as u32).filter(|_| number >= 0.0)?;
     let mut graph = function::Graph::default();

@@ -1,4 +1,4 @@
-//! `function (…) { … }`, as a whole or in pieces.
+//! Reading of `function (…) { … }`, parsed or token by token.
 
 use super::token_function::Compiled;
 use super::{Compiler, internal_function};
@@ -12,22 +12,22 @@ use crate::syntax::ast::{Bracket, Expr, ExprKind, Symbol};
 use crate::value::{SizedFunction, Thing};
 use std::sync::Arc;
 
-/// A function, with the width and the height of the picture that it makes if it says them.
+/// A function, with the width and height in pixels if it is the function of a picture.
 type PerhapsSized = (Option<[usize; 2]>, Arc<dyn Thing>);
 
 impl<'a> Interpreter<'a> {
-    /// The function that comes next in the stream.
+    /// Reads a function.
     pub(in crate::interpreter) fn read_function(&mut self) -> Result<Arc<dyn Thing>> {
-        self.sized_or_plain_function().map(|(_, function)| function)
+        self.read_any_function().map(|(_, function)| function)
     }
 
-    /// The function that comes next, if it says how large the picture is that it makes: `function 200, 100 { … }`.
-    pub(in crate::interpreter) fn picture_function(&mut self) -> Result<Option<SizedFunction>> {
+    /// Reads a function with the size of its picture, as in `function 200, 100 { … }`; `None` if it has none.
+    pub(in crate::interpreter) fn read_sized_function(&mut self) -> Result<Option<SizedFunction>> {
         if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
             return Ok(None);
         }
-        let span = self.stream.here();
-        match self.sized_or_plain_function()? {
+        let span = self.stream.next_span();
+        match self.read_any_function()? {
             (Some(size), function) => Ok(Some((size, function))),
             (None, _) => {
                 Diagnostic::err(codes::EXPECTED, span, "expected the width and the height of the function's picture")
@@ -35,25 +35,25 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn sized_or_plain_function(&mut self) -> Result<PerhapsSized> {
+    fn read_any_function(&mut self) -> Result<PerhapsSized> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         self.stream.advance();
-        let Token::Function(Some(f)) = token else { return self.function_in_pieces(span) };
-        let size = f.size.iter().map(|e| self.number(e).map(|n| (n, e.span))).collect::<Result<Vec<_>>>()?;
+        let Token::Function(Some(f)) = token else { return self.read_function_by_tokens(span) };
+        let size = f.size.iter().map(|e| self.evaluate_number(e).map(|n| (n, e.span))).collect::<Result<Vec<_>>>()?;
         let size = self.picture_size(&size, span)?;
-        let function = self.within(&f.body, Bracket::Brace, span, |me| me.function_body(&f.parameters, span))?;
+        let function = self.within(&f.body, Bracket::Brace, span, |me| me.read_function_body(&f.parameters, span))?;
         Ok((size, function))
     }
 
-    /// The same behind the word `function`.
-    fn function_in_pieces(&mut self, span: Span) -> Result<PerhapsSized> {
+    /// Reads a function token by token; the word `function` has been consumed.
+    fn read_function_by_tokens(&mut self, span: Span) -> Result<PerhapsSized> {
         let (mut parameters, mut size) = (vec![], vec![]);
         self.expose_parenthesis()?;
         if let Token::Open(Bracket::Paren, _) = self.peek()? {
             self.open()?;
             while !self.peek()?.ends() {
-                match self.name_here()? {
+                match self.read_name()? {
                     Some((symbol, _)) => parameters.push(symbol),
                     None => return Err(self.unexpected_token("the name of a parameter").into()),
                 }
@@ -61,7 +61,7 @@ impl<'a> Interpreter<'a> {
             self.close("`)`")?;
         } else {
             while !matches!(self.peek()?, Token::Open(..)) {
-                let (value, at) = self.value_here()?;
+                let (value, at) = self.read_value()?;
                 size.push((as_float(&value, at)?, at));
             }
         }
@@ -70,12 +70,12 @@ impl<'a> Interpreter<'a> {
             return Err(self.unexpected_token("`{`").into());
         }
         self.open()?;
-        let function = self.function_body(&parameters, span)?;
+        let function = self.read_function_body(&parameters, span)?;
         self.close("`}`")?;
         Ok((size, function))
     }
 
-    /// How many points the picture that a function makes has across and down.
+    /// Width and height of a function's picture in pixels.
     fn picture_size(&mut self, size: &[(f64, Span)], span: Span) -> Result<Option<[usize; 2]>> {
         let &[(width, at), (height, end)] = size else {
             return match size.len() {
@@ -91,12 +91,12 @@ impl<'a> Interpreter<'a> {
         Ok(Some(size))
     }
 
-    /// What stands between the braces.
-    fn function_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
+    /// Reads the inside of a function's braces.
+    fn read_function_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
         if let Token::Block(name) = self.peek()? {
-            return self.sampled_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
+            return self.read_sampled_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
         }
-        if let Some(internal) = self.internal_call()? {
+        if let Some(internal) = self.read_internal_call()? {
             return Ok(internal);
         }
         let mut compiler = Compiler::new(self, parameters);
@@ -104,7 +104,7 @@ impl<'a> Interpreter<'a> {
             return Err(self.unexpected_token("an expression").into());
         }
         let result = match self.peek()? {
-            Token::Expr(e) if self.is_whole(true) => {
+            Token::Expr(e) if self.next_is_complete(true) => {
                 self.stream.advance();
                 self.compile(&mut compiler, e)?
             }
@@ -117,23 +117,23 @@ impl<'a> Interpreter<'a> {
         compiler.finish(self, span)
     }
 
-    /// `internal(61)` alone: one of the functions behind functions.inc.
-    fn internal_call(&mut self) -> Result<Option<Arc<dyn Thing>>> {
+    /// Reads `internal(61)` alone: one of the functions in functions.inc.
+    fn read_internal_call(&mut self) -> Result<Option<Arc<dyn Thing>>> {
         let token = self.peek()?;
-        let mut span = self.stream.here();
+        let mut span = self.stream.next_span();
         let number = match token {
             Token::Expr(Expr { kind: ExprKind::Builtin(word, arguments), .. }) if word.name == "internal" => {
                 let [number] = &**arguments else {
                     return Diagnostic::err(codes::WRONG_COUNT, span, "`internal` takes one number");
                 };
                 self.stream.advance();
-                self.number(number)?
+                self.evaluate_number(number)?
             }
             Token::Callee("internal") => {
                 self.stream.advance();
                 self.expect_paren("internal")?;
-                let (value, at) = self.value_here()?;
-                span = joined(span, self.stream.here());
+                let (value, at) = self.read_value()?;
+                span = joined(span, self.stream.next_span());
                 self.close("`)`")?;
                 as_float(&value, at)?
             }

@@ -1,4 +1,4 @@
-//! Functions made of a pigment, a pattern or a transform.
+//! Functions made from a pigment, a pattern or a transform.
 
 use crate::function::{Gives, LocalBounds, Sampler};
 use crate::math::noise::NoiseGenerator;
@@ -8,7 +8,7 @@ use crate::texture::PigmentProgram;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// The number of the scene's noise generator, which may still change.
+/// Number of the scene's noise generator, which may still change.
 pub(super) type SceneNoise = Arc<AtomicU8>;
 
 fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
@@ -38,7 +38,7 @@ impl Sampler for PigmentSampler {
     }
 }
 
-/// `function { pattern { … } }`: a pigment without colours.
+/// `function { pattern { … } }`: the value of a pattern at a point.
 #[derive(Debug)]
 pub(super) struct PatternSampler(pub(super) PigmentProgram, pub(super) SceneNoise);
 
@@ -64,7 +64,7 @@ impl Sampler for PatternSampler {
     }
 }
 
-/// `function { transform { … } }`
+/// `function { transform { … } }`: a transformed point.
 #[derive(Debug)]
 pub(super) struct TransformSampler(pub(super) Transform);
 

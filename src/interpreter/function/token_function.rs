@@ -1,4 +1,4 @@
-//! Functions whose tokens come one by one.
+//! Compilation of functions whose tokens come one by one.
 
 use super::{Compiler, series};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -13,7 +13,7 @@ use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
 use crate::value::Value;
 
-/// Makes operations of operands and operators.
+/// Compiles operands and operators.
 pub(super) struct Compiled<'c>(pub(super) &'c mut Compiler);
 
 impl<'a> Operands<'a> for Compiled<'_> {
@@ -46,15 +46,15 @@ impl<'a> Operands<'a> for Compiled<'_> {
 }
 
 impl<'a> Interpreter<'a> {
-    /// A number, parameter, call … without signs.
+    /// Compiles a number, parameter or call without signs.
     fn compile_primary(&mut self, c: &mut Compiler) -> Result<(Id, Span)> {
         loop {
             let token = self.peek()?;
-            let span = self.stream.here();
+            let span = self.stream.next_span();
             return match token {
                 Token::Expr(e) => match &e.kind {
-                    // A component or more may follow.
-                    ExprKind::Call(..) | ExprKind::Apply(..) if !self.is_whole(true) => {
+                    // A component may follow the call.
+                    ExprKind::Call(..) | ExprKind::Apply(..) if !self.next_is_complete(true) => {
                         self.stream.split_next();
                         continue;
                     }
@@ -65,8 +65,8 @@ impl<'a> Interpreter<'a> {
                             _ => false,
                         };
                         if callee && self.call_follows()? {
-                            let callee = self.name_value(*symbol, span)?;
-                            return self.compile_call_in_pieces(c, &callee, span);
+                            let callee = self.evaluate_name(*symbol, span)?;
+                            return self.compile_call_by_tokens(c, &callee, span);
                         }
                         Ok((self.compile_name(c, *symbol, e)?, span))
                     }
@@ -82,7 +82,7 @@ impl<'a> Interpreter<'a> {
                 Token::Open(Bracket::Paren, _) => {
                     self.open()?;
                     let (id, _) = self.climb(&mut Compiled(c), true)?;
-                    let end = self.stream.here();
+                    let end = self.stream.next_span();
                     self.close("`)`")?;
                     Ok((id, joined(span, end)))
                 }
@@ -90,15 +90,15 @@ impl<'a> Interpreter<'a> {
                     let slot = self.take_element()?;
                     let value = self.slot_value(slot, span)?;
                     if is_callable(&value) && self.call_follows()? {
-                        return self.compile_call_in_pieces(c, &value, span);
+                        return self.compile_call_by_tokens(c, &value, span);
                     }
                     Ok((c.graph.constant(as_float(&value, span)?), span))
                 }
                 Token::Callee(word) => {
                     self.stream.advance();
                     self.expect_paren(word)?;
-                    let id = self.compile_builtin_in_pieces(c, word, span)?;
-                    let end = self.stream.here();
+                    let id = self.compile_builtin_by_tokens(c, word, span)?;
+                    let end = self.stream.next_span();
                     self.close("`)`")?;
                     Ok((id, joined(span, end)))
                 }
@@ -107,14 +107,14 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The arguments of a function or spline, whose `(` comes next, and perhaps a component behind them.
-    fn compile_call_in_pieces(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
+    /// Compiles the call of a function or spline, whose `(` comes next, with a component after it.
+    fn compile_call_by_tokens(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
         self.open()?;
         let mut ids = vec![];
         while !self.peek()?.ends() {
             ids.push(self.climb(&mut Compiled(c), true)?.0);
         }
-        let mut whole = joined(span, self.stream.here());
+        let mut whole = joined(span, self.stream.next_span());
         self.close("`)`")?;
         let mut component: Option<Name> = None;
         if matches!(self.peek_after()?, Some(Token::Sign(Sign::Dot))) {
@@ -126,10 +126,10 @@ impl<'a> Interpreter<'a> {
         Ok((self.compile_call_of(c, callee, ids, component.as_ref(), whole)?, whole))
     }
 
-    /// What stands in the parentheses of a built-in function.
-    fn compile_builtin_in_pieces(&mut self, c: &mut Compiler, word: &str, span: Span) -> Result<Id> {
+    /// Compiles the arguments of a built-in function.
+    fn compile_builtin_by_tokens(&mut self, c: &mut Compiler, word: &str, span: Span) -> Result<Id> {
         if word == "sum" || word == "prod" {
-            return self.compile_series_in_pieces(c, word == "prod", span);
+            return self.compile_series_by_tokens(c, word == "prod", span);
         }
         let mut ids = vec![];
         while !self.peek()?.ends() {
@@ -138,8 +138,8 @@ impl<'a> Interpreter<'a> {
         self.compile_builtin_of(c, word, &ids, span)
     }
 
-    /// `I, 1, 10, x/I`
-    fn compile_series_in_pieces(&mut self, c: &mut Compiler, product: bool, span: Span) -> Result<Id> {
+    /// Compiles the arguments `I, 1, 10, x/I` of `sum` or `prod`.
+    fn compile_series_by_tokens(&mut self, c: &mut Compiler, product: bool, span: Span) -> Result<Id> {
         let Token::Expr(Expr { kind: ExprKind::Name(counter), .. }) = self.peek()? else {
             return Diagnostic::err(
                 codes::WRONG_COUNT,

@@ -14,7 +14,7 @@ impl<'a> Interpreter<'a> {
     /// or the bracket.
     pub(in crate::interpreter) fn open(&mut self) -> Result<Span> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         if self.stream.bracket_count() >= MAX_NESTING {
             let message = format!("more than {MAX_NESTING} brackets are open here");
             return self.reporter.limit(codes::TOO_DEEP, span, message, "does a macro open one without closing it?");
@@ -29,7 +29,7 @@ impl<'a> Interpreter<'a> {
         };
         let comma = self.stream.comma_follows_element();
         // A parsed group ends with the bracket that a message may speak of.
-        let whole = self.stream.raw().map_or(span, |element| element.span);
+        let whole = self.stream.next_element().map_or(span, |element| element.span);
         self.stream.advance();
         let mode = self.stream.stop_deferring();
         let own_words = word.map_or(&[][..], crate::syntax::word::contextual);
@@ -43,8 +43,8 @@ impl<'a> Interpreter<'a> {
             // The bracket is a token by itself.
             None if matches!(token, Token::Block(_)) => match self.peek()? {
                 Token::Open(Bracket::Brace, body) => {
-                    let (at, comma) = (self.stream.here(), self.stream.comma_follows_element());
-                    let whole = self.stream.raw().map_or(at, |element| element.span);
+                    let (at, comma) = (self.stream.next_span(), self.stream.comma_follows_element());
+                    let whole = self.stream.next_element().map_or(at, |element| element.span);
                     self.stream.advance();
                     opened.frame_count = self.stream.frames().len();
                     match body {
@@ -66,7 +66,7 @@ impl<'a> Interpreter<'a> {
         let Some(opened) = self.stream.bracket() else { return Err(self.unexpected_token(expected).into()) };
         if !token.closes(opened.bracket) {
             return Err(match token {
-                Token::Sign(Sign::Close(_)) | Token::End => self.not_closed().into(),
+                Token::Sign(Sign::Close(_)) | Token::End => self.unclosed_error().into(),
                 _ => self.unexpected_token(expected).into(),
             });
         }

@@ -1,4 +1,4 @@
-//! What follows a value: whether it continues the value.
+//! Tests whether the tokens after a value continue it.
 
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
@@ -9,7 +9,7 @@ use crate::syntax::{begins_with_parenthesis, begins_with_sign};
 impl<'a> Interpreter<'a> {
     /// True if nothing that follows can continue the expression or list that comes next. Nothing runs to find out. Where
     /// comparisons are allowed (`compares`), a `>` continues a value.
-    pub(in crate::interpreter) fn is_whole(&self, compares: bool) -> bool {
+    pub(in crate::interpreter) fn next_is_complete(&self, compares: bool) -> bool {
         let Some((frame, outer)) = self.stream.frames().split_last() else { return true };
         let Some(element) = frame.next().filter(|_| !self.stream.has_pushed_back()) else { return false };
         if let ElementKind::Numbers(list) = &element.kind

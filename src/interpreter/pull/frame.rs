@@ -19,7 +19,9 @@ impl Interpreter<'_> {
         let Some(frame) = self.stream.innermost() else { return Ok(()) };
         let span = frame.span();
         let again = match frame.kind() {
-            FrameKind::While(condition) => self.reporter.step(span).and_then(|()| self.condition(condition, span)),
+            FrameKind::While(condition) => {
+                self.reporter.step(span).and_then(|()| self.evaluate_condition(condition, span))
+            }
             FrameKind::For { counter, last, step } => {
                 self.reporter.step(span).and_then(|()| self.evaluator.advance_counter(counter, last, step, span))
             }
@@ -43,7 +45,7 @@ impl Interpreter<'_> {
     }
 
     /// Runs `#break`: leaves the innermost loop, `#switch` or macro.
-    pub(in crate::interpreter) fn break_out(&mut self, span: Span) -> Result<()> {
+    pub(in crate::interpreter) fn run_break(&mut self, span: Span) -> Result<()> {
         let is_breakable = |f: &StackFrame| {
             matches!(f.kind(), FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch | FrameKind::Macro(_))
         };
@@ -58,7 +60,7 @@ impl Interpreter<'_> {
                 }
                 Ok(())
             }
-            _ => Diagnostic::new(codes::BREAK_OUTSIDE, span, "`#break` stands in no loop, no `#switch` and no macro")
+            _ => Diagnostic::new(codes::BREAK_OUTSIDE, span, "`#break` is not inside a loop, a `#switch` or a macro")
                 .help("it leaves the innermost `#while`, `#for`, `#switch` or `#macro`")
                 .into(),
         }

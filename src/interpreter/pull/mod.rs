@@ -36,23 +36,21 @@ impl<'a> Interpreter<'a> {
     pub(super) fn peek(&mut self) -> Result<Token<'a>> {
         loop {
             if let Some(token) = self.stream.look_ahead() {
-                return Ok(token);
+                return Ok(*token);
             }
-            let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
-            let element = frame.next();
             // Directives are the common case in loops.
-            if let Some(Element { span, kind: ElementKind::Directive(directive), .. }) = element {
-                self.stream.skip_element();
-                self.run_next_directive(directive, *span)?;
+            if let Some((directive, span)) = self.stream.take_directive() {
+                self.run_next_directive(directive, span)?;
                 continue;
             }
-            if element.is_none_or(may_settle) && self.settle_once()? {
+            let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
+            if frame.next().is_none_or(may_settle) && self.settle_once()? {
                 continue;
             }
             let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
             let Some(element) = frame.next() else {
                 let token = frame.closer().map_or(Token::End, |bracket| Token::Sign(Sign::Close(bracket)));
-                return Ok(self.stream.announce(token));
+                return Ok(self.stream.set_look_ahead(token));
             };
             let token = match &element.kind {
                 ElementKind::Expr(expr) => match self.expr_token(expr, element)? {
@@ -74,7 +72,7 @@ impl<'a> Interpreter<'a> {
                 ElementKind::Directive(_) | ElementKind::Semicolon | ElementKind::Comma => continue,
             };
             // An array's element whose index was read token by token has been pushed back.
-            return Ok(if self.stream.has_pushed_back() { token } else { self.stream.announce(token) });
+            return Ok(if self.stream.has_pushed_back() { token } else { self.stream.set_look_ahead(token) });
         }
     }
 
@@ -116,7 +114,7 @@ impl<'a> Interpreter<'a> {
                     self.stream.skip_element();
                     self.between_tokens(|me| me.call_macro_by_tokens(*name, element.span))?;
                 }
-                _ if expr.calls && self.evaluator.splits(expr) => self.stream.split_next(),
+                _ if expr.calls && self.evaluator.must_split(expr) => self.stream.split_next(),
                 _ => return Ok(false),
             },
             _ => return Ok(false),

@@ -20,14 +20,14 @@ impl<'a> Interpreter<'a> {
                     Ok(None)
                 }
                 _ => {
-                    let place = self.element_place(base, indices)?;
-                    self.stream.set_element(place);
+                    let lvalue = self.element_lvalue(base, indices)?;
+                    self.stream.set_element(lvalue);
                     Ok(Some(Token::Element(expr.span)))
                 }
             },
-            ExprKind::Dot(..) => match self.dictionary_place(expr)? {
-                Some(place) => {
-                    self.stream.set_element(place);
+            ExprKind::Dot(..) => match self.dictionary_lvalue(expr)? {
+                Some(lvalue) => {
+                    self.stream.set_element(lvalue);
                     Ok(Some(Token::Element(expr.span)))
                 }
                 None => Ok(Some(Token::Expr(expr))),
@@ -82,10 +82,10 @@ impl<'a> Interpreter<'a> {
         let is_open = match next {
             _ if element.comma || word == "function" => false,
             Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace))) => {
-                return Ok(self.stream.announce(block));
+                return Ok(self.stream.set_look_ahead(block));
             }
             Some(ElementKind::Sign(Sign::Open(Bracket::Paren))) if let Some(callee) = callee => {
-                return Ok(self.stream.announce(callee));
+                return Ok(self.stream.set_look_ahead(callee));
             }
             Some(ElementKind::Directive(_)) => true,
             Some(ElementKind::Expr(e)) => {
@@ -95,7 +95,7 @@ impl<'a> Interpreter<'a> {
             None => frame.closer().is_none() && !matches!(frame.kind(), FrameKind::File),
         };
         if !is_open {
-            return Ok(self.stream.announce(alone));
+            return Ok(self.stream.set_look_ahead(alone));
         }
         self.stream.skip_element();
         let before = self.stream.take_comma();

@@ -1,4 +1,4 @@
-//! Colours and all the ways to write one.
+//! Reading of colours.
 
 use super::super::Interpreter;
 use super::super::stream::Token;
@@ -9,7 +9,7 @@ use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{FloatOrColor, Kind, Reader, Value, VecN, WordSpec};
 
-/// The words that begin a colour.
+/// Words that begin a colour.
 pub const COLOR_WORDS: &[WordSpec] = &[
     word(
         "color",
@@ -34,10 +34,10 @@ pub const COLOR_WORDS: &[WordSpec] = &[
     word("alpha", Kind::Float, "0", "an old spelling of `filter`"),
 ];
 
-/// One number of a colour.
+/// Accessor of one component of a colour.
 type Component = fn(&mut Color) -> &mut f64;
 
-/// The words that name one number of a colour alone, and which; [`COLOR_WORDS`] tells what they mean.
+/// Words for one component of a colour, with their accessors; [`COLOR_WORDS`] describes the words.
 const COMPONENTS: &[(&str, Component)] = &[
     ("red", |color| &mut color.rgb.x),
     ("green", |color| &mut color.rgb.y),
@@ -47,17 +47,17 @@ const COMPONENTS: &[(&str, Component)] = &[
     ("alpha", |color| &mut color.filter),
 ];
 
-/// Does a colour begin with this word?
+/// True if the word begins a colour.
 pub(in crate::interpreter) fn begins_color(word: &str) -> bool {
     COLOR_WORDS.iter().any(|w| w.name == word)
 }
 
-/// Does it name one number of a colour alone?
+/// True if the word sets one component of a colour.
 pub(super) fn is_component(word: &str) -> bool {
     COMPONENTS.iter().any(|(name, _)| *name == word)
 }
 
-/// Infinite light is white, what is not a number is black (as POV-Ray 3.7 draws them).
+/// Replaces an infinite component by [`Color::BLINDING`] and NaN by 0 (quirk: `infinite_colors`).
 fn finite_component(x: f64) -> f64 {
     match x {
         x if x.is_finite() => x,
@@ -67,16 +67,16 @@ fn finite_component(x: f64) -> f64 {
 }
 
 impl Interpreter<'_> {
-    /// The colour that an expression gives after one of the words `rgb`, `rgbt` …: a number stands for as many components
-    /// as the word has letters, and the two last of `rgbt` are swapped into place.
-    fn color_after(&mut self, word: &str) -> Result<Color> {
-        // Where a colour stands, POV-Ray compares without parentheses: `color (A > 1) ? Red : Blue`.
-        let (value, span) = self.value_in(true)?;
+    /// Reads the value after `rgb`, `rgbt` and the like. A number fills as many components as the word has letters. The
+    /// fourth component of `rgbt` is the transmit.
+    fn read_color_value(&mut self, word: &str) -> Result<Color> {
+        // POV-Ray allows comparisons without parentheses in colours: `color (A > 1) ? Red : Blue`.
+        let (value, span) = self.read_expression(true)?;
         self.as_color(value, word, span)
     }
 
-    /// `filter 0.5` and its kin after a colour.
-    fn color_components(&mut self, color: &mut Color) -> Result<()> {
+    /// Reads `filter 0.5` and the like after a colour.
+    fn read_color_components(&mut self, color: &mut Color) -> Result<()> {
         while let Token::Word(word) = self.peek_continuation()?
             && is_component(word)
         {
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
             }
         };
         if matches!(word, "rgbt" | "srgbt") {
-            // The fourth number is the transmit; a fifth has no meaning.
+            // The fourth number is the transmit; a fifth is ignored.
             (c[4], c[3]) = (c[3], 0.0);
         }
         if !c.iter().all(|x| x.is_finite()) {
@@ -109,13 +109,13 @@ impl Interpreter<'_> {
         }
         let mut color = Color::from_array(c);
         if word.starts_with('s') {
-            color.rgb = self.linear_of_srgb(color.rgb);
+            color.rgb = self.srgb_to_linear(color.rgb);
         }
         Ok(color)
     }
 
-    /// An sRGB colour in the numbers that the scene computes with.
-    fn linear_of_srgb(&self, c: Rgb) -> Rgb {
+    /// Converts an sRGB colour to the scene's working space.
+    fn srgb_to_linear(&self, c: Rgb) -> Rgb {
         let linear = transfer::srgb_decode_rgb(c);
         match self.builder.language().assumed_gamma {
             Some(Gamma::Srgb) => c,
@@ -127,7 +127,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// `color` alone, `color rgb <…>`, `rgb <…>`, `<…>`, `color red 1 green 0.5`, `color Red filter 0.5`.
+    /// Reads a colour: `color rgb <…>`, `rgb <…>`, `<…>`, `color red 1 green 0.5`, `color Red filter 0.5`.
     pub(super) fn read_color(&mut self) -> Result<Color> {
         let mut word = match self.peek()? {
             Token::Word(word) if begins_color(word) => {
@@ -149,23 +149,23 @@ impl Interpreter<'_> {
                 let x = self.float()?;
                 set_component(&mut color, word, x);
             }
-            word => color = self.color_after(word)?,
+            word => color = self.read_color_value(word)?,
         }
-        self.color_components(&mut color)?;
+        self.read_color_components(&mut color)?;
         Ok(color)
     }
 
-    /// A number, or else a colour.
+    /// Reads a number or a colour.
     pub(super) fn read_float_or_color(&mut self) -> Result<FloatOrColor> {
         if matches!(self.peek()?, Token::Word(_)) {
             return self.color().map(FloatOrColor::Color);
         }
-        let (value, span) = self.value_here()?;
+        let (value, span) = self.read_value()?;
         if let Value::Float(x) = value {
             return Ok(FloatOrColor::Float(x));
         }
         let mut color = self.as_color(value, "color", span)?;
-        self.color_components(&mut color)?;
+        self.read_color_components(&mut color)?;
         Ok(FloatOrColor::Color(color))
     }
 }

@@ -8,15 +8,17 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Interpreter<'_> {
-    /// See [`crate::value::Reader::font`]. A name without ending means ttf, or else a family of the system's fonts.
-    pub(super) fn font_named(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
+    /// Finds and parses a font. A name without extension is a TrueType file, or else a family installed on the system.
+    pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {
             Some(path) => Place::first_of(path),
-            None => match self.installed(name).or_else(|| self.stand_in(name, &full, at).map(Place::first_of)) {
-                Some(place) => place,
-                None => return Ok(Arc::new(Font::own())),
-            },
+            None => {
+                match self.installed_font(name).or_else(|| self.substitute_font(name, &full, at).map(Place::first_of)) {
+                    Some(place) => place,
+                    None => return Ok(Arc::new(Font::own())),
+                }
+            }
         };
         if let Some(font) = self.evaluator.assets().fonts.get(&place) {
             return Ok(font.clone());
@@ -26,8 +28,8 @@ impl Interpreter<'_> {
         Ok(font)
     }
 
-    /// A font of the system by its family: an addition of durer's.
-    fn installed(&mut self, name: &str) -> Option<Place> {
+    /// The installed font of a family: an extension of durer's.
+    fn installed_font(&mut self, name: &str) -> Option<Place> {
         if fonts::is_file_name(Path::new(name)) {
             return None;
         }
@@ -40,8 +42,8 @@ impl Interpreter<'_> {
         found
     }
 
-    /// A font of the system: the one of this name, or one that looks like it, which is told.
-    fn stand_in(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
+    /// An installed font of this name, or one with a similar design, with a warning.
+    fn substitute_font(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
         let search = &self.inputs.options.search.fonts;
         let found = fonts::similar(self.inputs.files, name, search);
         let file = found.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
@@ -49,11 +51,11 @@ impl Interpreter<'_> {
             return found;
         }
         let what = match file {
-            Some(file) => format!(": `{file}` stands for it"),
-            None => ": durer's own one, Roboto, stands for it".into(),
+            Some(file) => format!(": `{file}` is used instead"),
+            None => ": durer's own font, Roboto, is used instead".into(),
         };
         let d = Diagnostic::new(codes::FONT_MISSING, at, format!("the font `{name}` was not found{what}"));
-        self.report_here(d.help("fonts are looked for where included files are; -I DIR adds a folder"));
+        self.report_here(d.help("fonts are searched in the same folders as included files; -I DIR adds a folder"));
         found
     }
 }

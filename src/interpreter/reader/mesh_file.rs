@@ -1,4 +1,4 @@
-//! Files of meshes that a scene names, and the files that those name.
+//! Mesh files that a scene names, with the files that they name.
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::image_io::Picture;
@@ -10,22 +10,24 @@ use std::path::Path;
 use std::sync::Arc;
 
 impl Interpreter<'_> {
-    /// See [`Reader::mesh_file`].
-    pub(super) fn mesh_file_here(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
+    /// Reads the name of a mesh file, and builds its shape with `build`. Each file is read once.
+    pub(super) fn read_mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
         let (at, name) = (self.span(), self.text()?);
         let Some(path) = self.find_read_file(&name, at)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the mesh's file `{name}` was not found"));
-            return d.help("such files are looked for where included files are; -I DIR adds a folder").into();
+            return d
+                .help("mesh files are searched in the same folders as included files; -I DIR adds a folder")
+                .into();
         };
         if let Some(mesh) = self.evaluator.assets().meshes.get(&path) {
             return Ok(mesh.clone());
         }
         let file = self.read_mesh(&path, at)?;
         for remark in &file.remarks {
-            self.tell_partly(&name, remark, at);
+            self.warn_partly_read(&name, remark, at);
         }
         let pictures: Vec<_> =
-            file.looks.iter().map(|look| self.picture_beside(&path, look.picture.as_deref()?, at)).collect();
+            file.looks.iter().map(|look| self.material_picture(&path, look.picture.as_deref()?, at)).collect();
         let mesh = build(file, pictures);
         self.evaluator.assets().meshes.insert(path, mesh.clone());
         Ok(mesh)
@@ -51,8 +53,8 @@ impl Interpreter<'_> {
         })
     }
 
-    /// The picture of a material, if it is there; else that is told.
-    fn picture_beside(&mut self, mesh: &Path, name: &str, at: Span) -> Option<Arc<Picture>> {
+    /// The picture of a material; `None` with a warning if it cannot be read.
+    fn material_picture(&mut self, mesh: &Path, name: &str, at: Span) -> Option<Arc<Picture>> {
         let path = mesh.parent().unwrap_or(Path::new("")).join(name);
         let is_open = self.inputs.files.is_file(&path) && self.inputs.files.may_read(&path);
         let picture = if is_open {
@@ -60,10 +62,10 @@ impl Interpreter<'_> {
         } else {
             Err(format!("the picture `{name}` is not there, or may not be read"))
         };
-        picture.map_err(|why| self.tell_partly(&mesh.display().to_string(), &why, at)).ok()
+        picture.map_err(|why| self.warn_partly_read(&mesh.display().to_string(), &why, at)).ok()
     }
 
-    fn tell_partly(&mut self, name: &str, what: &str, at: Span) {
-        self.report(Diagnostic::new(codes::MESH_PARTLY, at, format!("of the mesh's file `{name}`: {what}")));
+    fn warn_partly_read(&mut self, name: &str, what: &str, at: Span) {
+        self.report(Diagnostic::new(codes::MESH_PARTLY, at, format!("in the mesh file `{name}`: {what}")));
     }
 }

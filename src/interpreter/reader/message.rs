@@ -1,4 +1,4 @@
-//! "expected …, found …", and which words a block takes.
+//! Errors about the next token: "expected …, found …", unclosed brackets, unknown words.
 
 use super::super::evaluator::Slot;
 use super::super::stream::{BlockName, OpenBracket, Token};
@@ -19,9 +19,9 @@ use crate::value::words::TRANSFORMS;
 use crate::value::{Kind, Next, Reader};
 
 impl Interpreter<'_> {
-    /// "expected …, found …" about what comes next.
+    /// The error "expected …, found …" about the next token.
     pub(in crate::interpreter) fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
             Ok(Token::Word(word) | Token::Callee(word)) => format!("`{word}`"),
@@ -29,7 +29,7 @@ impl Interpreter<'_> {
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. })) => {
                 let slot = self.evaluator.scopes().get(*symbol);
                 if matches!(slot, Some(Slot::Faulty(_))) || slot.is_none() && !self.evaluator.is_constant(*symbol) {
-                    let Err(fault) = self.name_value(*symbol, *span) else {
+                    let Err(fault) = self.evaluate_name(*symbol, *span) else {
                         return self.expected(*span, expected, "a name");
                     };
                     return *fault;
@@ -43,12 +43,12 @@ impl Interpreter<'_> {
             }
             Ok(Token::Expr(Expr { span, .. })) if self.inputs.sources.snippet(*span).starts_with('(') => {
                 let paren = Span { hi: span.lo + 1, ..*span };
-                return self.expected_no_parenthesis(paren, expected);
+                return self.unexpected_parenthesis(paren, expected);
             }
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Element(span))
                 if let Some(slot @ Slot::Faulty(_)) =
-                    self.stream.element().and_then(|place| self.evaluator.scopes().at(place)) =>
+                    self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue)) =>
             {
                 let slot = slot.clone();
                 return match self.slot_value(slot, span) {
@@ -58,28 +58,28 @@ impl Interpreter<'_> {
             }
             Ok(Token::Element(span)) => format!("`{}`", self.inputs.sources.snippet(span)),
             Ok(Token::Function(_)) => "a function".to_string(),
-            Ok(Token::Open(Bracket::Paren, _)) => return self.expected_no_parenthesis(span, expected),
+            Ok(Token::Open(Bracket::Paren, _)) => return self.unexpected_parenthesis(span, expected),
             Ok(Token::Open(bracket, _)) => format!("`{}`", bracket.text()[0]),
             Ok(Token::Sign(Sign::Close(bracket))) => match self.stream.bracket() {
-                Some(opened) if opened.bracket != bracket => return self.not_closed(),
+                Some(opened) if opened.bracket != bracket => return self.unclosed_error(),
                 Some(OpenBracket { word: Some(block), .. }) => format!("the end of `{block} {{…}}`"),
                 _ => format!("`{}`", bracket.text()[1]),
             },
-            Ok(Token::Sign(_)) => return self.misplaced(span),
-            Ok(Token::End) if self.stream.bracket().is_some() => return self.not_closed(),
+            Ok(Token::Sign(_)) => return self.syntax_error_at(span),
+            Ok(Token::End) if self.stream.bracket().is_some() => return self.unclosed_error(),
             Ok(Token::End) => "the end".to_string(),
         };
         self.expected(span, expected, &found)
     }
 
-    fn expected_no_parenthesis(&mut self, span: Span, expected: &str) -> Diagnostic {
-        self.called_value().unwrap_or_else(|| {
-            self.expected(span, expected, "`(`").help("vectors stand in angle brackets: `<1, 2, 3>`")
+    fn unexpected_parenthesis(&mut self, span: Span, expected: &str) -> Diagnostic {
+        self.uncallable_value_error().unwrap_or_else(|| {
+            self.expected(span, expected, "`(`").help("vectors are written in angle brackets: `<1, 2, 3>`")
         })
     }
 
-    /// `A(2)` where A is a value: nothing that could be called.
-    pub(in crate::interpreter) fn called_value(&mut self) -> Option<Diagnostic> {
+    /// The error for a call of a value that is no function, as in `A(2)`.
+    pub(in crate::interpreter) fn uncallable_value_error(&mut self) -> Option<Diagnostic> {
         let opens = matches!(
             self.peek(),
             Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. }))
@@ -87,7 +87,7 @@ impl Interpreter<'_> {
         if !opens || self.stream.has_comma() {
             return None;
         }
-        let (file, range) = self.inputs.sources.locate(self.stream.here())?;
+        let (file, range) = self.inputs.sources.locate(self.stream.next_span())?;
         let text = &self.inputs.sources.text(file)[..range.start];
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let name = &text[text.trim_end_matches(is_word).len()..];
@@ -99,18 +99,18 @@ impl Interpreter<'_> {
         Some(Diagnostic::new(codes::NOT_CALLABLE, Span::new(lo, lo + name.len()), message))
     }
 
-    /// A sign that can't stand where it does.
-    pub(in crate::interpreter) fn misplaced(&self, span: Span) -> Diagnostic {
+    /// The syntax error for a token that cannot be at its position.
+    pub(in crate::interpreter) fn syntax_error_at(&self, span: Span) -> Diagnostic {
         let Some((file, range)) = self.inputs.sources.locate(span) else {
-            return Diagnostic::new(codes::SYNTAX, span, "something can't stand here");
+            return Diagnostic::new(codes::SYNTAX, span, "this is not allowed here");
         };
         fault::explain(self.inputs.sources.text(file), range.start, self.inputs.sources.base(file))
     }
 
-    /// What was opened last is not closed where something further out is, or where the text ends.
-    pub(in crate::interpreter) fn not_closed(&mut self) -> Diagnostic {
+    /// The error for the innermost open bracket where an outer bracket closes or the text ends.
+    pub(in crate::interpreter) fn unclosed_error(&mut self) -> Diagnostic {
         let token = self.peek();
-        let here = self.stream.here();
+        let here = self.stream.next_span();
         let Some(opened) = self.stream.bracket() else {
             return Diagnostic::new(codes::UNMATCHED_CLOSER, here, "this closes nothing");
         };
@@ -137,9 +137,9 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The `<` at `start` opens a vector that something else than `>` ends, which comes next.
-    pub(in crate::interpreter) fn open_vector(&mut self, start: Span) -> Diagnostic {
-        let here = self.stream.here();
+    /// The error for a vector without `>` whose `<` is at `start`; the next token cannot be part of the vector.
+    pub(in crate::interpreter) fn unclosed_vector_error(&mut self, start: Span) -> Diagnostic {
+        let here = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
             Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square)) | Token::Word(_) | Token::Block(_)) => {
@@ -153,7 +153,7 @@ impl Interpreter<'_> {
             Ok(Token::End) => return self.stream.unclosed_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
             Ok(_) => format!("`{}`", self.inputs.sources.snippet(here)),
         };
-        Diagnostic::new(codes::SYNTAX, here, format!("{found} can't stand here"))
+        Diagnostic::new(codes::SYNTAX, here, format!("{found} is not allowed here"))
             .also(Span { hi: start.lo + 1, ..start }, "the vector that begins here is not closed")
             .help("a vector ends with `>`; comparisons need parentheses around them")
     }
@@ -162,7 +162,7 @@ impl Interpreter<'_> {
         Diagnostic::new(codes::EXPECTED, span, format!("expected {expected}, found {found}"))
     }
 
-    /// Must a value come next? Says which one is missing.
+    /// Fails if no value comes next, and reports which one is missing.
     pub(super) fn at_value(&mut self, wanted: &str) -> Result<()> {
         match self.peek()? {
             Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => {
@@ -173,20 +173,20 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The word that comes next is none of those that `block` takes.
-    pub(super) fn tell_unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
-        let span = self.stream.here();
+    /// The error for the next word, which `block` does not take.
+    pub(super) fn unknown_word_error(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
+        let span = self.stream.next_span();
         let word = match self.peek() {
             Err(fault) => return *fault,
-            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form(block, word, span, false),
+            Ok(Token::Word(word)) if takes.contains(&word) => return self.wrong_form_error(block, word, span, false),
             Ok(Token::Block(BlockName { word: Some(word), span, .. })) if takes.contains(&word) => {
-                return self.wrong_form(block, word, span, true);
+                return self.wrong_form_error(block, word, span, true);
             }
             Ok(Token::Word(word)) => word.to_string(),
             Ok(Token::Block(name)) => self.inputs.sources.snippet(name.span).to_string(),
             Ok(Token::Sign(_)) => return self.unexpected_token(block),
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. })) if self.evaluator.is_unknown(*symbol) => {
-                return self.unknown_name(*symbol, span, block, takes);
+                return self.unknown_name_error(*symbol, span, block, takes);
             }
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }))
                 if matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Faulty(_))) =>
@@ -198,7 +198,7 @@ impl Interpreter<'_> {
                 let d = self.unexpected_token(&format!("a word of `{block}`"));
                 if is_object && matches!(block, "union" | "merge" | "intersection" | "difference") {
                     let help = format!(
-                        "the words of the `{block}` come behind all its objects; to move one of these, write `object {{ … }}`"
+                        "the words of the `{block}` follow all its objects; to move one of these, write `object {{ … }}`"
                     );
                     return d.help(help);
                 }
@@ -212,15 +212,15 @@ impl Interpreter<'_> {
             return d.help(help);
         }
         let home =
-            home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs into `{home} {{ {word} … }}`"));
+            home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs in `{home} {{ {word} … }}`"));
         d.maybe_help(near).maybe_help(home).maybe_help(hints::in_block(block, &word).map(String::from))
     }
 
-    /// A name of nothing where a word of the block could stand.
-    fn unknown_name(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
+    /// The error for an undeclared name where a word of the block could be.
+    fn unknown_name_error(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
         let name = self.inputs.names.text(symbol);
         let near = did_you_mean(name, takes.iter().copied());
-        // A name with a capital letter is the author's, or one of an include file.
+        // A capitalized name is the author's own, or that of an include file.
         if name.starts_with(char::is_uppercase)
             || hints::other_tools(name).is_none() && self.reporter.is_in_include(name)
         {
@@ -233,8 +233,8 @@ impl Interpreter<'_> {
         refused(name, span, block, takes).maybe_help(near).maybe_help(hint)
     }
 
-    /// A word that the block does take, with something else behind it than it needs.
-    fn wrong_form(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
+    /// The error for a word that the block takes, but that is followed by something else than the word needs.
+    fn wrong_form_error(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
         let rest =
             self.inputs.sources.locate(span).map_or("", |(file, range)| &self.inputs.sources.text(file)[range.end..]);
         let found = match fault::token_at(rest.trim_start(), 0) {
@@ -244,41 +244,42 @@ impl Interpreter<'_> {
         let (wanted, usage) = match (brace, opens_block(word)) {
             (true, false) => value_behind(word),
             (false, true) => ("`{`".to_string(), block_usage(word)),
-            // It has what it needs, and stands where it may not.
+            // The word has what it needs, but is not allowed at this position.
             _ => {
-                let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` can't stand here in a `{block}`"));
+                let d =
+                    Diagnostic::new(codes::UNKNOWN_WORD, span, format!("`{word}` is not allowed here in a `{block}`"));
                 return d.help("it belongs to another kind of this block, or to another place in it");
             }
         };
-        let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("expected {wanted} behind `{word}`, found {found}"));
+        let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("expected {wanted} after `{word}`, found {found}"));
         d.help(format!("it is written `{usage}`"))
     }
 }
 
-/// Every word that some block takes, as far as a table tells what belongs behind it.
+/// Type of the value after a word, if one of the tables defines it.
 fn kind_of(word: &str) -> Option<Kind> {
     let tables = [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
     let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
 }
 
-/// Does a brace belong behind this word?
+/// True if a `{` follows the word.
 fn opens_block(word: &str) -> bool {
     is_object(word)
         || matches!(word, "camera" | "background" | "global_settings")
         || kind_of(word) == Some(Kind::Block) && word != "matrix"
 }
 
-/// `word` is none that the block takes.
+/// The error for a word that the block does not take.
 fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
     let message = match block {
-        "scene" => format!("`{word}` can't stand outside of all braces"),
+        "scene" => format!("`{word}` is not allowed outside of all braces"),
         _ => format!("`{word}` is not something a `{block}` takes"),
     };
     Diagnostic::new(codes::UNKNOWN_WORD, span, message).help(format!("it takes {}", list(takes)))
 }
 
-/// What a word needs that takes no block, and how it is written.
+/// Description and example of the value after a word that opens no block.
 fn value_behind(word: &str) -> (String, String) {
     let (what, value) = match kind_of(word) {
         _ if word == "matrix" => ("twelve numbers", "<…>"),
@@ -294,7 +295,7 @@ fn value_behind(word: &str) -> (String, String) {
     (what.into(), format!("{word} {value}").trim_end().to_string())
 }
 
-/// How a block is written.
+/// Syntax of a block.
 fn block_usage(word: &str) -> String {
     match SPECS.iter().find(|spec| spec.name == word) {
         Some(spec) => {
@@ -306,13 +307,13 @@ fn block_usage(word: &str) -> String {
     }
 }
 
-/// The block that a word belongs into, the likeliest first.
+/// The block that takes a word; the most likely one of several.
 fn home_of(word: &str) -> Option<&'static str> {
     let homes = [&INTERIOR, &FINISH, &PIGMENT, &POVRAY, &SETTINGS, &LIGHT];
-    homes.into_iter().find(|table| table.obeys(word)).map(|table| table.block)
+    homes.into_iter().find(|table| table.has_effect(word)).map(|table| table.block)
 }
 
-/// Words in backticks, the first twelve of many.
+/// Lists the first twelve words in backticks.
 fn list(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().take(12).map(|w| format!("`{w}`")).collect();
     if words.len() > 12 { format!("{} …", quoted.join(" ")) } else { quoted.join(" ") }

@@ -1,4 +1,4 @@
-//! The interpreter as a [`Reader`]: what a family sees of the stream.
+//! The interpreter's implementation of [`Reader`], through which the families of blocks read their words.
 
 mod color;
 mod font;
@@ -20,7 +20,7 @@ use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
 use crate::source::{Files, Span};
 use crate::syntax::ast::*;
-use crate::value::{BuildMesh, FloatOrColor, Language, Next, RawItem, Reader, Solid, Thing, Value};
+use crate::value::{BuildMesh, FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupported, Value};
 use crate::world::Probe;
 pub use color::COLOR_WORDS;
 pub(super) use color::begins_color;
@@ -28,19 +28,19 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
-    /// A text, with its place.
-    pub(super) fn text_here(&mut self) -> Result<(String, Span)> {
-        // (A sign behind it is no operator: strings have none.)
-        let (value, span) = self.primary()?;
+    /// Reads a string, and returns it with its span.
+    pub(super) fn read_text_value(&mut self) -> Result<(String, Span)> {
+        // A sign after a string is no operator: strings have none.
+        let (value, span) = self.read_primary()?;
         match value {
             Value::Text(text) => Ok((text.to_string(), span)),
             other => not_text(&other, span),
         }
     }
 
-    /// A number behind a directive's word, with its place.
-    pub(super) fn float_after(&mut self) -> Result<(f64, Span)> {
-        let (value, span) = self.value_here()?;
+    /// Reads a number, and returns it with its span.
+    pub(super) fn read_number(&mut self) -> Result<(f64, Span)> {
+        let (value, span) = self.read_value()?;
         Ok((as_float(&value, span)?, span))
     }
 }
@@ -70,7 +70,7 @@ impl Reader for Interpreter<'_> {
                 }
             },
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.next_of_name(*symbol),
-            Token::Element(_) => match self.stream.element().and_then(|place| self.evaluator.scopes().at(place)) {
+            Token::Element(_) => match self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue)) {
                 Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
                 _ => Next::Value,
             },
@@ -80,7 +80,7 @@ impl Reader for Interpreter<'_> {
             Token::Word(word) => Next::Word(word),
             Token::Open(Bracket::Square, _) => Next::Entry,
             Token::Open(Bracket::Brace, _) => Next::Group,
-            // Whoever asks for a value says what is wrong with it.
+            // The reader of the value reports what is wrong with it.
             Token::Open(Bracket::Paren, _) => Next::Value,
             Token::Sign(Sign::Close(_)) | Token::End => Next::End,
             Token::Sign(_) => Next::Value,
@@ -88,12 +88,12 @@ impl Reader for Interpreter<'_> {
     }
 
     fn span(&mut self) -> Span {
-        // Whoever asks for a place can't fail: a fault in a directive on the way is told here, or nobody would tell it.
+        // This method cannot fail, so it reports a fault in a directive before the token.
         if let Err(fault) = self.peek() {
             let fault = self.stream.with_trace(*fault);
             self.reporter.report(fault);
         }
-        self.stream.here()
+        self.stream.next_span()
     }
 
     fn take(&mut self) -> Result<Span> {
@@ -105,18 +105,18 @@ impl Reader for Interpreter<'_> {
     }
 
     fn value(&mut self) -> Result<(Value, Span)> {
-        self.value_here()
+        self.read_value()
     }
 
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let value = match token {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
                 self.stream.advance();
-                Some(self.name_value(*symbol, span)?)
+                Some(self.evaluate_name(*symbol, span)?)
             }
-            Token::Function(_) => match self.rvalue()? {
+            Token::Function(_) => match self.read_rvalue()? {
                 Slot::Value(value) => Some(value),
                 _ => None,
             },
@@ -139,12 +139,12 @@ impl Reader for Interpreter<'_> {
     }
 
     fn pigment(&mut self) -> Result<Arc<dyn Thing>> {
-        self.brightness()
+        self.read_brightness()
     }
 
     fn float(&mut self) -> Result<f64> {
         self.at_value("a number")?;
-        let (value, span) = self.value_here()?;
+        let (value, span) = self.read_value()?;
         let x = as_float(&value, span)?;
         if x.is_finite() { Ok(x) } else { Diagnostic::err(codes::NOT_FINITE, span, format!("this number is {x}")) }
     }
@@ -155,7 +155,7 @@ impl Reader for Interpreter<'_> {
 
     fn vector(&mut self) -> Result<DVec3> {
         self.at_value("a vector")?;
-        let (value, span) = self.value_here()?;
+        let (value, span) = self.read_value()?;
         finite(as_vector(&value, span)?, span)
     }
 
@@ -166,7 +166,7 @@ impl Reader for Interpreter<'_> {
 
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>> {
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let data = match token {
             Token::Numbers(data) => {
                 self.stream.advance();
@@ -178,11 +178,11 @@ impl Reader for Interpreter<'_> {
             }
             Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) => {
                 self.stream.advance();
-                self.whole_numbers(parts)?
+                self.evaluate_numbers(parts)?
             }
-            Token::Sign(Sign::Operator(Operator::Less)) => self.numbers_in_pieces()?.0,
+            Token::Sign(Sign::Operator(Operator::Less)) => self.read_vector_numbers()?.0,
             _ => {
-                let (value, span) = self.value_here()?;
+                let (value, span) = self.read_value()?;
                 match value {
                     Value::Vector(v) => v.c[..v.len as usize].to_vec(),
                     other => {
@@ -207,7 +207,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         self.expect_paren("the word")?;
         let mut numbers = vec![];
         while !self.peek()?.closes(Bracket::Paren) {
@@ -252,7 +252,7 @@ impl Reader for Interpreter<'_> {
                     && !matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Value(Value::Text(_))))
             }
             Token::Element(_) => {
-                let slot = self.stream.element().and_then(|place| self.evaluator.scopes().at(place));
+                let slot = self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue));
                 matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,
@@ -266,7 +266,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn text(&mut self) -> Result<String> {
-        self.text_here().map(|(text, _)| text)
+        self.read_text_value().map(|(text, _)| text)
     }
 
     fn flag(&mut self) -> Result<bool> {
@@ -287,32 +287,32 @@ impl Reader for Interpreter<'_> {
 
     fn picture(&mut self) -> Result<Arc<Picture>> {
         let (at, name) = (self.span(), self.text()?);
-        // A name without ending means png, as POV-Ray's own output does.
+        // A name without extension is a PNG file, as POV-Ray's own output is.
         let full = if name.contains('.') { name.clone() } else { format!("{name}.png") };
         let Some(path) = self.find_read_file(&full, at)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the picture `{name}` was not found"));
-            return d.help("pictures are looked for where included files are; -I DIR adds a folder").into();
+            return d.help("pictures are searched in the same folders as included files; -I DIR adds a folder").into();
         };
         self.picture_at(path, at)
     }
 
     fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
-        self.mesh_file_here(build)
+        self.read_mesh_file(build)
     }
 
     fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
         if !matches!(self.peek()?, Token::Function(_)) {
             return Ok(None);
         }
-        self.picture_function()
+        self.read_sized_function()
     }
 
     fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
-        self.font_named(name, at)
+        self.find_font(name, at)
     }
 
-    fn pass(&mut self, row: &mut Vec<RawItem>) -> Result<()> {
-        self.pass_over(row)
+    fn skip_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
+        self.read_into(row)
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
@@ -325,16 +325,16 @@ impl Reader for Interpreter<'_> {
     }
 
     fn unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
-        self.tell_unknown_word(block, takes)
+        self.unknown_word_error(block, takes)
     }
 
-    fn keep_undrawn(&mut self, what: &'static str) -> Result<RawItem> {
-        self.keep_with_warning(what)
+    fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported> {
+        self.read_unsupported_item(what)
     }
 }
 
 impl Interpreter<'_> {
-    /// A picture's file, decoded once.
+    /// A picture file, decoded once per run.
     fn picture_at(&mut self, path: PathBuf, at: Span) -> Result<Arc<Picture>> {
         if let Some(picture) = self.evaluator.assets().pictures.get(&path) {
             return Ok(picture.clone());
@@ -344,7 +344,7 @@ impl Interpreter<'_> {
         Ok(picture)
     }
 
-    /// How many points a picture that a function makes has along a side.
+    /// Checks the width or height of a function's picture.
     pub(super) fn picture_side(&self, n: f64, span: Span) -> Result<usize> {
         if (1.0..=16384.0).contains(&n) {
             return Ok(n as usize);

@@ -1,4 +1,4 @@
-//! Passing over what is known and not drawn yet; what was said is kept.
+//! Reading of blocks that durer does not render yet; their contents are kept as plain data.
 
 use super::super::Interpreter;
 use super::super::evaluator::Slot;
@@ -7,90 +7,99 @@ use super::super::stream::Token;
 use super::color::{begins_color, is_component};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Sign};
-use crate::value::{Next, RawItem, Reader};
+use crate::value::{Next, Reader, Unsupported};
 
 impl Interpreter<'_> {
-    /// A word or block with all that belongs to it.
-    pub(super) fn keep_with_warning(&mut self, what: &'static str) -> Result<RawItem> {
+    /// Reads a word or block with its contents, and warns that it has no effect.
+    pub(super) fn read_unsupported_item(&mut self, what: &'static str) -> Result<Unsupported> {
         let token = self.peek()?;
         let (word, span) = match token {
             Token::Block(name) => (name.word.unwrap_or(what), name.span),
-            Token::Word(word) => (word, self.stream.here()),
-            _ => (what, self.stream.here()),
+            Token::Word(word) => (word, self.stream.next_span()),
+            _ => (what, self.stream.next_span()),
         };
-        self.report(Diagnostic::new(codes::UNSUPPORTED, span, format!("`{word}` is not drawn yet: it is left out")));
+        self.report(Diagnostic::new(
+            codes::UNSUPPORTED,
+            span,
+            format!("`{word}` is not supported yet and has no effect"),
+        ));
         match token {
-            Token::Block(_) => self.enclosed_said(word),
+            Token::Block(_) => self.read_enclosed(word),
             Token::Function(_) | Token::Expr(_) => {
                 let mut row = vec![];
-                self.pass_over(&mut row)?;
-                Ok(RawItem::Block(word, row.into()))
+                self.read_into(&mut row)?;
+                Ok(Unsupported::Block(word, row.into()))
             }
             _ => {
                 self.stream.advance();
-                let row = self.arguments_said()?;
-                Ok(if row.is_empty() { RawItem::Word(word) } else { RawItem::Block(word, row.into()) })
+                let row = self.read_values_after_word()?;
+                Ok(if row.is_empty() { Unsupported::Word(word) } else { Unsupported::Block(word, row.into()) })
             }
         }
     }
 
-    /// The values, entries and texts after a word.
-    fn arguments_said(&mut self) -> Result<Vec<RawItem>> {
+    /// Reads the values, entries and strings after a word.
+    fn read_values_after_word(&mut self) -> Result<Vec<Unsupported>> {
         let mut row = vec![];
         loop {
             match Reader::next(self)? {
-                Next::Value | Next::Function | Next::Entry | Next::Group => self.pass_over(&mut row)?,
-                Next::Word(word) if begins_color(word) => row.push(RawItem::Color(self.read_color()?)),
-                Next::Thing("color_map" | "pigment" | "texture" | "normal") => self.pass_over(&mut row)?,
+                Next::Value | Next::Function | Next::Entry | Next::Group => self.read_into(&mut row)?,
+                Next::Word(word) if begins_color(word) => row.push(Unsupported::Color(self.read_color()?)),
+                Next::Thing("color_map" | "pigment" | "texture" | "normal") => self.read_into(&mut row)?,
                 _ => return Ok(row),
             }
         }
     }
 
-    /// A block, entry or group to its end.
-    fn enclosed_said(&mut self, word: &'static str) -> Result<RawItem> {
+    /// Reads a block, entry or group to its end.
+    fn read_enclosed(&mut self, word: &'static str) -> Result<Unsupported> {
         self.take()?;
         let mut row = vec![];
         while !self.peek()?.ends() {
-            self.pass_over(&mut row)?;
+            self.read_into(&mut row)?;
         }
         self.leave()?;
-        Ok(RawItem::Block(word, row.into()))
+        Ok(Unsupported::Block(word, row.into()))
     }
 
-    /// Whatever comes next, with all that is in it. Directives run and values are computed, so that mistakes are found.
-    pub(super) fn pass_over(&mut self, row: &mut Vec<RawItem>) -> Result<()> {
+    /// Reads the next token with its contents, and appends it. Directives run and values are evaluated, so that errors
+    /// are found.
+    pub(super) fn read_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
         match self.peek()? {
             Token::Block(name) => {
-                row.push(self.enclosed_said(name.word.unwrap_or("block"))?);
+                row.push(self.read_enclosed(name.word.unwrap_or("block"))?);
             }
-            Token::Open(Bracket::Square, _) => row.push(self.enclosed_said("entry")?),
-            Token::Open(Bracket::Brace, _) => row.push(self.enclosed_said("group")?),
-            Token::Numbers(data) if data.len() > 5 || self.is_whole(false) => {
+            Token::Open(Bracket::Square, _) => row.push(self.read_enclosed("entry")?),
+            Token::Open(Bracket::Brace, _) => row.push(self.read_enclosed("group")?),
+            Token::Numbers(data) if data.len() > 5 || self.next_is_complete(false) => {
                 self.stream.advance();
-                RawItem::push_numbers(row, data);
-                // Most of a list of literals is no matter of what follows it.
+                Unsupported::push_numbers(row, data);
+                // Items inside a literal list cannot be continued by what follows the list.
                 while let Some(data) = self.stream.inner_literal() {
-                    RawItem::push_numbers(row, data);
+                    Unsupported::push_numbers(row, data);
                 }
             }
-            // `<a, b, … >` of a quartic has more numbers than a vector.
-            Token::Expr(Expr { kind: ExprKind::Literal(data), .. }) if data.len() > 5 || self.is_whole(false) => {
+            // `<a, b, … >` of a quartic has more components than a vector.
+            Token::Expr(Expr { kind: ExprKind::Literal(data), .. })
+                if data.len() > 5 || self.next_is_complete(false) =>
+            {
                 self.stream.advance();
-                RawItem::push_numbers(row, data);
+                Unsupported::push_numbers(row, data);
             }
-            Token::Expr(Expr { kind: ExprKind::Vector(parts), .. }) if parts.len() > 5 || self.is_whole(false) => {
+            Token::Expr(Expr { kind: ExprKind::Vector(parts), .. })
+                if parts.len() > 5 || self.next_is_complete(false) =>
+            {
                 self.stream.advance();
-                let data = self.whole_numbers(parts)?;
-                RawItem::push_numbers(row, &data);
+                let data = self.evaluate_numbers(parts)?;
+                Unsupported::push_numbers(row, &data);
             }
             Token::Sign(Sign::Operator(Operator::Less)) => {
-                let (data, span) = self.numbers_in_pieces()?;
+                let (data, span) = self.read_vector_numbers()?;
                 if self.value_ends()? {
-                    RawItem::push_numbers(row, &data);
+                    Unsupported::push_numbers(row, &data);
                 } else {
                     let first = vector_value(&data, span)?;
-                    RawItem::push_value(row, &self.value_from(first, span)?.0);
+                    Unsupported::push_value(row, &self.continue_value(first, span)?.0);
                 }
             }
             Token::Expr(_)
@@ -101,19 +110,19 @@ impl Interpreter<'_> {
             | Token::Open(Bracket::Paren, _)
             | Token::Sign(Sign::Not | Sign::Operator(_)) => {
                 let value = match Reader::next(self)? {
-                    Next::Thing(_) | Next::Function => self.rvalue()?,
-                    _ => Slot::Value(self.value_here()?.0),
+                    Next::Thing(_) | Next::Function => self.read_rvalue()?,
+                    _ => Slot::Value(self.read_value()?.0),
                 };
                 if let Slot::Value(value) = value {
-                    RawItem::push_value(row, &value);
+                    Unsupported::push_value(row, &value);
                 }
             }
             Token::Word(word) if begins_color(word) && !is_component(word) => {
-                row.push(RawItem::Color(self.read_color()?))
+                row.push(Unsupported::Color(self.read_color()?))
             }
             Token::Word(word) => {
                 self.stream.advance();
-                row.push(RawItem::Word(word));
+                row.push(Unsupported::Word(word));
             }
             Token::Sign(_) | Token::End => {
                 return Err(self.unexpected_token("a word, a value or a block").into());

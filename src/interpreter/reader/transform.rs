@@ -1,4 +1,4 @@
-//! `translate`, `rotate`, `scale`, `matrix` and `transform { … }`.
+//! Reading of `translate`, `rotate`, `scale`, `matrix` and `transform { … }`.
 
 use super::super::Interpreter;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -17,15 +17,15 @@ impl Thing for TransformThing {
     }
 }
 
-/// Degrees: less is meant to move something just a little.
+/// Angle in degrees below which a rotation around all axes is likely intended.
 const A_LITTLE: f64 = 5.0;
 
 impl Interpreter<'_> {
-    /// One `translate`, `rotate` … after its word was consumed.
-    fn transform_step(&mut self, word: &str) -> Result<Box<Transform>> {
+    /// Reads the arguments of `translate`, `rotate`, `scale` or `matrix`, whose word has been consumed.
+    fn read_transform_step(&mut self, word: &str) -> Result<Box<Transform>> {
         let span = {
             self.peek()?;
-            self.stream.here()
+            self.stream.next_span()
         };
         let singular = |_| {
             let d = Diagnostic::new(codes::SINGULAR, span, format!("this `{word}` flattens space"));
@@ -35,12 +35,12 @@ impl Interpreter<'_> {
             "translate" => Transform::translate(self.vector()?),
             "rotate" => {
                 let angles = self.vector()?;
-                self.tell_all_axes(angles, span);
+                self.warn_all_axes(angles, span);
                 Transform::rotate(angles)
             }
             "scale" => {
                 let factors = self.vector()?;
-                // POV-Ray takes a factor of 0 for 1, with a warning.
+                // POV-Ray replaces a factor of 0 by 1, with a warning.
                 let mended = DVec3::select(factors.cmpeq(DVec3::ZERO), DVec3::ONE, factors);
                 if mended != factors {
                     let message = "a factor of 0 would flatten the object; 1 is used instead";
@@ -56,18 +56,18 @@ impl Interpreter<'_> {
         }))
     }
 
-    /// W0407: `rotate 45`. One that is computed, as by `rand`, is mostly meant so; a macro's argument too.
-    fn tell_all_axes(&mut self, angles: DVec3, span: Span) {
+    /// W0407: warns of `rotate 45`. A computed angle, as from `rand`, is likely intended, and so is a macro's argument.
+    fn warn_all_axes(&mut self, angles: DVec3, span: Span) {
         if angles.x.abs() < A_LITTLE || angles.x != angles.y || angles.y != angles.z {
             return;
         }
-        // A pattern is turned to look less regular, and then any axis will do.
+        // A pattern may be rotated around any axis, to look less regular.
         let word = self.stream.bracket().and_then(|opened| opened.word);
         if !word.is_some_and(|word| is_object(word) || word == "camera") {
             return;
         }
         let typed = self.inputs.sources.snippet(span);
-        if typed.parse::<f64>().is_ok() && !self.goes_on_behind(span) {
+        if typed.parse::<f64>().is_ok() && !self.is_operand(span) {
             let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
             let help =
                 format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
@@ -76,14 +76,14 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Does an operator stand behind this number? (Taken apart, `360*rand(S)` begins with a token that is a number.)
-    fn goes_on_behind(&self, span: Span) -> bool {
+    /// True if an operator follows the number at `span`: split into tokens, `360*rand(S)` begins with a number.
+    fn is_operand(&self, span: Span) -> bool {
         let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
         let rest = self.inputs.sources.text(file).get(range.end..).unwrap_or("");
         rest.trim_start().starts_with(['*', '/', '+', '-', '.'])
     }
 
-    /// What stands between the braces of a `transform`.
+    /// Reads the inside of a `transform`.
     pub(in crate::interpreter) fn transform_block(&mut self) -> Result<Transform> {
         let mut all = Transform::IDENTITY;
         loop {
@@ -104,15 +104,15 @@ impl Interpreter<'_> {
         }
     }
 
-    /// One step, if one comes next.
+    /// Reads one transform, if one comes next.
     pub(super) fn read_transform(&mut self) -> Result<Option<Box<Transform>>> {
         match Reader::next(self)? {
             Next::Word(word @ ("translate" | "rotate" | "scale" | "matrix")) => {
                 self.stream.advance();
-                self.transform_step(word).map(Some)
+                self.read_transform_step(word).map(Some)
             }
             Next::Word("transform") => {
-                // `transform T`, as in old scenes
+                // `transform T`, as in old scenes.
                 self.stream.advance();
                 let declared = ReaderExt::thing::<TransformThing>(self)?;
                 declared.map(|t| Some(Box::new(t.0))).ok_or_else(|| Box::new(self.unexpected_token("a transform")))

@@ -1,6 +1,6 @@
-//! Words that people bring along from other tools.
+//! Hints for words from other tools.
 
-/// What to say about a word that is unknown here and known elsewhere.
+/// Hint for a word that is unknown in POV-Ray's language, but known in others.
 pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {
         "cube" | "cuboid" => "a box is `box { <corner>, <opposite corner> }`",
@@ -12,7 +12,7 @@ pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
         "import" | "require" | "use" => "other files are read by `#include \"name.inc\"`",
         "let" | "var" | "const" | "def" | "set" => "names get values by `#declare Name = value;` or `#local`",
         "blend_mode" | "blend_gamma" => {
-            "this is of POV-Ray 3.8; durer blends the numbers of colours as they are, as 3.7 does"
+            "this is of POV-Ray 3.8; durer blends colour components without gamma, as 3.7 does"
         }
         "func" | "fn" | "proc" => "`#macro Name(A, B) … #end` defines a macro",
         "rotation" | "rotatex" | "rotatey" | "rotatez" => "`rotate <x, y, z>` takes degrees",
@@ -25,8 +25,8 @@ pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
         "group" | "compound" | "object_group" => "`union { … }` puts objects together",
         "subtract" | "minus" => "`difference { A B }` takes B away from A",
         "intersect" => "`intersection { A B }` keeps what both share",
-        "colour_rgb" | "rgba" => "`rgbt <r, g, b, t>` has a fourth number for how much passes",
-        "diffuse_color" | "kd" | "ks" => "`finish { diffuse … specular … }` says how a surface answers to light",
+        "colour_rgb" | "rgba" => "`rgbt <r, g, b, t>` has a fourth number for the transparency",
+        "diffuse_color" | "kd" | "ks" => "`finish { diffuse … specular … }` sets how a surface reflects light",
         "if" | "while" | "for" | "else" | "end" | "macro" | "include" | "declare" | "local" | "version" | "debug" => {
             "directives begin with `#`"
         }
@@ -34,29 +34,29 @@ pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
     })
 }
 
-/// What to say about a word that another block takes, or that this one calls otherwise.
+/// Hint for a word that this block calls otherwise, or that another block takes.
 pub(in crate::interpreter) fn in_block(block: &str, word: &str) -> Option<&'static str> {
     Some(match (block, word.to_lowercase().as_str()) {
         ("camera", "position" | "pos" | "from" | "origin" | "place") => {
-            "`location <x, y, z>` says where a camera stands"
+            "`location <x, y, z>` sets the position of a camera"
         }
         ("camera", "target" | "lookat" | "at" | "to" | "direction_to") => {
-            "`look_at <x, y, z>` says what a camera looks at"
+            "`look_at <x, y, z>` sets the point in the middle of the picture"
         }
-        ("camera", "zoom" | "focal_length") => "`angle` says how wide a camera sees, in degrees",
+        ("camera", "zoom" | "focal_length") => "`angle` sets the field of view in degrees",
         ("light_source", "position" | "location" | "pos") => {
-            "a light's place comes first: `light_source { <x, y, z>, color }`"
+            "a light's position comes first: `light_source { <x, y, z>, color }`"
         }
         ("light_source", "intensity" | "power" | "brightness") => "a light is as bright as its colour: `rgb 2`",
-        ("finish", "shininess" | "gloss" | "glossiness") => "`phong_size` or `roughness` says how small a highlight is",
-        ("finish", "reflective" | "reflectivity" | "mirror") => "`reflection { 0.5 }` says how much a surface mirrors",
-        ("finish", "color" | "colour" | "rgb") => "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`",
+        ("finish", "shininess" | "gloss" | "glossiness") => "`phong_size` or `roughness` sets the size of a highlight",
+        ("finish", "reflective" | "reflectivity" | "mirror") => "`reflection { 0.5 }` sets how much a surface reflects",
+        ("finish", "color" | "colour" | "rgb") => "a colour belongs in a pigment: `pigment { rgb <r, g, b> }`",
         ("pigment", "transparency" | "alpha" | "opacity") => {
-            "`rgbt <r, g, b, t>` has a fourth number for how much passes"
+            "`rgbt <r, g, b, t>` has a fourth number for the transparency"
         }
-        ("pigment", "texture" | "image" | "map") => "a picture is put on by `image_map { png \"name.png\" }`",
+        ("pigment", "texture" | "image" | "map") => "a picture is applied by `image_map { png \"name.png\" }`",
         ("texture" | "interior" | "material", "color" | "colour" | "rgb") => {
-            "a colour belongs into a pigment: `pigment { rgb <r, g, b> }`"
+            "a colour belongs in a pigment: `pigment { rgb <r, g, b> }`"
         }
         _ => return None,
     })

@@ -1,4 +1,4 @@
-//! Limits on steps, time, memory and depth, so that a scene that runs away ends in a message.
+//! Limits on steps, time, memory and depth, so that a runaway scene ends with a message.
 
 use super::Reporter;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -6,17 +6,17 @@ use crate::source::{Host, Span};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-/// Macro calls inside each other.
+/// Maximum depth of macro calls.
 pub(in crate::interpreter) const MAX_CALLS: usize = 5_000;
-/// Includes inside each other.
+/// Maximum depth of includes.
 pub(in crate::interpreter) const MAX_INCLUDES: usize = 100;
-/// Bytes that a point of a picture takes which a function makes: four numbers.
+/// Bytes per pixel of a function's picture: four components.
 const PER_POINT: u64 = 16;
-/// The most points of such a picture where memory has no limit.
+/// Maximum number of pixels of a function's picture if memory is not limited.
 const MAX_POINTS: u64 = 1 << 26;
-/// Looking at the clock costs more than a step: once in so many.
+/// Number of steps between two checks of the clock, which cost more than a step.
 const CLOCK_EVERY: u64 = 4096;
-/// And once in so many bytes of text.
+/// Number of bytes of strings between two checks of the clock.
 const TEXT_EVERY: usize = 64 << 20;
 
 /// Work done so far.
@@ -36,7 +36,7 @@ impl Usage {
 }
 
 impl Reporter<'_> {
-    /// Counts one step (a directive, a loop's pass, a macro call).
+    /// Counts one step: a directive, a loop pass or a macro call.
     pub(in crate::interpreter) fn step(&mut self, span: Span) -> Result<()> {
         self.usage.steps += 1;
         if self.usage.steps > self.inputs.options.max_steps {
@@ -44,24 +44,24 @@ impl Reporter<'_> {
             return self.limit(codes::STEP_LIMIT, span, message, "is this loop endless? --max-steps N allows more");
         }
         if self.usage.steps.is_multiple_of(CLOCK_EVERY) {
-            return self.look_at_clock(span);
+            return self.check_limits(span);
         }
         Ok(())
     }
 
-    /// Counts bytes of text that were made: a few large strings take as much as many steps.
+    /// Counts bytes of strings: a few large strings take as long as many steps.
     pub(in crate::interpreter) fn count_text(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.usage.text_made += bytes;
         if self.usage.text_made < TEXT_EVERY {
             return Ok(());
         }
         self.usage.text_made = 0;
-        self.look_at_clock(span)
+        self.check_limits(span)
     }
 
-    fn look_at_clock(&mut self, span: Span) -> Result<()> {
+    fn check_limits(&mut self, span: Span) -> Result<()> {
         if self.inputs.options.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
-            return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "it is of no use any more");
+            return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "its result is no longer needed");
         }
         if let Some(seconds) = self.inputs.options.max_time
             && self.inputs.options.host.elapsed().saturating_sub(self.usage.started).as_secs_f64() > seconds
@@ -78,7 +78,7 @@ impl Reporter<'_> {
         Ok(())
     }
 
-    /// E0242 if a picture that a function makes has no room in what is left of the memory that is allowed.
+    /// E0242 if the remaining memory cannot hold a function's picture of this size.
     pub(in crate::interpreter) fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
         let points = (width as u64).saturating_mul(height as u64);
         let fits = match self.inputs.options.max_memory {
@@ -95,7 +95,7 @@ impl Reporter<'_> {
         self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more")
     }
 
-    /// A limit ends the run: nothing after it is read.
+    /// Ends the run with the error of a limit.
     pub(in crate::interpreter) fn limit<T>(
         &mut self,
         code: crate::diagnostic::Code,

@@ -70,7 +70,7 @@ impl<'a> Reporter<'a> {
     pub(super) fn report(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
         // A warning about an unused declaration has the code of its error: the cause decides, not the severity.
-        let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.understood(d) };
+        let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.with_cause(d) };
         let Some(d) = d.filter(|_| !silent) else { return };
         // An error at the same place replaces a warning.
         let is_same = |k: &Diagnostic| k.message == d.message || k.severity > d.severity;
@@ -85,7 +85,7 @@ impl<'a> Reporter<'a> {
         if d.severity == Severity::Warning && self.diagnostics.len() >= MAX_WARNINGS {
             // A loop that warns in each pass would fill the memory.
             if let Some(last) = self.diagnostics.last_mut() {
-                last.help = Some("there are more warnings, which are not told".into());
+                last.help = Some("further warnings are not shown".into());
             }
             return;
         }
@@ -130,7 +130,7 @@ impl<'a> Reporter<'a> {
             self.report(fault);
         }
         self.diagnostics.retain(|d| d.code != codes::FOLLOWS && d.code != codes::ENDS_RUN);
-        self.settle_messages();
+        self.complete_diagnostics();
     }
 
     /// All diagnostics, and the branches that never ran.

@@ -1,52 +1,54 @@
-//! Differences between versions of the language; nobody else compares versions.
+//! Differences between language versions. No other module compares versions.
 
 use crate::color::Gamma;
 
-/// The language of `#version 3.7`, and of a file that names none.
+/// Language version of a scene that states none.
 pub const DEFAULT_VERSION: u32 = 370;
 
-/// `#version 3.62` as 362.
+/// Converts `#version 3.62` to 362.
 pub fn version_number(value: f64) -> u32 {
     (value * 100.0).round().clamp(0.0, 10_000.0) as u32
 }
 
-/// Before 3.0 a texture held the words of its pigment, normal and finish without their blocks.
+/// True if a texture holds the words of its pigment, normal and finish without their blocks, as before 3.0.
 pub fn has_bare_textures(version: u32) -> bool {
     version < 300
 }
 
-/// The noise of a scene that names none.
+/// Number of the noise generator of a scene that sets none.
 pub fn noise_generator(version: u32) -> u8 {
     if version < 350 { 1 } else { 2 }
 }
 
-/// The newest language that is known at least in part.
+/// Newest language version that durer supports at least in part.
 pub const NEWEST_VERSION: u32 = 380;
 
-/// Do picture files that say nothing of their numbers follow the sRGB curve? (Measured on POV-Ray 3.7.)
+/// True if picture files without gamma information are read as sRGB (quirk: `srgb_files_since_3_7`).
 pub fn has_srgb_files(version: u32) -> bool {
     version >= 370
 }
 
-/// Does a surface keep what its filter's colour holds back? By the version in force at the end (measured on POV-Ray 3.7).
+/// True if a surface keeps back the colour that its filter absorbs; `version` is that at the end of the scene
+/// (quirk: `opacity_by_version`).
 pub fn has_opacity_by_color(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
-/// Does a pigment of a sky let those below it through by how much of its filter there is, whatever its colour; and is the sky left out of
-/// pictures that keep alpha? By the version in force at the end (measured on POV-Ray 3.7; manual, "Sky Sphere").
+/// True if a sky's pigment transmits the pigments below it by the amount of its filter, whatever its colour, and if the
+/// sky is left out of pictures with alpha; `version` is that at the end of the scene (quirk: `sky_by_version`; manual,
+/// "Sky Sphere").
 pub fn has_sky_by_share(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
-/// Is a background there or not as the picture keeps alpha or not, whatever it lets pass? By the version in force where it stands (measured
-/// on POV-Ray 3.7).
+/// True if a picture with alpha leaves out the background whatever its transparency, and any other picture shows it;
+/// `version` is that at the `background` (quirk: `background_by_version`).
 pub fn has_background_by_picture(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
-/// How numbers relate to light in a scene without `assumed_gamma`, by the version in force at its end: measured on
-/// POV-Ray 3.7, which leaves scenes of older versions, and of none, without any conversion.
+/// Working gamma of a scene without `assumed_gamma`; `version` is that at the end of the scene. POV-Ray does not
+/// convert scenes that state an older version or none (quirk: `gamma_by_version`).
 pub fn gamma_without_setting(version: Option<u32>) -> Gamma {
     match version {
         Some(370..) => Gamma::Power(1.0),

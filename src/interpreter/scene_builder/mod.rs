@@ -10,7 +10,7 @@ use crate::math::noise::NoiseGenerator;
 use crate::scene::{Defaults, Object, Scene, Settings};
 use crate::source::Span;
 use crate::texture::Texture;
-use crate::value::{Language, RawItem};
+use crate::value::{Language, Unsupported};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
@@ -72,7 +72,7 @@ impl SceneBuilder {
         &self.noise_generator
     }
 
-    /// What `#default` has set for the text that follows.
+    /// Defaults that `#default` has set for the text that follows.
     pub(super) fn defaults(&self) -> &Defaults {
         &self.defaults
     }
@@ -126,8 +126,8 @@ impl SceneBuilder {
     }
 
     /// Adds a block that durer reads but does not render.
-    pub(super) fn add_unsupported(&mut self, block: RawItem) {
-        self.scene.undrawn.push(block);
+    pub(super) fn add_unsupported(&mut self, block: Unsupported) {
+        self.scene.unsupported.push(block);
     }
 
     /// Adds an object. One without a texture gets the present default texture, even if it was declared before that.

@@ -9,7 +9,7 @@ mod split;
 mod token;
 
 use super::Inputs;
-use super::evaluator::Place;
+use super::evaluator::LValue;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::source::Span;
 use crate::syntax::ListPlaces;
@@ -36,7 +36,7 @@ pub(super) struct TokenStream<'a> {
     comma: bool,
     mode: Mode,
     /// Location of the array element that [`Token::Element`] represents.
-    element: Option<Place>,
+    element: Option<LValue>,
     /// Brackets around the read position, the innermost last.
     open_brackets: Vec<OpenBracket>,
     /// Global offsets of brackets that the rest of their file does not close.
@@ -49,7 +49,7 @@ pub(super) struct TokenStream<'a> {
     literal_spans: RefCell<ListPlaces>,
 }
 
-/// How the text is being read. `Interpreter::in_mode` changes it and restores it as a whole.
+/// Mode of reading. `Interpreter::in_mode` changes it and restores it as a whole.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Mode {
     /// True if directives and macro calls after a value wait until the value has been used: in declarations, array
@@ -115,11 +115,11 @@ impl<'a> TokenStream<'a> {
     }
 
     /// The next token if it is known: pushed back, or the look-ahead.
-    #[inline]
-    pub(super) fn look_ahead(&self) -> Option<Token<'a>> {
+    #[inline(always)]
+    pub(super) fn look_ahead(&self) -> Option<&Token<'a>> {
         match self.pushed_back.last() {
-            Some(pushed_back) => Some(pushed_back.token),
-            None => self.look_ahead,
+            Some(pushed_back) => Some(&pushed_back.token),
+            None => self.look_ahead.as_ref(),
         }
     }
 
@@ -137,7 +137,7 @@ impl<'a> TokenStream<'a> {
 
     /// Sets the next token, whose text is at the read position.
     #[inline]
-    pub(super) fn announce(&mut self, token: Token<'a>) -> Token<'a> {
+    pub(super) fn set_look_ahead(&mut self, token: Token<'a>) -> Token<'a> {
         self.look_ahead = Some(token);
         token
     }
@@ -151,27 +151,27 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Location of the array element that the next token, a [`Token::Element`], represents.
-    pub(super) fn element(&self) -> Option<&Place> {
+    pub(super) fn element(&self) -> Option<&LValue> {
         self.element.as_ref()
     }
 
-    pub(super) fn set_element(&mut self, element: Place) {
+    pub(super) fn set_element(&mut self, element: LValue) {
         self.element = Some(element);
     }
 
-    pub(super) fn take_element(&mut self) -> Option<Place> {
+    pub(super) fn take_element(&mut self) -> Option<LValue> {
         self.element.take()
     }
 
     /// The element at the read position, whatever it is; `None` if a token was pushed back. No directive runs.
-    pub(super) fn raw(&self) -> Option<&'a Element> {
-        let held = !self.pushed_back.is_empty();
-        self.frames.last().filter(|_| !held).and_then(StackFrame::next)
+    pub(super) fn next_element(&self) -> Option<&'a Element> {
+        let has_pushed_back = !self.pushed_back.is_empty();
+        self.frames.last().filter(|_| !has_pushed_back).and_then(StackFrame::next)
     }
 
     /// Consumes a name that comes next, even if it is a macro's.
-    pub(super) fn raw_name(&mut self) -> Option<(Symbol, Span)> {
-        let element = self.raw()?;
+    pub(super) fn take_name(&mut self) -> Option<(Symbol, Span)> {
+        let element = self.next_element()?;
         let ElementKind::Expr(e) = &element.kind else { return None };
         let ExprKind::Name(symbol) = e.kind else { return None };
         self.advance();
@@ -179,19 +179,19 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Consumes a name that comes next if a closing bracket follows it.
-    pub(super) fn bare_name(&mut self) -> Option<(Symbol, Span)> {
+    pub(super) fn take_closed_name(&mut self) -> Option<(Symbol, Span)> {
         let frame = self.frames.last()?;
         match frame.following().map(|e| &e.kind) {
             Some(ElementKind::Sign(Sign::Close(_))) => {}
             None if frame.closer.is_some() => {}
             _ => return None,
         }
-        self.raw_name()
+        self.take_name()
     }
 
     /// Span of a `;` that comes next.
     pub(super) fn at_semicolon(&self) -> Option<Span> {
-        self.raw().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
+        self.next_element().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
     }
 
     /// The expression that comes next, if a `;` follows it.
@@ -209,6 +209,19 @@ impl<'a> TokenStream<'a> {
         self.look_ahead = None;
         if let Some(frame) = self.frames.last_mut() {
             frame.at += 2;
+        }
+    }
+
+    /// Consumes the directive at the read position, if it is one.
+    #[inline(always)]
+    pub(super) fn take_directive(&mut self) -> Option<(&'a Directive, Span)> {
+        let frame = self.frames.last_mut()?;
+        match frame.elements.get(frame.at) {
+            Some(Element { span, kind: ElementKind::Directive(directive), .. }) => {
+                frame.at += 1;
+                Some((directive, *span))
+            }
+            _ => None,
         }
     }
 
@@ -289,7 +302,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Span of the next token.
-    pub(super) fn here(&self) -> Span {
+    pub(super) fn next_span(&self) -> Span {
         if let Some(pushed_back) = self.pushed_back.last() {
             return pushed_back.span;
         }

@@ -4,7 +4,7 @@ use super::TokenStream;
 use crate::interpreter::Inputs;
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::{Wholes, pieces};
+use crate::syntax::{Granularity, pieces};
 
 impl<'a> TokenStream<'a> {
     /// Replaces the expression or literal list that comes next by its parts.
@@ -49,7 +49,7 @@ impl<'a> Inputs<'a> {
     /// The text at `span` as single tokens.
     pub(in crate::interpreter) fn tokens_of(&self, span: Span) -> Vec<Element> {
         let text = self.sources.snippet(span);
-        crate::syntax::parse_text(text, span.lo as usize, self.names, Wholes::TakenApart).0.elements
+        crate::syntax::parse_text(text, span.lo as usize, self.names, Granularity::Tokens).0.elements
     }
 }
 

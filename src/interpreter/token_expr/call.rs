@@ -1,4 +1,4 @@
-//! Calls in pieces: a function's name, and its parentheses from wherever they come.
+//! Calls of which the name and the parentheses come as tokens.
 
 use super::joined;
 use super::skipped::Skipped;
@@ -14,11 +14,13 @@ use crate::value::Value;
 use smallvec::SmallVec;
 
 impl<'a> Interpreter<'a> {
-    /// Does a `(` come next, behind the name of a function? To see it, POV-Ray runs what stands there even where it would
-    /// wait for the end of a value. (A declaration could be of no use for that, and may use the name that is being declared.)
+    /// True if a `(` follows the name of a function. POV-Ray runs directives before it to find out, even where they
+    /// would wait for the end of a value (quirk: `call_runs_directives`). Declarations wait: they cannot give a `(`,
+    /// and may use the name being declared.
     pub(in crate::interpreter) fn call_follows(&mut self) -> Result<bool> {
         let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
-        let waits = matches!(self.stream.raw().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
+        let waits =
+            matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
         let next = self.in_mode(|mode| mode.defers = waits, Self::peek_after);
         if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
             self.expose_parenthesis()?;
@@ -26,29 +28,29 @@ impl<'a> Interpreter<'a> {
         Ok(matches!(self.peek_after()?, Some(Token::Open(Bracket::Paren, _))))
     }
 
-    /// `name ( … )` of a built-in function.
-    pub(super) fn builtin_in_pieces(&mut self, word: &'static str, span: Span) -> Result<(Value, Span)> {
+    /// Reads the call `name ( … )` of a built-in function.
+    pub(super) fn read_builtin_call(&mut self, word: &'static str, span: Span) -> Result<(Value, Span)> {
         self.stream.advance();
         self.expect_paren(word)?;
         if word == "select" {
-            return self.select_in_pieces(span);
+            return self.read_select(span);
         }
         let mut arguments = SmallVec::<[Argument<'a>; 4]>::new();
         while !self.peek()?.closes(Bracket::Paren) {
-            // (Only where there may be any number of arguments, the commas have to be there: measured on POV-Ray 3.7.)
+            // Commas are mandatory only in functions of any number of arguments (quirk: `optional_argument_commas`).
             if !arguments.is_empty() && !self.stream.has_comma() && builtin::needs_commas(word) {
-                let at = self.stream.here();
-                return Err(self.misplaced(at).into());
+                let at = self.stream.next_span();
+                return Err(self.syntax_error_at(at).into());
             }
-            arguments.push(self.argument_here()?);
+            arguments.push(self.read_argument()?);
         }
-        let end = self.stream.here();
+        let end = self.stream.next_span();
         self.close("`)`")?;
         let span = joined(span, end);
         Ok((self.builtin_of(word, arguments, span)?, span))
     }
 
-    /// Takes apart what comes next, until its `(` is a token.
+    /// Splits the next expression until its `(` is a token.
     pub(in crate::interpreter) fn expose_parenthesis(&mut self) -> Result<()> {
         while matches!(self.peek()?, Token::Expr(e) if begins_with_parenthesis(e)) {
             self.stream.split_next();
@@ -56,24 +58,24 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// The `(` behind the name of a function, which is consumed.
+    /// Consumes the `(` after the name of a function.
     pub(in crate::interpreter) fn expect_paren(&mut self, word: &str) -> Result<()> {
         self.expose_parenthesis()?;
         match self.peek()? {
             Token::Open(Bracket::Paren, _) => self.open().map(drop),
-            _ => Err(self.unexpected_token(&format!("`(` behind `{word}`")).into()),
+            _ => Err(self.unexpected_token(&format!("`(` after `{word}`")).into()),
         }
     }
 
-    /// `A, B, C [, D])`: only the one that is meant is computed.
-    fn select_in_pieces(&mut self, span: Span) -> Result<(Value, Span)> {
-        let (value, at) = self.value_in(true)?;
+    /// Reads `A, B, C [, D])` of a `select`, and evaluates only the argument that is selected.
+    fn read_select(&mut self, span: Span) -> Result<(Value, Span)> {
+        let (value, at) = self.read_expression(true)?;
         let a = as_float(&value, at)?;
         let below = a < 0.0;
         let mut found = None;
         let mut count = 0;
         while !self.peek()?.closes(Bracket::Paren) {
-            // Without a fourth argument the third stands for 0 as well.
+            // Without a fourth argument the third is selected for 0, too.
             let meant = match count {
                 0 => below,
                 1 => !below,
@@ -81,12 +83,12 @@ impl<'a> Interpreter<'a> {
             };
             count += 1;
             if meant {
-                found = Some(self.value_here()?.0);
+                found = Some(self.read_value()?.0);
             } else {
                 self.climb(&mut Skipped, false)?;
             }
         }
-        let end = self.stream.here();
+        let end = self.stream.next_span();
         self.close("`)`")?;
         match found.filter(|_| (2..=3).contains(&count)) {
             Some(value) => Ok((value, joined(span, end))),
@@ -97,11 +99,11 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The arguments of a function or spline, whose `(` comes next.
-    pub(super) fn call_in_pieces(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
+    /// Reads the arguments of a function or spline, whose `(` comes next, and calls it.
+    pub(super) fn read_call(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
         self.open()?;
-        let value = self.call_with_arguments(callee, span)?;
-        let end = self.stream.here();
+        let value = self.read_arguments_and_call(callee, span)?;
+        let end = self.stream.next_span();
         self.close("`)`")?;
         Ok((value, joined(span, end)))
     }

@@ -1,5 +1,5 @@
-//! Values in pieces: expressions of which macros, branches, loops or files give the tokens one by one. The rules and the table
-//! of precedences are those of the expressions that stand whole.
+//! Expressions whose tokens come one by one, from macros, branches, loops or files. Rules and precedences are those of
+//! parsed expressions.
 
 mod call;
 mod skipped;
@@ -15,15 +15,15 @@ use crate::syntax::{SignRow, begins_with_sign};
 use crate::value::{Reader, Value, VecN};
 use skipped::Skipped;
 
-/// What is done with operands and operators as they come: values are computed, functions compiled, or nothing is done.
+/// Action on operands and operators: evaluation, compilation of functions, or skipping.
 pub(super) trait Operands<'a> {
-    /// What an operand is.
+    /// Result of an operand.
     type Value;
 
-    /// The next operand with its signs, components and indices.
+    /// Reads the next operand with its signs, components and indices.
     fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Self::Value, Span)>;
 
-    /// Two operands and what stands between them.
+    /// Applies a binary operator.
     fn combine(
         &mut self,
         me: &mut Interpreter<'a>,
@@ -32,24 +32,25 @@ pub(super) trait Operands<'a> {
         right: (Self::Value, Span),
     ) -> Result<Self::Value>;
 
-    /// What follows a `?`: both branches with the `:` between them.
+    /// Reads the two branches after a `?`, with the `:` between them, and selects one.
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Self::Value, Span)) -> Result<(Self::Value, Span)>;
 
-    /// How strongly an operator binds.
+    /// Precedence of an operator.
     fn precedence(&self, op: Operator) -> u8 {
         op.precedence()
     }
 }
 
-/// Operators that bind at least so strongly are read: all of them.
+/// Precedence below that of all operators.
 const LOOSEST: u8 = 0;
 
 impl<'a> Interpreter<'a> {
-    /// Operands and operators in a row (precedence climbing). Where it `compares`, `<`, `&`, `?` and their kin are operators.
+    /// Reads operands and operators by precedence climbing. With `compares`, comparisons, `&`, `|` and `?` are
+    /// operators, too.
     pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
         if self.stream.mode().nesting >= MAX_NESTED {
             let message = format!("more than {MAX_NESTED} values are read inside each other here");
-            let at = self.stream.here();
+            let at = self.stream.next_span();
             return self.reporter.limit(codes::TOO_DEEP, at, message, "does a macro give one without end?");
         }
         self.in_mode(|mode| mode.nesting += 1, |me| me.climb_from(operands, compares, LOOSEST))
@@ -67,7 +68,7 @@ impl<'a> Interpreter<'a> {
                 && !super::reader::begins_color(word)
             {
                 let message = format!("expected a value, found the word `{word}`");
-                let at = self.stream.here();
+                let at = self.stream.next_span();
                 return Diagnostic::err(codes::EXPECTED_VALUE, at, message);
             }
             let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
@@ -82,7 +83,7 @@ impl<'a> Interpreter<'a> {
         Ok((left, span))
     }
 
-    /// The operator that goes on with the value that was just read.
+    /// The operator that continues the value that was just read.
     fn operator_ahead(&mut self, compares: bool) -> Result<Option<Operator>> {
         loop {
             return Ok(match self.peek_after()? {
@@ -100,22 +101,23 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The next value that is a number, vector, colour or text, with its place.
-    pub(super) fn value_here(&mut self) -> Result<(Value, Span)> {
-        self.value_in(false)
+    /// Reads a number, vector, colour or string, and returns it with its span.
+    pub(super) fn read_value(&mut self) -> Result<(Value, Span)> {
+        self.read_expression(false)
     }
 
-    /// The same; where it `compares`, as in a colour or a condition, `<` is no vector behind an operand.
-    pub(super) fn value_in(&mut self, compares: bool) -> Result<(Value, Span)> {
+    /// Reads a value; with `compares`, as in a colour or a condition, `<` after an operand is a comparison and no
+    /// vector.
+    pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
-        if self.is_whole(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
+        if self.next_is_complete(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
             match token {
                 Token::Expr(e) if compares || !e.compares() => {
                     self.stream.advance();
-                    return Ok((self.eval(e)?, e.span));
+                    return Ok((self.evaluate(e)?, e.span));
                 }
                 Token::Numbers(data) => {
-                    let span = self.stream.here();
+                    let span = self.stream.next_span();
                     self.stream.advance();
                     return Ok((numbers_value(data, span)?, span));
                 }
@@ -125,20 +127,20 @@ impl<'a> Interpreter<'a> {
         self.climb(&mut Computed::default(), compares)
     }
 
-    /// A value whose first operand has been read.
-    pub(super) fn value_from(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
+    /// Reads the rest of a value whose first operand has been read.
+    pub(super) fn continue_value(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
         self.climb(&mut Computed(Some((first, span))), false)
     }
 
-    /// A number, vector, text, name, call … without signs.
-    pub(super) fn primary(&mut self) -> Result<(Value, Span)> {
+    /// Reads a number, vector, string, name or call without signs.
+    pub(super) fn read_primary(&mut self) -> Result<(Value, Span)> {
         self.expose_operand()?;
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         match token {
             Token::Expr(e) => {
                 self.stream.advance();
-                Ok((self.eval(e)?, span))
+                Ok((self.evaluate(e)?, span))
             }
             Token::Numbers(data) => {
                 self.stream.advance();
@@ -148,36 +150,36 @@ impl<'a> Interpreter<'a> {
                 let slot = self.take_element()?;
                 Ok((self.slot_value(slot, span)?, span))
             }
-            Token::Sign(Sign::Operator(Operator::Less)) => self.vector_in_pieces(),
+            Token::Sign(Sign::Operator(Operator::Less)) => self.read_vector(),
             Token::Open(Bracket::Paren, _) => {
                 self.open()?;
-                let (value, _) = self.value_in(true)?;
+                let (value, _) = self.read_expression(true)?;
                 let next = self.peek()?;
                 if !next.ends() && !matches!(next, Token::Sign(_)) {
                     let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
-                    return d.help("vectors stand in angle brackets: `<1, 2, 3>`").into();
+                    return d.help("vectors are written in angle brackets: `<1, 2, 3>`").into();
                 }
-                let end = self.stream.here();
+                let end = self.stream.next_span();
                 self.close("`)`")?;
                 Ok((value, joined(span, end)))
             }
-            Token::Callee(word) => self.builtin_in_pieces(word, span),
+            Token::Callee(word) => self.read_builtin_call(word, span),
             Token::Word(word) if super::reader::begins_color(word) => {
                 let color = self.color()?;
                 Ok((Value::Color(color), span))
             }
-            // A word of durer's own may also be a name of the author's: `camera { eye eye }`.
+            // One of durer's own words may also be a declared name: `camera { eye eye }`.
             Token::Word(word)
                 if let Some(symbol) = self.inputs.names.find(word).filter(|s| self.evaluator.is_declared(*s)) =>
             {
                 self.stream.advance();
-                Ok((self.name_value(symbol, span)?, span))
+                Ok((self.evaluate_name(symbol, span)?, span))
             }
             _ => Err(self.unexpected_token("a value").into()),
         }
     }
 
-    /// Takes apart what comes next, until an operand or its sign is a token.
+    /// Splits the next expression until an operand or its sign is a token.
     fn expose_operand(&mut self) -> Result<()> {
         let holds_more = |e: &Expr| matches!(e.kind, ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..));
         while matches!(self.peek()?, Token::Expr(e) if holds_more(e)) {
@@ -186,7 +188,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Components and arguments behind a value.
+    /// Reads the components and arguments after a value.
     fn postfix(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
         loop {
             match self.peek_after()? {
@@ -197,18 +199,18 @@ impl<'a> Interpreter<'a> {
                     span = joined(span, name.span);
                 }
                 _ if is_callable(&value) && self.call_follows()? => {
-                    (value, span) = self.call_in_pieces(&value, span)?;
+                    (value, span) = self.read_call(&value, span)?;
                 }
                 _ => return Ok((value, span)),
             }
         }
     }
 
-    /// The word behind a `.`.
+    /// Reads the word after a `.`.
     pub(super) fn component_name(&mut self) -> Result<Name> {
         self.expose_operand()?;
         let token = self.peek()?;
-        let span = self.stream.here();
+        let span = self.stream.next_span();
         let text = self.inputs.sources.snippet(span);
         let word = word::lookup(text).map(|(word, _)| word);
         match token {
@@ -220,37 +222,39 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A vector, whose `<` comes next.
-    fn vector_in_pieces(&mut self) -> Result<(Value, Span)> {
-        let (data, span) = self.numbers_in_pieces()?;
+    /// Reads a vector, whose `<` comes next.
+    fn read_vector(&mut self) -> Result<(Value, Span)> {
+        let (data, span) = self.read_vector_numbers()?;
         Ok((vector_value(&data, span)?, span))
     }
 
-    /// The numbers of a vector of any length, whose `<` comes next.
-    pub(super) fn numbers_in_pieces(&mut self) -> Result<(Vec<f64>, Span)> {
-        let start = self.stream.here();
+    /// Reads the components of a vector of any length, whose `<` comes next.
+    pub(super) fn read_vector_numbers(&mut self) -> Result<(Vec<f64>, Span)> {
+        let start = self.stream.next_span();
         self.stream.advance();
         let mut data = vec![];
-        let end = self.in_mode(|mode| mode.defers = false, |me| me.vector_parts_to_end(start, &mut data))?;
+        let end = self.in_mode(|mode| mode.defers = false, |me| me.read_vector_to_end(start, &mut data))?;
         self.stream.advance();
         Ok((data, joined(start, end)))
     }
 
-    /// Reads the numbers of the vector whose `<` is at `start`, up to its `>`; returns the span of that.
-    fn vector_parts_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
+    /// Reads the components of the vector whose `<` is at `start`, up to its `>`; returns the span of the `>`.
+    fn read_vector_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
         loop {
             match self.peek()? {
-                Token::Sign(Sign::Operator(Operator::Greater)) => return Ok(self.stream.here()),
+                Token::Sign(Sign::Operator(Operator::Greater)) => return Ok(self.stream.next_span()),
                 token if token.ends() || matches!(token, Token::Sign(_)) && !self.at_sign() => {
-                    return Err(self.open_vector(start).into());
+                    return Err(self.unclosed_vector_error(start).into());
                 }
-                // A colour is a value, although none fits into a vector.
-                Token::Word(word) if self.evaluator.ends_vector(word) => return Err(self.open_vector(start).into()),
-                Token::Block(_) => return Err(self.open_vector(start).into()),
+                // A colour is a value, although no vector can hold one.
+                Token::Word(word) if self.evaluator.ends_vector(word) => {
+                    return Err(self.unclosed_vector_error(start).into());
+                }
+                Token::Block(_) => return Err(self.unclosed_vector_error(start).into()),
                 _ => {
-                    let (value, span) = self.value_here()?;
+                    let (value, span) = self.read_value()?;
                     if !self.stream.has_comma() && matches!(value, Value::Vector(_)) && !data.is_empty() {
-                        return Err(self.misplaced(span).into());
+                        return Err(self.syntax_error_at(span).into());
                     }
                     data.push(as_float(&value, span)?);
                 }
@@ -258,7 +262,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Does a sign come next that may stand before an operand?
+    /// True if a sign comes next that can precede an operand.
     fn at_sign(&mut self) -> bool {
         matches!(
             self.peek(),
@@ -267,10 +271,10 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// Values inside values: parentheses, choices, arguments.
+/// Maximum depth of values inside values: parentheses, choices, arguments.
 const MAX_NESTED: usize = 3_000;
 
-/// A span from one place to another, if both lie in one piece of text.
+/// The span from `from` to `to` if both are in one piece of text; else `from`.
 pub(super) fn joined(from: Span, to: Span) -> Span {
     if to.hi >= from.lo && to.hi - from.lo < 1 << 16 { from.to(to) } else { from }
 }
@@ -297,7 +301,7 @@ pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
             Token::Sign(Sign::Not) => Prefix::Not,
             _ => break,
         };
-        typed.push((prefix, me.stream.here()));
+        typed.push((prefix, me.stream.next_span()));
         me.stream.advance();
     }
     let mut row = SignRow::default();
@@ -305,7 +309,7 @@ pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     Ok(row.0)
 }
 
-/// Computes. The first operand may have been read already.
+/// Evaluates operands and operators. The first operand may have been read already.
 #[derive(Default)]
 struct Computed(Option<(Value, Span)>);
 
@@ -317,7 +321,7 @@ impl<'a> Operands<'a> for Computed {
             return me.postfix(first);
         }
         let signs = read_signs(me)?;
-        let first = me.primary()?;
+        let first = me.read_primary()?;
         let (mut value, mut span) = me.postfix(first)?;
         for (prefix, at) in signs {
             value = apply_prefix(prefix, value, span)?;

@@ -1,4 +1,4 @@
-//! Values that nobody wants: the branch of a choice that is not taken.
+//! Values that are read but not evaluated, such as the branch of a choice that is not taken.
 
 use super::{Operands, expect_colon, read_signs};
 use crate::diagnostic::Result;
@@ -7,11 +7,11 @@ use crate::interpreter::stream::Token;
 use crate::source::Span;
 use crate::syntax::ast::*;
 
-/// Reads what is not wanted: nothing is computed, so that its faults are none.
+/// Skips operands and operators without evaluation, so that their faults are ignored.
 pub(super) struct Skipped;
 
 impl Skipped {
-    /// Over a bracket with all that is in it.
+    /// Skips a bracket with its contents.
     fn brackets(&self, me: &mut Interpreter) -> Result<()> {
         me.open()?;
         loop {
@@ -46,11 +46,11 @@ impl<'a> Operands<'a> for Skipped {
 }
 
 impl Skipped {
-    /// Over one operand.
+    /// Skips one operand.
     fn skip(&mut self, me: &mut Interpreter) -> Result<Span> {
         read_signs(me)?;
         let token = me.peek()?;
-        let span = me.stream.here();
+        let span = me.stream.next_span();
         match token {
             Token::Open(..) | Token::Block(_) => self.brackets(me)?,
             Token::Sign(Sign::Operator(Operator::Less)) => {

@@ -80,8 +80,8 @@ fn remedies(document: &Document, diagnostic: &EditorDiagnostic) -> Vec<(String, 
     out
 }
 
-/// Help of the form "write `object { Ball … }`" or "write `texture { Oak }`": puts the marked name, or the name and the following braces, into a
-/// block.
+/// Help of the form "write `object { Ball … }`" or "write `texture { Oak }`": puts the marked name, or the name and the
+/// following braces, into a block.
 fn wrapped(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Option<(String, Vec<TextEdit>)> {
     let code = help.strip_prefix("write `")?.strip_suffix('`')?;
     let bytes = document.text.offset(diagnostic.range.start)..document.text.offset(diagnostic.range.end);
@@ -108,7 +108,8 @@ fn wrapped(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Op
     Some((format!("Write `{code}`"), vec![open, second]))
 }
 
-/// Help of the form "write `object { Ball translate x }`": replaces the statement around the position whose tokens occur in that text.
+/// Help of the form "write `object { Ball translate x }`": replaces the statement around the position whose tokens
+/// occur in that text.
 fn statement(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Option<(String, Vec<TextEdit>)> {
     let (_, rest) = help.split_once("write `")?;
     let wanted = rest.strip_suffix('`')?;
@@ -122,7 +123,8 @@ fn statement(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> 
         |token: &&Token| document.text.position(token.at.start).line == line && token.kind != TokenKind::Comment;
     let here: Vec<_> = tokens.iter().filter(is_here).take(MAX_TOKENS).collect();
     let is_marked = |token: &Token| lo <= token.at.start && token.at.end <= hi;
-    // Find the longest row of tokens around the position that occurs in the wanted text; marked tokens may be missing there.
+    // Find the longest row of tokens around the position that occurs in the wanted text; marked tokens may be missing
+    // there.
     let occurs = |row: &[&Token]| {
         let mut left = wanted;
         row.iter().all(|token| match left.split_once(&text[token.at.clone()]) {

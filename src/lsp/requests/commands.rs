@@ -1,5 +1,5 @@
-//! Commands of the server: render a scene, watch a scene, explain a code. The server runs durer itself, so that no editor needs an
-//! extension.
+//! Commands of the server: render a scene, watch a scene, explain a code. The server runs durer itself, so that no
+//! editor needs an extension.
 
 use crate::diagnostic::codes;
 use crate::lsp::document::uri_of;

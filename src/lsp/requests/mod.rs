@@ -18,8 +18,8 @@ use lsp_server::{ErrorCode, Request, Response};
 use lsp_types::request as ask;
 use serde_json::{Value, json};
 
-/// The capabilities of the server. Positions count in UTF-16, which every editor supports. Commands that the editor implements itself, named in
-/// `initializationOptions.commands`, are omitted.
+/// The capabilities of the server. Positions count in UTF-16, which every editor supports. Commands that the editor
+/// implements itself, named in `initializationOptions.commands`, are omitted.
 pub fn capabilities(asked: &Value) -> Value {
     let own = &asked["initializationOptions"]["commands"];
     let is_own = |command: &&str| own.as_array().is_some_and(|own| own.iter().any(|one| one == command));

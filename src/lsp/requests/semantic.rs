@@ -31,7 +31,8 @@ enum Type {
     Constant,
 }
 
-/// The types of all words, names and directives of a text. Numbers, strings and comments are left to the editor's grammar.
+/// The types of all words, names and directives of a text. Numbers, strings and comments are left to the editor's
+/// grammar.
 pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) -> Option<SemanticTokensResult> {
     let uri = &params.text_document.uri;
     let related = server.related(uri);

@@ -32,7 +32,7 @@ fn placed(object: &Object, known: &mut Vec<(Shape, Arc<[Face]>)>) -> PlacedMesh 
 
 /// The faces of a shape, which are listed once for all its copies.
 fn faces(shape: &Shape, known: &mut Vec<(Shape, Arc<[Face]>)>) -> Arc<[Face]> {
-    if let Some((_, faces)) = known.iter().rev().take(RECENT).find(|(other, _)| other.is_one_with(shape)) {
+    if let Some((_, faces)) = known.iter().rev().take(RECENT).find(|(other, _)| other.shares_with(shape)) {
         return faces.clone();
     }
     let faces: Arc<[Face]> = shape.faces().into();

@@ -37,9 +37,9 @@ pub const LIGHT_GROUP: Vocabulary = Vocabulary {
     block: "light_group",
     summary: "lights and objects: those lights shine on these objects alone, and other lights do not",
     words: &[word("global_lights", Kind::Flag, "off", "lights outside of the group shine on its objects too")],
-    moves: true,
-    idle: &[],
-    not_drawn: &[],
+    has_transforms: true,
+    ignored: &[],
+    unsupported: &[],
 };
 
 impl LightSource {
@@ -56,7 +56,7 @@ impl LightSource {
                 }
                 Next::Block("projected_through") => lit.projected_through = Some(Self::read_part(r, defaults)?),
                 next if lit.light.read_own(next, r)? => {}
-                next if next.moves() => {
+                next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         lit.transform(&step);
                     }
@@ -96,7 +96,7 @@ impl Object {
                     r.take()?;
                     global = r.flag()?;
                 }
-                next if next.moves() => steps.extend(r.transform()?),
+                next if next.is_transform() => steps.extend(r.transform()?),
                 _ => return Err(r.unknown_word("light_group", &LIGHT_GROUP.names()).into()),
             }
         }

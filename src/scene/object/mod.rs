@@ -11,7 +11,7 @@ use crate::medium::Interior;
 use crate::shape::{Shape, moved_box};
 use crate::source::Span;
 use crate::texture::Texture;
-use crate::value::{RawItem, Seldom, Thing, Usual};
+use crate::value::{SharedDefault, StaticDefault, Thing, Unsupported};
 use serde::Serialize;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -83,7 +83,7 @@ pub struct Object {
     #[serde(flatten)]
     pub body: Arc<ObjectBody>,
     /// All its transforms, in the space around its block.
-    pub transform: Seldom<Transform>,
+    pub transform: SharedDefault<Transform>,
     /// The text that made it.
     pub source: Span,
     /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
@@ -100,7 +100,7 @@ pub struct ObjectBody {
     pub texture: Option<Painted>,
     /// What most objects do not say.
     #[serde(flatten)]
-    pub uncommon: Seldom<Uncommon>,
+    pub uncommon: SharedDefault<Uncommon>,
     /// The word it was written with.
     pub word: &'static str,
     /// How large it is, if it is more than a shape.
@@ -138,11 +138,11 @@ pub struct Uncommon {
     pub flags: Flags,
     /// What was said and is not drawn yet.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub undrawn: Option<Arc<Vec<RawItem>>>,
+    pub unsupported: Option<Arc<Vec<Unsupported>>>,
 }
 
-impl Usual for Uncommon {
-    fn usual() -> &'static Self {
+impl StaticDefault for Uncommon {
+    fn static_default() -> &'static Self {
         static NOTHING: Uncommon = Uncommon {
             interior_texture: None,
             embedded: None,
@@ -151,7 +151,7 @@ impl Usual for Uncommon {
             bounded_by: None,
             light_group: None,
             flags: Flags::NONE,
-            undrawn: None,
+            unsupported: None,
         };
         &NOTHING
     }
@@ -182,7 +182,7 @@ impl ObjectBody {
             }
             _ => None,
         };
-        Self { kind, texture: None, uncommon: Seldom::USUAL, word, bulk }
+        Self { kind, texture: None, uncommon: SharedDefault::DEFAULT, word, bulk }
     }
 
     /// How much is in it.
@@ -225,7 +225,7 @@ impl Object {
     pub fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             body: Arc::new(ObjectBody::new(kind, word)),
-            transform: Seldom::USUAL,
+            transform: SharedDefault::DEFAULT,
             source,
             default_texture: defaults.texture.clone(),
         }
@@ -255,7 +255,7 @@ impl Object {
         if let Some(painted) = &mut body.texture {
             painted.transform_by(step);
         }
-        if body.uncommon.unusual().is_some() {
+        if body.uncommon.explicit().is_some() {
             body.uncommon.transform_by(step);
         }
     }

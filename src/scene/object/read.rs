@@ -112,7 +112,7 @@ impl Object {
                 return Ok(());
             }
             if !self.read_modifier(next, r, defaults)? {
-                r.pass(&mut vec![])?;
+                r.skip_into(&mut vec![])?;
             }
         }
     }
@@ -169,7 +169,9 @@ impl Object {
             }
             let read = match self.read_modifier(next, r, defaults) {
                 // (Its number has been read by then.)
-                Err(fault) if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.moves() => {
+                Err(fault)
+                    if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.is_transform() =>
+                {
                     r.report(nothing_seen(self.word, *fault));
                     self.kind = ObjectKind::Csg(CsgOp::Union, Arc::default());
                     is_somewhere = false;
@@ -197,7 +199,7 @@ impl Object {
             return read_row(FLAGS, &mut self.uncommon.flags, next, r);
         }
         match next {
-            next if next.moves() => {
+            next if next.is_transform() => {
                 if let Some(step) = r.transform()? {
                     self.transform_by(&step);
                 }
@@ -224,8 +226,8 @@ impl Object {
                     self.set_material(&material);
                 }
             }
-            Next::Word(word) | Next::Block(word) if MODIFIERS.leaves_out(word) => {
-                Arc::make_mut(self.uncommon.undrawn.get_or_insert_default()).push(r.keep_undrawn(word)?);
+            Next::Word(word) | Next::Block(word) if MODIFIERS.is_unsupported(word) => {
+                Arc::make_mut(self.uncommon.unsupported.get_or_insert_default()).push(r.read_unsupported(word)?);
             }
             _ => return self.read_surface(next, r, defaults),
         }

@@ -174,7 +174,7 @@ impl Component {
                     self.widening = cube.half_width();
                     return Ok(());
                 }
-                next if next.moves() => {
+                next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
                         cube.transform(next, &step);
                         paints.transform(&mut self.slot, &step);

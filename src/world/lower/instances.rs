@@ -4,7 +4,7 @@ use super::{Inherited, Lowering};
 use crate::diagnostic::Result;
 use crate::math::bvh;
 use crate::scene::{Object, ObjectKind};
-use crate::value::Seldom;
+use crate::value::SharedDefault;
 use crate::world::ObjectInfo;
 use crate::world::geometry::{Geometry, GeometryBuilder};
 use crate::world::instance::Instance;
@@ -74,7 +74,7 @@ impl Original {
     /// `None` if it can't be shared.
     fn of(object: &Object, parts: &Arc<[Object]>) -> Result<Option<Self>> {
         let mut alone = Lowering::default();
-        let object = Object { transform: Seldom::USUAL, ..object.clone() };
+        let object = Object { transform: SharedDefault::DEFAULT, ..object.clone() };
         let Some(solid) = alone.lower_object(&object, &Inherited::default())? else { return Ok(None) };
         let mut builder = GeometryBuilder::default();
         builder.add(solid.node.clone());
@@ -101,7 +101,7 @@ fn is_copy(node: &SolidNode, original: &SolidNode, before: Mark) -> bool {
     match (node.kind(), original.kind()) {
         (SolidKind::Leaf(a), SolidKind::Leaf(b)) => {
             let numbered = a.id as usize == before.parts + b.id as usize;
-            numbered && a.inverse == b.inverse && a.shape.is_one_with(&b.shape)
+            numbered && a.inverse == b.inverse && a.shape.shares_with(&b.shape)
         }
         (SolidKind::Union(a), SolidKind::Union(b))
         | (SolidKind::Intersection(a), SolidKind::Intersection(b))

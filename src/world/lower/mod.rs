@@ -21,7 +21,7 @@ use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
 use crate::shape::{Bounding, Kernel, Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Texture, Uncommon};
-use crate::value::Seldom;
+use crate::value::SharedDefault;
 use instances::Copies;
 use place::{Look, Place, not_finite};
 use shared::{Lowered, Shared};
@@ -271,8 +271,8 @@ impl Lowering {
 
     /// Each is another one, even if it is like the one before: a ray leaves what it has entered.
     fn add_interior(&mut self, mut interior: Arc<Interior>, hollow: bool) -> u32 {
-        if !interior.undrawn.is_empty() {
-            Arc::make_mut(&mut interior).undrawn.clear();
+        if !interior.unsupported.is_empty() {
+            Arc::make_mut(&mut interior).unsupported.clear();
         }
         if !interior.has_ior && interior.dispersion != 1.0 {
             Arc::make_mut(&mut interior).dispersion = 1.0;
@@ -357,7 +357,7 @@ impl Lowering {
 
     /// What shapes show that say nothing.
     fn default_look(&self) -> Look {
-        Look { texture: self.default_texture.clone(), transform: Seldom::USUAL }
+        Look { texture: self.default_texture.clone(), transform: SharedDefault::DEFAULT }
     }
 
     fn lower_look(&mut self, look: &Look) -> PlacedMaterial {

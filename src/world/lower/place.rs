@@ -5,21 +5,21 @@ use crate::math::Transform;
 use crate::scene::{Object, Painted};
 use crate::source::Span;
 use crate::texture::Texture;
-use crate::value::Seldom;
+use crate::value::SharedDefault;
 use std::sync::Arc;
 
 /// The space in a block.
 #[derive(Clone, Default)]
 pub(super) struct Place {
     /// World from this space.
-    pub now: Seldom<Transform>,
+    pub now: SharedDefault<Transform>,
 }
 
 /// A texture and its place in the world.
 #[derive(Clone)]
 pub(super) struct Look {
     pub texture: Arc<Texture>,
-    pub transform: Seldom<Transform>,
+    pub transform: SharedDefault<Transform>,
 }
 
 impl Place {
@@ -30,8 +30,8 @@ impl Place {
 
     /// Where textures lie that move with the object in whose block this is: those of what has `uv_mapping` do not (measured on POV-Ray
     /// 3.7).
-    pub fn of_textures(&self, object: &Object) -> Seldom<Transform> {
-        if object.uncommon.flags.uv_mapping { Seldom::USUAL } else { self.now.clone() }
+    pub fn of_textures(&self, object: &Object) -> SharedDefault<Transform> {
+        if object.uncommon.flags.uv_mapping { SharedDefault::DEFAULT } else { self.now.clone() }
     }
 
     /// What is painted on an object that stands here; `inside` is the space in its block.
@@ -39,7 +39,7 @@ impl Place {
         let Some(Painted { texture, moved: since }) = painted else { return Ok(None) };
         let transform = match since {
             Some(own) if !object.uncommon.flags.uv_mapping => {
-                let own = if own.is_identity() { Seldom::USUAL } else { (**own).into() };
+                let own = if own.is_identity() { SharedDefault::DEFAULT } else { (**own).into() };
                 moved(&own, &self.now, object.source)?
             }
             _ => inside.of_textures(object),
@@ -49,8 +49,8 @@ impl Place {
 }
 
 /// First `inner`, then `outer`; shared where one of them moves nothing.
-fn composed(inner: &Seldom<Transform>, outer: &Seldom<Transform>) -> Seldom<Transform> {
-    match (inner.unusual(), outer.unusual()) {
+fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) -> SharedDefault<Transform> {
+    match (inner.explicit(), outer.explicit()) {
         (None, _) => outer.clone(),
         (_, None) => inner.clone(),
         (Some(inner), Some(outer)) => inner.then(outer).into(),
@@ -58,9 +58,13 @@ fn composed(inner: &Seldom<Transform>, outer: &Seldom<Transform>) -> Seldom<Tran
 }
 
 /// The same, if it can be undone.
-fn moved(inner: &Seldom<Transform>, outer: &Seldom<Transform>, source: Span) -> Result<Seldom<Transform>> {
+fn moved(
+    inner: &SharedDefault<Transform>,
+    outer: &SharedDefault<Transform>,
+    source: Span,
+) -> Result<SharedDefault<Transform>> {
     let transform = composed(inner, outer);
-    match inner.unusual() {
+    match inner.explicit() {
         Some(_) => checked(*transform, source).map(|_| transform),
         // The outer one has been checked.
         None => Ok(transform),

@@ -145,7 +145,7 @@ fn expressions() -> Vec<Case> {
     ]
 }
 
-/// Wholes that are none, inside each other.
+/// Granularity that are none, inside each other.
 fn inside_each_other() -> Vec<Case> {
     let value = |open: &str, close: &str| format!("#declare A = {};", nested(open, "1", close, 300));
     let called = |open: &str, close: &str| format!("#macro F(X) X + 1 #end\n{}", value(open, close));

@@ -1,11 +1,11 @@
-//! Which bracket is to blame, where a text does not close what it opens.
+//! Detection of the bracket that causes a later fault.
 
 use crate::diagnostic::Diagnostic;
 use crate::interpreter::reporter::Reporter;
 use crate::syntax::blame;
 
 impl Reporter<'_> {
-    /// A `}` before the fault that ends a block too early, where another further down closes nothing.
+    /// The error for a `}` before the fault that ends a block too early; another `}` further down is then surplus.
     pub(in crate::interpreter) fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
         let sources = self.inputs.sources;
         let (file, range) = sources.locate(fault.span())?;

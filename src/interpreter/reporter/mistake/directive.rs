@@ -1,22 +1,22 @@
-//! Directives as other languages have them.
+//! Directives as other languages write them.
 
 use super::habit::Habit;
 use super::source_line::{SourceLine, code_of, is_letter, leading_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 
-/// The word behind the `#` at the place, and what follows it.
+/// The word after the `#` at the fault, and the rest of the line.
 fn directive_at<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
     let rest = source.after().strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
     Some(rest.split_at(end))
 }
 
-/// The same where there is no directive of this name.
+/// The word after the `#` and the rest of the line, if there is no directive of this name.
 fn unknown_at<'t>(source: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
     if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(source) } else { None }
 }
 
-/// `#ff8800`
+/// `#ff8800` as a colour.
 pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = unknown_at(source, d)?;
     let digits = |i: usize, n: usize| u32::from_str_radix(word.get(i..i + n)?, 16).ok();
@@ -30,7 +30,7 @@ pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(habit.message(format!("a colour is not written as `#{word}`")))
 }
 
-/// `#define A 2`
+/// `#define A 2` as a declaration.
 pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(source, d)? else { return None };
     let (name, rest) = leading_name(rest.trim_start())?;
@@ -41,41 +41,41 @@ pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(Habit::help(help).declares(name))
 }
 
-/// `#elsif (A)`
+/// `#elsif (A)` instead of `#elseif`.
 pub(super) fn other_branch(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, rest) = unknown_at(source, d)?;
     let condition = code_of(rest);
     crate::syntax::fault::is_other_elseif(word).then(|| Habit::help(format!("write `#elseif {condition}`")))
 }
 
-/// `#endif`
+/// `#endif` instead of `#end`.
 pub(super) fn other_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = unknown_at(source, d)?;
     crate::syntax::fault::is_other_end(word).then(|| Habit::help("every directive with a body ends with `#end`"))
 }
 
-/// `#Size = 3;`
+/// `#Size = 3;` without the word `declare`.
 pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (name, rest) = unknown_at(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
     Some(Habit::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
 }
 
-/// `# the red ball`
+/// `# the red ball` as a comment.
 pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     unknown_at(source, d).filter(|_| d.help.is_none())?;
     let text = source.after().trim_end();
-    let said = text.trim_start_matches(['#', ' ', '\t']);
-    let help = format!("a comment begins with `//`: `// {}`", value_text(said));
+    let comment = text.trim_start_matches(['#', ' ', '\t']);
+    let help = format!("a comment begins with `//`: `// {}`", value_text(comment));
     Some(Habit::help(help).at(source.range_of(text)))
 }
 
-/// `#declre Size = 2;`: the name has no value now.
+/// `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
 pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (_, rest) = unknown_at(source, d)?;
     let rest = rest.trim_start();
     let habit = Habit::help(d.help.clone()?);
-    // An `#inculde "file"` is a file that was not read.
+    // The file of a misspelt `#include` was not read.
     if let Some(file) = rest.strip_prefix('"').and_then(|rest| rest.split('"').next()) {
         return Some(Habit { file: Some(file.to_string()), ..habit });
     }
@@ -87,7 +87,7 @@ pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     })
 }
 
-/// `#else if (A)`
+/// `#else if (A)` instead of `#elseif`.
 pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let before = source.before().trim_end();
     let rest = source.after().strip_prefix("if")?.trim_start();
@@ -98,7 +98,7 @@ pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
 }
 
-/// `for (int i = 0; i < 10; i++) {`, also with its `#`.
+/// `for (int i = 0; i < 10; i++) {`, with or without `#`.
 pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let bare = !statement.starts_with('#');
@@ -128,7 +128,7 @@ pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.code(codes::SYNTAX).declares(counter))
 }
 
-/// `#include colors.inc`
+/// `#include colors.inc` without quotes.
 pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let rest = source.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
     let typed = rest.trim_start();
@@ -137,17 +137,17 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
     }
     let typed = typed.split_whitespace().next()?;
     let name = typed.trim_matches(|c: char| matches!(c, '<' | '>' | '\'' | ';' | '‘' | '’' | '“' | '”'));
-    // (A name that holds the file's name as a string is another thing.)
+    // The name may also be that of a declared string.
     let plain = name.chars().all(|c| c.is_alphanumeric() || "._-/\\".contains(c));
     if !plain || !name.contains('.') {
         return None;
     }
     let habit = Habit::help(format!("write `#include \"{name}\"`"));
-    let habit = habit.message("the name of a file stands in double quotes").at(source.range_of(typed));
+    let habit = habit.message("the name of a file is written in double quotes").at(source.range_of(typed));
     Some(Habit { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
 
-/// `#macro Ball(R) {`
+/// `#macro Ball(R) {` with braces around the body.
 pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let head = source.before().trim();
@@ -164,7 +164,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
     Some(habit.message(format!("what belongs to a `#{word}` has no braces around it")))
 }
 
-/// `macro Ball(R)`, `if (A = 1)`, `def Ball(r):`
+/// `macro Ball(R)`, `if (A = 1)` or `def Ball(r):` without `#`.
 pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let (word, rest) = leading_name(statement)?;
@@ -172,7 +172,7 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit>
         return None;
     }
     let typed = rest.trim_start();
-    let place = source.at..source.at + word.len();
+    let range = source.at..source.at + word.len();
     let habit = match word {
         "def" | "func" | "fn" | "proc" | "sub" => {
             let head = typed.trim_end_matches([':', '{', ' ']);
@@ -183,7 +183,7 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit>
             let head = value_text(statement.split('{').next().unwrap_or_default());
             let rest = if statement.contains('{') { " … #end" } else { "" };
             let help = format!("write `#{head}{rest}`");
-            Habit::help(help).message(format!("the directive `{word}` stands without its `#`"))
+            Habit::help(help).message(format!("the directive `{word}` is missing its `#`"))
         }
         _ => return None,
     };
@@ -191,5 +191,5 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit>
     let names =
         typed.split(|c: char| !is_letter(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
     let loses_directive = !matches!(word, "end" | "break" | "local" | "undef" | "debug" | "warning" | "error");
-    Some(Habit { names, loses_directive, ..habit.at(place).code(codes::UNKNOWN_DIRECTIVE) })
+    Some(Habit { names, loses_directive, ..habit.at(range).code(codes::UNKNOWN_DIRECTIVE) })
 }

@@ -1,4 +1,4 @@
-//! What people write by mistake, mostly from the habit of another language: a table of what it looks like.
+//! Table of common mistakes, mostly habits from other languages.
 
 use super::source_line::SourceLine;
 use super::{directive, operator, statement};
@@ -6,27 +6,27 @@ use crate::diagnostic::{Code, Diagnostic, Label, codes};
 use crate::source::Span;
 use std::ops::Range;
 
-/// A mistake that was recognised.
+/// A recognized mistake.
 #[derive(Default)]
 pub(super) struct Habit {
-    /// Instead of the fault's.
+    /// Code that replaces the fault's.
     pub(super) code: Option<Code>,
-    /// Instead of the fault's.
+    /// Message that replaces the fault's.
     pub(super) message: Option<String>,
-    /// Instead of the fault's, in local offsets.
-    pub(super) place: Option<Range<usize>>,
-    /// What to type.
+    /// Range that replaces the fault's span, in offsets within the file.
+    pub(super) range: Option<Range<usize>>,
+    /// Text of the help.
     pub(super) help: String,
-    /// Names that were to be declared.
+    /// Names that stay undeclared because of the mistake.
     pub(super) names: Vec<String>,
-    /// An include file that was to be read.
+    /// Include file that was not read because of the mistake.
     pub(super) file: Option<String>,
-    /// Was a directive meant whose `#end` is now without a partner?
+    /// True if a directive with a body was meant, so that its `#end` is surplus.
     pub(super) loses_directive: bool,
 }
 
 impl Habit {
-    /// Only a remedy.
+    /// A mistake for which only the help is replaced.
     pub(super) fn help(text: impl Into<String>) -> Self {
         Self { help: text.into(), ..Self::default() }
     }
@@ -36,8 +36,8 @@ impl Habit {
         self
     }
 
-    pub(super) fn at(mut self, place: Range<usize>) -> Self {
-        self.place = Some(place);
+    pub(super) fn at(mut self, range: Range<usize>) -> Self {
+        self.range = Some(range);
         self
     }
 
@@ -51,10 +51,10 @@ impl Habit {
         self
     }
 
-    /// The fault as it is told now; `base` is the global offset of the file.
-    pub(super) fn told(self, mut d: Diagnostic, base: usize) -> Diagnostic {
-        if let Some(place) = self.place {
-            d.labels = vec![Label { span: Span::new(base + place.start, base + place.end), text: String::new() }];
+    /// Applies the mistake to the fault's diagnostic; `base` is the global offset of the file.
+    pub(super) fn apply_to(self, mut d: Diagnostic, base: usize) -> Diagnostic {
+        if let Some(range) = self.range {
+            d.labels = vec![Label { span: Span::new(base + range.start, base + range.end), text: String::new() }];
         }
         d.code = self.code.unwrap_or(d.code);
         d.message = self.message.unwrap_or(d.message);
@@ -65,7 +65,7 @@ impl Habit {
 
 type Recognise = fn(&SourceLine, &Diagnostic) -> Option<Habit>;
 
-/// The first that fits is told.
+/// Recognizers in order of precedence.
 const HABITS: &[Recognise] = &[
     directive::hex_color,
     directive::define,
@@ -96,7 +96,7 @@ const HABITS: &[Recognise] = &[
     operator::list_in_parentheses,
 ];
 
-/// Faults that may come of such a habit.
+/// Codes of faults that such a mistake can cause.
 const CODES: &[Code] = &[
     codes::SYNTAX,
     codes::UNKNOWN_DIRECTIVE,
@@ -109,7 +109,7 @@ const CODES: &[Code] = &[
     codes::NOT_CALLABLE,
 ];
 
-/// What was meant where a fault was met, if it can be told.
+/// Recognizes the mistake that caused a fault.
 pub(super) fn find(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !CODES.contains(&d.code) {
         return None;

@@ -1,4 +1,4 @@
-//! Names of an include file that is missing: one message for all of them, in the author's own file.
+//! Names from an include file that is not included: one message for all of them, in the author's own file.
 
 use crate::diagnostic::{Cause, Diagnostic, Label, Remedy};
 use crate::interpreter::reporter::Reporter;
@@ -6,14 +6,14 @@ use crate::library;
 use crate::source::Span;
 use std::path::Path;
 
-/// So many further places are shown.
+/// Maximum number of further spans that a message shows.
 const MAX_PLACES: usize = 4;
 
 impl Reporter<'_> {
-    /// Adds a fault to one of the same cause that is told already, or gives it back.
-    pub(super) fn joined_with_others(&mut self, d: Diagnostic) -> Option<Diagnostic> {
+    /// Merges a fault into a reported one with the same cause, or returns it.
+    pub(super) fn merge_with_same_cause(&mut self, d: Diagnostic) -> Option<Diagnostic> {
         let Some(cause) = d.cause.as_deref() else { return Some(d) };
-        // (What nobody uses only warns, and joins whatever there is.)
+        // A warning about an unused declaration can be merged into an error, too.
         let same =
             |k: &&mut Diagnostic| k.severity >= d.severity && k.cause.as_ref().is_some_and(|known| known.is(cause));
         match self.diagnostics.iter_mut().find(same).and_then(|known| known.cause.as_mut()) {
@@ -25,14 +25,14 @@ impl Reporter<'_> {
         }
     }
 
-    /// A message with all places of its cause, the author's own first.
-    pub(super) fn settled(&self, mut d: Diagnostic) -> Diagnostic {
+    /// Completes a message with all spans of its cause, the author's own first.
+    pub(super) fn with_all_places(&self, mut d: Diagnostic) -> Diagnostic {
         let Some(mut cause) = d.cause.take() else { return d };
         cause.uses.sort_by_key(|(_, span)| (self.in_standard_file(*span), span.lo));
         let Some((name, first)) = cause.uses.first().cloned() else { return d };
         if let Remedy::Include(file) = cause.remedy {
             if self.in_standard_file(first) {
-                return self.told_of_include(d, &cause, file);
+                return self.missing_include_of_include(d, &cause, file);
             }
             d.message = include_message(&name, file);
             d.help = Some(include_help(file));
@@ -41,7 +41,7 @@ impl Reporter<'_> {
                 d.help = Some(format!("put `#include \"{file}\"` before this line"));
             }
         }
-        // (The way to another place is not known any more.)
+        // The call trace belongs to the first span only.
         if first != d.span() {
             d.trace = Box::default();
         }
@@ -50,7 +50,7 @@ impl Reporter<'_> {
         d
     }
 
-    /// The further places, and how many there are beyond them.
+    /// Adds further spans to a message, and the number of those beyond [`MAX_PLACES`].
     fn add_places(&self, d: &mut Diagnostic, cause: &Cause, name: &str) {
         let file = |span: Span| self.inputs.sources.locate(span).map(|(file, _)| file);
         let mut more = 0;
@@ -69,8 +69,9 @@ impl Reporter<'_> {
         }
     }
 
-    /// A standard include needs another: told where the author's own text includes it, or calls its macro.
-    fn told_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
+    /// Reports that a standard include file needs another one, at the `#include` or macro call in the author's own
+    /// text.
+    fn missing_include_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
         let Some((name, first)) = cause.uses.first() else { return d };
         let inner = self.inputs.sources.locate(*first).map_or("", |(id, _)| self.inputs.sources.name(id));
         let inner = Path::new(inner).file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -94,7 +95,7 @@ impl Reporter<'_> {
         d
     }
 
-    /// Does a place lie in a standard include file, installed or built in?
+    /// True if a span is in a standard include file, installed or built in.
     pub(super) fn in_standard_file(&self, span: Span) -> bool {
         let Some((id, _)) = self.inputs.sources.locate(span) else { return false };
         match self.inputs.sources.path(id) {
@@ -107,20 +108,20 @@ impl Reporter<'_> {
         }
     }
 
-    /// Would an include give the name, perhaps in other letters?
+    /// True if a standard include file declares the name, perhaps with other capitals.
     pub(in crate::interpreter) fn is_in_include(&self, name: &str) -> bool {
         self.include_missing_for(name).is_some()
             || name.len() > 4 && library::index_names().any(|n| n.eq_ignore_ascii_case(name))
     }
 
-    /// The help for the name of an include where no name can stand.
+    /// Help for the name of an include file's thing outside of all blocks.
     pub(in crate::interpreter) fn include_hint(&self, name: &str) -> Option<String> {
         self.include_missing_for(name).map(|file| {
-            format!("`{name}` is declared in `{file}`; it goes inside a block, behind `#include \"{file}\"`")
+            format!("`{name}` is declared in `{file}`; it is used inside a block, after `#include \"{file}\"`")
         })
     }
 
-    /// The standard include file that declares a name, unless it was read and does not.
+    /// The standard include file that declares a name, unless the file has been read.
     pub(super) fn include_missing_for(&self, name: &str) -> Option<&'static str> {
         let file = library::declared_in(name)?;
         let read = |(id, _): (crate::source::FileId, &_)| {

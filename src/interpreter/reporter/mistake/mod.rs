@@ -1,6 +1,6 @@
-//! From a fault to its cause: what was meant, which faults only follow from others, and which are one and the same.
+//! Causes of faults: which mistake was made, which faults follow from others, and which have the same cause.
 //!
-//! All of this runs only when there is a fault.
+//! All of this runs only after a fault.
 
 mod bracket;
 mod directive;
@@ -19,29 +19,29 @@ use habit::Habit;
 use rustc_hash::{FxHashMap, FxHashSet};
 use source_line::{SourceLine, leading_name};
 
-/// What the faults so far have left undone: what needs it is no fault of its own.
+/// Consequences of earlier faults: what depends on them is no further fault.
 #[derive(Default)]
 pub(super) struct Mistakes {
-    /// Names that were to be declared.
+    /// Names that stay undeclared.
     names: FxHashSet<String>,
-    /// Words of the language that were to be declared.
+    /// Words of the language that were used as names.
     words: FxHashSet<String>,
-    /// Include files that were not read, and the files that name them.
+    /// Include files that were not read, with the files that name them.
     files: Vec<(String, FileId)>,
-    /// Was a directive with a body written in a way that none is?
+    /// True if a directive with a body was not recognized, so that its `#end` is surplus.
     lost_directive: bool,
-    /// Lines, as a file and the line's start, that can't be read.
+    /// Lines that cannot be parsed, as the file and the offset of the line.
     lines: FxHashSet<(FileId, usize)>,
-    /// Places of errors that are counted only.
+    /// Spans of errors that are only counted.
     unreported: FxHashSet<Span>,
-    /// The first of them.
+    /// Span of the first error that is only counted.
     first_unreported: Option<Span>,
-    /// What was found out of a file's braces.
+    /// Error about the braces of a file, if one was found.
     early: FxHashMap<FileId, Option<Box<Diagnostic>>>,
 }
 
 impl Mistakes {
-    /// An error after all that are told.
+    /// Counts an error beyond the maximum number.
     pub(super) fn count_unreported(&mut self, at: Span) {
         self.first_unreported.get_or_insert(at);
         self.unreported.insert(at);
@@ -49,21 +49,21 @@ impl Mistakes {
 }
 
 impl Reporter<'_> {
-    /// A fault as it is to be told; `None` if it follows from another, or is told with another.
-    pub(super) fn understood(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
+    /// Replaces a fault by its cause; `None` if it follows from another fault or is merged into one.
+    pub(super) fn with_cause(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
         let Some(source) = SourceLine::of(self.inputs.sources, d.span()) else { return Some(d) };
         let line = (source.file, source.line.start);
         let habit = habit::find(&source, &d);
         let is_habit = habit.is_some();
         if let Some(habit) = habit {
             let base = self.inputs.sources.base(source.file);
-            self.note_habit(&habit, source.file);
-            d = habit.told(d, base);
-        } else if self.follows(&d, &source) {
+            self.record_habit(&habit, source.file);
+            d = habit.apply_to(d, base);
+        } else if self.is_consequence(&d, &source) {
             return None;
         }
-        self.note(&d, &source);
-        // What else is wrong in a line that can't be read is no news.
+        self.record_consequences(&d, &source);
+        // Further errors in a line that cannot be parsed are not reported.
         let known = self.diagnostics.iter().any(|k| k.span() == d.span() && k.code == d.code);
         if !known && d.severity == Severity::Error {
             if self.mistakes.lines.contains(&line) {
@@ -73,18 +73,18 @@ impl Reporter<'_> {
                 self.mistakes.lines.insert(line);
             }
         }
-        self.joined_with_others(d)
+        self.merge_with_same_cause(d)
     }
 
-    /// Remembers what was meant, and is not there.
-    fn note_habit(&mut self, habit: &Habit, file: FileId) {
+    /// Records what a mistake leaves undeclared or unread.
+    fn record_habit(&mut self, habit: &Habit, file: FileId) {
         self.mistakes.names.extend(habit.names.iter().cloned());
         self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
         self.mistakes.lost_directive |= habit.loses_directive;
     }
 
-    /// Remembers what a fault leaves undone.
-    fn note(&mut self, d: &Diagnostic, source: &SourceLine) {
+    /// Records what a fault leaves undeclared or unread.
+    fn record_consequences(&mut self, d: &Diagnostic, source: &SourceLine) {
         let text = self.inputs.sources.snippet(d.span());
         let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
         if let Some(("declare" | "local" | "macro", rest)) = directive
@@ -104,8 +104,8 @@ impl Reporter<'_> {
         }
     }
 
-    /// Does a fault follow from an earlier one?
-    fn follows(&self, d: &Diagnostic, source: &SourceLine) -> bool {
+    /// True if a fault follows from an earlier one.
+    fn is_consequence(&self, d: &Diagnostic, source: &SourceLine) -> bool {
         if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && source.after().starts_with("#end") {
             return true;
         }
@@ -116,20 +116,21 @@ impl Reporter<'_> {
         is_value && !self.mistakes.words.is_empty() && source.words().any(|word| self.mistakes.words.contains(word))
     }
 
-    /// Would the name be declared, had nothing failed before?
+    /// True if the name would be declared without the earlier faults.
     fn is_left_undone(&self, name: &str, user: FileId) -> bool {
         let gives = |(file, includer): &(String, FileId)| match library::is_standard(file) {
             true => library::declares(file, name),
-            // Nobody knows what a file of the author's would have declared for the one that includes it.
+            // The contents of the author's own missing file are unknown: it may declare any name in the file that
+            // includes it.
             false => *includer == user && library::declared_in(name).is_none(),
         };
         self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
     }
 
-    /// At the end of the run: one message for each cause, and how many errors were only counted.
-    pub(in crate::interpreter) fn settle_messages(&mut self) {
+    /// Completes the messages at the end of the run, and adds the number of errors that were only counted.
+    pub(in crate::interpreter) fn complete_diagnostics(&mut self) {
         let all = std::mem::take(&mut self.diagnostics);
-        self.diagnostics = all.into_iter().map(|d| self.settled(d)).collect();
+        self.diagnostics = all.into_iter().map(|d| self.with_all_places(d)).collect();
         let unreported = self.mistakes.unreported.len();
         if let Some(first) = self.mistakes.first_unreported {
             let more = if unreported == 1 {
@@ -137,7 +138,7 @@ impl Reporter<'_> {
             } else {
                 format!("{unreported} more errors were found")
             };
-            let d = Diagnostic::new(codes::MORE_ERRORS, first, format!("{more}, and not told")).label("the next one");
+            let d = Diagnostic::new(codes::MORE_ERRORS, first, format!("{more}, and not shown")).label("the next one");
             self.diagnostics.push(d.help("mend the first ones: others often follow from them"));
         }
     }

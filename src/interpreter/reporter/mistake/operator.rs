@@ -1,13 +1,13 @@
-//! Operators, vectors and indices as other languages have them.
+//! Operators, vectors and indices as other languages write them.
 
 use super::habit::Habit;
 use super::source_line::{SourceLine, code_of, is_letter, leading_name, trailing_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
-/// `A <> B`
+/// `A <> B` as a comparison.
 pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    // (The fault may be found at either sign.)
+    // The fault may be at either sign.
     let from = source.at.saturating_sub(1).max(source.line.start);
     let at =
         from + source.text.get(from..source.line.end)?.find("<>").filter(|i| *i <= 1 && d.code == codes::SYNTAX)?;
@@ -23,9 +23,9 @@ fn trailing_operand(text: &str) -> &str {
     &text[text.trim_end_matches(|c: char| is_letter(c) || c == '.').len()..]
 }
 
-/// `&&`, `||`, `==`
+/// `&&`, `||` or `==`.
 pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
-    // (The fault is at the second sign.)
+    // The fault is at the second sign.
     let at = source.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
     let typed = source.text.get(at..at + 2)?;
     let help = match typed {
@@ -34,18 +34,18 @@ pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
         "==" => "a single `=` compares",
         _ => return None,
     };
-    Some(Habit::help(help).message(format!("`{typed}` can't stand here")))
+    Some(Habit::help(help).message(format!("`{typed}` is not allowed here")))
 }
 
-/// `A + ;`
+/// `A + ;` without a right operand.
 pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let before = source.text[..source.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
     let habit = Habit::help("an operator needs a value on both sides");
-    Some(habit.message(format!("expected a value behind `{sign}`, found `;`")).at(before.len()..before.len() + 1))
+    Some(habit.message(format!("expected a value after `{sign}`, found `;`")).at(before.len()..before.len() + 1))
 }
 
-/// `A and B`, `not A`, `A mod 2`
+/// `A and B`, `not A` or `A mod 2`.
 pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, right) = leading_name(source.after())?;
     let left = source.before().trim_end();
@@ -58,7 +58,7 @@ pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
             Habit::help(format!("the remainder is `mod({}, {})`", trailing_operand(left), operand(right)))
         }
         "then" if left.ends_with(')') => {
-            Habit::help("behind the condition comes at once what it is for, and then `#end`")
+            Habit::help("the condition is followed by what depends on it, and then `#end`")
         }
         _ => return None,
     };
@@ -75,17 +75,17 @@ fn operand(text: &str) -> &str {
     &text[..text.find(|c: char| !is_letter(c) && c != '.').unwrap_or(text.len())]
 }
 
-/// `phong = 0.5`
+/// `phong = 0.5` with a sign between word and value.
 pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let value = source.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
     let (before, word) = trailing_name(source.before().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
     let value = value_text(value.split(['}', ';']).next().unwrap_or_default());
-    let habit = Habit::help(format!("a value stands right behind its word: `{word} {value}`"));
-    plain.then(|| habit.message(format!("`=` can't stand behind `{word}`")))
+    let habit = Habit::help(format!("a value directly follows its word: `{word} {value}`"));
+    plain.then(|| habit.message(format!("`=` is not allowed after `{word}`")))
 }
 
-/// `A[0,1]`
+/// `A[0,1]` with two indices in one bracket.
 pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !matches!(d.code, codes::EXPECTED | codes::SYNTAX | codes::WRONG_COUNT) {
         return None;
@@ -102,11 +102,11 @@ pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     let written: String = indices.iter().map(|index| format!("[{index}]")).collect();
     let start = source.line.start + open - name.len();
     let habit = Habit::help(format!("write `{name}{written}`"));
-    let habit = habit.message("each index of an array stands in brackets of its own");
+    let habit = habit.message("each index of an array has its own brackets");
     Some(habit.at(start..source.line.start + close + 1))
 }
 
-/// `<-1 -1 -1>`
+/// `<-1 -1 -1>` without commas.
 pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let text = source.text.get(source.at..source.end).filter(|_| d.code == codes::WRONG_COUNT)?;
     let inside = text.strip_prefix('<')?.strip_suffix('>')?;
@@ -123,7 +123,7 @@ pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Opti
     )))
 }
 
-/// `translate 1, 2, 3`
+/// `translate 1, 2, 3` without angle brackets.
 pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if d.code != codes::EXPECTED {
         return None;
@@ -137,26 +137,28 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     let rest = code_of(source.after());
     let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
     let numbers = format!("{}, {rest}", before[start..].trim());
-    let habit =
-        Habit::help(format!("a vector stands in angle brackets: `{word} <{}>`", numbers.trim_end_matches([',', ' '])));
+    let habit = Habit::help(format!(
+        "a vector is written in angle brackets: `{word} <{}>`",
+        numbers.trim_end_matches([',', ' '])
+    ));
     Some(habit.message(format!("`{word}` takes one value, found a list")))
 }
 
-/// `rgb(1, 0, 0)`
+/// `rgb(1, 0, 0)` with parentheses.
 pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside = source.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
     let (numbers, _) = inside.split_once(')')?;
     let plain = numbers.contains(',') && !numbers.contains('(');
     let word = trailing_name(source.before().trim_end()).map_or("", |(_, word)| word);
     let space = if word.is_empty() { "" } else { " " };
-    let help = format!("vectors stand in angle brackets: `{word}{space}<{}>`", numbers.trim());
+    let help = format!("vectors are written in angle brackets: `{word}{space}<{}>`", numbers.trim());
     (plain && (word.is_empty() || lookup(word).is_some())).then(|| Habit::help(help))
 }
 
-/// `sphere { [0, 1, 2], 1 }`
+/// `sphere { [0, 1, 2], 1 }` with square brackets.
 pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside =
         source.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
     let (numbers, _) = inside.split_once(']')?;
-    Some(Habit::help(format!("vectors stand in angle brackets: `<{}>`", numbers.trim())))
+    Some(Habit::help(format!("vectors are written in angle brackets: `<{}>`", numbers.trim())))
 }

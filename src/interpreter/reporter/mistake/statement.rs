@@ -1,18 +1,18 @@
-//! Statements as other languages have them.
+//! Statements as other languages write them.
 
 use super::habit::Habit;
 use super::source_line::{SourceLine, is_letter, leading_name, trailing_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
-/// The name of the author's own that the line begins with, and what follows it.
+/// The name at the start of the line, if it is not a word of the language, and the text after it.
 fn own_name<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
     leading_name(source.statement())
         .filter(|(name, _)| lookup(name).is_none())
         .map(|(name, rest)| (name, rest.trim_start()))
 }
 
-/// `F(x) = x*x`
+/// `F(x) = x*x` as a function definition.
 pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let (parameters, rest) = rest.strip_prefix('(')?.split_once(')')?;
@@ -25,7 +25,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
     is_list.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `I++` and `N += 2`
+/// `I++` or `N += 2` as an assignment.
 pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let start = source.statement_start();
@@ -44,7 +44,7 @@ pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.message(format!("`{shown}` does not change `{name}`")).at(start..end).code(codes::SYNTAX))
 }
 
-/// `float A = 2;`, `let A = 2;`
+/// `float A = 2;` or `let A = 2;` as a declaration.
 pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (kind, rest) = leading_name(source.statement())?;
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
@@ -56,27 +56,27 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Habi
     Some(habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `Size = 3;`
+/// `Size = 3;` without `#declare`.
 pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let sign = source.range_of(value).start - 1;
     let inside = source.at <= sign + 1 && d.code != codes::UNKNOWN_DIRECTIVE;
     let habit = Habit::help(format!("to give `{name}` a value, write `#declare {name} = {};`", value_text(value)));
-    let habit = habit.message("`=` can't stand here").at(sign..sign + 1);
+    let habit = habit.message("`=` is not allowed here").at(sign..sign + 1);
     inside.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `Ball translate 2*x`, `sphere { … } rotate y`: outside of all braces.
+/// `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
 pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = leading_name(source.after())?;
     if d.code != codes::UNKNOWN_WORD || !d.message.ends_with("outside of all braces") {
         return None;
     }
     let known = crate::scene::words::MODIFIERS;
-    let modifies = known.obeys(word) || crate::value::words::TRANSFORMS.iter().any(|w| w.name == word);
+    let modifies = known.has_effect(word) || crate::value::words::TRANSFORMS.iter().any(|w| w.name == word);
     let before = source.text[..source.at].trim_end();
-    let message = |what: &str| format!("`{word}` stands behind {what}, which is finished there");
+    let message = |what: &str| format!("`{word}` follows {what}, which is complete");
     if let Some((_, name)) = trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
         let rest = value_text(source.after());
         let habit = Habit::help(format!("write `object {{ {name} {rest} }}`"));

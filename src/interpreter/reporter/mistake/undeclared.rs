@@ -1,4 +1,4 @@
-//! Names that nothing was declared for.
+//! Errors about undeclared names.
 
 use super::missing::{include_help, include_message};
 use crate::diagnostic::{Cause, Diagnostic, Remedy, codes, nearest};
@@ -16,7 +16,7 @@ impl Reporter<'_> {
         span: Span,
         declared: impl Iterator<Item = &'n str>,
     ) -> Diagnostic {
-        // (Of a call, the name alone is the fault.)
+        // Of a call, only the name is marked.
         let named = self.inputs.sources.snippet(span).starts_with(name);
         let span = if named { Span { hi: span.lo + name.len() as u32, ..span } } else { span };
         let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{name}` is not declared"));
@@ -54,18 +54,18 @@ fn meant_name<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> Option
     nearest(name, declared).map(|found| format!("did you mean `{found}`?"))
 }
 
-/// A word of the language that is nearly the same.
+/// A word of the language with nearly the same spelling.
 fn meant_word(name: &str) -> Option<String> {
     let words = word::KEYWORDS.iter().chain(word::FUNCTIONS).copied().chain(word::CONSTANTS.iter().map(|c| c.0));
-    // Words of the language are in small letters: a name with a capital is a slip of one only if nothing else differs.
+    // Words of the language are in lower case: a capitalized name is a misspelling of one only if nothing else differs.
     let capital = name.starts_with(char::is_uppercase);
     nearest(name, words.filter(|w| !capital || w.eq_ignore_ascii_case(name)))
         .map(|found| format!("did you mean `{found}`?"))
 }
 
-/// A name of the standard includes that is nearly the same.
+/// A name of a standard include file with nearly the same spelling.
 fn meant_include(name: &str) -> Option<String> {
-    // (Short names are near to something always.)
+    // Short names resemble too many others.
     let near =
         nearest(name, library::index_names()).filter(|found| name.len() > 4 || found.eq_ignore_ascii_case(name))?;
     let file = library::declared_in(near)?;
