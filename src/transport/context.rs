@@ -1,6 +1,6 @@
 //! What all rays of a frame share.
 
-use super::interface::Interiors;
+use super::interface::{Interiors, copy_of};
 use crate::math::DVec3;
 use crate::world::{ObjectInfo, World};
 
@@ -74,7 +74,7 @@ impl<'w> FrameContext<'w> {
     pub(super) fn interiors_at(&self, origin: DVec3) -> Interiors {
         match self.camera.origin {
             None if self.tracks_interiors => interiors_around(self.world, origin),
-            _ => self.camera_interiors.clone(),
+            _ => copy_of(&self.camera_interiors),
         }
     }
 }

@@ -21,7 +21,7 @@ impl Tracer<'_> {
         material: &MaterialSample,
         samples: u32,
     ) {
-        let Boundary { shading, interface, attenuation } = boundary;
+        let Boundary { shading, interface, attenuation } = *boundary;
         let (world, own) = (self.context.world, shading.part.interior);
         let throughput = material.share * attenuation * material.transmittance;
         let weight = state.weight * material.transmittance.max_element();

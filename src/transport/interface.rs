@@ -8,6 +8,12 @@ use std::sync::Arc;
 /// Numbers of the interiors around a ray, the last entered on top.
 pub(super) type Interiors = SmallVec<[u32; 6]>;
 
+/// Returns a copy of the list; faster than `clone` for the usual, empty list.
+#[inline]
+pub(super) fn copy_of(interiors: &Interiors) -> Interiors {
+    if interiors.is_empty() { Interiors::new() } else { interiors.clone() }
+}
+
 /// Both sides of a surface that a ray hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Interface {

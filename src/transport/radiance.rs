@@ -42,13 +42,13 @@ impl<'w> Tracer<'w> {
         let pending = self.queue.len();
         self.queue.push(first);
         while self.queue.len() > pending
-            && let Some(state) = self.queue.pop()
+            && let Some(mut state) = self.queue.pop()
         {
             if self.is_stopped_at_next_surface() {
                 break;
             }
             if state.n_surfaces < MAX_SURFACES {
-                self.trace(state, &mut sum);
+                self.trace(&mut state, &mut sum);
             }
         }
         self.queue.truncate(pending);
@@ -56,11 +56,12 @@ impl<'w> Tracer<'w> {
     }
 
     /// Traces a ray up to its first hit: adds the light of the segment and of the surface to `sum`, and pushes the rays that continue.
-    fn trace(&mut self, mut state: RayState, sum: &mut Radiance) {
+    #[inline]
+    fn trace(&mut self, state: &mut RayState, sum: &mut Radiance) {
         self.random.next_vertex();
-        let Some(hit) = self.closest(&state) else {
+        let Some(hit) = self.closest(state) else {
             let air = self.segment(&state.ray, &Span::from_origin(Segment::FAR), &state.inside);
-            let all = air.in_front_of(self.background(&state));
+            let all = air.in_front_of(self.background(state));
             sum.rgb += state.throughput * all.radiance;
             sum.transparency += state.transparency * gray(all.transmittance);
             return;
@@ -70,15 +71,15 @@ impl<'w> Tracer<'w> {
         sum.rgb += state.throughput * air.radiance;
         state.attenuate(&air);
         // Light that the surface itself sends
-        let interface = self.interface(&state, &hit);
+        let interface = self.interface(state, &hit);
         let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, &self.context.quality, &interface);
-        sum.rgb += state.throughput * self.direct_light(&state, &shading);
+        sum.rgb += state.throughput * self.direct_light(state, &shading);
         // Rays that continue
         let attenuation = match self.context.world.colors_light && interface.leaves() {
             true => self.attenuation(shading.part.interior, hit.t()),
             false => Rgb::ONE,
         };
-        self.scatter(&state, &Boundary { shading, interface, attenuation }, sum);
+        self.scatter(state, &Boundary { shading: &shading, interface: &interface, attenuation }, sum);
     }
 
     /// Returns the closest hit among the objects that are visible to this kind of ray.

@@ -1,6 +1,6 @@
 //! A ray on its way through the scene.
 
-use super::interface::Interiors;
+use super::interface::{Interiors, copy_of};
 use crate::atmosphere::Segment;
 use crate::color::{Rgb, gray};
 use crate::math::Ray;
@@ -65,7 +65,7 @@ impl RayState {
             transparency: 0.0,
             is_reflected: self.is_reflected,
             has_transmitted: self.has_transmitted,
-            inside: self.inside.clone(),
+            inside: copy_of(&self.inside),
             hue: self.hue,
             n_surfaces: self.n_surfaces + 1,
         }

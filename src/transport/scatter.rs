@@ -11,9 +11,9 @@ use crate::math::{DVec3, Ray};
 use smallvec::SmallVec;
 
 /// A surface that a ray hits, with the optical boundary there.
-pub(super) struct Boundary<'w> {
-    pub shading: ShadingPoint<'w>,
-    pub interface: Interface,
+pub(super) struct Boundary<'a, 'w> {
+    pub shading: &'a ShadingPoint<'w>,
+    pub interface: &'a Interface,
     /// Transmittance of the interior that the ray leaves here, for light from beyond the surface.
     pub attenuation: Rgb,
 }
@@ -80,7 +80,7 @@ impl Tracer<'_> {
     /// Decides what happens to the light that a material transmits. Both limits must be passed: the surface's transmittance by its
     /// gray, and the ray's weight by the largest channel (quirk: `adc_transmission`).
     fn transmission(&self, state: &RayState, material: &MaterialSample, boundary: &Boundary) -> Transmission {
-        let Boundary { shading, interface, .. } = boundary;
+        let Boundary { shading, interface, .. } = *boundary;
         let world = self.context.world;
         let transmittance = material.transmittance;
         let is_clear = self.context.quality.pigments
@@ -111,7 +111,7 @@ impl Tracer<'_> {
         transmissions: &[Transmission],
         sum: &mut Radiance,
     ) {
-        let Boundary { shading, interface, .. } = boundary;
+        let Boundary { shading, interface, .. } = *boundary;
         let world = self.context.world;
         if state.level >= world.max_trace_level {
             return;
@@ -151,7 +151,7 @@ impl Tracer<'_> {
 
     /// Pushes the transmitted, totally reflected and dispersed rays, each path once.
     fn push_transmitted(&mut self, state: &RayState, boundary: &Boundary, transmissions: &[Transmission]) {
-        let Boundary { shading, interface, attenuation } = boundary;
+        let Boundary { shading, interface, attenuation } = *boundary;
         let world = self.context.world;
         let mut paths = SmallVec::<[Continuation; 1]>::new();
         for (material, transmission) in shading.materials.iter().zip(transmissions) {
@@ -164,7 +164,7 @@ impl Tracer<'_> {
                     is_total: false,
                     throughput: share * attenuation * transmittance,
                     weight: transmittance.abs().max_element(),
-                    transparency: share * gray(transmittance) * gray(*attenuation),
+                    transparency: share * gray(transmittance) * gray(attenuation),
                 },
                 // All light is reflected, but the weight falls as if it were transmitted (quirk: `total_reflection_weight`).
                 Transmission::Total => {

@@ -1,6 +1,6 @@
 //! Shadow rays: the share of a light's radiance that arrives at a surface.
 
-use super::interface::{Interface, Interiors};
+use super::interface::{Interface, Interiors, copy_of};
 use super::ray_state::RayState;
 use super::segment::Span;
 use super::shading_point::{self, ShadingPoint};
@@ -83,7 +83,7 @@ impl Tracer<'_> {
             object.shadow && !object.opaque
         };
         if world.colors_light || has_air {
-            return self.segmented_transmittance(ray, range, filters, inside.clone(), has_air.then_some(distance));
+            return self.segmented_transmittance(ray, range, filters, copy_of(inside), has_air.then_some(distance));
         }
         let mut transmittance = Rgb::ONE;
         for hit in surfaces(world, ray, range, filters) {

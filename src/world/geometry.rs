@@ -130,6 +130,7 @@ impl Geometry {
 
     /// The nearest hit in the range of an object that `accept` takes by its number. Of several in one place that of an infinite
     /// object is seen, then that of the object that was declared first (as in POV-Ray 3.7, where its hierarchy does not decide).
+    #[inline]
     pub fn closest(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
         let mut range = range;
         let mut infinite = None;
@@ -243,6 +244,7 @@ impl Geometry {
     }
 
     /// Hands the place of every object whose box the ray meets to `visit`, which returns how far hits still count.
+    #[inline]
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> ControlFlow<(), f64>) {
         let mut max = range.max;
         for i in self.finite..self.items.len() {
