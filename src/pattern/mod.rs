@@ -81,7 +81,7 @@ pub use object::ObjectPattern;
 pub use onion::Onion;
 pub use pavement::Pavement;
 pub use pigment::{PigmentBrightness, PigmentPattern};
-pub use placed::{Kind, Pattern, read_noise_generator};
+pub use placed::{Pattern, PatternKind, read_noise_generator};
 pub use planar::Planar;
 pub use program::PatternProgram;
 pub use quilted::Quilted;

@@ -3,7 +3,7 @@
 use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
 use crate::color::{Color, gray};
 use crate::function::LocalBounds;
-use crate::pattern::{Kind, Pattern, PatternProgram, PigmentBrightness, TextureContext};
+use crate::pattern::{Pattern, PatternKind, PatternProgram, PigmentBrightness, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -137,7 +137,7 @@ impl PigmentBrightness for Brightness {
 fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
     let shows = match &pigment.paint {
         // A map without a pattern is black (quirk: map_without_pattern).
-        Paint::Colors(_) | Paint::Pigments(Blend::Map(_)) if matches!(pigment.pattern.kind, Kind::Plain) => {
+        Paint::Colors(_) | Paint::Pigments(Blend::Map(_)) if matches!(pigment.pattern.kind, PatternKind::Plain) => {
             Shows::Solid(Color::BLACK)
         }
         Paint::Solid(color) => Shows::Solid(*color),

@@ -50,7 +50,7 @@ pub struct PavementWords {
 
 /// Shape of a joint at a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Look {
+enum JointShape {
     /// With a corner.
     Pointed,
     /// With the corner cut off.
@@ -61,10 +61,10 @@ enum Look {
     AsOthers,
 }
 
-impl Look {
+impl JointShape {
     /// From the number in the scene. POV-Ray keeps eight bits of it, and wraps around.
-    fn numbered(n: f64, looks: u8) -> Self {
-        [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % looks)]
+    fn numbered(n: f64, shapes: u8) -> Self {
+        [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % shapes)]
     }
 }
 
@@ -75,9 +75,9 @@ struct Laid {
     plan: Plan,
     /// Directions of the corners from the centre, for each kind of cell.
     corners: Vec<Vec<DVec2>>,
-    exterior: Look,
-    interior: Look,
-    form: Look,
+    exterior: JointShape,
+    interior: JointShape,
+    form: JointShape,
 }
 
 impl Readable for Pavement {
@@ -164,9 +164,9 @@ impl Pavement {
             cells,
             plan: Plan::new(cells, row),
             corners: cells.corners(),
-            exterior: Look::numbered(said.exterior, 3),
-            interior: Look::numbered(said.interior, 3),
-            form: Look::numbered(said.form, if cells == Cells::Squares { 4 } else { 3 }),
+            exterior: JointShape::numbered(said.exterior, 3),
+            interior: JointShape::numbered(said.interior, 3),
+            form: JointShape::numbered(said.form, if cells == Cells::Squares { 4 } else { 3 }),
         };
         Ok(Self { said, laid: Arc::new(laid) })
     }
@@ -233,10 +233,10 @@ impl Laid {
     }
 
     /// Height at the tip of a triangle or square, between two joints.
-    fn tip(&self, [before, after]: [f64; 2], near: NearCorner, look: Look) -> f64 {
-        match look {
-            Look::Cut => before + after,
-            Look::Round => near.to_middle / self.cells.depth(),
+    fn tip(&self, [before, after]: [f64; 2], near: NearCorner, joint: JointShape) -> f64 {
+        match joint {
+            JointShape::Cut => before + after,
+            JointShape::Round => near.to_middle / self.cells.depth(),
             _ => before.max(after),
         }
     }
@@ -249,8 +249,8 @@ impl Laid {
             (true, false) if corner.first => self.blunt(bevels, near.along * H + near.across / 2.0, near),
             (false, true) if corner.last => self.blunt(bevels, near.along * H - near.across / 2.0, near),
             (false, false) if corner.any => match self.interior {
-                Look::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
-                Look::Round => 1.0 - 3.0 * near.to_corner(),
+                JointShape::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
+                JointShape::Round => 1.0 - 3.0 * near.to_corner(),
                 _ => 1.0 - near.along / self.cells.depth(),
             },
             _ => bevels[0].max(bevels[1]),
@@ -264,17 +264,19 @@ impl Laid {
         match (corner.before, corner.after) {
             (true, true) => self.blunt(bevels, near.along, near),
             (false, false) => 0.0,
-            _ if open > 0.0 && self.interior == Look::Cut => 1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open),
-            _ if open > 0.0 && self.interior == Look::Round => 1.0 - 3.0 * near.to_corner(),
+            _ if open > 0.0 && self.interior == JointShape::Cut => {
+                1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open)
+            }
+            _ if open > 0.0 && self.interior == JointShape::Round => 1.0 - 3.0 * near.to_corner(),
             _ => bevels[0].max(bevels[1]),
         }
     }
 
-    /// Height at a 120° corner, which looks like a hexagon's; the point is `along` from the corner on its bisector.
+    /// Height at a 120° corner, which shapes like a hexagon's; the point is `along` from the corner on its bisector.
     fn blunt(&self, [before, after]: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
-            Look::Cut => 2.0 - 4.0 * along,
-            Look::Round => {
+            JointShape::Cut => 2.0 - 4.0 * along,
+            JointShape::Round => {
                 // the hexagon's centre is at distance 1 on the bisector
                 let from_corner = near.to_corner();
                 let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
@@ -284,14 +286,14 @@ impl Laid {
         }
     }
 
-    fn square(&self, corner: Corner, near: NearCorner, exterior: Look, interior: Look) -> f64 {
+    fn square(&self, corner: Corner, near: NearCorner, exterior: JointShape, interior: JointShape) -> f64 {
         let bevels = self.bevels(corner, near);
         match (corner.before, corner.after) {
             (true, true) => self.tip(bevels, near, exterior),
             (false, false) if !corner.any => 0.0,
             (false, false) => match interior {
-                Look::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
-                Look::Round => 1.0 - 2.0 * near.to_corner(),
+                JointShape::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
+                JointShape::Round => 1.0 - 2.0 * near.to_corner(),
                 _ => 1.0 - SQRT_2 * (near.along + near.across.abs()),
             },
             _ => bevels[0].max(bevels[1]),
@@ -302,15 +304,15 @@ impl Laid {
     /// that corner.
     fn square_that_turns(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
         match self.form {
-            Look::Pointed => self.square(corner, near, Look::Pointed, Look::Pointed),
-            Look::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
-            Look::Round => {
+            JointShape::Pointed => self.square(corner, near, JointShape::Pointed, JointShape::Pointed),
+            JointShape::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
+            JointShape::Round => {
                 // by the law of cosines, in halves of the square's side
                 let (from_middle, along) = (2.0 * near.to_middle, 2.0 * along);
                 let from_notch = (from_middle * from_middle + 2.0 + 2.0 * SQRT_2 * along).max(0.0).sqrt();
                 (from_notch - 1.0).abs()
             }
-            Look::AsOthers => self.square(corner, near, self.exterior, self.interior),
+            JointShape::AsOthers => self.square(corner, near, self.exterior, self.interior),
         }
     }
 }
@@ -373,14 +375,14 @@ mod tests {
         for (sides, cells) in [(3.0, Cells::Triangles), (4.0, Cells::Squares), (6.0, Cells::Hexagons)] {
             let all = cells.plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
             for (tiles, pattern) in all {
-                let look = ((tiles + pattern) % 4) as f64;
+                let joint = ((tiles + pattern) % 4) as f64;
                 let said = PavementWords {
                     number_of_sides: sides,
                     number_of_tiles: tiles as f64 + 1.0,
                     pattern: pattern as f64 + 1.0,
-                    exterior: look,
-                    interior: look,
-                    form: look,
+                    exterior: joint,
+                    interior: joint,
+                    form: joint,
                 };
                 let pavement = Pavement::lay(said, Span::default()).unwrap();
                 for p in extreme_points() {
