@@ -10,7 +10,7 @@ use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::math::{DVec3, Ray, Transform, fp};
 use crate::pattern::TurbulenceParams;
-use crate::value::Kind::{Float, Vector};
+use crate::value::ValueKind::{Float, Vector};
 use crate::value::words::{Row, joined, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
 use serde::Serialize;

@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Ray, fp};
 use crate::source::Span;
 use crate::texture::ColorMap;
-use crate::value::Kind::{Block, Float, Vector};
+use crate::value::ValueKind::{Block, Float, Vector};
 use crate::value::words::{Row, joined, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary, WordSpec};
 use serde::Serialize;

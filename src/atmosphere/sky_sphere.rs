@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::source::Span;
 use crate::texture::{Pigment, Texture};
-use crate::value::Kind::{Block, Color};
+use crate::value::ValueKind::{Block, Color};
 use crate::value::words::word;
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
 use serde::Serialize;

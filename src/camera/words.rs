@@ -3,7 +3,7 @@
 use super::focal_blur::BLUR_ROWS;
 use super::lecture::{LectureCamera, read_field_of_view};
 use super::povray::{Kind, PovrayCamera};
-use crate::value::Kind::{Block, Float, Nothing, Vector};
+use crate::value::ValueKind::{Block, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
 

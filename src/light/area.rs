@@ -3,8 +3,8 @@
 use super::{Light, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
-use crate::value::Kind::{Flag, Float, Nothing, Vector};
 use crate::value::Reader;
+use crate::value::ValueKind::{Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, set, word};
 use serde::Serialize;
 

@@ -4,8 +4,8 @@ use super::Light;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, fp};
 use crate::source::Span;
-use crate::value::Kind::{Float, Nothing};
 use crate::value::Reader;
+use crate::value::ValueKind::{Float, Nothing};
 use crate::value::words::{Row, set, word};
 use serde::Serialize;
 

@@ -3,7 +3,7 @@
 use super::area::AREA_ROWS;
 use super::beam::BEAM_ROWS;
 use super::{Light, finite};
-use crate::value::Kind::{Block, Flag, Float, Nothing, Vector};
+use crate::value::ValueKind::{Block, Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
 

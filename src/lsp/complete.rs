@@ -8,7 +8,7 @@ use super::{actions, words};
 use crate::interpreter;
 use crate::library;
 use crate::syntax::word::CONSTANTS;
-use crate::value::Kind;
+use crate::value::ValueKind;
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionList, CompletionParams, CompletionResponse, Documentation,
     InsertTextFormat, MarkupContent, MarkupKind,
@@ -93,7 +93,7 @@ fn item_of_word(taken: &words::Taken) -> CompletionItem {
             Some(format!("{} {{ {}$0 }}", taken.name, params.join(", ")))
         }
         Some(_) => Some(format!("{} {{ $0 }}", taken.name)),
-        None if taken.kind == Kind::Block && !matches!(taken.name, "matrix" | "spline") => {
+        None if taken.kind == ValueKind::Block && !matches!(taken.name, "matrix" | "spline") => {
             Some(format!("{} {{ $0 }}", taken.name))
         }
         None => None,

@@ -9,14 +9,14 @@ use crate::scene::words::MODIFIERS;
 use crate::shape;
 use crate::syntax::word::{CONSTANTS, GROUPS};
 use crate::value::words::TRANSFORMS;
-use crate::value::{Kind, Spec, WordSpec};
+use crate::value::{Spec, ValueKind, WordSpec};
 
 /// A word that a block takes.
 pub struct Taken {
     /// As it is typed.
     pub name: &'static str,
     /// What follows it.
-    pub kind: Kind,
+    pub kind: ValueKind,
     /// What it says, in one line.
     pub summary: &'static str,
     /// Where there is one.
@@ -31,7 +31,7 @@ impl From<&WordSpec> for Taken {
 
 impl From<&Spec> for Taken {
     fn from(spec: &Spec) -> Self {
-        Self { name: spec.name, kind: Kind::Nothing, summary: spec.summary, default: "" }
+        Self { name: spec.name, kind: ValueKind::Nothing, summary: spec.summary, default: "" }
     }
 }
 
@@ -92,17 +92,17 @@ pub fn of_block(block: &str) -> Vec<Taken> {
 }
 
 /// In words, what is expected.
-pub fn kind(kind: Kind) -> &'static str {
+pub fn kind(kind: ValueKind) -> &'static str {
     match kind {
-        Kind::Nothing => "nothing",
-        Kind::Flag => "nothing, `on` or `off`",
-        Kind::Float => "a number",
-        Kind::Vector2 => "a vector of two",
-        Kind::Vector => "a vector",
-        Kind::Vectors => "vectors",
-        Kind::Color => "a colour",
-        Kind::Text => "a text",
-        Kind::Block => "a block",
+        ValueKind::Nothing => "nothing",
+        ValueKind::Flag => "nothing, `on` or `off`",
+        ValueKind::Float => "a number",
+        ValueKind::Vector2 => "a vector of two",
+        ValueKind::Vector => "a vector",
+        ValueKind::Vectors => "vectors",
+        ValueKind::Color => "a colour",
+        ValueKind::Text => "a text",
+        ValueKind::Block => "a block",
     }
 }
 
@@ -165,7 +165,7 @@ fn plain(markdown: &str) -> String {
 }
 
 fn describe(taken: &Taken) -> String {
-    let takes = if taken.kind == Kind::Nothing { String::new() } else { format!(" (takes {})", kind(taken.kind)) };
+    let takes = if taken.kind == ValueKind::Nothing { String::new() } else { format!(" (takes {})", kind(taken.kind)) };
     let default = if taken.default.is_empty() { String::new() } else { format!(" Default: {}.", taken.default) };
     format!("{}{takes}.{default}", taken.summary)
 }

@@ -62,6 +62,16 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/lang/operators.scene", "tests/lang/functions.scene"],
     ),
     emulated(
+        "object_color_ignored",
+        "A colour in an object itself, outside of a `pigment`, has no effect.",
+        &["light_cases/object_color"],
+    ),
+    emulated(
+        "object_in_any_block",
+        "A declared object is allowed in the block of any shape: `box { Ball }` is the same as `object { Ball }`.",
+        &["tests/lang/geometry.scene"],
+    ),
+    emulated(
         "opacity_by_version",
         "Before `#version 3.7`, a surface with `filter` shows of its own light only the share that the filter's colour absorbs.",
         &["light_cases/opacity_before_37"],

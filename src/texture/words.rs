@@ -5,7 +5,7 @@ use super::image_map::Clearness;
 use super::normal::Normal;
 use super::pigment::Pigment;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers};
-use crate::value::Kind::{Block, Color, Flag, Float};
+use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{ReaderExt, Spec, Vocabulary, WordSpec};
 

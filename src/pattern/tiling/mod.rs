@@ -11,7 +11,7 @@ mod seams;
 use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use penrose::Penrose;
 use seams::value_on_seam;
 use serde::Serialize;
@@ -334,7 +334,7 @@ impl Readable for Tiling {
     const SPEC: Spec = Spec {
         name: "tiling",
         summary: "ways to tile the xz plane; a tile of kind i of n has numbers from i/n in its middle to (i + 1)/n at its edges",
-        params: &[Param { name: "number", kind: Kind::Float, summary: "which tiling, 1 to 27" }],
+        params: &[Param { name: "number", kind: ValueKind::Float, summary: "which tiling, 1 to 27" }],
         words: &[],
     };
 

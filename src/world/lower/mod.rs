@@ -474,6 +474,6 @@ fn joined(object: &Object, inherited: Flags) -> Flags {
         inverse: own.inverse,
         double_illuminate: own.double_illuminate || inherited.double_illuminate,
         cutaway_textures: own.cutaway_textures || inherited.cutaway_textures,
-        uv_mapping: own.uv_mapping || (inherited.uv_mapping && object.follows_uv()),
+        uv_mapping: own.uv_mapping || (inherited.uv_mapping && object.inherits_uv_mapping()),
     }
 }
