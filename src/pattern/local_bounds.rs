@@ -121,7 +121,7 @@ mod tests {
 
     /// Each pattern, wave and some frequencies, in a transformed space: the bounds of a ball hold for all points in it.
     #[test]
-    fn numbers_near_a_point_are_as_is_said() {
+    fn local_bounds_hold() {
         let waves =
             [Wave::Ramp, Wave::Triangle, Wave::Sine, Wave::Scallop, Wave::Cubic, Wave::Poly(2.5), Wave::Poly(0.5)];
         let (mut known, mut thrown) = (0, 0);

@@ -160,7 +160,7 @@ pub trait Readable: Sized + 'static {
     /// FieldParams of its own, which `SPEC` names.
     const WORDS: &'static [Row<Self>] = &[];
 
-    /// Reads what follows its name.
+    /// Reads the parameters after the pattern's name.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.

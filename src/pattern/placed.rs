@@ -190,8 +190,9 @@ impl Pattern {
     }
 
     /// True if the pattern, or the pigment whose brightness it is, depends on surface coordinates.
-    pub fn asks_uv(&self) -> bool {
-        self.by_uv() || matches!(&self.kind, PatternKind::Field(FieldPattern::PigmentPattern(inner)) if inner.asks_uv())
+    pub fn depends_on_uv(&self) -> bool {
+        self.by_uv()
+            || matches!(&self.kind, PatternKind::Field(FieldPattern::PigmentPattern(inner)) if inner.depends_on_uv())
     }
 
     /// True if the pattern may depend on the surface normal. (Functions and the pigments of patterns are not searched.)

@@ -258,10 +258,10 @@ impl Pigment {
         self.is_opaque_if(&ImageMap::is_opaque)
     }
 
-    /// True if the surface counts as opaque for shadows (see [`ImageMap::seems_opaque`]).
-    pub fn seems_opaque(&self) -> bool {
+    /// True if the surface counts as opaque for shadows (see [`ImageMap::counts_as_opaque`]).
+    pub fn counts_as_opaque(&self) -> bool {
         match &self.paint {
-            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::seems_opaque)),
+            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::counts_as_opaque)),
             _ => self.is_opaque(),
         }
     }

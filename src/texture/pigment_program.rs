@@ -112,13 +112,13 @@ impl PigmentProgram {
 #[derive(Debug)]
 pub struct Brightness {
     pigment: PigmentProgram,
-    asks_uv: bool,
+    depends_on_uv: bool,
 }
 
 impl Brightness {
     /// Lowers a pigment.
     pub fn new(pigment: &Pigment) -> Self {
-        Self { pigment: PigmentProgram::new(pigment), asks_uv: pigment.any_pattern(&Pattern::asks_uv) }
+        Self { pigment: PigmentProgram::new(pigment), depends_on_uv: pigment.any_pattern(&Pattern::depends_on_uv) }
     }
 }
 
@@ -128,8 +128,8 @@ impl PigmentBrightness for Brightness {
         if self.pigment.is_nothing(at) { 0.0 } else { gray(self.pigment.at(at).rgb) }
     }
 
-    fn asks_uv(&self) -> bool {
-        self.asks_uv
+    fn depends_on_uv(&self) -> bool {
+        self.depends_on_uv
     }
 }
 

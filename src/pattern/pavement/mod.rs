@@ -25,10 +25,10 @@ use std::sync::Arc;
 pub struct Pavement {
     /// The parameters as written.
     #[serde(flatten)]
-    pub said: PavementWords,
+    pub params: PavementWords,
     /// The plan of these parameters.
     #[serde(skip)]
-    laid: Arc<Laid>,
+    layout: Arc<PavementLayout>,
 }
 
 /// The pattern's words.
@@ -70,7 +70,7 @@ impl JointShape {
 
 /// A plan with the directions of its corners.
 #[derive(Clone, Debug, PartialEq)]
-struct Laid {
+struct PavementLayout {
     cells: Cells,
     plan: Plan,
     /// Directions of the corners from the centre, for each kind of cell.
@@ -89,7 +89,7 @@ impl Readable for Pavement {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        let said = PavementWords {
+        let params = PavementWords {
             number_of_sides: 3.0,
             number_of_tiles: 1.0,
             pattern: 1.0,
@@ -97,13 +97,13 @@ impl Readable for Pavement {
             interior: 0.0,
             form: 0.0,
         };
-        said.continued(r)
+        params.continued(r)
     }
 
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
-        let found = read_row(PavementWords::ROWS, &mut self.said, next, r)?;
+        let found = read_row(PavementWords::ROWS, &mut self.params, next, r)?;
         if found {
-            *self = self.said.continued(r)?;
+            *self = self.params.continued(r)?;
         }
         Ok(found)
     }
@@ -145,30 +145,30 @@ impl PavementWords {
 }
 
 impl Pavement {
-    fn lay(said: PavementWords, at: Span) -> Result<Self> {
+    fn lay(params: PavementWords, at: Span) -> Result<Self> {
         let fault = |message: String| Diagnostic::err(codes::BAD_ARGUMENT, at, message);
-        let Some(cells) = Cells::with_sides(said.number_of_sides) else {
-            return fault(format!("the cells of a pavement have 3, 4 or 6 sides, found {}", said.number_of_sides));
+        let Some(cells) = Cells::with_sides(params.number_of_sides) else {
+            return fault(format!("the cells of a pavement have 3, 4 or 6 sides, found {}", params.number_of_sides));
         };
-        let Some(patterns) = pick(cells.plans(), said.number_of_tiles) else {
+        let Some(patterns) = pick(cells.plans(), params.number_of_tiles) else {
             let most = cells.plans().len();
-            let (sides, tiles) = (said.number_of_sides, said.number_of_tiles);
+            let (sides, tiles) = (params.number_of_sides, params.number_of_tiles);
             return fault(format!("with {sides} sides, `number_of_tiles` is one of 1 to {most}, found {tiles}"));
         };
-        let Some(row) = pick(patterns, said.pattern) else {
-            let (sides, tiles, most) = (said.number_of_sides, said.number_of_tiles, patterns.len());
+        let Some(row) = pick(patterns, params.pattern) else {
+            let (sides, tiles, most) = (params.number_of_sides, params.number_of_tiles, patterns.len());
             let what = format!("`pattern` of {tiles} cells with {sides} sides");
-            return fault(format!("{what} is one of 1 to {most}, found {}", said.pattern));
+            return fault(format!("{what} is one of 1 to {most}, found {}", params.pattern));
         };
-        let laid = Laid {
+        let layout = PavementLayout {
             cells,
             plan: Plan::new(cells, row),
             corners: cells.corners(),
-            exterior: JointShape::numbered(said.exterior, 3),
-            interior: JointShape::numbered(said.interior, 3),
-            form: JointShape::numbered(said.form, if cells == Cells::Squares { 4 } else { 3 }),
+            exterior: JointShape::numbered(params.exterior, 3),
+            interior: JointShape::numbered(params.interior, 3),
+            form: JointShape::numbered(params.form, if cells == Cells::Squares { 4 } else { 3 }),
         };
-        Ok(Self { said, laid: Arc::new(laid) })
+        Ok(Self { params, layout: Arc::new(layout) })
     }
 }
 
@@ -195,7 +195,7 @@ impl NearCorner {
     }
 }
 
-impl Laid {
+impl PavementLayout {
     fn value(&self, p: DVec2) -> f64 {
         let (cell, place) = self.cells.locate(p);
         let directions = &self.corners[cell.kind];
@@ -339,7 +339,7 @@ fn turn(corners: &[Corner]) -> Option<usize> {
 
 impl Field for Pavement {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.laid.value(DVec2::new(at.p.x, at.p.z))
+        self.layout.value(DVec2::new(at.p.x, at.p.z))
     }
 }
 
@@ -353,10 +353,10 @@ mod tests {
     const MEASURED: &str = include_str!("../../../tests/patterns/pavement.txt");
 
     #[test]
-    fn numbers_are_those_of_povray() {
+    fn numbers_match_povray() {
         for line in MEASURED.lines() {
             let n: Vec<f64> = line.split(' ').map(|n| n.parse().unwrap()).collect();
-            let said = PavementWords {
+            let params = PavementWords {
                 number_of_sides: n[0],
                 number_of_tiles: n[1],
                 pattern: n[2],
@@ -364,7 +364,7 @@ mod tests {
                 interior: n[4],
                 form: n[5],
             };
-            let pavement = Pavement::lay(said, Span::default()).unwrap();
+            let pavement = Pavement::lay(params, Span::default()).unwrap();
             let ours = pavement.value(&TextureContext::free(DVec3::new(n[6], 0.3, n[7]), Default::default()));
             assert!((ours - n[8]).abs() < 1e-5, "{line}: {ours}");
         }
@@ -376,7 +376,7 @@ mod tests {
             let all = cells.plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
             for (tiles, pattern) in all {
                 let joint = ((tiles + pattern) % 4) as f64;
-                let said = PavementWords {
+                let params = PavementWords {
                     number_of_sides: sides,
                     number_of_tiles: tiles as f64 + 1.0,
                     pattern: pattern as f64 + 1.0,
@@ -384,10 +384,10 @@ mod tests {
                     interior: joint,
                     form: joint,
                 };
-                let pavement = Pavement::lay(said, Span::default()).unwrap();
+                let pavement = Pavement::lay(params, Span::default()).unwrap();
                 for p in extreme_points() {
                     let value = pavement.value(&TextureContext::free(p, Default::default()));
-                    assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{said:?} {p}: {value}");
+                    assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{params:?} {p}: {value}");
                 }
             }
         }
