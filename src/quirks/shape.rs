@@ -62,8 +62,18 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/smooth_stretched", "light_cases/twisted_by_scale"],
     ),
     emulated(
+        "surface_min_distance",
+        "Rays ignore hits closer than 0.0001 to their origin, in world units.",
+        &["light_cases/near_own_space"],
+    ),
+    emulated(
         "text_layout",
         "In a `text`, kerning pairs of an unsorted table are found too, and composite glyphs are shifted to the right by their left bearing.",
         &["src/font/tests.rs::kerning_pairs_need_not_be_sorted"],
+    ),
+    emulated(
+        "uv_of_world_point",
+        "For a shape without a uv mapping, `uv_mapping` uses x and y of the point in world space.",
+        &["light_cases/uv_fixed", "light_cases/default_uv"],
     ),
 ];

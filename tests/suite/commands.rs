@@ -15,12 +15,12 @@ fn size(png: &[u8]) -> (u32, u32) {
 fn help_groups_options() {
     let scratch = Scratch::new();
     let (help, _) = scratch.exits(0, "render --help");
-    for heading in ["What is drawn:", "Picture:", "Files:", "Limits:", "What is told:"] {
+    for heading in ["Scene:", "Picture:", "Files:", "Limits:", "Output:"] {
         assert!(help.contains(&format!("\n{heading}\n")), "{heading}\n{help}");
     }
     assert!(help.contains("-j, --threads <N>"), "{help}");
     let (check, _) = scratch.exits(0, "check -h");
-    assert!(check.contains("\nWhat is told:\n") && !check.contains("\nPicture:\n      --format"), "{check}");
+    assert!(check.contains("\nOutput:\n") && !check.contains("\nPicture:\n      --format"), "{check}");
 }
 
 #[test]
@@ -81,8 +81,8 @@ fn povray_options_after_commands() {
     for (line, says) in [
         ("render ball.scene Widht=32", "did you mean `Width=32`?"),
         ("check ball.scene Widht=32", "did you mean `Width=32`?"),
-        ("render ball.scene +W", "`+W` is not understood: it needs a number"),
-        ("render ball.scene +Foo", "`+Foo` is not understood"),
+        ("render ball.scene +W", "`+W` is invalid: it needs a number"),
+        ("render ball.scene +Foo", "`+Foo` is invalid"),
         ("render ball.scene +nonsense", "there is no option `+nonsense`"),
     ] {
         let (_, err) = scratch.exits(2, line);
@@ -142,7 +142,7 @@ fn unknown_commands() {
         ("format ball.scene", "did you mean `durer fmt ball.scene`?"),
         (
             "wibble ball.scene",
-            "there is no command `wibble`, and no scene of this name; the commands are `render`, `check`",
+            "there is no command `wibble`, and no scene with this name; the commands are `render`, `check`",
         ),
         ("wibble", "there is no command `wibble`"),
     ] {
@@ -236,12 +236,12 @@ fn several_scenes_are_rendered() {
     scratch.exits(0, "ball.scene d/cube.pov +W5 +H3 -o last.png");
     scratch.put("d/ball.scene", SCENE);
     for (line, says) in [
-        ("render ball.scene d/cube.pov -o a.png", "name a folder that is there: `-o pictures/`"),
+        ("render ball.scene d/cube.pov -o a.png", "name a folder: `-o pictures/`"),
         ("render ball.scene d/cube.pov -o - --format ppm", "standard output"),
-        ("render ball.scene a.png", "`a.png` is a picture, not a scene; `-o a.png` draws into it"),
+        ("render ball.scene a.png", "`a.png` is a picture, not a scene; `-o a.png` writes the picture to it"),
         (
             "render ball.scene d/ball.scene -o out",
-            "`ball.scene` and `d/ball.scene` would both be drawn into `out/ball.png`",
+            "the pictures of `ball.scene` and `d/ball.scene` would both go to `out/ball.png`",
         ),
     ] {
         let (_, err) = scratch.exits(2, line);
@@ -266,8 +266,8 @@ fn declare_options_for_vectors_and_colours() {
         ("P=<1,2", "`<1,2` is no vector: `>` is missing at its end"),
         ("P=<1,a,3>", "`a` in `<1,a,3>` is no number"),
         ("C=rgb <1,2>", "`rgb` has 3 numbers, not 2: rgb <1, 0.5, 0>"),
-        ("C=Red", "text has to stand in quotes: 'C=\"Red\"'"),
-        ("P", "a name and a value are needed"),
+        ("C=Red", "text needs quotes: 'C=\"Red\"'"),
+        ("P", "expected a name and a value"),
     ] {
         let output = run(["P=<1,2,3>", "C=rgb 1", declare]);
         let err = String::from_utf8_lossy(&output.stderr);

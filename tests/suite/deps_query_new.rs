@@ -46,7 +46,7 @@ fn new_scenes_have_no_faults() {
     scratch.exits(0, "check table.scene --deny warnings --warn unused,shadow,portable,doubtful");
     scratch.exits(0, "fmt --check table.scene");
     let (_, err) = scratch.exits(2, "new table.scene");
-    assert!(err.contains("`table.scene` is there already"), "{err}");
+    assert!(err.contains("`table.scene` exists"), "{err}");
     scratch.exits(0, "new other.pov");
     scratch.exits(2, "new other.png");
     scratch.exits(2, "new ..");
@@ -70,7 +70,7 @@ fn query_lists_objects_and_settings() {
         "hall.scene:1:1   camera    perspective at <0, 0, -5>, looks along <0, 0, 1>",
         "hall.scene:2:29  light     point at <0, 2, 0>, rgb <2, 2, 2>",
         "hall.scene:2:1   object    union of 2 shapes, <1, 0, -1> to <3, 2, 1>, texture 1",
-        "hall.scene:3:1   object    plane, without end, texture 2",
+        "hall.scene:3:1   object    plane, infinite, texture 2",
         "hall.scene:4:16  object    3 × box, <1, 1, 1> to <4, 4, 4>, texture 1",
         "hall.scene:3:1   texture   number 2: checker; on 1 object",
     ] {

@@ -106,10 +106,10 @@ fn stale_or_damaged_journals_are_reported_and_ignored() {
     let scratch = Scratch::new();
     let words = "--size 200x150 --aa 0.1 -o a.png";
     let stopped = scratch.run(&format!("{words} --max-time 0.3"));
-    assert!(err(&stopped).contains("`a.png.unfinished`; with `--resume`"), "{}", err(&stopped));
+    assert!(err(&stopped).contains("`a.png.unfinished`; `--resume` continues it"), "{}", err(&stopped));
     let journal = std::fs::read(scratch.at("a.png.unfinished")).unwrap();
     let other = scratch.run("--size 20x15 --aa 0.1 -o a.png --resume");
-    assert!(other.status.success() && err(&other).contains("drawn with other options"), "{}", err(&other));
+    assert!(other.status.success() && err(&other).contains("rendered with other options"), "{}", err(&other));
     std::fs::write(scratch.at("a.png.unfinished"), &journal).unwrap();
     std::fs::write(scratch.at("a.scene"), SCENE.replace("<-5, 8, -6>", "<5, 8, -6>")).unwrap();
     let changed = scratch.run(&format!("{words} --resume --max-time 0.2"));
@@ -122,7 +122,7 @@ fn stale_or_damaged_journals_are_reported_and_ignored() {
     assert!(err(&told).contains("it is damaged"), "{}", err(&told));
     std::fs::write(scratch.at("a.png.unfinished"), &journal).unwrap();
     let anew = scratch.run(&format!("{words} --max-time 0.2"));
-    assert!(err(&anew).contains("`--resume` would go on with it"), "{}", err(&anew));
+    assert!(err(&anew).contains("continue it with `--resume`"), "{}", err(&anew));
 }
 
 #[cfg(target_os = "linux")]
@@ -138,7 +138,9 @@ fn journals_are_kept_when_the_folder_is_missing() {
         durer.wait_with_output().unwrap()
     };
     assert_eq!(out.status.code(), Some(5), "{}", err(&out));
-    assert!(err(&out).contains("out/a.png` can't be written") && err(&out).contains("what was drawn is kept"));
+    assert!(
+        err(&out).contains("out/a.png` can't be written") && err(&out).contains("the unfinished picture is stored")
+    );
     std::fs::rename(scratch.at("away"), scratch.at("out")).unwrap();
     let again = scratch.run("--size 300x225 --aa 0.1 -o out/a.png --resume --stats json");
     assert!(again.status.success(), "{}", err(&again));
@@ -166,10 +168,10 @@ fn journals_are_kept_when_the_disk_is_full() {
     assert_eq!(out.status.code(), Some(5), "{told}");
     assert!(told.contains("`a.bmp` can't be written: file too large"), "{told}");
     assert!(
-        told.contains("a part of what was drawn is kept in `a.bmp.unfinished` (no more could be written: "),
+        told.contains("a part of the unfinished picture is stored in `a.bmp.unfinished` (writing stopped: "),
         "{told}"
     );
-    assert!(!told.contains("could not be kept"), "{told}");
+    assert!(!told.contains("cannot write the resume journal"), "{told}");
     assert!(!scratch.at("a.bmp").exists() && scratch.at("a.bmp.unfinished").exists());
     let again = scratch.run(&format!("{words} --resume --stats json"));
     assert!(again.status.success(), "{}", err(&again));

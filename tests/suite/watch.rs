@@ -21,7 +21,7 @@ plane { y, -1 pigment { checker rgb 0.8 rgb 0.6 } }
 struct Watch {
     folder: tempfile::TempDir,
     durer: Child,
-    told: BufReader<ChildStderr>,
+    stderr: BufReader<ChildStderr>,
 }
 
 impl Watch {
@@ -32,8 +32,8 @@ impl Watch {
         let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
         durer.args(["watch", "ball.scene", "--size", "72x54"]).args(words.split_whitespace());
         let mut durer = durer.current_dir(&folder).stderr(Stdio::piped()).spawn().unwrap();
-        let told = BufReader::new(durer.stderr.take().unwrap());
-        Self { folder, durer, told }
+        let stderr = BufReader::new(durer.stderr.take().unwrap());
+        Self { folder, durer, stderr }
     }
 
     fn at(&self, name: &str) -> PathBuf {
@@ -49,7 +49,7 @@ impl Watch {
         let mut line = String::new();
         while !line.contains(word) {
             line.clear();
-            assert!(self.told.read_line(&mut line).unwrap() > 0, "no line with `{word}`");
+            assert!(self.stderr.read_line(&mut line).unwrap() > 0, "no line with `{word}`");
         }
         line
     }
@@ -118,8 +118,8 @@ impl Page {
 
     fn events(&self) -> Events {
         let request = format!("GET {}events HTTP/1.1\r\nHost: {}\r\n\r\n", self.path, self.host);
-        let (picture, told) = (image::RgbaImage::default(), Value::Null);
-        Events { lines: BufReader::new(self.send(&request)), picture, told, run: [0; 2], done: false }
+        let (picture, state) = (image::RgbaImage::default(), Value::Null);
+        Events { lines: BufReader::new(self.send(&request)), picture, state, run: [0; 2], done: false }
     }
 }
 
@@ -127,8 +127,8 @@ impl Page {
 struct Events {
     lines: BufReader<TcpStream>,
     picture: image::RgbaImage,
-    told: Value,
-    /// Run numbers of the picture and of the messages.
+    state: Value,
+    /// Run numbers of the picture and of the state.
     run: [u64; 2],
     done: bool,
 }
@@ -138,7 +138,7 @@ impl Events {
     fn until(&mut self, so: impl Fn(&Self) -> bool) {
         let start = Instant::now();
         while !so(self) {
-            assert!(start.elapsed() < Duration::from_secs(60), "{}", self.told);
+            assert!(start.elapsed() < Duration::from_secs(60), "{}", self.state);
             let mut line = String::new();
             assert!(self.lines.read_line(&mut line).unwrap() > 0);
             let Some(event) = line.trim().strip_prefix("event: ").map(str::to_string) else { continue };
@@ -146,7 +146,7 @@ impl Events {
             self.lines.read_line(&mut data).unwrap();
             let data: Value = serde_json::from_str(data.strip_prefix("data: ").unwrap()).unwrap();
             match &event[..] {
-                "told" => (self.told, self.run[1]) = (data["told"].clone(), data["run"].as_u64().unwrap()),
+                "state" => (self.state, self.run[1]) = (data["state"].clone(), data["run"].as_u64().unwrap()),
                 "picture" => self.paint(&data),
                 other => panic!("{other}"),
             }
@@ -168,11 +168,11 @@ impl Events {
 
     /// Consumes events until the last picture is complete.
     fn settle(&mut self) {
-        self.until(|page| page.done && page.run[0] == page.run[1] && page.told["status"] == "done");
+        self.until(|page| page.done && page.run[0] == page.run[1] && page.state["status"] == "done");
     }
 
     fn count(&self, severity: &str) -> usize {
-        self.told["messages"].as_array().map_or(0, |all| all.iter().filter(|m| m["severity"] == severity).count())
+        self.state["messages"].as_array().map_or(0, |all| all.iter().filter(|m| m["severity"] == severity).count())
     }
 }
 
@@ -204,12 +204,12 @@ fn page_shows_the_rendered_picture() {
     assert_eq!(page.get("before.png").0, 200);
     // The clock, anti-aliasing and quality.
     assert_eq!(page.post("change", r#"{"clock": 0.5, "antialias": false, "quality": 3}"#).0, 200);
-    events.until(|page| page.told["settings"]["quality"] == 3);
+    events.until(|page| page.state["settings"]["quality"] == 3);
     events.settle();
     same(&events.picture, &watch.rendered("--clock 0.5 --aa off --quality 3"));
     // A region, twice as large.
     page.post("change", r#"{"zoom": [0.25, 0.25, 0.5, 0.5]}"#);
-    events.until(|page| page.told["settings"]["zoom"].is_array());
+    events.until(|page| page.state["settings"]["zoom"].is_array());
     events.settle();
     let whole = watch.rendered_as("144x108", "--clock 0.5 --aa off --quality 3");
     same(&events.picture, &image::imageops::crop_imm(&whole, 36, 27, 72, 54).to_image());
@@ -227,23 +227,23 @@ fn broken_scenes_are_reported_and_repaired_ones_rendered() {
     events.settle();
     let (first, run) = (events.picture.clone(), events.run[0]);
     watch.write("ball.scene", &SCENE.replace("sphere", "spere"));
-    events.until(|page| page.told["status"] == "broken");
+    events.until(|page| page.state["status"] == "broken");
     assert_eq!((events.count("error"), events.run[0]), (1, run));
-    let message = &events.told["messages"][0];
+    let message = &events.state["messages"][0];
     assert!(message["text"].as_str().unwrap().contains("did you mean `sphere`"), "{message}");
     assert!(message["place"]["url"].as_str().unwrap().ends_with("/ball.scene:6:1"), "{message}");
     // The file is gone; an included file is gone; both are back.
     std::fs::remove_file(watch.at("ball.scene")).unwrap();
-    events.until(|page| page.told["messages"][0]["code"] == "E0002");
+    events.until(|page| page.state["messages"][0]["code"] == "E0002");
     std::fs::remove_file(watch.at("colour.inc")).unwrap();
     watch.write("ball.scene", SCENE);
-    events.until(|page| page.told.to_string().contains("colour.inc"));
+    events.until(|page| page.state.to_string().contains("colour.inc"));
     watch.write("colour.inc", "#declare Colour = <1, 0, 0>;\n");
-    events.until(|page| page.count("error") == 0 && page.told["status"] == "done" && page.run[0] > run && page.done);
+    events.until(|page| page.count("error") == 0 && page.state["status"] == "done" && page.run[0] > run && page.done);
     same(&events.picture, &first);
     // A scene must not write files in a preview …
     watch.write("ball.scene", &format!("{SCENE}#fopen F \"out.txt\" write\n"));
-    events.until(|page| page.told["status"] == "broken");
+    events.until(|page| page.state["status"] == "broken");
     let mut names: Vec<_> = std::fs::read_dir(&watch.folder).unwrap().map(|e| e.unwrap().file_name()).collect();
     names.sort();
     assert_eq!(names, ["ball.scene", "colour.inc"]);
