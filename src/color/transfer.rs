@@ -4,7 +4,7 @@ use super::Rgb;
 use crate::math::fp;
 use serde::Serialize;
 
-/// Relation of a scene's numbers to light.
+/// Transfer curve between a scene's numbers and light.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Gamma {
@@ -17,7 +17,7 @@ pub enum Gamma {
 }
 
 impl Gamma {
-    /// Light of a number.
+    /// Decodes a number to light.
     pub fn decode(self, v: f64) -> f64 {
         match self {
             Gamma::Power(g) => fp::pow(v.max(0.0), g),
@@ -26,7 +26,7 @@ impl Gamma {
         }
     }
 
-    /// Number of a light.
+    /// Encodes light as a number.
     pub fn encode(self, light: f64) -> f64 {
         match self {
             Gamma::Power(g) => fp::pow(light.max(0.0), 1.0 / g),

@@ -38,7 +38,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn slips_are_found() {
+    fn typos_are_found() {
         let words = ["sphere", "rotate", "translate", "radius", "phong", "phong_size"];
         assert_eq!(nearest("shpere", words), Some("sphere"));
         assert_eq!(nearest("Sphere", words), Some("sphere"));

@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn families_are_found_in_any_case_and_with_words_for_looks() {
+    fn families_are_found_in_any_case_and_with_style_words() {
         let (files, paths) = roboto();
         for (name, is_there) in [
             ("Roboto", true),
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn words_for_looks() {
+    fn style_words() {
         let bold = FontStyle { weight: Weight::BOLD, style: Style::Oblique, stretch: Stretch::Condensed };
         assert_eq!(looks_of(&["Condensed", "Bold", "Oblique"]), Some(bold));
         assert_eq!((looks_of(&[]), looks_of(&["Sans"])), (Some(PLAIN), None));

@@ -2,7 +2,7 @@ use super::{Font, kerning};
 use ttf_parser::{GlyphId, kern};
 
 #[test]
-fn letters_stand_by_their_widths() {
+fn glyphs_are_placed_by_their_widths() {
     let font = Font::own();
     let line = font.set("lll");
     // The left edge of the first glyph is at 0, and all are equally wide.

@@ -345,7 +345,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn bytecode_gives_what_the_graph_says(recipe in recipe(), p in prop::array::uniform3(-2.0..2.0)) {
+        fn bytecode_matches_the_graph(recipe in recipe(), p in prop::array::uniform3(-2.0..2.0)) {
             let graph = graph(&recipe);
             let wanted = slow(&graph, &p);
             let found = Program::new(graph, 3).unwrap().run(&p);
@@ -353,7 +353,7 @@ mod tests {
         }
 
         #[test]
-        fn values_lie_in_bounds(
+        fn values_are_in_bounds(
             recipe in recipe(),
             corner in prop::array::uniform3(-2.0..2.0),
             size in prop::array::uniform3(0.0..1.0),
@@ -375,7 +375,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_chosen_branch_is_computed_and_shared_results_stay_known() {
+    fn unchosen_branches_are_skipped_and_shared_results_reused() {
         // x < 0 ? x·y : (x·y)² − x·y, and then + x·y
         let mut g = Graph::default();
         let (x, y) = (g.add(Operation::Parameter(0)), g.add(Operation::Parameter(1)));

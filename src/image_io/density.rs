@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_length_tells_how_wide_numbers_are() {
+    fn file_length_decides_the_sample_size() {
         let header = [0, 2, 0, 1, 0, 1];
         let at = |body: &[u8]| Voxels::decode(&[&header, body].concat()).map(|v| v.at([1, 0, 0]));
         assert_eq!(at(&[0, 51]), Ok(0.2));

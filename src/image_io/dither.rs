@@ -149,7 +149,7 @@ mod tests {
         assert_eq!(rows(Dither::FloydSteinberg), ["010010010010", "001001001001", "010101010100", "100100100101"]);
     }
     #[test]
-    fn what_is_no_light_leaves_no_error() {
+    fn nan_leaves_no_error() {
         for dither in ALL {
             let mut ditherer = Ditherer::new(dither, 1, 4);
             let codes = [(); 3].map(|()| ditherer.codes(&[0.0, 1.0, 1.0, 0.0], scale(Gamma::Srgb)));

@@ -100,7 +100,7 @@ pub enum EncodeError {
 
 impl EncodeError {
     /// E0008, or the result of `unwritable` if the file can't be written.
-    pub fn told(self, format: Format, unwritable: impl FnOnce(&io::Error) -> Diagnostic) -> Fault {
+    pub fn into_fault(self, format: Format, unwritable: impl FnOnce(&io::Error) -> Diagnostic) -> Fault {
         Box::new(match self {
             Self::Io(error) => unwritable(&error),
             Self::Format(reason) => {
@@ -256,7 +256,7 @@ pub fn encode(frame: &Frame, encoding: &Encoding) -> Result<Vec<u8>> {
         encoder.finish()
     });
     let fault = |e: &io::Error| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, e.to_string());
-    written.map_err(|error| error.told(encoding.format, fault))?;
+    written.map_err(|error| error.into_fault(encoding.format, fault))?;
     Ok(out.into_inner())
 }
 

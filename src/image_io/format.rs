@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_are_told() {
+    fn limits_are_reported() {
         assert!(Format::Jpg.check(70_000, 1, None).is_err());
         assert!(Format::Jpg.check(10, 10, Some(16)).is_err());
         assert!(Format::Exr.check(10, 10, Some(8)).is_err() && Format::Png.check(10, 10, Some(32)).is_err());

@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_light_is_black_and_what_is_too_much_is_white() {
+    fn nan_is_black_and_overflow_is_white() {
         for x in [f32::NAN, -1.0, f32::NEG_INFINITY, 0.0, -0.0, 1e-30] {
             assert_eq!((BITS8.code(x), BITS16.code(x)), (0, 0), "{x}");
         }
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn alpha_is_kept_or_laid_over_black() {
+    fn alpha_is_kept_or_composited_over_black() {
         let pixels = [[1.0, 1.0, 1.0, 0.5], [1.0, 0.0, 1.0, 1.0]];
         assert_eq!(bytes(&pixels, true), [255, 255, 255, 128, 255, 0, 255, 255]);
         assert_eq!(bytes(&pixels, false), [188, 188, 188, 255, 0, 255]);

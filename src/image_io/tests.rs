@@ -76,7 +76,7 @@ fn integers_come_back_exactly() {
 }
 
 #[test]
-fn without_alpha_the_picture_lies_over_black() {
+fn without_alpha_pictures_are_composited_over_black() {
     let frame = all_codes();
     let opaque = frame.over_black();
     for format in [Format::Png, Format::Ppm, Format::Bmp, Format::Tga, Format::Tiff] {

@@ -153,7 +153,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn nothing_inside_is_lost(d in vector(), m in vector(), h in vector(), c in -3.0..3.0f64, p in vector(), center in vector()) {
+        fn bounds_contain_the_inside(d in vector(), m in vector(), h in vector(), c in -3.0..3.0f64, p in vector(), center in vector()) {
             let q = DMat3::from_cols_array(&[d.x, m.x, m.y, m.x, d.y, m.z, m.y, m.z, d.z]);
             let quadratic = Quadratic { q, h, c, center };
             let w = p - center;

@@ -27,10 +27,10 @@ pub const NONE: [u32; 3] = [u32::MAX; 3];
 const MANY: usize = 1 << 24;
 
 /// The result of a reader; the error is the reason in words, with the line or byte where it is known.
-pub type Reading<T> = Result<T, String>;
+pub type ReadResult<T> = Result<T, String>;
 
 /// Opens a file that is named in the mesh's file, relative to it.
-pub type Open<'a> = &'a mut dyn FnMut(&str) -> Reading<Vec<u8>>;
+pub type Open<'a> = &'a mut dyn FnMut(&str) -> ReadResult<Vec<u8>>;
 
 /// Triangles whose corners, normals and surface coordinates are indices into lists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -72,17 +72,17 @@ impl Triangles {
 /// Contents of a mesh file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshFile {
-    /// All triangles; their textures are the looks.
+    /// All triangles; their textures are the materials.
     pub triangles: Triangles,
     /// The materials; index 1 is the first.
-    pub looks: Vec<Look>,
+    pub materials: Vec<MeshMaterial>,
     /// Parts of the file that were ignored, in words.
     pub remarks: Vec<String>,
 }
 
 /// The rendered part of a material of a mesh file.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Look {
+pub struct MeshMaterial {
     /// Name in the file.
     pub name: String,
     /// Diffuse colour.
@@ -99,7 +99,7 @@ pub struct Look {
     pub picture: Option<String>,
 }
 
-impl Look {
+impl MeshMaterial {
     fn new(name: String) -> Self {
         Self { name, color: [0.8; 3], is_linear: false, opacity: 1.0, specular: 0.0, shininess: 40.0, picture: None }
     }
@@ -112,7 +112,7 @@ pub const ENDINGS: &[&str] = &["ply", "obj", "stl", "gltf", "glb"];
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line or byte where it is known.
-pub fn read(bytes: &[u8], ending: &str, open: Open) -> Reading<MeshFile> {
+pub fn read(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
     let mut file = match (bytes, ending.to_ascii_lowercase().as_str()) {
         ([b'p', b'l', b'y', b'\r' | b'\n', ..], _) | (_, "ply") => ply::read(bytes),
         ([b'g', b'l', b'T', b'F', ..], _) | (_, "gltf" | "glb") => gltf::read(bytes, open),
@@ -125,7 +125,7 @@ pub fn read(bytes: &[u8], ending: &str, open: Open) -> Reading<MeshFile> {
     }
     let used = file.triangles.painted.iter().flatten().any(|slot| *slot != 0);
     if !used {
-        file.looks.clear();
+        file.materials.clear();
         file.triangles.painted.clear();
     }
     Ok(file)
@@ -137,7 +137,7 @@ fn direction(numbers: [f64; 3]) -> Vec3 {
 }
 
 /// A point; an error if a coordinate is not finite.
-fn point(numbers: [f64; 3], place: impl FnOnce() -> String) -> Reading<Vec3> {
+fn point(numbers: [f64; 3], place: impl FnOnce() -> String) -> ReadResult<Vec3> {
     let p = Vec3::from_array(numbers.map(|x| x as f32));
     if p.is_finite() { Ok(p) } else { Err(format!("{}: a corner's place is not a number, or beyond 1e38", place())) }
 }

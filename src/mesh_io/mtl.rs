@@ -1,21 +1,21 @@
 //! Materials of OBJ files: colour, opacity, highlight and picture. (Alias|Wavefront, MTL material format, 1995.)
 
 use super::words::{lines, number};
-use super::{Look, Reading};
+use super::{MeshMaterial, ReadResult};
 
 /// Appends the materials of a file; `file` is its name, for messages.
-pub fn read(bytes: &[u8], file: &str, out: &mut Vec<Look>) -> Reading<()> {
+pub fn read(bytes: &[u8], file: &str, out: &mut Vec<MeshMaterial>) -> ReadResult<()> {
     let first = out.len();
     for (line, text) in lines(bytes) {
         let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((&text, ""));
         let rest = rest.trim();
         if word == "newmtl" {
-            out.push(Look::new(rest.into()));
+            out.push(MeshMaterial::new(rest.into()));
             continue;
         }
-        let Some(look) = out[first..].last_mut() else { continue };
+        let Some(material) = out[first..].last_mut() else { continue };
         let numbers = || {
-            let numbers: Reading<Vec<f64>> = rest
+            let numbers: ReadResult<Vec<f64>> = rest
                 .split_ascii_whitespace()
                 .map(|word| number(word.as_bytes(), || format!("line {line} of `{file}`")))
                 .collect();
@@ -29,13 +29,13 @@ pub fn read(bytes: &[u8], file: &str, out: &mut Vec<Look>) -> Reading<()> {
             // (`Kd spectral` and `Kd xyz` are rare, and ignored.)
             "Kd" if !rest.starts_with(['s', 'x']) => {
                 let c = numbers()?;
-                look.color = [0, 1, 2].map(|i| *c.get(i).unwrap_or(&c[0]));
+                material.color = [0, 1, 2].map(|i| *c.get(i).unwrap_or(&c[0]));
             }
-            "Ks" if !rest.starts_with(['s', 'x']) => look.specular = numbers()?.into_iter().fold(0.0, f64::max),
-            "Ns" => look.shininess = numbers()?[0].clamp(1.0, 1e6),
-            "d" if !rest.starts_with('-') => look.opacity = numbers()?[0].clamp(0.0, 1.0),
-            "Tr" => look.opacity = 1.0 - numbers()?[0].clamp(0.0, 1.0),
-            "map_Kd" => look.picture = picture(rest),
+            "Ks" if !rest.starts_with(['s', 'x']) => material.specular = numbers()?.into_iter().fold(0.0, f64::max),
+            "Ns" => material.shininess = numbers()?[0].clamp(1.0, 1e6),
+            "d" if !rest.starts_with('-') => material.opacity = numbers()?[0].clamp(0.0, 1.0),
+            "Tr" => material.opacity = 1.0 - numbers()?[0].clamp(0.0, 1.0),
+            "map_Kd" => material.picture = picture(rest),
             _ => {}
         }
     }

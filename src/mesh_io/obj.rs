@@ -1,12 +1,12 @@
 //! OBJ: vertices, polygons and names of materials, line by line. (Alias|Wavefront, Object files, 1995.)
 
 use super::words::{lines, number};
-use super::{MeshFile, NONE, Open, Reading, direction, mtl, point, polygon};
+use super::{MeshFile, NONE, Open, ReadResult, direction, mtl, point, polygon};
 use crate::math::DVec2;
 use glam::Vec3;
 
 /// Reads a file. Lines that do not describe polygons are skipped.
-pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
+pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let mut out = MeshFile::default();
     let mut state = State::default();
     for (line, text) in lines(bytes) {
@@ -28,7 +28,7 @@ pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
             "mtllib" => read_library(rest.trim(), open, &mut out)?,
             "usemtl" => {
                 let name = rest.trim();
-                let found = out.looks.iter().rposition(|look| look.name == name);
+                let found = out.materials.iter().rposition(|material| material.name == name);
                 // (One remark is enough: a missing material file makes all of its materials missing.)
                 if found.is_none() && out.remarks.is_empty() {
                     out.remarks.push(format!("line {line}: there is no material `{name}`"));
@@ -42,14 +42,14 @@ pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
 }
 
 /// Reads the material files that a line names; a missing one becomes a remark.
-fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> Reading<()> {
+fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> ReadResult<()> {
     // One name, which may contain blanks, or else several.
     if let Ok(bytes) = open(rest) {
-        return mtl::read(&bytes, rest, &mut out.looks);
+        return mtl::read(&bytes, rest, &mut out.materials);
     }
     for name in rest.split_ascii_whitespace() {
         match open(name) {
-            Ok(bytes) => mtl::read(&bytes, name, &mut out.looks)?,
+            Ok(bytes) => mtl::read(&bytes, name, &mut out.materials)?,
             Err(why) => out.remarks.push(format!("its materials are left out: {why}")),
         }
     }
@@ -57,7 +57,7 @@ fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> Reading<()> {
 }
 
 /// At least `least` numbers; missing ones are 0.
-fn numbers(rest: &str, least: usize, line: usize) -> Reading<[f64; 4]> {
+fn numbers(rest: &str, least: usize, line: usize) -> ReadResult<[f64; 4]> {
     let mut out = [0.0; 4];
     let mut count = 0;
     for (x, word) in out.iter_mut().zip(rest.split_ascii_whitespace()) {
@@ -78,7 +78,7 @@ struct State {
 
 impl State {
     /// `f 1/2/3 4/5/6 …`: corner, surface coordinates, normal.
-    fn read_face(&mut self, rest: &str, line: usize, out: &mut MeshFile) -> Reading<()> {
+    fn read_face(&mut self, rest: &str, line: usize, out: &mut MeshFile) -> ReadResult<()> {
         let all = &mut out.triangles;
         let lengths = [all.vertices.len(), all.uvs.len(), all.normals.len()];
         self.corners.clear();
@@ -111,7 +111,7 @@ impl State {
 }
 
 /// An index counted from 1, or backwards from the end.
-fn index(text: &str, length: usize, what: &str, line: usize) -> Reading<u32> {
+fn index(text: &str, length: usize, what: &str, line: usize) -> ReadResult<u32> {
     let n: i64 = text.parse().map_err(|_| format!("line {line}: expected the number of a {what}, found `{text}`"))?;
     let place = if n < 0 { length as i64 + n } else { n - 1 };
     match u32::try_from(place) {

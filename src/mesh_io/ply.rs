@@ -1,6 +1,6 @@
 //! PLY, as text or as bytes of either order (Greg Turk, The PLY Polygon File Format, 1994), read by the crate `ply-rs-bw`.
 
-use super::{MeshFile, NONE, Reading, Triangles, direction, point, polygon};
+use super::{MeshFile, NONE, ReadResult, Triangles, direction, point, polygon};
 use crate::math::DVec2;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType};
@@ -13,7 +13,7 @@ const BATCH: usize = 1 << 12;
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line where it is text.
-pub fn read(bytes: &[u8]) -> Reading<MeshFile> {
+pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
     const END: &[u8] = b"end_header";
     // Comments in the header may be in any encoding.
     let length = bytes.windows(END.len()).position(|window| window == END).ok_or("the header has no `end_header`")?;
@@ -47,8 +47,8 @@ fn each<T: BufRead, E: PropertyAccess>(
     reader: &mut Reader<T>,
     element: &ElementDef,
     header: &Header,
-    mut visit: impl FnMut(usize, E) -> Reading<()>,
-) -> Reading<()> {
+    mut visit: impl FnMut(usize, E) -> ReadResult<()>,
+) -> ReadResult<()> {
     // Elements without properties take no bytes: their count has no bound, and no data follow.
     let count = if element.properties.is_empty() { 0 } else { element.count };
     let mut batch = element.clone();
@@ -158,7 +158,7 @@ fn read_vertices<T: BufRead>(
     element: &ElementDef,
     header: &Header,
     out: &mut Triangles,
-) -> Reading<()> {
+) -> ReadResult<()> {
     let scalars = element.properties.values().filter(|p| matches!(p.data_type, PropertyType::Scalar(_)));
     let slots: Vec<usize> = scalars.filter_map(|p| slot(&p.name)).collect();
     let has = |all: &[usize]| all.iter().all(|slot| slots.contains(slot));
@@ -183,7 +183,7 @@ fn read_faces<T: BufRead>(
     element: &ElementDef,
     header: &Header,
     out: &mut Triangles,
-) -> Reading<()> {
+) -> ReadResult<()> {
     let is_list = |p: &PropertyType| matches!(p, PropertyType::List(..));
     if !element.properties.values().any(|p| is_list(&p.data_type) && is_list_of_corners(&p.name)) {
         return Err("its `face` elements have no list `vertex_indices`".into());

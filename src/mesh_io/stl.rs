@@ -1,7 +1,7 @@
 //! STL, as text or as bytes: triangles without topology. (Marshall Burns, Automated Fabrication, 1993, section 6.5.)
 
 use super::words::{Words, number};
-use super::{MeshFile, NONE, Reading, Triangles, point, polygon};
+use super::{MeshFile, NONE, ReadResult, Triangles, point, polygon};
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 
@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 const SIZE: usize = 50;
 
 /// Reads either kind.
-pub fn read(bytes: &[u8]) -> Reading<MeshFile> {
+pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
     let mut joined = Joined::default();
     // Binary files may begin like text; then their length decides.
     let count = bytes.get(80..84).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
@@ -42,7 +42,7 @@ impl Joined {
     }
 }
 
-fn read_bytes(bytes: &[u8], count: Option<usize>, out: &mut Joined) -> Reading<()> {
+fn read_bytes(bytes: &[u8], count: Option<usize>, out: &mut Joined) -> ReadResult<()> {
     let Some(count) = count else { return Err("it ends within its first 84 bytes".into()) };
     let all = bytes[84..].chunks_exact(SIZE);
     if all.len() < count {
@@ -61,7 +61,7 @@ fn read_bytes(bytes: &[u8], count: Option<usize>, out: &mut Joined) -> Reading<(
     Ok(())
 }
 
-fn read_text(bytes: &[u8], out: &mut Joined) -> Reading<()> {
+fn read_text(bytes: &[u8], out: &mut Joined) -> ReadResult<()> {
     let mut words = Words::new(bytes, 1);
     let mut corners: Vec<Vec3> = vec![];
     while let Some(word) = words.next() {

@@ -1,6 +1,6 @@
 //! Text files of words separated by whitespace.
 
-use super::Reading;
+use super::ReadResult;
 
 /// Words in order, with the current line number.
 pub struct Words<'a> {
@@ -54,7 +54,7 @@ pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
 }
 
 /// Parses a number.
-pub fn number(word: &[u8], place: impl FnOnce() -> String) -> Reading<f64> {
+pub fn number(word: &[u8], place: impl FnOnce() -> String) -> ReadResult<f64> {
     let text = std::str::from_utf8(word).ok();
     text.and_then(|text| text.parse().ok()).ok_or_else(|| {
         let word: String = String::from_utf8_lossy(word).chars().take(20).collect();

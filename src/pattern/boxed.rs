@@ -42,7 +42,7 @@ mod tests {
     use crate::math::DVec3;
 
     #[test]
-    fn cubes_lie_in_each_other() {
+    fn concentric_cubes() {
         let value = |x, y, z| Boxed {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(0.25, 0.0, -0.125), value(0.1, -0.5, 0.3), value(0.0, 0.0, 2.0)], [0.75, 0.5, 0.0]);
     }

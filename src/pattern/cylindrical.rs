@@ -39,7 +39,7 @@ mod tests {
     use crate::math::DVec3;
 
     #[test]
-    fn cylinders_lie_in_each_other() {
+    fn concentric_cylinders() {
         let value = |x, y, z| Cylindrical {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(0.0, 7.0, 0.25), value(0.3, 1.0, 0.4), value(2.0, 0.0, 0.0)], [0.75, 0.5, 0.0]);
     }

@@ -74,7 +74,7 @@ mod tests {
     use crate::pattern::extreme_points;
 
     #[test]
-    fn no_place_and_no_normal_is_too_strange() {
+    fn extreme_points_and_normals_do_not_panic() {
         for p in extreme_points() {
             let there = TextureContext::free(p, Default::default());
             for (coords, size, metric) in [(0.5, 0.1, 2.0), (0.0, 0.1, 1.0), (0.0, 0.0, -3.0)] {

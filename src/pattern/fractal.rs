@@ -401,7 +401,7 @@ mod tests {
     }
 
     #[test]
-    fn points_leave_or_stay() {
+    fn orbits_escape_or_stay() {
         assert_eq!(mandel(3.0, 0.0, 1, 0), 0.0);
         // 1, 2, 5: escapes in the second iteration
         assert_eq!(mandel(1.0, 0.0, 1, 0), 0.1);
@@ -413,7 +413,7 @@ mod tests {
     }
 
     #[test]
-    fn main_bodies_hold_no_orbit_that_leaves() {
+    fn main_bodies_contain_no_escaping_orbit() {
         let (mut within, mut stays) = (0, 0);
         for i in 0..40_000 {
             let c = Complex::new(f64::from(i % 200) * 0.0131 - 2.05, f64::from(i / 200) * 0.0117 - 1.17);

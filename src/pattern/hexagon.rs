@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn edges_on_z_0_belong_to_the_cell_behind_them() {
+    fn edges_on_z_0_belong_to_the_cell_beyond() {
         let cell = |x: f64, z: f64| Hexagon {}.cell(DVec3::new(x, 0.5, z));
         for x in [1.2, 1.5, -1.5, -1.8, 4.3, 4.5, -7.5, 31.2] {
             assert_eq!([cell(x, 0.0), cell(x, 1e-9), cell(x, -1e-9)], [2, 2, 1], "{x}");

@@ -93,7 +93,7 @@ mod tests {
         assert_eq!(stretch(&(DMat3::IDENTITY * f64::NAN)), f64::INFINITY);
     }
 
-    fn kinds() -> Vec<Kind> {
+    fn kinds() -> Vec<PatternKind> {
         let crackle = |form: [f64; 3], metric| Crackle { form: form.into(), metric, offset: 0.1, solid: false };
         let fields: [FieldPattern; 17] = [
             FieldPattern::Boxed(Boxed {}),
@@ -116,12 +116,12 @@ mod tests {
         ];
         let bricks = Brick { size: DVec3::new(1.0, 0.5, 0.7), mortar: 0.1 };
         let cells = [CellPattern::Checker(Checker {}), CellPattern::Brick(bricks), CellPattern::Hexagon(Hexagon {})];
-        fields.into_iter().map(Kind::Field).chain(cells.into_iter().map(Kind::Cells)).collect()
+        fields.into_iter().map(PatternKind::Field).chain(cells.into_iter().map(PatternKind::Cells)).collect()
     }
 
     /// Each pattern, wave and some frequencies, in a transformed space: the bounds of a ball hold for all points in it.
     #[test]
-    fn numbers_near_a_point_are_as_is_said() {
+    fn local_bounds_hold() {
         let waves =
             [Wave::Ramp, Wave::Triangle, Wave::Sine, Wave::Scallop, Wave::Cubic, Wave::Poly(2.5), Wave::Poly(0.5)];
         let (mut known, mut thrown) = (0, 0);

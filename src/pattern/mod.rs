@@ -81,7 +81,7 @@ pub use object::ObjectPattern;
 pub use onion::Onion;
 pub use pavement::Pavement;
 pub use pigment::{PigmentBrightness, PigmentPattern};
-pub use placed::{Kind, Pattern, read_noise_generator};
+pub use placed::{Pattern, PatternKind, read_noise_generator};
 pub use planar::Planar;
 pub use program::PatternProgram;
 pub use quilted::Quilted;
@@ -160,7 +160,7 @@ pub trait Readable: Sized + 'static {
     /// FieldParams of its own, which `SPEC` names.
     const WORDS: &'static [Row<Self>] = &[];
 
-    /// Reads what follows its name.
+    /// Reads the parameters after the pattern's name.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.

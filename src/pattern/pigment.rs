@@ -17,7 +17,7 @@ pub trait PigmentBrightness: std::fmt::Debug + Send + Sync {
     /// `uv_mapping` (quirk: `pigment_pattern_sees_surface`).
     fn brightness(&self, at: &TextureContext) -> f64;
     /// True if the pigment depends on surface coordinates.
-    fn asks_uv(&self) -> bool;
+    fn depends_on_uv(&self) -> bool;
 }
 
 /// The brightness of a pigment.
@@ -31,8 +31,8 @@ impl PigmentPattern {
     }
 
     /// True if the pigment depends on surface coordinates.
-    pub fn asks_uv(&self) -> bool {
-        self.0.asks_uv()
+    pub fn depends_on_uv(&self) -> bool {
+        self.0.depends_on_uv()
     }
 }
 

@@ -11,7 +11,7 @@ use serde::Serialize;
 /// Function from points to what is chosen.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Kind {
+pub enum PatternKind {
     /// Constant.
     #[default]
     Plain,
@@ -30,7 +30,7 @@ pub enum Kind {
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Pattern {
     /// Function from points to what is chosen.
-    pub kind: Kind,
+    pub kind: PatternKind,
     /// Frequency, phase and wave type.
     pub modifiers: Modifiers,
     /// Transforms, warps and turbulence.
@@ -50,12 +50,12 @@ pub struct Pattern {
     pub around: Option<Box<Space>>,
 }
 
-impl Kind {
+impl PatternKind {
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match self {
-            Kind::Field(pattern) => pattern.read_own(next, r),
-            Kind::Cells(pattern) => pattern.read_own(next, r),
-            Kind::Plain | Kind::Average | Kind::Surface => Ok(false),
+            PatternKind::Field(pattern) => pattern.read_own(next, r),
+            PatternKind::Cells(pattern) => pattern.read_own(next, r),
+            PatternKind::Plain | PatternKind::Average | PatternKind::Surface => Ok(false),
         }
     }
 }
@@ -63,7 +63,7 @@ impl Kind {
 impl StaticDefault for Pattern {
     fn static_default() -> &'static Self {
         static PLAIN: Pattern = Pattern {
-            kind: Kind::Plain,
+            kind: PatternKind::Plain,
             modifiers: Modifiers::NONE,
             space: Space { inner: vec![], transform: SharedDefault::DEFAULT, turbulence: None },
             noise: None,
@@ -114,9 +114,9 @@ impl Pattern {
             }
             Next::Word("average") => {
                 r.take()?;
-                self.kind = Kind::Average;
+                self.kind = PatternKind::Average;
             }
-            Next::Function => self.kind = Kind::Field(FieldPattern::FunctionPattern(FunctionPattern::read(r)?)),
+            Next::Function => self.kind = PatternKind::Field(FieldPattern::FunctionPattern(FunctionPattern::read(r)?)),
             Next::Word(word) | Next::Block(word) => return self.read_name(word, r),
             _ => return Ok(false),
         }
@@ -134,12 +134,12 @@ impl Pattern {
                 if pattern.begins_still() {
                     self.modifiers.frequency = Some(0.0);
                 }
-                self.kind = Kind::Field(pattern);
+                self.kind = PatternKind::Field(pattern);
             }
         } else if CellPattern::is_name(word) {
             r.take()?;
             if let Some(pattern) = CellPattern::read(word, block, r) {
-                self.kind = Kind::Cells(pattern?);
+                self.kind = PatternKind::Cells(pattern?);
                 self.modifiers.frequency = Some(0.0);
             }
         } else {
@@ -156,7 +156,7 @@ impl Pattern {
 
     /// True if all entries of the map are mixed.
     pub fn averages(&self) -> bool {
-        self.kind == Kind::Average
+        self.kind == PatternKind::Average
     }
 
     /// Appends a transform to those of the pattern.
@@ -176,7 +176,7 @@ impl Pattern {
     pub fn take_around(&mut self) -> Option<Self> {
         let space = *self.around.take()?;
         self.uv = false;
-        Some(Self { kind: Kind::Surface, space, ..Self::default() })
+        Some(Self { kind: PatternKind::Surface, space, ..Self::default() })
     }
 
     /// Undoes [`Self::take_around`].
@@ -186,18 +186,19 @@ impl Pattern {
 
     /// True if the pattern receives (u, v, 0) instead of the point.
     pub fn by_uv(&self) -> bool {
-        self.uv || self.kind == Kind::Surface
+        self.uv || self.kind == PatternKind::Surface
     }
 
     /// True if the pattern, or the pigment whose brightness it is, depends on surface coordinates.
-    pub fn asks_uv(&self) -> bool {
-        self.by_uv() || matches!(&self.kind, Kind::Field(FieldPattern::PigmentPattern(inner)) if inner.asks_uv())
+    pub fn depends_on_uv(&self) -> bool {
+        self.by_uv()
+            || matches!(&self.kind, PatternKind::Field(FieldPattern::PigmentPattern(inner)) if inner.depends_on_uv())
     }
 
     /// True if the pattern may depend on the surface normal. (Functions and the pigments of patterns are not searched.)
     pub fn may_see_normal(&self) -> bool {
         use FieldPattern::{Aoi, FunctionPattern, PigmentPattern, Slope};
-        matches!(self.kind, Kind::Field(Slope(_) | Aoi(_) | FunctionPattern(_) | PigmentPattern(_)))
+        matches!(self.kind, PatternKind::Field(Slope(_) | Aoi(_) | FunctionPattern(_) | PigmentPattern(_)))
     }
 }
 

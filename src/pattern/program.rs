@@ -1,8 +1,8 @@
 //! Patterns in the form that rays evaluate: the transform from the outer space to the pattern's own is precomputed.
 
 use super::{
-    CellPattern, Cells, Field, FieldParams, FieldPattern, Kind, LocalBounds, Modifiers, Pattern, Step, TextureContext,
-    TurbulenceParams, Warp, local_bounds::stretch,
+    CellPattern, Cells, Field, FieldParams, FieldPattern, LocalBounds, Modifiers, Pattern, PatternKind, Step,
+    TextureContext, TurbulenceParams, Warp, local_bounds::stretch,
 };
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
@@ -151,10 +151,10 @@ impl Number {
 fn value(pattern: &Pattern) -> Value {
     let modifiers = pattern.modifiers;
     match &pattern.kind {
-        Kind::Plain | Kind::Surface => Value::Plain,
-        Kind::Average => Value::Average,
-        Kind::Cells(cells) => Value::Cells(Box::new((cells.clone(), modifiers))),
-        Kind::Field(field) => {
+        PatternKind::Plain | PatternKind::Surface => Value::Plain,
+        PatternKind::Average => Value::Average,
+        PatternKind::Cells(cells) => Value::Cells(Box::new((cells.clone(), modifiers))),
+        PatternKind::Field(field) => {
             let turbulence = pattern.space.turbulence.as_deref().copied().unwrap_or_default();
             Value::Field(Box::new(Number { field: field.clone(), modifiers, turbulence, noise: pattern.noise }))
         }
@@ -163,7 +163,7 @@ fn value(pattern: &Pattern) -> Value {
 
 /// The steps of a pattern: the transform that was written last applies first.
 fn way(pattern: &Pattern) -> Box<[Move]> {
-    if pattern.kind == Kind::Surface {
+    if pattern.kind == PatternKind::Surface {
         return Box::default();
     }
     let space = &pattern.space;
@@ -179,7 +179,7 @@ fn way(pattern: &Pattern) -> Box<[Move]> {
         }
     }
     way.push(Move::Affine(affine));
-    let owns_turbulence = matches!(&pattern.kind, Kind::Field(field) if field.owns_turbulence());
+    let owns_turbulence = matches!(&pattern.kind, PatternKind::Field(field) if field.owns_turbulence());
     if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !owns_turbulence && t.amount != DVec3::ZERO) {
         way.push(Move::Turbulence(turbulence.amount, turbulence.series()));
     }

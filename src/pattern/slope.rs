@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn no_place_and_no_normal_is_too_strange() {
+    fn extreme_points_and_normals_do_not_panic() {
         let slope = Slope { towards: Towards::Direction(DVec3::X), range: [0.0, 1.0], altitude: None };
         let point = Slope { towards: Towards::Point(DVec3::Y), range: [0.5, 0.5], altitude: None };
         let high = Slope { altitude: Some(Box::new(Altitude { up: DVec3::Y, range: [1.0, -1.0] })), ..slope.clone() };

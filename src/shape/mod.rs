@@ -74,7 +74,7 @@ pub use triangle::Triangle;
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::image_io::Picture;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
-use crate::mesh_io::Look;
+use crate::mesh_io::MeshMaterial;
 use crate::source::Span;
 use crate::value::words::{Row, read_row};
 use crate::value::{Next, Reader, Spec};
@@ -101,7 +101,7 @@ pub trait Paints {
     ///
     /// # Errors
     /// A diagnostic if the material has no equivalent.
-    fn of_file(&mut self, look: &Look, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32>;
+    fn of_file(&mut self, material: &MeshMaterial, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32>;
 
     /// Transforms one embedded texture; other users of the same texture keep theirs.
     fn transform(&mut self, slot: &mut u32, by: &Transform);

@@ -5,7 +5,7 @@ use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
-use crate::mesh_io::Look;
+use crate::mesh_io::MeshMaterial;
 use crate::source::Span;
 use crate::value::{FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupported, Value, VecN};
 use std::collections::VecDeque;
@@ -57,7 +57,7 @@ impl Paints for NoPaints {
         Ok(None)
     }
 
-    fn of_file(&mut self, _: &Look, _: Option<&Arc<Picture>>, _: &mut dyn Reader) -> Result<u32> {
+    fn of_file(&mut self, _: &MeshMaterial, _: Option<&Arc<Picture>>, _: &mut dyn Reader) -> Result<u32> {
         Ok(0)
     }
 

@@ -278,14 +278,14 @@ mod tests {
     }
 
     #[test]
-    fn what_a_block_holds_tells() {
+    fn nesting_rules_find_the_open_brace() {
         let text = "sphere {\n  0, 1\n  pigment { rgb 1\n  finish { phong 1 }\n}\n";
         assert_eq!(blamed(text), text.find("{ rgb"));
         assert_eq!(blamed("sphere { 0, 1\n  pigment { rgb 1 }\n"), None);
     }
 
     #[test]
-    fn indentation_tells() {
+    fn indentation_finds_the_open_brace() {
         let text = "union {\n  Thing {\n    x\n}\n";
         assert_eq!(blamed(text), text.find("{\n    x"));
         let text = "#if (1)\n  #if (2)\n    #declare A = 1;\n#end\n";

@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn the_grammar_names_each_class_as_the_table_does() {
+    fn classes_match_the_grammar() {
         let table: BTreeMap<String, u8> = CLASSES.iter().map(|(class, name)| (name.to_string(), *class)).collect();
         assert_eq!(named_in_grammar(), table);
     }

@@ -323,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn an_item_that_goes_on_is_not_part_of_the_list() {
+    fn continued_items_end_a_list() {
         assert_eq!(scan("<1,2,3>, 2*x").unwrap().1, 7);
         assert!(scan("<1,2,3>*x").is_none());
         assert!(scan("<1, a>").is_none());

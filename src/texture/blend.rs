@@ -4,7 +4,7 @@
 use super::Texture;
 use super::doubts::tell_falling;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::pattern::{CellPattern, Cells, Kind, Pattern};
+use crate::pattern::{CellPattern, Cells, Pattern, PatternKind};
 use crate::value::{Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use smallvec::SmallVec;
@@ -125,7 +125,9 @@ pub fn read_list<T: Entry>(
     defaults: &Texture,
     default: &dyn Fn(&CellPattern, usize) -> T,
 ) -> Result<Option<Blend<T>>> {
-    let (Next::Word(word) | Next::Block(word), Kind::Cells(pattern)) = (name, &pattern.kind) else { return Ok(None) };
+    let (Next::Word(word) | Next::Block(word), PatternKind::Cells(pattern)) = (name, &pattern.kind) else {
+        return Ok(None);
+    };
     if !CellPattern::is_name(word) {
         return Ok(None);
     }

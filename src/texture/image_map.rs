@@ -129,7 +129,7 @@ impl ImageMap {
 
     /// True if the picture, as one of several pigments, counts as opaque: only its own alpha and palette count, not
     /// `filter`, nor `transmit all` of a picture without a palette (quirk: `image_seems_opaque`).
-    pub fn seems_opaque(&self) -> bool {
+    pub fn counts_as_opaque(&self) -> bool {
         let clear = |i: usize| match self.texels.index(i) {
             Some(_) => self.pixel(i).transmit != 0.0,
             None => self.texels.rgba(i)[3] < 1.0,

@@ -6,7 +6,7 @@ use super::words::{FINISH, TEXTURE};
 use super::{Finish, Normal, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
-use crate::pattern::{CellPattern, Kind, MaterialMap, Pattern, Readable};
+use crate::pattern::{CellPattern, MaterialMap, Pattern, PatternKind, Readable};
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
@@ -38,7 +38,7 @@ pub struct Choice {
 impl Choice {
     /// True for `material_map`.
     pub fn is_material_map(&self) -> bool {
-        matches!(self.pattern.kind, Kind::Cells(CellPattern::MaterialMap(_)))
+        matches!(self.pattern.kind, PatternKind::Cells(CellPattern::MaterialMap(_)))
     }
 }
 
@@ -287,7 +287,7 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Resu
     list.resize(2, base.clone());
     // The second texture is at the origin (quirk: tiles_order).
     list.swap(0, 1);
-    pattern.kind = Kind::Cells(CellPattern::Checker(crate::pattern::Checker {}));
+    pattern.kind = PatternKind::Cells(CellPattern::Checker(crate::pattern::Checker {}));
     Ok(Blend::List(list.into()))
 }
 
@@ -308,7 +308,7 @@ fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) 
         }
     }
     map.count = list.len();
-    pattern.kind = Kind::Cells(CellPattern::MaterialMap(map));
+    pattern.kind = PatternKind::Cells(CellPattern::MaterialMap(map));
     Ok(Blend::List(list.into()))
 }
 

@@ -5,7 +5,7 @@ use super::blend::{self, Blend, Entry, Map};
 use super::pigment::read_uv_mapping;
 use super::words::{NORMAL, NORMAL_ROWS};
 use crate::diagnostic::Result;
-use crate::pattern::{FieldPattern, ImagePattern, Kind, Pattern};
+use crate::pattern::{FieldPattern, ImagePattern, Pattern, PatternKind};
 use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
@@ -112,7 +112,7 @@ impl Normal {
     /// Undoes [`Self::opened`] if no other pattern or map was named. (Other parameters of the surface have no effect.)
     fn closed(self) -> Self {
         match &self.relief {
-            Relief::Normals(Blend::Map(map)) if self.pattern.kind == Kind::Surface && map.entries.len() == 1 => {
+            Relief::Normals(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
                 inner.pattern.put_around(self.pattern);
                 inner.bump_scale &= self.bump_scale;
@@ -153,7 +153,8 @@ impl Normal {
                     Ok(sized)
                 })?;
                 self.relief = Relief::Own;
-                self.pattern.kind = Kind::Field(FieldPattern::ImagePattern(ImagePattern { bumps: true, ..image }));
+                self.pattern.kind =
+                    PatternKind::Field(FieldPattern::ImagePattern(ImagePattern { bumps: true, ..image }));
                 r.leave()?;
             }
             Next::Block("slope_map") => {
@@ -190,7 +191,10 @@ impl Normal {
     /// True if both are certainly equal, see [`Texture::is_plainly`].
     pub fn is_plainly(&self, other: &Self) -> bool {
         let large = matches!(&self.relief, Relief::Normals(_))
-            || matches!(&self.pattern.kind, Kind::Field(FieldPattern::ImagePattern(_) | FieldPattern::DensityFile(_)));
+            || matches!(
+                &self.pattern.kind,
+                PatternKind::Field(FieldPattern::ImagePattern(_) | FieldPattern::DensityFile(_))
+            );
         !large && self == other
     }
 
@@ -198,7 +202,7 @@ impl Normal {
     pub fn is_flat(&self) -> bool {
         match &self.relief {
             Relief::Normals(parts) => parts.iter().all(Normal::is_flat),
-            _ => matches!(self.pattern.kind, Kind::Plain) || (self.amount == 0.0 && !self.framed),
+            _ => matches!(self.pattern.kind, PatternKind::Plain) || (self.amount == 0.0 && !self.framed),
         }
     }
 }

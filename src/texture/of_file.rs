@@ -3,16 +3,21 @@
 use super::{ImageMap, Paint, Pigment, Texture};
 use crate::color::{Color, Rgb};
 use crate::image_io::Picture;
-use crate::mesh_io::Look;
+use crate::mesh_io::MeshMaterial;
 use crate::pattern::bitmap::{Between, Bitmap, Mapping};
 use crate::value::Reader;
 use std::sync::Arc;
 
 impl Texture {
     /// The texture of a file's material: the default texture with the material's colour or picture, and its highlight.
-    pub fn of_file(look: &Look, picture: Option<&Arc<Picture>>, r: &dyn Reader, defaults: &Texture) -> Self {
+    pub fn of_file(
+        material: &MeshMaterial,
+        picture: Option<&Arc<Picture>>,
+        r: &dyn Reader,
+        defaults: &Texture,
+    ) -> Self {
         let mut layer = defaults.layers[0].clone();
-        let transmit = 1.0 - look.opacity;
+        let transmit = 1.0 - material.opacity;
         layer.pigment = match picture {
             Some(picture) => {
                 let mapping = Mapping { between: Between::Bilinear, ..Mapping::default() };
@@ -24,13 +29,13 @@ impl Texture {
             None => {
                 let language = r.language();
                 let scene = language.assumed_gamma.unwrap_or(language.other_gamma);
-                let number = |x: f64| if look.is_linear { scene.encode(x) } else { x };
-                Pigment::solid(Color { rgb: Rgb::from_array(look.color.map(number)), filter: 0.0, transmit })
+                let number = |x: f64| if material.is_linear { scene.encode(x) } else { x };
+                Pigment::solid(Color { rgb: Rgb::from_array(material.color.map(number)), filter: 0.0, transmit })
             }
         };
-        if look.specular > 0.0 {
+        if material.specular > 0.0 {
             let finish = Arc::make_mut(&mut layer.finish);
-            (finish.phong, finish.phong_size) = (look.specular, look.shininess);
+            (finish.phong, finish.phong_size) = (material.specular, material.shininess);
         }
         Self { layers: vec![layer] }
     }

@@ -6,7 +6,7 @@ use super::words::{PIGMENT, PIGMENT_ROWS, pigment_names};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::pattern::{CellPattern, Cells, Field, Kind, Pattern};
+use crate::pattern::{CellPattern, Cells, Field, Pattern, PatternKind};
 use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt, SharedDefault};
 use serde::Serialize;
@@ -109,7 +109,7 @@ impl Pigment {
     /// Undoes [`Self::opened`] if no other pattern or map was named.
     fn closed(self) -> Self {
         match &self.paint {
-            Paint::Pigments(Blend::Map(map)) if self.pattern.kind == Kind::Surface && map.entries.len() == 1 => {
+            Paint::Pigments(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
                 inner.pattern.put_around((*self.pattern).clone());
                 inner.quick_color = self.quick_color.or(inner.quick_color);
@@ -193,8 +193,8 @@ impl Pigment {
     }
 
     fn forget_pattern(&mut self) {
-        if !matches!(self.pattern.kind, Kind::Plain) {
-            self.pattern.kind = Kind::Plain;
+        if !matches!(self.pattern.kind, PatternKind::Plain) {
+            self.pattern.kind = PatternKind::Plain;
         }
     }
 
@@ -202,14 +202,14 @@ impl Pigment {
     fn shows_defaults(&self) -> bool {
         match (&self.pattern.kind, &self.paint) {
             (_, Paint::Image(_)) => true,
-            (Kind::Field(field), Paint::Colors(map)) => map.entries == field.default_colors(),
+            (PatternKind::Field(field), Paint::Colors(map)) => map.entries == field.default_colors(),
             _ => false,
         }
     }
 
     /// Gives a pattern of numbers without a map its default colours.
     pub(super) fn finish(&mut self) {
-        if let (Kind::Field(field), Paint::Solid(_)) = (&self.pattern.kind, &self.paint) {
+        if let (PatternKind::Field(field), Paint::Solid(_)) = (&self.pattern.kind, &self.paint) {
             self.paint = Paint::Colors(Arc::new(Map { entries: field.default_colors() }));
         }
     }
@@ -258,10 +258,10 @@ impl Pigment {
         self.is_opaque_if(&ImageMap::is_opaque)
     }
 
-    /// True if the surface counts as opaque for shadows (see [`ImageMap::seems_opaque`]).
-    pub fn seems_opaque(&self) -> bool {
+    /// True if the surface counts as opaque for shadows (see [`ImageMap::counts_as_opaque`]).
+    pub fn counts_as_opaque(&self) -> bool {
         match &self.paint {
-            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::seems_opaque)),
+            Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::counts_as_opaque)),
             _ => self.is_opaque(),
         }
     }

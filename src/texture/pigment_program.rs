@@ -3,7 +3,7 @@
 use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
 use crate::color::{Color, gray};
 use crate::function::LocalBounds;
-use crate::pattern::{Kind, Pattern, PatternProgram, PigmentBrightness, TextureContext};
+use crate::pattern::{Pattern, PatternKind, PatternProgram, PigmentBrightness, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -112,13 +112,13 @@ impl PigmentProgram {
 #[derive(Debug)]
 pub struct Brightness {
     pigment: PigmentProgram,
-    asks_uv: bool,
+    depends_on_uv: bool,
 }
 
 impl Brightness {
     /// Lowers a pigment.
     pub fn new(pigment: &Pigment) -> Self {
-        Self { pigment: PigmentProgram::new(pigment), asks_uv: pigment.any_pattern(&Pattern::asks_uv) }
+        Self { pigment: PigmentProgram::new(pigment), depends_on_uv: pigment.any_pattern(&Pattern::depends_on_uv) }
     }
 }
 
@@ -128,8 +128,8 @@ impl PigmentBrightness for Brightness {
         if self.pigment.is_nothing(at) { 0.0 } else { gray(self.pigment.at(at).rgb) }
     }
 
-    fn asks_uv(&self) -> bool {
-        self.asks_uv
+    fn depends_on_uv(&self) -> bool {
+        self.depends_on_uv
     }
 }
 
@@ -137,7 +137,7 @@ impl PigmentBrightness for Brightness {
 fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
     let shows = match &pigment.paint {
         // A map without a pattern is black (quirk: map_without_pattern).
-        Paint::Colors(_) | Paint::Pigments(Blend::Map(_)) if matches!(pigment.pattern.kind, Kind::Plain) => {
+        Paint::Colors(_) | Paint::Pigments(Blend::Map(_)) if matches!(pigment.pattern.kind, PatternKind::Plain) => {
             Shows::Solid(Color::BLACK)
         }
         Paint::Solid(color) => Shows::Solid(*color),

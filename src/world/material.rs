@@ -136,12 +136,12 @@ impl Material {
         let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, shared)).collect();
         Self {
             // One opaque layer is enough.
-            opaque: texture.layers.iter().any(seems_opaque),
+            opaque: texture.layers.iter().any(counts_as_opaque),
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.passing()).product(),
-            uv: texture.any_pattern(&Pattern::asks_uv),
+            uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&sends_light_on)
                 || !texture.layers.iter().any(is_opaque)
                 || (texture.any_layer(&|layer| layer.normal.is_some())
@@ -152,13 +152,13 @@ impl Material {
 }
 
 /// True if a layer counts as opaque (quirk: `opaque_pigment_map`).
-fn seems_opaque(layer: &texture::Layer) -> bool {
+fn counts_as_opaque(layer: &texture::Layer) -> bool {
     match &layer.choice {
         Some(choice) if choice.is_material_map() => {
-            choice.parts.iter().all(|part| part.layers.iter().any(seems_opaque))
+            choice.parts.iter().all(|part| part.layers.iter().any(counts_as_opaque))
         }
         Some(_) => is_opaque(layer),
-        None => layer.pigment.seems_opaque(),
+        None => layer.pigment.counts_as_opaque(),
     }
 }
 

@@ -207,9 +207,9 @@ fn unrefracted_rays_keep_their_level() {
 
 /// A ramp of brightness along y from 0 at 0 to 1 at 100, on the plane z = 10.
 fn ruler() -> durer::scene::Object {
-    use durer::pattern::{FieldPattern, Gradient, Kind, Pattern, Space};
+    use durer::pattern::{FieldPattern, Gradient, Pattern, PatternKind, Space};
     use durer::texture::{ColorMap, Paint};
-    let kind = Kind::Field(FieldPattern::Gradient(Gradient { direction: Y }));
+    let kind = PatternKind::Field(FieldPattern::Gradient(Gradient { direction: Y }));
     let map = ColorMap { entries: vec![(0.0, Color::BLACK), (1.0, Color::WHITE)] };
     let transform = durer::math::Transform::scale(DVec3::splat(100.0)).unwrap();
     let pattern =

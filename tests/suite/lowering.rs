@@ -5,7 +5,7 @@ use durer::atmosphere::Background;
 use durer::color::{Color, Rgb};
 use durer::diagnostic::codes;
 use durer::math::{DVec3, Transform};
-use durer::pattern::{CellPattern, Checker, Kind, Pattern};
+use durer::pattern::{CellPattern, Checker, Pattern, PatternKind};
 use durer::render::{Cancelled, Options, Region, SampleLayout, Watch, pick, render};
 use durer::scene::{CsgOp, Object, ObjectKind, Scene};
 use durer::source::Span;
@@ -19,7 +19,7 @@ fn scaled(x: f64, y: f64, z: f64) -> Transform {
 
 fn checker(a: Color, b: Color) -> Pigment {
     let pigments = vec![Pigment::solid(a), Pigment::solid(b)];
-    let pattern = Pattern { kind: Kind::Cells(CellPattern::Checker(Checker {})), ..Pattern::default() };
+    let pattern = Pattern { kind: PatternKind::Cells(CellPattern::Checker(Checker {})), ..Pattern::default() };
     Pigment { pattern: pattern.into(), paint: Paint::Pigments(Blend::List(pigments.into())), quick_color: None }
 }
 

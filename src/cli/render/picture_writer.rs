@@ -37,7 +37,7 @@ impl<'d> PictureWriter<'d> {
     ) -> diagnostic::Result<Self> {
         let format = encoding.format;
         let encoder = draft.map(|draft| Encoder::new(draft, width, height, encoding)).transpose();
-        let encoder = encoder.map_err(|error| error.told(format, &unwritable))?;
+        let encoder = encoder.map_err(|error| error.into_fault(format, &unwritable))?;
         let written = Written { is_black: true, time: Duration::ZERO };
         Ok(Self { encoder, format, unwritable: Box::new(unwritable), written })
     }
@@ -51,7 +51,7 @@ impl<'d> PictureWriter<'d> {
     }
 
     fn fault(&self, error: EncodeError) -> diagnostic::Fault {
-        error.told(self.format, &self.unwritable)
+        error.into_fault(self.format, &self.unwritable)
     }
 }
 

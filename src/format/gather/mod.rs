@@ -38,7 +38,7 @@ impl<'a> Pieces<'a> {
 }
 
 /// True if a blank between two adjacent tokens would change them: `0.5.6` is not a number, but `0.5 .6` are two.
-fn holds(before: u8, first: u8) -> bool {
+fn changes_if_spaced(before: u8, first: u8) -> bool {
     let numeric = |byte: u8| byte.is_ascii_digit() || byte == b'.';
     numeric(before) && numeric(first) || before == b'>' && first == b'='
 }
@@ -152,7 +152,8 @@ impl<'a> Gatherer<'a> {
             b'<' if flags & OPEN != 0 => flags |= TIGHT,
             _ => {}
         }
-        if lo == self.at && lo > 0 && holds(bytes[lo - 1], bytes[lo]) || previous.is_some_and(|p| p.flags & TIGHT != 0)
+        if lo == self.at && lo > 0 && changes_if_spaced(bytes[lo - 1], bytes[lo])
+            || previous.is_some_and(|p| p.flags & TIGHT != 0)
         {
             flags |= GLUE;
         }

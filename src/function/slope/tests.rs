@@ -41,7 +41,7 @@ proptest! {
 
     /// The difference between two points of a box is at most the slope times their distance.
     #[test]
-    fn chords_lie_in_slopes(
+    fn slopes_bound_differences(
         recipe in prop::collection::vec((any::<u8>(), any::<u32>(), any::<u32>(), -2.0..2.0), 1..12),
         corner in prop::array::uniform3(-2.0..2.0),
         size in prop::array::uniform3(0.0..0.3),
@@ -78,7 +78,7 @@ proptest! {
 }
 
 #[test]
-fn noise_is_no_steeper_than_said() {
+fn noise_gradients_are_within_their_bound() {
     use crate::math::noise::noise;
     for generator in [NoiseGenerator::Original, NoiseGenerator::RangeCorrected, NoiseGenerator::Perlin] {
         let at = |k: usize, m: usize| (k * m % 99_991) as f64 / 999.91 - 50.0;
@@ -95,7 +95,7 @@ fn noise_is_no_steeper_than_said() {
 /// Over balls of many sizes, noise is within the stated range, and differences between points are within the bounds of
 /// its gradients.
 #[test]
-fn noise_near_a_point_is_as_is_said() {
+fn local_bounds_of_noise_hold() {
     for number in [1.0, 2.0, 3.0] {
         let callee = Callee::Internal(crate::function::internal::find(78).unwrap());
         let at = |p: DVec3| callee.call(0, &[p.x, p.y, p.z, number]);

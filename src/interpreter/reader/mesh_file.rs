@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::image_io::Picture;
 use crate::interpreter::Interpreter;
-use crate::mesh_io::{self, MeshFile, Reading};
+use crate::mesh_io::{self, MeshFile, ReadResult};
 use crate::source::{ReadError, Span};
 use crate::value::{BuildMesh, Reader, Thing};
 use std::path::Path;
@@ -26,8 +26,11 @@ impl Interpreter<'_> {
         for remark in &file.remarks {
             self.warn_partly_read(&name, remark, at);
         }
-        let pictures: Vec<_> =
-            file.looks.iter().map(|look| self.material_picture(&path, look.picture.as_deref()?, at)).collect();
+        let pictures: Vec<_> = file
+            .materials
+            .iter()
+            .map(|material| self.material_picture(&path, material.picture.as_deref()?, at))
+            .collect();
         let mesh = build(file, pictures);
         self.evaluator.assets().meshes.insert(path, mesh.clone());
         Ok(mesh)
@@ -40,7 +43,7 @@ impl Interpreter<'_> {
         };
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new(""));
-        let mut open = |name: &str| -> Reading<Vec<u8>> {
+        let mut open = |name: &str| -> ReadResult<Vec<u8>> {
             let beside = folder.join(name);
             if self.inputs.files.exists(&beside) && !self.inputs.files.may_read(&beside) {
                 return Err(format!("the file `{name}` may not be read by the scene"));

@@ -299,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn rays_along_faces_and_axes_meet_what_slabs_meet() {
+    fn rays_along_faces_and_axes_match_exact_slabs() {
         let boxes = grid();
         for k in 0..300 {
             let part = |m: usize| ((k * m) % 13) as f64 - 1.0;
@@ -319,7 +319,7 @@ mod tests {
     /// Numbers beyond single precision: the ray hits nothing, or what the exact slabs hit, and both implementations
     /// agree.
     #[test]
-    fn rays_from_where_nobody_is() {
+    fn rays_beyond_single_precision() {
         let (bvh, _) = Bvh::build(grid().into_iter());
         let far = [1e308, 1.7e308, 1e39, 3e38, 1e-308];
         let ways = [DVec3::Z, DVec3::new(1e-300, 0.0, 1.0), DVec3::splat(1e308), DVec3::splat(-1e-308), DVec3::ZERO];
@@ -362,7 +362,7 @@ mod tests {
     }
 
     #[test]
-    fn far_too_many_on_the_way() {
+    fn full_stacks_lose_nothing() {
         // All boxes contain the origin: all are visited, and the stack overflows.
         let boxes: Vec<Aabb> =
             (1..5000).map(|i| DVec3::new(1.0, 0.5, 2.0) * f64::from(i)).map(|p| Aabb::from_corners(-p, p)).collect();
@@ -383,7 +383,7 @@ mod tests {
 
     #[cfg(target_arch = "x86_64")]
     #[test]
-    fn twins_go_the_same_way() {
+    fn avx2_visits_the_same_boxes() {
         if !is_x86_feature_detected!("avx2") {
             return;
         }

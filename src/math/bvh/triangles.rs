@@ -152,7 +152,7 @@ mod tests {
 
     #[cfg(target_arch = "x86_64")]
     #[test]
-    fn twins() {
+    fn avx2_matches_portable() {
         if !is_x86_feature_detected!("avx2") {
             return;
         }

@@ -201,7 +201,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_twister_begins_as_it_should() {
+    fn mersenne_twister_reference_values() {
         // The C++ standard's `mt19937` gives 4123659995 as its 10 000th number; its first are these.
         assert_eq!(
             RANDOM[..2].iter().map(|r| r * 4_294_967_296.0).collect::<Vec<_>>(),
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn those_around_are_those_of_each_cube() {
+    fn neighbours_match_single_cubes() {
         for corner in [[0; 3], [5, 4095, usize::MAX], [1, 2, 7], [4097, 2, 7]].map(Cell) {
             corner.with_around(|around| {
                 for (n, step) in NEXT.iter().enumerate() {

@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn strange_points_do_not_panic() {
+    fn extreme_points_do_not_panic() {
         for x in [f64::NAN, f64::INFINITY, -f64::INFINITY, f64::MAX, 1e18, -1e300, f64::MIN_POSITIVE, -0.0] {
             let p = DVec3::new(x, 0.5, -x);
             for generator in [Original, RangeCorrected, Perlin] {

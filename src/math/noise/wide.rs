@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn twins_give_the_same_bits() {
+    fn avx2_matches_portable_bits() {
         let point = |i: i32| DVec3::new(0.37 * f64::from(i) - 99.0, -1.93 * f64::from(i), 0.011 * f64::from(i));
         let far = [1e18, -1e300, f64::MAX, f64::INFINITY, f64::NAN, -0.0, 1.0, -1.0, 4.5e15, -9.1e15];
         let strange = far.map(|x| DVec3::new(x, 0.5, -x));

@@ -1,6 +1,6 @@
 //! Accessors: typed views of a glTF file's buffers.
 
-use super::super::Reading;
+use super::super::ReadResult;
 use super::document::{Accessor, Document};
 
 /// The rows of an accessor, converted to numbers.
@@ -15,12 +15,12 @@ pub struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     /// The rows of the accessor with this index, which has `width` numbers in a row.
-    pub fn new(document: &Document, buffers: &'a [Vec<u8>], number: usize, width: usize) -> Reading<Self> {
+    pub fn new(document: &Document, buffers: &'a [Vec<u8>], number: usize, width: usize) -> ReadResult<Self> {
         let accessor = document.accessors.get(number).ok_or_else(|| format!("there is no accessor {number}"))?;
         Self::of(document, buffers, accessor, width).map_err(|why| format!("accessor {number}: {why}"))
     }
 
-    fn of(document: &Document, buffers: &'a [Vec<u8>], accessor: &Accessor, width: usize) -> Reading<Self> {
+    fn of(document: &Document, buffers: &'a [Vec<u8>], accessor: &Accessor, width: usize) -> ReadResult<Self> {
         if accessor.sparse.is_some() {
             return Err("sparse ones are not read".into());
         }

@@ -6,11 +6,11 @@ mod accessor;
 mod document;
 mod node;
 
-use super::{Look, MeshFile, Open, Reading};
+use super::{MeshFile, MeshMaterial, Open, ReadResult};
 use document::Document;
 
 /// Reads a file, and the buffers that it names.
-pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
+pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let Parts { json, bytes: chunk, base } =
         if bytes.starts_with(b"glTF") { chunks(bytes)? } else { Parts { json: bytes, bytes: None, base: 0 } };
     let document: Document = serde_json::from_slice(json).map_err(|e| {
@@ -33,7 +33,7 @@ pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
         });
     }
     let mut out = MeshFile::default();
-    read_looks(&document, &mut out);
+    read_materials(&document, &mut out);
     let size = bytes.len() + buffers.iter().map(Vec::len).sum::<usize>();
     node::read(&document, &buffers, size, &mut out)?;
     Ok(out)
@@ -50,7 +50,7 @@ struct Parts<'a> {
     base: usize,
 }
 
-fn chunks(bytes: &[u8]) -> Reading<Parts<'_>> {
+fn chunks(bytes: &[u8]) -> ReadResult<Parts<'_>> {
     let word = |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
     if word(4) != Some(2) {
         return Err("byte 4: only version 2 of glTF is read".into());
@@ -71,7 +71,7 @@ fn chunks(bytes: &[u8]) -> Reading<Parts<'_>> {
 }
 
 /// The bytes of a URI: embedded data, or a file.
-fn bytes_of(uri: &str, open: Open) -> Reading<Vec<u8>> {
+fn bytes_of(uri: &str, open: Open) -> ReadResult<Vec<u8>> {
     match uri.strip_prefix("data:") {
         Some(data) => match data.split_once(";base64,") {
             Some((_, text)) => from_base64(text),
@@ -82,7 +82,7 @@ fn bytes_of(uri: &str, open: Open) -> Reading<Vec<u8>> {
 }
 
 /// RFC 4648, with or without padding.
-fn from_base64(text: &str) -> Reading<Vec<u8>> {
+fn from_base64(text: &str) -> ReadResult<Vec<u8>> {
     use base64::engine::{DecodePaddingMode, Engine, general_purpose::*};
     let lenient = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, lenient.with_decode_allow_trailing_bits(true));
@@ -109,24 +109,24 @@ fn unescaped(uri: &str) -> String {
     String::from_utf8_lossy(&out).into_owned()
 }
 
-fn read_looks(document: &Document, out: &mut MeshFile) {
-    for (i, material) in document.materials.iter().enumerate() {
-        let mut look = Look::new(material.name.clone().unwrap_or_else(|| i.to_string()));
-        let pbr = &material.pbr;
+fn read_materials(document: &Document, out: &mut MeshFile) {
+    for (i, stored) in document.materials.iter().enumerate() {
+        let mut material = MeshMaterial::new(stored.name.clone().unwrap_or_else(|| i.to_string()));
+        let pbr = &stored.pbr;
         let [r, g, b, a] = pbr.base_color_factor;
-        (look.color, look.is_linear) = ([r, g, b].map(|x| if x.is_finite() { x.max(0.0) } else { 0.0 }), true);
-        if material.alpha_mode.as_deref() == Some("BLEND") {
-            look.opacity = a.clamp(0.0, 1.0);
+        (material.color, material.is_linear) = ([r, g, b].map(|x| if x.is_finite() { x.max(0.0) } else { 0.0 }), true);
+        if stored.alpha_mode.as_deref() == Some("BLEND") {
+            material.opacity = a.clamp(0.0, 1.0);
         }
         if let Some(texture) = &pbr.base_color_texture {
             let image = document.textures.get(texture.index).and_then(|t| document.images.get(t.source?));
             match image.and_then(|image| image.uri.as_deref()).filter(|uri| !uri.starts_with("data:")) {
-                Some(uri) => look.picture = Some(unescaped(uri)),
+                Some(uri) => material.picture = Some(unescaped(uri)),
                 None => out
                     .remarks
-                    .push(format!("the picture of its material `{}` is inside the file, and left out", look.name)),
+                    .push(format!("the picture of its material `{}` is inside the file, and left out", material.name)),
             }
         }
-        out.looks.push(look);
+        out.materials.push(material);
     }
 }

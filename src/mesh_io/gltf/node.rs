@@ -1,6 +1,6 @@
 //! The nodes of a glTF file, and their triangles.
 
-use super::super::{MANY, MeshFile, NONE, Reading, direction, point};
+use super::super::{MANY, MeshFile, NONE, ReadResult, direction, point};
 use super::accessor::Rows;
 use super::document::{Document, Node, Primitive};
 use crate::math::{DVec2, DVec3, Transform};
@@ -8,7 +8,7 @@ use glam::{DAffine3, DMat4, DQuat};
 
 /// Appends the triangles of the default scene, or of all nodes if there is no scene. `size` is the total size of all
 /// files, in bytes.
-pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut MeshFile) -> Reading<()> {
+pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut MeshFile) -> ReadResult<()> {
     let mut is_child = vec![false; document.nodes.len()];
     for child in document.nodes.iter().flat_map(|node| &node.children) {
         match is_child.get_mut(*child) {
@@ -65,7 +65,7 @@ fn read_primitive(
     primitive: &Primitive,
     place: &DAffine3,
     out: &mut MeshFile,
-) -> Reading<()> {
+) -> ReadResult<()> {
     let (Some(position), 4..=6) = (primitive.attributes.position, primitive.mode) else { return Ok(()) };
     let positions = Rows::new(document, buffers, position, 3)?;
     let attribute = |number: Option<usize>, width| number.map(|i| Rows::new(document, buffers, i, width)).transpose();
@@ -95,7 +95,7 @@ fn read_primitive(
         triangles.uvs.push(DVec2::new(u, 1.0 - v));
     }
     let count = indices.as_ref().map_or(positions.count, |rows| rows.count);
-    let number = |i: usize| -> Reading<u32> {
+    let number = |i: usize| -> ReadResult<u32> {
         let n = indices.as_ref().map_or(i as f64, |rows| rows.at::<1>(i)[0]);
         if n < positions.count as f64 {
             Ok(n as u32)

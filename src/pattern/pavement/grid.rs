@@ -30,10 +30,10 @@ pub struct Cell {
 }
 
 /// The steps to the neighbour across each edge, for a triangle that points up, a square, a hexagon.
-const BEHIND_UP: &[(i64, i64)] = &[(0, -1), (0, 0), (-1, 0)];
-const BEHIND_DOWN: &[(i64, i64)] = &[(0, 0), (1, 0), (0, 1)];
-const BEHIND_SQUARE: &[(i64, i64)] = &[(0, -1), (1, 0), (0, 1), (-1, 0)];
-const BEHIND_HEXAGON: &[(i64, i64)] = &[(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
+const NEIGHBOURS_UP: &[(i64, i64)] = &[(0, -1), (0, 0), (-1, 0)];
+const NEIGHBOURS_DOWN: &[(i64, i64)] = &[(0, 0), (1, 0), (0, 1)];
+const NEIGHBOURS_SQUARE: &[(i64, i64)] = &[(0, -1), (1, 0), (0, 1), (-1, 0)];
+const NEIGHBOURS_HEXAGON: &[(i64, i64)] = &[(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
 
 impl Cells {
     /// The grid of cells with this number of sides.
@@ -128,12 +128,12 @@ impl Cells {
     }
 
     /// The neighbour across an edge.
-    fn behind(self, cell: Cell, edge: usize) -> Cell {
+    fn neighbour(self, cell: Cell, edge: usize) -> Cell {
         let steps = match (self, cell.kind) {
-            (Self::Triangles, 0) => BEHIND_UP,
-            (Self::Triangles, _) => BEHIND_DOWN,
-            (Self::Squares, _) => BEHIND_SQUARE,
-            (Self::Hexagons, _) => BEHIND_HEXAGON,
+            (Self::Triangles, 0) => NEIGHBOURS_UP,
+            (Self::Triangles, _) => NEIGHBOURS_DOWN,
+            (Self::Squares, _) => NEIGHBOURS_SQUARE,
+            (Self::Hexagons, _) => NEIGHBOURS_HEXAGON,
         };
         let (i, j) = steps[edge];
         let kind = if self == Self::Triangles { 1 - cell.kind } else { 0 };
@@ -213,7 +213,7 @@ impl Plan {
         let (mut there, mut edge) = (cell, k);
         let mut others = vec![];
         for _ in 0..2 * n / (n - 2) - 2 {
-            (there, edge) = (self.cells.behind(there, edge), (self.cells.same_edge(there, edge) + 1) % n);
+            (there, edge) = (self.cells.neighbour(there, edge), (self.cells.same_edge(there, edge) + 1) % n);
             others.push(self.is_joint(there, edge));
         }
         let [first, last] = [others.first(), others.last()].map(|other| other == Some(&true));
@@ -232,7 +232,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn joints_are_seen_from_both_sides() {
+    fn joints_match_from_both_sides() {
         for cells in [Cells::Triangles, Cells::Squares, Cells::Hexagons] {
             for row in cells.plans().iter().copied().flatten() {
                 let plan = Plan::new(cells, row);
@@ -240,8 +240,8 @@ mod tests {
                 for (i, j) in (-7..7).flat_map(|i| (-7..7).map(move |j| (i, j))) {
                     for (kind, edge) in (0..cells.kinds()).flat_map(|k| (0..cells.sides()).map(move |e| (k, e))) {
                         let cell = Cell { i, j, kind };
-                        let (other, same) = (cells.behind(cell, edge), cells.same_edge(cell, edge));
-                        assert_eq!(cells.behind(other, same), cell);
+                        let (other, same) = (cells.neighbour(cell, edge), cells.same_edge(cell, edge));
+                        assert_eq!(cells.neighbour(other, same), cell);
                         assert_eq!(plan.is_joint(cell, edge), plan.is_joint(other, same), "{row}");
                     }
                 }

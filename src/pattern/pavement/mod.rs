@@ -25,10 +25,10 @@ use std::sync::Arc;
 pub struct Pavement {
     /// The parameters as written.
     #[serde(flatten)]
-    pub said: PavementWords,
+    pub params: PavementWords,
     /// The plan of these parameters.
     #[serde(skip)]
-    laid: Arc<Laid>,
+    layout: Arc<PavementLayout>,
 }
 
 /// The pattern's words.
@@ -50,7 +50,7 @@ pub struct PavementWords {
 
 /// Shape of a joint at a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Look {
+enum JointShape {
     /// With a corner.
     Pointed,
     /// With the corner cut off.
@@ -61,23 +61,23 @@ enum Look {
     AsOthers,
 }
 
-impl Look {
+impl JointShape {
     /// From the number in the scene. POV-Ray keeps eight bits of it, and wraps around.
-    fn numbered(n: f64, looks: u8) -> Self {
-        [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % looks)]
+    fn numbered(n: f64, shapes: u8) -> Self {
+        [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % shapes)]
     }
 }
 
 /// A plan with the directions of its corners.
 #[derive(Clone, Debug, PartialEq)]
-struct Laid {
+struct PavementLayout {
     cells: Cells,
     plan: Plan,
     /// Directions of the corners from the centre, for each kind of cell.
     corners: Vec<Vec<DVec2>>,
-    exterior: Look,
-    interior: Look,
-    form: Look,
+    exterior: JointShape,
+    interior: JointShape,
+    form: JointShape,
 }
 
 impl Readable for Pavement {
@@ -89,7 +89,7 @@ impl Readable for Pavement {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        let said = PavementWords {
+        let params = PavementWords {
             number_of_sides: 3.0,
             number_of_tiles: 1.0,
             pattern: 1.0,
@@ -97,13 +97,13 @@ impl Readable for Pavement {
             interior: 0.0,
             form: 0.0,
         };
-        said.continued(r)
+        params.continued(r)
     }
 
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
-        let found = read_row(PavementWords::ROWS, &mut self.said, next, r)?;
+        let found = read_row(PavementWords::ROWS, &mut self.params, next, r)?;
         if found {
-            *self = self.said.continued(r)?;
+            *self = self.params.continued(r)?;
         }
         Ok(found)
     }
@@ -145,30 +145,30 @@ impl PavementWords {
 }
 
 impl Pavement {
-    fn lay(said: PavementWords, at: Span) -> Result<Self> {
+    fn lay(params: PavementWords, at: Span) -> Result<Self> {
         let fault = |message: String| Diagnostic::err(codes::BAD_ARGUMENT, at, message);
-        let Some(cells) = Cells::with_sides(said.number_of_sides) else {
-            return fault(format!("the cells of a pavement have 3, 4 or 6 sides, found {}", said.number_of_sides));
+        let Some(cells) = Cells::with_sides(params.number_of_sides) else {
+            return fault(format!("the cells of a pavement have 3, 4 or 6 sides, found {}", params.number_of_sides));
         };
-        let Some(patterns) = pick(cells.plans(), said.number_of_tiles) else {
+        let Some(patterns) = pick(cells.plans(), params.number_of_tiles) else {
             let most = cells.plans().len();
-            let (sides, tiles) = (said.number_of_sides, said.number_of_tiles);
+            let (sides, tiles) = (params.number_of_sides, params.number_of_tiles);
             return fault(format!("with {sides} sides, `number_of_tiles` is one of 1 to {most}, found {tiles}"));
         };
-        let Some(row) = pick(patterns, said.pattern) else {
-            let (sides, tiles, most) = (said.number_of_sides, said.number_of_tiles, patterns.len());
+        let Some(row) = pick(patterns, params.pattern) else {
+            let (sides, tiles, most) = (params.number_of_sides, params.number_of_tiles, patterns.len());
             let what = format!("`pattern` of {tiles} cells with {sides} sides");
-            return fault(format!("{what} is one of 1 to {most}, found {}", said.pattern));
+            return fault(format!("{what} is one of 1 to {most}, found {}", params.pattern));
         };
-        let laid = Laid {
+        let layout = PavementLayout {
             cells,
             plan: Plan::new(cells, row),
             corners: cells.corners(),
-            exterior: Look::numbered(said.exterior, 3),
-            interior: Look::numbered(said.interior, 3),
-            form: Look::numbered(said.form, if cells == Cells::Squares { 4 } else { 3 }),
+            exterior: JointShape::numbered(params.exterior, 3),
+            interior: JointShape::numbered(params.interior, 3),
+            form: JointShape::numbered(params.form, if cells == Cells::Squares { 4 } else { 3 }),
         };
-        Ok(Self { said, laid: Arc::new(laid) })
+        Ok(Self { params, layout: Arc::new(layout) })
     }
 }
 
@@ -195,7 +195,7 @@ impl NearCorner {
     }
 }
 
-impl Laid {
+impl PavementLayout {
     fn value(&self, p: DVec2) -> f64 {
         let (cell, place) = self.cells.locate(p);
         let directions = &self.corners[cell.kind];
@@ -233,10 +233,10 @@ impl Laid {
     }
 
     /// Height at the tip of a triangle or square, between two joints.
-    fn tip(&self, [before, after]: [f64; 2], near: NearCorner, look: Look) -> f64 {
-        match look {
-            Look::Cut => before + after,
-            Look::Round => near.to_middle / self.cells.depth(),
+    fn tip(&self, [before, after]: [f64; 2], near: NearCorner, joint: JointShape) -> f64 {
+        match joint {
+            JointShape::Cut => before + after,
+            JointShape::Round => near.to_middle / self.cells.depth(),
             _ => before.max(after),
         }
     }
@@ -249,8 +249,8 @@ impl Laid {
             (true, false) if corner.first => self.blunt(bevels, near.along * H + near.across / 2.0, near),
             (false, true) if corner.last => self.blunt(bevels, near.along * H - near.across / 2.0, near),
             (false, false) if corner.any => match self.interior {
-                Look::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
-                Look::Round => 1.0 - 3.0 * near.to_corner(),
+                JointShape::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
+                JointShape::Round => 1.0 - 3.0 * near.to_corner(),
                 _ => 1.0 - near.along / self.cells.depth(),
             },
             _ => bevels[0].max(bevels[1]),
@@ -264,17 +264,19 @@ impl Laid {
         match (corner.before, corner.after) {
             (true, true) => self.blunt(bevels, near.along, near),
             (false, false) => 0.0,
-            _ if open > 0.0 && self.interior == Look::Cut => 1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open),
-            _ if open > 0.0 && self.interior == Look::Round => 1.0 - 3.0 * near.to_corner(),
+            _ if open > 0.0 && self.interior == JointShape::Cut => {
+                1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open)
+            }
+            _ if open > 0.0 && self.interior == JointShape::Round => 1.0 - 3.0 * near.to_corner(),
             _ => bevels[0].max(bevels[1]),
         }
     }
 
-    /// Height at a 120° corner, which looks like a hexagon's; the point is `along` from the corner on its bisector.
+    /// Height at a 120° corner, which shapes like a hexagon's; the point is `along` from the corner on its bisector.
     fn blunt(&self, [before, after]: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
-            Look::Cut => 2.0 - 4.0 * along,
-            Look::Round => {
+            JointShape::Cut => 2.0 - 4.0 * along,
+            JointShape::Round => {
                 // the hexagon's centre is at distance 1 on the bisector
                 let from_corner = near.to_corner();
                 let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
@@ -284,14 +286,14 @@ impl Laid {
         }
     }
 
-    fn square(&self, corner: Corner, near: NearCorner, exterior: Look, interior: Look) -> f64 {
+    fn square(&self, corner: Corner, near: NearCorner, exterior: JointShape, interior: JointShape) -> f64 {
         let bevels = self.bevels(corner, near);
         match (corner.before, corner.after) {
             (true, true) => self.tip(bevels, near, exterior),
             (false, false) if !corner.any => 0.0,
             (false, false) => match interior {
-                Look::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
-                Look::Round => 1.0 - 2.0 * near.to_corner(),
+                JointShape::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
+                JointShape::Round => 1.0 - 2.0 * near.to_corner(),
                 _ => 1.0 - SQRT_2 * (near.along + near.across.abs()),
             },
             _ => bevels[0].max(bevels[1]),
@@ -302,15 +304,15 @@ impl Laid {
     /// that corner.
     fn square_that_turns(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
         match self.form {
-            Look::Pointed => self.square(corner, near, Look::Pointed, Look::Pointed),
-            Look::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
-            Look::Round => {
+            JointShape::Pointed => self.square(corner, near, JointShape::Pointed, JointShape::Pointed),
+            JointShape::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
+            JointShape::Round => {
                 // by the law of cosines, in halves of the square's side
                 let (from_middle, along) = (2.0 * near.to_middle, 2.0 * along);
                 let from_notch = (from_middle * from_middle + 2.0 + 2.0 * SQRT_2 * along).max(0.0).sqrt();
                 (from_notch - 1.0).abs()
             }
-            Look::AsOthers => self.square(corner, near, self.exterior, self.interior),
+            JointShape::AsOthers => self.square(corner, near, self.exterior, self.interior),
         }
     }
 }
@@ -337,7 +339,7 @@ fn turn(corners: &[Corner]) -> Option<usize> {
 
 impl Field for Pavement {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.laid.value(DVec2::new(at.p.x, at.p.z))
+        self.layout.value(DVec2::new(at.p.x, at.p.z))
     }
 }
 
@@ -351,10 +353,10 @@ mod tests {
     const MEASURED: &str = include_str!("../../../tests/patterns/pavement.txt");
 
     #[test]
-    fn numbers_are_those_of_povray() {
+    fn numbers_match_povray() {
         for line in MEASURED.lines() {
             let n: Vec<f64> = line.split(' ').map(|n| n.parse().unwrap()).collect();
-            let said = PavementWords {
+            let params = PavementWords {
                 number_of_sides: n[0],
                 number_of_tiles: n[1],
                 pattern: n[2],
@@ -362,7 +364,7 @@ mod tests {
                 interior: n[4],
                 form: n[5],
             };
-            let pavement = Pavement::lay(said, Span::default()).unwrap();
+            let pavement = Pavement::lay(params, Span::default()).unwrap();
             let ours = pavement.value(&TextureContext::free(DVec3::new(n[6], 0.3, n[7]), Default::default()));
             assert!((ours - n[8]).abs() < 1e-5, "{line}: {ours}");
         }
@@ -373,19 +375,19 @@ mod tests {
         for (sides, cells) in [(3.0, Cells::Triangles), (4.0, Cells::Squares), (6.0, Cells::Hexagons)] {
             let all = cells.plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
             for (tiles, pattern) in all {
-                let look = ((tiles + pattern) % 4) as f64;
-                let said = PavementWords {
+                let joint = ((tiles + pattern) % 4) as f64;
+                let params = PavementWords {
                     number_of_sides: sides,
                     number_of_tiles: tiles as f64 + 1.0,
                     pattern: pattern as f64 + 1.0,
-                    exterior: look,
-                    interior: look,
-                    form: look,
+                    exterior: joint,
+                    interior: joint,
+                    form: joint,
                 };
-                let pavement = Pavement::lay(said, Span::default()).unwrap();
+                let pavement = Pavement::lay(params, Span::default()).unwrap();
                 for p in extreme_points() {
                     let value = pavement.value(&TextureContext::free(p, Default::default()));
-                    assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{said:?} {p}: {value}");
+                    assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{params:?} {p}: {value}");
                 }
             }
         }

@@ -389,7 +389,7 @@ mod tests {
     }
 
     #[test]
-    fn seams_are_povrays() {
+    fn seams_match_povray() {
         // POV-Ray 3.7's numbers at <x, 0, z>
         for (number, x, z, shown) in [
             (3, -8.0, -7.5, 0.5048),

@@ -3,7 +3,7 @@
 use crate::diagnostic::Result;
 use crate::image_io::Picture;
 use crate::math::Transform;
-use crate::mesh_io::Look;
+use crate::mesh_io::MeshMaterial;
 use crate::scene::{Defaults, Painted, read_layers};
 use crate::shape::Paints;
 use crate::texture::Texture;
@@ -77,8 +77,8 @@ impl Paints for EmbeddedTextures<'_> {
         Ok(Some(self.number(texture)))
     }
 
-    fn of_file(&mut self, look: &Look, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32> {
-        Ok(self.number(Texture::of_file(look, picture, r, &self.defaults.texture)))
+    fn of_file(&mut self, material: &MeshMaterial, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32> {
+        Ok(self.number(Texture::of_file(material, picture, r, &self.defaults.texture)))
     }
 
     fn transform(&mut self, slot: &mut u32, by: &Transform) {

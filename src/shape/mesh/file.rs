@@ -3,7 +3,7 @@
 use super::ordered::Ordered;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Picture;
-use crate::mesh_io::{Look, MeshFile};
+use crate::mesh_io::{MeshFile, MeshMaterial};
 use crate::shape::Paints;
 use crate::value::words::word;
 use crate::value::{Reader, Thing, ValueKind, WordSpec, downcast};
@@ -20,7 +20,7 @@ pub const FILE: WordSpec = word(
 #[derive(Debug, PartialEq)]
 pub struct FileMesh {
     pub triangles: Arc<Ordered>,
-    looks: Vec<(Look, Option<Arc<Picture>>)>,
+    materials: Vec<(MeshMaterial, Option<Arc<Picture>>)>,
 }
 
 impl Thing for FileMesh {
@@ -34,8 +34,8 @@ impl FileMesh {
     pub fn read(r: &mut dyn Reader) -> Result<Arc<Self>> {
         let at = r.span();
         let thing = r.mesh_file(|file: MeshFile, pictures| {
-            let looks = file.looks.into_iter().zip(pictures).collect();
-            Arc::new(Self { triangles: Arc::new(Ordered::new(file.triangles)), looks })
+            let materials = file.materials.into_iter().zip(pictures).collect();
+            Arc::new(Self { triangles: Arc::new(Ordered::new(file.triangles)), materials })
         })?;
         match downcast::<Self>(&thing) {
             Some(file) => Ok(file),
@@ -45,7 +45,7 @@ impl FileMesh {
 
     /// Returns the object's numbers of the file's textures.
     pub fn texture_weights(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
-        self.looks.iter().map(|(look, picture)| paints.of_file(look, picture.as_ref(), r)).collect()
+        self.materials.iter().map(|(material, picture)| paints.of_file(material, picture.as_ref(), r)).collect()
     }
 }
 

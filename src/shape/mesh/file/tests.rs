@@ -177,11 +177,14 @@ fn materials() {
     let file = read(text.as_bytes(), "obj").unwrap();
     assert_eq!(file.triangles.painted, [[0; 3], [1; 3], [0; 3]]);
     assert_eq!(file.remarks, ["line 8: there is no material `blue`"]);
-    let look = &file.looks[0];
-    assert_eq!((look.color, look.opacity, look.specular, look.shininess), ([1.0, 0.0, 0.0], 0.25, 0.5, 60.0));
-    assert_eq!(look.picture.as_deref(), Some("my red.png"));
+    let material = &file.materials[0];
+    assert_eq!(
+        (material.color, material.opacity, material.specular, material.shininess),
+        ([1.0, 0.0, 0.0], 0.25, 0.5, 60.0)
+    );
+    assert_eq!(material.picture.as_deref(), Some("my red.png"));
     let file = read(&glb(), "").unwrap();
-    assert_eq!((file.looks[0].color, file.looks[0].is_linear), ([1.0, 0.25, 0.0], true));
+    assert_eq!((file.materials[0].color, file.materials[0].is_linear), ([1.0, 0.25, 0.0], true));
     assert_eq!(file.triangles.painted, [[1; 3]; 12]);
 }
 
